@@ -206,6 +206,19 @@ void bind_score(py::module_& module) {
           "is_better_than",
           [](const Score& a, const Score& b) { return is_better(a, b); },
           py::arg("other"))
+      .def(py::pickle(  // of processes that evaluate
+          [](const Score& s) {
+            return py::make_tuple(
+                s.value, s.residuals, s.jacobian, s.stand_ins, s.constraints, s.equations);
+          },
+          [](const py::tuple& t) {
+            return Score{t[0].cast<double>(),
+                         t[1].cast<std::vector<double>>(),
+                         t[2].cast<std::vector<double>>(),
+                         t[3].cast<int>(),
+                         t[4].cast<std::vector<double>>(),
+                         t[5].cast<std::vector<double>>()};
+          }))
       .def("__repr__", [](const Score& s) {
         return py::str("Score({!r}, {} residuals)").format(s.value, s.residuals.size());
       });

@@ -13,6 +13,9 @@ class InputError(ValueError):
         self.file = file
         self.line = line
 
+    def __reduce__(self):  # from one process to another
+        return type(self), (str(self), self.file, self.line)
+
 
 class Failure(Exception):
     """Why a simulation gave no result. Raised where there is one result, a value in a list of them.
@@ -24,6 +27,9 @@ class Failure(Exception):
         super().__init__(reason)
         self.reason = reason
         self.cause = cause
+
+    def __reduce__(self):
+        return type(self), (self.reason, self.cause)
 
     def __repr__(self):
         return f"Failure({self.reason!r}, cause={self.cause!r})"

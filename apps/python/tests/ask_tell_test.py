@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Optimizers from Python: minima that SciPy finds too, options and complaints of the library, failures, threads."""
+import pickle
 import unittest
 
 import latsch
@@ -98,6 +99,16 @@ class AskTell(unittest.TestCase):
         optimizer = latsch.optimizer(box, "gss")
         optimizer.observe(optimizer.propose()[0], float("nan"))  # as a failure
         self.assertFalse(optimizer.converged)
+
+    def test_outcomes_go_from_process_to_process(self):
+        score = latsch.Score(residuals=[1.0, 2.0], jacobian=[[1, 2, 3], [4, 5, 6]], constraints=[0.1], stand_ins=1)
+        same = pickle.loads(pickle.dumps(score))
+        np.testing.assert_array_equal(same.jacobian, score.jacobian)
+        self.assertEqual((same.value, same.violation), (5.0, 0.1))
+        failure = pickle.loads(pickle.dumps(latsch.Failure("too long", "timeout")))
+        self.assertEqual((failure.reason, failure.cause), ("too long", "timeout"))
+        error = pickle.loads(pickle.dumps(latsch.InputError("tire.toml:3: is wrong", "tire.toml", 3)))
+        self.assertEqual((str(error), error.file, error.line), ("tire.toml:3: is wrong", "tire.toml", 3))
 
     def test_runs_after_one_another(self):
         box = latsch.DesignSpace([latsch.Variable("a", initial=0.1), latsch.Variable("b", initial=0.1)])

@@ -72,7 +72,7 @@ class Stubs(unittest.TestCase):
 class Examples(unittest.TestCase):
     def test_they_run(self):
         says = {"decay": "k = 0.503, 95 %: 0.486 .. 0.521, identifiable", "bushings": "stiffer by a tenth",
-                "study": "40 trials"}
+                "study": "40 trials", "workers": "the path of one process: the same"}
         examples = sorted((ROOT / "apps/python/examples").glob("*.py"))
         self.assertEqual({one.stem for one in examples}, set(says))
         environment = {**os.environ, "LATSCH_PROGRAM": LATSCH}

@@ -156,6 +156,15 @@ class Studies(unittest.TestCase):
         self.assertEqual(result["target"], expected["target"])
         np.testing.assert_array_equal(study.best().point, whole.best().point)
 
+    def test_a_damaged_journal_says_so(self):
+        study = self.compliance()
+        study.run(progress=False)
+        with contextlib.closing(sqlite3.connect(study.journal)) as rows, rows:
+            rows.execute("update trials set point = randomblob(length(point)) where number = 3")
+        with self.assertRaises(latsch.JournalError) as caught:
+            study.trials()
+        self.assertIn("3", str(caught.exception))
+
     def test_wrong_studies_are_refused(self):
         study = self.compliance()
         self.assertEqual((len(study.trials()), study.trials().points.shape, study.best()), (0, (0, 10), None))
