@@ -8,6 +8,8 @@
 # apt: libzip-dev
 # The studio's server: Boost.Beast and Asio, headers alone:
 # apt: libboost-dev
+# The Python package; the program is built without it where these are not there:
+# apt: python3-dev pybind11-dev python3-numpy
 # For runs on the ranks of an MPI job; the program is built without it where it is not there:
 # apt: libopenmpi-dev openmpi-bin
 # Tests and benchmarks compare with these independent programs; the product does not use them:
