@@ -13,10 +13,7 @@
 #include <vector>
 
 #include "numerics/kernels/kernel_set.h"
-
-#if __has_include("web/web_assets.h")
 #include "web/web_assets.h"
-#endif
 
 extern "C" char* openblas_get_config();
 
@@ -34,14 +31,6 @@ constexpr bool kMpi = true;
 #else
 constexpr bool kMpi = false;
 #endif
-
-bool has_page() {
-#if __has_include("web/web_assets.h")
-  return !studio::web_assets().empty();
-#else
-  return false;
-#endif
-}
 
 std::string kernels() {
   std::vector<std::string> names;
@@ -86,7 +75,7 @@ std::string version_text() {
       zlibVersion(),
       openblas_get_config(),
       kMpi ? "yes" : "no",
-      has_page() ? "latsch serve shows it" : "none: latsch serve answers programs alone");
+      !studio::web_assets().empty() ? "latsch serve shows it" : "none: latsch serve answers programs alone");
 }
 
 }  // namespace latsch::cli
