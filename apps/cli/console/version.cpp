@@ -40,6 +40,8 @@ std::string kernels() {
 
 }  // namespace
 
+std::string version_number() { return LATSCH_VERSION; }
+
 std::string version_text() {
   return fmt::format(
       "latsch {} ({}, kernels {})\n"
