@@ -6,6 +6,10 @@
 # apt: zlib1g-dev libmatio-dev
 # Packages of co-simulation units (FMI) are ZIP files:
 # apt: libzip-dev
+# The studio's server: Boost.Beast and Asio, headers alone:
+# apt: libboost-dev
+# The Python package; the program is built without it where these are not there:
+# apt: python3-dev pybind11-dev python3-numpy
 # For runs on the ranks of an MPI job; the program is built without it where it is not there:
 # apt: libopenmpi-dev openmpi-bin
 # Tests and benchmarks compare with these independent programs; the product does not use them:
@@ -14,6 +18,12 @@
 # apt: libsimbody-dev
 # ./bench.sh slurm starts a Slurm of one node with these (7 MB; no daemon of theirs has to run):
 # apt: slurmctld slurmd slurm-client munge
+# The page of the studio is built by npm (apps/web); installed where the commands are missing: another Node than Debian's has
+# packages that exclude Debian's npm. Latsch is built without the page where there is none.
+# apt-command: node nodejs
+# apt-command: npm npm
+# Its tests run in this browser:
+# apt: chromium
 # A file system in user space for the test of a journal on one:
 # apt: bindfs
 find_package(fmt REQUIRED)
@@ -24,6 +34,7 @@ find_package(tomlplusplus REQUIRED)
 find_package(SQLiteCpp REQUIRED)
 find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(Boost 1.74 REQUIRED)
 if(LATSCH_TESTS)
   find_package(GTest REQUIRED)
 endif()

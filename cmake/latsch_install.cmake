@@ -1,12 +1,13 @@
 # Installs the program, the libraries and their headers, so that find_package(latsch) gives latsch::correlation
 # and everything below it. The dependencies are found again on the other machine by the same file as here.
+# Components: program (with its manual and completion), python, development.
 include(CMakePackageConfigHelpers)
 
 get_property(libraries GLOBAL PROPERTY LATSCH_LIBRARIES)
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/latsch)
-install(TARGETS ${libraries} EXPORT latsch_targets)
-install(EXPORT latsch_targets NAMESPACE latsch:: DESTINATION ${package_directory})
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/latsch
+install(TARGETS ${libraries} EXPORT latsch_targets COMPONENT development)
+install(EXPORT latsch_targets NAMESPACE latsch:: DESTINATION ${package_directory} COMPONENT development)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/latsch COMPONENT development
         FILES_MATCHING PATTERN "*.h" PATTERN "*_testing.h" EXCLUDE)
 
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/latsch-config-version.cmake
@@ -14,7 +15,18 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/latsch-config-version.cmake
 install(FILES ${CMAKE_SOURCE_DIR}/cmake/latsch-config.cmake
               ${CMAKE_SOURCE_DIR}/cmake/dependencies.cmake
               ${CMAKE_BINARY_DIR}/latsch-config-version.cmake
-        DESTINATION ${package_directory})
+        DESTINATION ${package_directory} COMPONENT development)
+
+# man latsch, from what the program says of itself.
+set(manual ${CMAKE_BINARY_DIR}/latsch.1)
+add_custom_command(OUTPUT ${manual}
+                   COMMAND python3 ${CMAKE_SOURCE_DIR}/tools/man_page.py $<TARGET_FILE:latsch> ${manual}
+                   DEPENDS latsch ${CMAKE_SOURCE_DIR}/tools/man_page.py VERBATIM)
+add_custom_target(latsch_manual ALL DEPENDS ${manual})
+install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES ${CMAKE_SOURCE_DIR}/cmake/package/latsch.bash DESTINATION share/bash-completion/completions RENAME latsch
+        COMPONENT program)
+include(cmake/latsch_packages.cmake)
 
 if(LATSCH_TESTS AND NOT LATSCH_SANITIZE)
   add_test(NAME install_and_find_package

@@ -125,7 +125,7 @@ function(latsch_program folder program)
   target_include_directories(latsch_${name} PUBLIC ${CMAKE_SOURCE_DIR}/apps)
   add_executable(${program} ${folder}/main.cpp)
   target_link_libraries(${program} PRIVATE latsch_${name})
-  install(TARGETS ${program})
+  install(TARGETS ${program} COMPONENT program)
 endfunction()
 
 # Every folder below that has a CMakeLists.txt.

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Installs the Debian packages named by the "# apt:" lines of cmake/dependencies.cmake that are not there yet.
+# Installs the Debian packages named by the "# apt:" lines of cmake/dependencies.cmake that are not there yet, and those of
+# the "# apt-command: COMMAND PACKAGE" lines whose command is not there.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -8,6 +9,10 @@ for package in $(sed -n 's/^# apt: //p' cmake/dependencies.cmake); do
   status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
   [ "$status" = installed ] || missing="$missing $package"
 done
+commands=$(sed -n 's/^# apt-command: //p' cmake/dependencies.cmake | while read -r name package; do
+  command -v "$name" >/dev/null || printf ' %s' "$package"
+done)
+missing="$missing$commands"
 [ -n "$missing" ] || exit 0
 
 echo "installing:$missing"

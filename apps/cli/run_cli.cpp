@@ -11,9 +11,9 @@
 
 #include "base/error.h"
 #include "cli/console/console.h"
+#include "cli/console/version.h"
 #include "cli/verbs/verbs.h"
 #include "experiment/language/capabilities.h"
-#include "numerics/kernels/kernel_set.h"
 
 namespace latsch::cli {
 namespace {
@@ -42,6 +42,7 @@ constexpr OfferedVerb kVerbs[] = {{add_new, experiment::IsPressed::kName},
                                   {add_run},
                                   {add_identify},
                                   {add_report},
+                                  {add_serve},
                                   {add_pareto},
                                   {add_export},
                                   {add_process},
@@ -72,10 +73,9 @@ int run(int argc, char** argv, const experiment::Language& language) {
     return !*verb.capability || !language.kinds_for({verb.capability}).empty();
   };
   // An impossible LATSCH_KERNELS ends every verb here.
-  const auto kernels = name(kernel_set());
   CommandLine app(description(language),
                   std::string("\nStart here:") + (offers(kVerbs[0]) ? kNew : "") + kFooter,
-                  fmt::format("latsch 0.1.0 ({}, kernels {})", processor_name(), kernels));
+                  version_text());
   Program program{language};
   for (const OfferedVerb& verb : kVerbs)
     if (offers(verb)) verb.add(app, program);

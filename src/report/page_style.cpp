@@ -150,13 +150,6 @@ svg .cord { stroke-width: 1.7; }
 svg .inflated { stroke: var(--ink); stroke-width: 1; stroke-dasharray: 4 3; }
 svg .ground { stroke: var(--ink); stroke-width: 2; }
 svg .clamped { fill: var(--ink); }
-.modes { display: grid; grid-template-columns: repeat(auto-fill, minmax(236px, 1fr)); gap: 14px; }
-.modes figure { margin: 0; }
-.modes figcaption { text-align: center; margin: 0; color: var(--ink); }
-.modes figcaption span { color: var(--soft); }
-canvas { display: block; width: 100%; touch-action: pan-y; cursor: grab; }
-canvas.large { aspect-ratio: 13 / 11; }
-.modes canvas { aspect-ratio: 1; }
 .bar {
   display: grid; grid-template-columns: repeat(3, 1fr); width: 260px; font-size: 13px;
   color: var(--soft); margin: 6px 0;

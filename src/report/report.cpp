@@ -11,11 +11,11 @@
 #include "report/curve_plot.h"
 #include "report/html_parts.h"
 #include "report/html_text.h"
+#include "report/live_page.h"
 #include "report/page_style.h"
 #include "report/surface_plot.h"
 #include "report/tables.h"
 #include "report/tire_pictures.h"
-#include "report/tire_scene.h"
 #include "report/value_table.h"
 
 namespace latsch::report {
@@ -197,58 +197,25 @@ std::string surface_chapter(const StudyReport& report) {
 std::string patch_figure(const fe_tire::Standing& standing) {
   const std::string picture = patch_picture(standing.patch);
   if (picture.empty()) return "";
-  return figure("Contact patch",
-                fmt::format("{} N at {} mm", fixed(standing.force.z(), 0), fixed(1e3 * standing.deflection, 1)),
-                picture,
-                fmt::format("Length {} mm, width {} mm, area {} cm².",
-                            fixed(1e3 * standing.patch.length, 0),
-                            fixed(1e3 * standing.patch.width, 0),
-                            fixed(1e4 * standing.patch.area, 1)));
+  return figure(
+      "Contact patch",
+      fmt::format(
+          "{} N at {} mm", fixed(standing.force.z(), 0), fixed(1e3 * standing.deflection, 1)),
+      picture,
+      fmt::format("Length {} mm, width {} mm, area {} cm².",
+                  fixed(1e3 * standing.patch.length, 0),
+                  fixed(1e3 * standing.patch.width, 0),
+                  fixed(1e4 * standing.patch.area, 1)));
 }
 
-std::string loaded_figure(const TirePictures& pictures) {
-  const fe_tire::Standing& standing = pictures.loaded->standing;
-  double largest = 0.0;
-  for (int k = 0; k < pictures.loaded->u.cols(); ++k) {
-    const Eigen::Vector3d before =
-        pictures.inflated
-            ? Eigen::Vector3d(pictures.inflated->u.col(k % pictures.inflated->u.cols()))
-            : Eigen::Vector3d::Zero();
-    largest = std::max(largest, (pictures.loaded->u.col(k) - before).norm());
-  }
-  return fmt::format(
-      "<figure><b>Loaded tire <span>{} N at {} mm, true to scale</span></b><div class=\"figures\">"
-      "<canvas class=\"tire large\" data-state=\"0\" role=\"img\" aria-label=\"Deformed "
-      "tire\"></canvas>"
-      "<canvas class=\"tire large\" data-state=\"0\" data-yaw=\"0\" data-pitch=\"0.04\" "
-      "role=\"img\" "
-      "aria-label=\"Deformed tire from the side\"></canvas></div>"
-      "<div class=\"bar\"><i></i><span>0</span><span>{} mm</span><span>{} mm</span></div>"
-      "<figcaption>Displacement from the inflated state. Drag to turn.</figcaption></figure>\n",
-      fixed(standing.force.z(), 0),
-      fixed(1e3 * standing.deflection, 1),
-      fixed(0.25e3 * largest, 1),  // colors go with the root: most of the tire hardly moves
-      fixed(1e3 * largest, 1));
-}
-
-std::string mode_figures(const TirePictures& pictures) {
-  std::string html = fmt::format(
-      "<h3>Modes <span>{}, amplitude enlarged; the pointer makes them swing</span></h3><div "
-      "class=\"modes\">",
-      pictures.modes_loaded ? "loaded tire" : "unloaded tire");
-  for (int k = 0; k < shown_modes(pictures); ++k) {
-    const fe_tire::Mode& mode = pictures.modes[k];
-    const std::string label = escape(mode.label());
-    html += fmt::format(
-        "<figure><canvas class=\"tire\" data-mode=\"{}\" role=\"img\" aria-label=\"Mode "
-        "{}\"></canvas>"
-        "<figcaption>{} <span>{} Hz</span></figcaption></figure>\n",
-        k,
-        label,
-        label,
-        fixed(mode.frequency, 1));
-  }
-  return html + "</div>";
+/// What the page of figures shows moving, in numbers.
+std::string mode_table(const TirePictures& pictures) {
+  std::vector<std::vector<std::string>> rows;
+  for (const fe_tire::Mode& mode : pictures.modes)
+    rows.push_back({mode.label(), fixed(mode.frequency, 1)});
+  return fmt::format("<h3>Modes <span>{}</span></h3>",
+                     pictures.modes_loaded ? "loaded tire" : "unloaded tire") +
+         number_table({"mode", "Hz"}, rows);
 }
 
 std::string pictures(const TirePictures& p) {
@@ -262,21 +229,18 @@ std::string pictures(const TirePictures& p) {
                    section_picture(p.mesh, p.layers, p.inflated ? &*p.inflated : nullptr),
                    "As built; dashed: inflated.");
   }
-  const std::string scene = scene_json(p);
   if (p.loaded) {
-    if (!scene.empty()) html += loaded_figure(p);
     html += "<div class=\"figures\">" + patch_figure(p.loaded->standing);
     if (p.mesh.sectors > 1 && p.inflated) {
       html += figure("Section above the contact",
                      "",
-                     loaded_section_picture(p.mesh, *p.inflated, p.loaded->u, p.loaded->standing.loaded_radius),
+                     loaded_section_picture(
+                         p.mesh, *p.inflated, p.loaded->u, p.loaded->standing.loaded_radius),
                      "True to scale; dashed: inflated.");
     }
     html += "</div>";
   }
-  if (!p.modes.empty() && !scene.empty()) html += mode_figures(p);
-  return html + "<noscript><p>The three-dimensional pictures need JavaScript.</p></noscript>" +
-         fmt::format("<script type=\"application/json\" id=\"tire-data\">{}</script>", scene);
+  return p.modes.empty() ? html : html + mode_table(p);
 }
 
 std::string slip_chapter(const StudyReport& report) {
@@ -315,7 +279,7 @@ std::vector<Chapter> chapters(const StudyReport& report) {
   return all;
 }
 
-std::string header(const StudyReport& report, const std::vector<Chapter>& all) {
+std::string header(const StudyReport& report, const std::vector<Chapter>& all, bool is_live) {
   std::string line;
   for (const std::string& part : {report.tire, report.study_file, report.date}) {
     if (!part.empty()) line += (line.empty() ? "" : " · ") + escape(part);
@@ -323,6 +287,7 @@ std::string header(const StudyReport& report, const std::vector<Chapter>& all) {
   std::string html = fmt::format("<header><h1>{}</h1><p>{}</p><nav>", escape(report.title), line);
   for (const Chapter& chapter : all)
     html += fmt::format("<a href=\"#{}\">{}</a>", chapter.id, chapter.title);
+  if (is_live) html += "<a href=\"#/study\">Views that answer</a>";
   html += "</nav></header>\n" + key_numbers(report);
   for (const std::string& remark : report.remarks) html += fmt::format("<p>{}</p>", escape(remark));
   return html;
@@ -330,10 +295,10 @@ std::string header(const StudyReport& report, const std::vector<Chapter>& all) {
 
 }  // namespace
 
-std::string html(const StudyReport& report) {
+std::string html(const StudyReport& report, const LivePage* live) {
   const std::vector<Chapter> all = chapters(report);
-  std::string page = page_begin(report.title);
-  page += header(report, all);
+  std::string page = live ? live_page_begin(report.title, *live) : page_begin(report.title);
+  page += header(report, all, live != nullptr);
   for (const Chapter& chapter : all) {
     page += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}\n</section>\n",
                         chapter.id,
@@ -344,8 +309,7 @@ std::string html(const StudyReport& report) {
       "<footer>Latsch{}{}</footer>\n",
       report.version.empty() ? "" : fmt::format(" {}", escape(report.version)),
       report.model_file.empty() ? "" : fmt::format(" · model {}", escape(report.model_file)));
-  if (report.pictures) page += fmt::format("<script>{}</script>\n", viewer_script());
-  return page.append(kPageEnd);
+  return page + (live ? live_page_end(*live) : std::string(kPageEnd));
 }
 
 }  // namespace latsch::report

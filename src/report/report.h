@@ -14,6 +14,7 @@
 #include "models/fe_tire/element/mesh.h"
 #include "report/identifiability.h"
 #include "report/line_plot.h"
+#include "report/scene.h"
 
 namespace latsch::report {
 
@@ -226,9 +227,13 @@ struct StudyReport {
   bool is_of_design = false;  // the found point is the best trial of a design, no fit
   std::vector<DiscretizationError> discretization;
   std::optional<TirePictures> pictures;
+  std::optional<Scene> scene;  // of what is no finite-element tire
 };
 
-/// The page, UTF-8. Needs nothing else to be shown; names may hold any characters.
-std::string html(const StudyReport& report);
+struct LivePage;
+
+/// The page, UTF-8. Needs nothing else to be shown; names may hold any characters. With `live`
+/// (live_page.h) it opens as views that answer the pointer, and prints as what it is without them.
+std::string html(const StudyReport& report, const LivePage* live = nullptr);
 
 }  // namespace latsch::report

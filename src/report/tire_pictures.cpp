@@ -14,13 +14,12 @@
 #include "report/color_map.h"
 #include "report/html_text.h"
 #include "report/svg_plot.h"
+#include "report/tire_section.h"
 
 namespace latsch::report {
 namespace {
 
 constexpr double kOneMillimeter = 1e-3;
-constexpr std::array<int, 4> kSectionNodes = {0, 3, 7, 4};  // face xi = -1: inner - +, outer + -
-
 /// Position in the section: y and radius, mm.
 Point in_section(const Eigen::Vector3d& X) {
   return {X.y() / kOneMillimeter, std::hypot(X.x(), X.z()) / kOneMillimeter};
@@ -64,46 +63,18 @@ void scale_bar(Svg& svg, const Point& at, double pixels_per_mm) {
   svg.text(0.5 * (at + end) + Point(0, -7), significant(length, 3) + " mm", Anchor::middle);
 }
 
-/// Corners of an element's face xi = -1: inner - +, outer + -. Tied ones lie between their nodes.
-std::array<Point, 4> corners_of(const fe_tire::Element& element, const std::vector<Point>& nodes) {
-  std::array<Point, 4> corners;
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    corners[k] = nodes[element.node[kSectionNodes[k]]];
-  if (element.tie.eta == 0) return corners;
-  Point &inner = corners[element.tie.eta < 0 ? 0 : 1],
-        &outer = corners[element.tie.eta < 0 ? 3 : 2];
-  const Point from = inner, way = outer - inner;
-  inner = from + element.tie.lower * way;
-  outer = from + element.tie.upper * way;
-  return corners;
-}
-
 /// Every element of a sector by its region's color; nodes: where they are in the section.
 void draw_elements(Svg& svg,
                    const fe_tire::Mesh& mesh,
                    const std::vector<Point>& nodes,
                    const Window& window) {
-  std::vector<Point> corners(kSectionNodes.size());
+  std::vector<Point> corners(4);
   for (const fe_tire::Element& element : mesh.elements) {
-    std::ranges::transform(corners_of(element, nodes), corners.begin(), window);
+    std::ranges::transform(section_corners(element, nodes), corners.begin(), window);
     svg.polygon(corners,
                 fmt::format("fill=\"{}\" class=\"element\"", muted_category(element.region)),
                 mesh.region_names.empty() ? "" : mesh.region_names.at(element.region));
   }
-}
-
-/// The cord's ends where its layer leaves the element, at parametric thickness zeta.
-std::array<Point, 2> cord_line(const fe_tire::Mesh& mesh,
-                               const fe_tire::Element& element,
-                               double zeta) {
-  const Eigen::Matrix<double, 3, 8> X = mesh.coordinates(element);
-  std::array<Point, 2> ends;
-  for (int k = 0; k < 2; ++k) {
-    const Point inner = in_section(X.col(k == 0 ? 0 : 3));
-    const Point outer = in_section(X.col(k == 0 ? 4 : 7));
-    ends[k] = 0.5 * (1.0 - zeta) * inner + 0.5 * (1.0 + zeta) * outer;
-  }
-  return ends;
 }
 
 /// Plies in the order in which they appear, and the ply of every cord layer; -1: not in the mesh or
@@ -208,13 +179,15 @@ std::string section_picture(const fe_tire::Mesh& mesh,
   draw_elements(svg, mesh, nodes, window);
   for (const fe_tire::Element& element : mesh.elements) {
     for (const fe_tire::RebarPlacement& rebar : element.rebars) {
-      const auto [a, b] = cord_line(mesh, element, rebar.zeta);
-      svg.line(window(a), window(b), cord_color(plies.at(rebar.layer)));
+      const auto [a, b] = cord_ends(mesh, element, rebar.zeta);
+      svg.line(window(a / kOneMillimeter),
+               window(b / kOneMillimeter),
+               cord_color(plies.at(rebar.layer)));
     }
   }
   if (inflated) {  // edges of the outer faces, every element by itself: their order does not matter
     for (const fe_tire::Element& element : mesh.elements) {
-      const std::array<Point, 4> at = corners_of(element, grown);
+      const std::array<Point, 4> at = section_corners(element, grown);
       if (element.inner) svg.line(window(at[0]), window(at[1]), "class=\"inflated\"");
       svg.line(window(at[3]), window(at[2]), "class=\"inflated\"");
     }
@@ -249,7 +222,7 @@ std::string loaded_section_picture(const fe_tire::Mesh& mesh,
   Svg svg(500, window.height() + 50, "Section of the loaded tire above the contact");
   draw_elements(svg, mesh, after, window);
   for (const fe_tire::Element& element : mesh.elements) {
-    const std::array<Point, 4> at = corners_of(element, before);
+    const std::array<Point, 4> at = section_corners(element, before);
     svg.line(window(at[3]), window(at[2]), "class=\"inflated\"");
   }
   const double ground = window({0.0, -loaded_radius / kOneMillimeter}).y();

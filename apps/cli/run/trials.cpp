@@ -14,12 +14,15 @@
 #include "cli/console/console.h"
 #include "cli/console/tables.h"
 #include "cli/run/interrupt.h"
+#include "cli/run/live_script.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/refined_shift.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/study_report/study_report.h"
 #include "evaluation/journal/local_file_system.h"
 #include "evaluation/schedule/retried_failures.h"
+#include "report/live_page.h"
+#include "studio/report_answers.h"
 
 namespace latsch::cli {
 
@@ -170,8 +173,24 @@ void print_mesh_error(const report::StudyReport& page) {
 
 }  // namespace
 
+namespace {
+
+/// With the views of the studio, where the program has its page.
+std::string report_page(const correlation::Study& study,
+                        const report::StudyReport& page,
+                        const experiment::Language& language) {
+  const LiveScript live = live_script();
+  if (live.script.empty()) return report::html(page);
+  const report::LivePage views{
+      studio::report_answers(study.file, language, page), live.script, live.style};
+  return report::html(page, &views);
+}
+
+}  // namespace
+
 int write_report(const correlation::Study& study,
                  const Journal& journal,
+                 const experiment::Language& language,
                  experiment::Thoroughness thoroughness) {
   const auto page = correlation::study_report(
       correlation::with_estimated_noise(study, journal), journal, thoroughness);
@@ -181,7 +200,7 @@ int write_report(const correlation::Study& study,
   }
   print_mesh_error(*page);
   const auto file = std::filesystem::path(study.run.journal).replace_extension(".html");
-  write_text_file(file, report::html(*page));
+  write_text_file(file, report_page(study, *page, language));
   answer()["target"] = page->target;
   answer()["report"] = file.string();
   say("\nReport: {}\n", file.string());

@@ -10,6 +10,7 @@
 #include "evaluation/executors/process_executor.h"
 #include "evaluation/journal/journal.h"
 #include "evaluation/schedule/scheduler.h"
+#include "experiment/language.h"
 #include "experiment/language/specimen.h"
 
 namespace latsch::cli {
@@ -51,6 +52,7 @@ bool take_refined(const correlation::Study& study, correlation::Identifiability&
 /// Writes the report beside the study and names it; returns the exit code.
 int write_report(const correlation::Study& study,
                  const Journal& journal,
+                 const experiment::Language& language,
                  experiment::Thoroughness thoroughness = experiment::Thoroughness::seconds);
 
 }  // namespace latsch::cli

@@ -130,7 +130,7 @@ int identify(const std::string& file,
   const auto missed = correlation::missed_values(study, **result);
   answer()["missed"] = answer_of(study, missed);
   print_missed(study, missed);
-  return write_report(study, journal);
+  return write_report(study, journal, language);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ int report(const std::string& file, const experiment::Language& language, bool o
   return write_report(
       study,
       Journal::read(study.run.journal, correlation::identity(study)),
+      language,
       on_the_ground ? experiment::Thoroughness::minutes : experiment::Thoroughness::seconds);
 }
 

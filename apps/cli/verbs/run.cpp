@@ -3,9 +3,12 @@
 // optimizer again on the journal it left.
 #include <fmt/format.h>
 
+#include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <thread>
 
 #include "base/file.h"
 #include "cli/console/answers.h"
@@ -14,6 +17,7 @@
 #include "cli/console/implausible.h"
 #include "cli/console/tables.h"
 #include "cli/run/interrupt.h"
+#include "cli/run/served_studies.h"
 #include "cli/run/trials.h"
 #include "cli/run/workers.h"
 #include "cli/verbs/verbs.h"
@@ -24,6 +28,7 @@
 #include "correlation/target/best_trial.h"
 #include "correlation/target/estimated_noise.h"
 #include "correlation/target/study_trials.h"
+#include "evaluation/executors/launch.h"
 #include "evaluation/journal/journal_lock.h"
 
 namespace latsch::cli {
@@ -115,6 +120,7 @@ struct Asked {
   bool retries_failed = false;
   bool adopts = false;
   bool anew = false;
+  bool watch = false;
 };
 
 /// "study.latsch" becomes "study.1.latsch", the first number that is free.
@@ -234,7 +240,7 @@ int fit(const Asked& asked, const experiment::Language& language) {
                                                              : correlation::Depth::at_the_point;
       if (!print_values(study, shown, depth, workers, executor, journal)) return kFailed;
       workers.end();
-      return write_report(study, journal);
+      return write_report(study, journal, language);
     }
     say("Best of {} steps: target {:.4f} %\nThe search ended {}\n",
         fitted.run.steps.size(),
@@ -247,6 +253,21 @@ int fit(const Asked& asked, const experiment::Language& language) {
     once.anew = asked.anew && !shares;
     once.retries_failed = asked.retries_failed && !shares;
   }
+}
+
+/// The same beside its page, which stays until it is ended.
+int fit_watched(const Asked& asked, const experiment::Language& language) {
+  if (!asked.watch || launch().task > 0) return fit(asked, language);
+  catch_interrupts();
+  const ServedStudies page({asked.file}, language);
+  say("{}\n", page.address());
+  std::fflush(stdout);
+  page.open_browser();
+  const int exit_code = fit(asked, language);
+  if (!interrupted()) say("\nThe page stays open until Ctrl-C\n");
+  std::fflush(stdout);
+  while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  return exit_code;
 }
 
 }  // namespace
@@ -272,6 +293,7 @@ void add_run(CommandLine& app, Program& program) {
     verb.add_option("study", asked->file, "Study file (TOML)").required();
     verb.add_option("--workers", asked->workers, "Worker processes, instead of the study's")
         .between(1, 1024);
+    verb.add_flag("--watch", asked->watch, "Opens a page that shows it, and stays behind its end");
     if (resuming) {
       verb.add_flag("--retry-failed",
                     asked->retries_failed,
@@ -283,7 +305,7 @@ void add_run(CommandLine& app, Program& program) {
       verb.add_flag(
           "--anew", asked->anew, "Begins with an empty journal; the old one is kept beside");
     }
-    verb.callback([=, &program] { program.exit_code = fit(*asked, program.language); });
+    verb.callback([=, &program] { program.exit_code = fit_watched(*asked, program.language); });
   }
 }
 

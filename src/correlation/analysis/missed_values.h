@@ -24,10 +24,10 @@ struct MissedValue {
   };
   Error missed;
   bool fitted = true;
-  std::optional<int> variable;  // that moves it most; none where none does
-  double effect = 0.0;          // of that variable's whole range, on the error
-  bool within_bounds = true;    // whether it can mend it alone
-  std::optional<Error> payer;   // the other fitted value that would suffer most, as it would be
+  std::optional<int> variable = {};  // that moves it most; none where none does
+  double effect = 0.0;               // of that variable's whole range, on the error
+  bool within_bounds = true;         // whether it can mend it alone
+  std::optional<Error> payer = {};  // the other fitted value that would suffer most, as it would be
 
   std::string in_words(const DesignSpace& space) const;
 };

@@ -10,17 +10,10 @@
 
 #include "correlation/study/study_slopes.h"
 #include "correlation/target/predictions.h"
+#include "correlation/target/weighing.h"
 
 namespace latsch::correlation {
 namespace {
-
-std::vector<StudyExperiment> fitted_of(const Study& study) {
-  std::vector<StudyExperiment> fitted;
-  for (const StudyExperiment& experiment : study.experiments) {
-    if (experiment.fitted) fitted.push_back(experiment);
-  }
-  return fitted;
-}
 
 /// Specimens of earlier points, for whoever builds the next one.
 class Reuse {
@@ -45,7 +38,7 @@ class Reuse {
 class StudyTrials {
  public:
   explicit StudyTrials(const Study& study)
-      : study_(study), fitted_(fitted_of(study)), moved_(study.space) {
+      : study_(study), fitted_(fitted_experiments(study)), moved_(study.space) {
     const auto asked = tests_asked_for(study);
     for (const StudyTest& test : study.tests) {
       if (std::find(asked.begin(), asked.end(), test.name) == asked.end()) continue;
@@ -124,36 +117,6 @@ Result<Channels> simulate_all(const Study& study, const DesignPoint& point) {
 
 namespace {
 
-/// The deviation that all values together have in the mean of their weights 1 / sigma^2; nullopt
-/// where noise is not stated.
-std::optional<double> common_deviation(const std::vector<StudyExperiment>& fitted) {
-  double weights = 0.0, count = 0.0;
-  for (const StudyExperiment& experiment : fitted) {
-    if (!(experiment.objective.weight > 0.0)) continue;
-    if (!experiment.noise) return std::nullopt;
-    for (const double sigma : stated_deviations(experiment)) {
-      weights += 1.0 / (sigma * sigma);
-      count += 1.0;
-    }
-  }
-  return std::sqrt(count / weights);
-}
-
-/// Differences as the fit counts them: by their noise, so that one of common deviation keeps its
-/// size, and less where a robust loss finds them far off.
-void weigh(const StudyExperiment& experiment,
-           const std::optional<double>& common,
-           Comparison& comparison) {
-  if (!common && experiment.loss.loss == Loss::squares) return;
-  std::vector<double> sigma;
-  if (common) sigma = stated_deviations(experiment);
-  scale_by_noise(comparison, sigma, experiment.loss, sigma.empty() ? 1.0 : *common);
-  comparison.value = 0.0;
-  for (const double d : comparison.differences)
-    comparison.value += std::pow(std::abs(d), experiment.objective.exponent);
-  comparison.value /= static_cast<double>(comparison.differences.size());
-}
-
 /// Each as one value more.
 void add_priors(const DesignSpace& space,
                 const DesignPoint& point,
@@ -178,7 +141,7 @@ void add_priors(const DesignSpace& space,
 }  // namespace
 
 double noise_alone(const Study& study) {
-  const std::vector<StudyExperiment> fitted = fitted_of(study);
+  const std::vector<StudyExperiment> fitted = fitted_experiments(study);
   const auto common = common_deviation(fitted);
   if (!common) return 0.0;
   double mean = 0.0, variance = 0.0;
@@ -193,7 +156,7 @@ double noise_alone(const Study& study) {
 }
 
 Objective objective(const Study& study) {
-  const std::vector<StudyExperiment> fitted = fitted_of(study);
+  const std::vector<StudyExperiment> fitted = fitted_experiments(study);
   const auto common = common_deviation(fitted);
   std::vector<double> weights;  // with noise every value counts, not every experiment
   for (const StudyExperiment& experiment : fitted) {

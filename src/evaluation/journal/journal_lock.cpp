@@ -10,8 +10,11 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <ctime>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 #include "base/error.h"
@@ -27,12 +30,16 @@ std::string read_all(int fd) {
   return text;
 }
 
-std::string holder_text() {
+std::string host_name() {
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size() - 1);
+  return host.data();
+}
+
+std::string holder_text() {
   return fmt::format("process {} on {} since {:%Y-%m-%d %H:%M:%S} UTC\n",
                      ::getpid(),
-                     host.data(),
+                     host_name(),
                      fmt::gmtime(std::time(nullptr)));
 }
 
@@ -97,6 +104,41 @@ JournalLock::JournalLock(const std::filesystem::path& journal) : file_(lock_of(j
 JournalLock::~JournalLock() {
   ::unlink(file_.c_str());
   ::close(fd_);
+}
+
+namespace {
+
+/// Whether that process of this machine holds an flock(2) on the file. Its device is not compared:
+/// overlays and file systems of several volumes show another one there. [proc(5), /proc/locks]
+bool holds(int process, ino_t inode) {
+  std::ifstream locks("/proc/locks");
+  for (std::string line; std::getline(locks, line);) {
+    std::istringstream words(line);
+    std::string number, kind, manner, access, file;
+    int holder = 0;
+    if (words >> number >> kind >> manner >> access >> holder >> file && kind == "FLOCK" &&
+        holder == process && file.ends_with(fmt::format(":{}", inode)))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<JournalHolder> journal_holder(const std::filesystem::path& journal) {
+  const int fd = ::open(lock_of(journal).c_str(), O_RDONLY | O_CLOEXEC);
+  if (fd < 0) return std::nullopt;
+  const std::string words = read_all(fd);
+  struct stat file {};
+  ::fstat(fd, &file);
+  ::close(fd);
+  int process = 0;
+  std::array<char, 256> host{};
+  if (std::sscanf(words.c_str(), "process %d on %255s", &process, host.data()) != 2)
+    return std::nullopt;  // it has just been taken, or its holder's disk is full
+  if (host.data() != host_name()) return JournalHolder{words, std::nullopt};
+  if (!holds(process, file.st_ino)) return std::nullopt;  // left behind by a kill
+  return JournalHolder{words, process};
 }
 
 }  // namespace latsch

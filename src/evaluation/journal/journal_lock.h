@@ -4,8 +4,16 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 
 namespace latsch {
+
+/// Who writes a journal.
+struct JournalHolder {
+  std::string words;           // "process 4711 on lab7 since 2026-03-01 10:12:44 UTC"
+  std::optional<int> process;  // of this machine; nullopt: of another one, or not told
+};
 
 class JournalLock {
  public:
@@ -20,5 +28,10 @@ class JournalLock {
   std::filesystem::path file_;
   int fd_ = -1;
 };
+
+/// Looked up without taking the lock even for a moment: who opens the journal meanwhile is not in
+/// the way. nullopt where nobody holds it. A holder on another machine is one whose name stands in
+/// the file.
+std::optional<JournalHolder> journal_holder(const std::filesystem::path& journal);
 
 }  // namespace latsch

@@ -19,6 +19,7 @@
 #include "base/random.h"
 #include "base/scratch_folder_testing.h"
 #include "evaluation/journal/journal_history_testing.h"
+#include "evaluation/journal/journal_lock.h"
 #include "evaluation/journal/local_file_system.h"
 #include "evaluation/trial/encoding.h"
 
@@ -64,6 +65,12 @@ std::string complaint(Action&& action) {
     return error.what();
   }
   return "";
+}
+
+std::string host() {
+  char name[256] = {};
+  ::gethostname(name, sizeof name - 1);
+  return name;
 }
 
 void expect_contains(const std::string& text, const std::string& part) {
@@ -357,6 +364,25 @@ TEST(Journal, ASecondWriterIsToldWhoHoldsItAndReadersMayComeIn) {
   EXPECT_EQ(reader.trials().size(), 1u);
   writer.append(trial(2));
   EXPECT_EQ(reader.trials().size(), 2u);
+}
+
+TEST(Journal, WhoWritesItIsToldWithoutTakingTheLock) {
+  const ScratchFolder folder;
+  EXPECT_FALSE(journal_holder(folder / "a.journal"));
+  {
+    const Journal journal = Journal::open(folder / "a.journal", kStudy);
+    const auto holder = journal_holder(folder / "a.journal");
+    ASSERT_TRUE(holder);
+    EXPECT_EQ(holder->process, ::getpid());
+    expect_contains(holder->words, std::to_string(::getpid()));
+  }
+  EXPECT_FALSE(journal_holder(folder / "a.journal"));
+  write_bytes(folder / "a.journal.lock", "process 1 on " + host() + " since 2026-03-01\n");
+  EXPECT_FALSE(journal_holder(folder / "a.journal")) << "a lock file that a kill has left behind";
+  write_bytes(folder / "a.journal.lock", "process 1 on elsewhere since 2026-03-01\n");
+  const auto far = journal_holder(folder / "a.journal");
+  ASSERT_TRUE(far);
+  EXPECT_FALSE(far->process);
 }
 
 /// Until its end flock(2) fails so in this program.

@@ -6,10 +6,12 @@
 
 #include "base/document_parts.h"
 #include "base/text.h"
+#include "experiment/kinds/suspension_scene.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
 #include "models/car/car_reader.h"
 #include "models/suspension/suspension_reader.h"
+#include "report/report.h"
 
 namespace latsch::experiment {
 
@@ -144,6 +146,17 @@ class CarKind : public SpecimenKind {
       if (const std::string part = std::string(axle) + "_suspension."; path.starts_with(part))
         return suspension::is_stiffness(path.substr(part.size()));
     return false;
+  }
+  bool has_body() const override { return true; }
+  void draw_body(const Document& numbers,
+                 const std::vector<const Test*>&,
+                 report::StudyReport& page) const override {
+    std::vector<suspension::CornerGeometry> axles;
+    for (const char* axle : kAxles)
+      axles.push_back(
+          suspension::read_corner(part_of(numbers, std::string(axle) + "_suspension").root())
+              .geometry);
+    page.scene = suspension_scene(axles);
   }
 
  private:

@@ -89,12 +89,18 @@ class FeTireKind : public SpecimenKind {
   }
   bool has_usual_numbers() const override { return true; }
 
+  bool has_body() const override { return true; }
+  void draw_body(const Document& numbers,
+                 const std::vector<const Test*>& tests,
+                 report::StudyReport& page) const override {
+    add_pictures(fe_tire::read_tire(numbers.root()), tests, page);
+  }
   void draw(const Document& numbers,
             const std::vector<const Test*>& tests,
             Thoroughness thoroughness,
             report::StudyReport& page) const override {
+    draw_body(numbers, tests, page);
     const TireDescription tire = fe_tire::read_tire(numbers.root());
-    add_pictures(tire, tests, page);
     add_mesh_error(tire, tests, thoroughness, page);
   }
 };

@@ -102,6 +102,12 @@ class InpTireKind : public SpecimenKind {
             const std::vector<const Test*>& tests,
             Thoroughness,
             report::StudyReport& page) const override {
+    draw_body(numbers, tests, page);
+  }
+  bool has_body() const override { return true; }
+  void draw_body(const Document& numbers,
+                 const std::vector<const Test*>& tests,
+                 report::StudyReport& page) const override {
     const InpModel model = inp_model(numbers);
     page.tire = std::filesystem::path(numbers.file()).filename().string();
     fe_tire::FeTire tire = tire_of(model.tire);

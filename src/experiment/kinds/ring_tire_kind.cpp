@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The flexible ring as a kind of specimen.
+#include "experiment/kinds/rolling_scene.h"
 #include "experiment/kinds/rolling_specimen.h"
 #include "experiment/rigs/vibration_rig.h"
 #include "models/ring_tire/description/ring_reader.h"
 #include "models/ring_tire/ring/ring_tire.h"
+#include "report/report.h"
 
 namespace latsch::experiment {
 namespace {
@@ -53,6 +55,12 @@ class RingTireKind : public SpecimenKind {
     return std::make_unique<RingSpecimen>(numbers);
   }
   void check(const Document& numbers) const override { RingSpecimen(numbers).tire({}); }
+  bool has_body() const override { return true; }
+  void draw_body(const Document& numbers,
+                 const std::vector<const Test*>&,
+                 report::StudyReport& page) const override {
+    page.scene = rolling_scene(*RingSpecimen(numbers).tire({}));
+  }
 };
 
 }  // namespace

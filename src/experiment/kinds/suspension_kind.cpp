@@ -3,10 +3,12 @@
 // (composed_suspension.h).
 #include "base/error.h"
 #include "experiment/kinds/composed_suspension.h"
+#include "experiment/kinds/suspension_scene.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
 #include "experiment/rigs/suspension/kc_compliance.h"
 #include "models/suspension/suspension_reader.h"
+#include "report/report.h"
 
 namespace latsch::experiment {
 namespace {
@@ -78,6 +80,12 @@ class SuspensionKind : public SpecimenKind {
   }
   bool knows_slopes_in(const std::string& path) const override {
     return suspension::is_stiffness(path);
+  }
+  bool has_body() const override { return true; }
+  void draw_body(const Document& numbers,
+                 const std::vector<const Test*>&,
+                 report::StudyReport& page) const override {
+    page.scene = suspension_scene(suspension::read_corner(numbers.root()).geometry);
   }
 };
 

@@ -92,6 +92,12 @@ class SpecimenKind {
   virtual std::optional<Size> size(const Document& numbers) const;
   /// Whether the magnitudes of its numbers are known, so that unusual ones can be pointed out.
   virtual bool has_usual_numbers() const { return false; }
+  /// Whether draw_body() has anything to show.
+  virtual bool has_body() const { return false; }
+  /// Adds its shape in space to a page, in the states of the tests: StudyReport::pictures or scene.
+  virtual void draw_body(const Document&,
+                         const std::vector<const Test*>&,
+                         report::StudyReport&) const {}
   /// Adds to a page what this kind can show of the found specimen, in the states of the tests.
   virtual void draw(const Document&,
                     const std::vector<const Test*>&,

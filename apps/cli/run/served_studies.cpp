@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/run/served_studies.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <mutex>
+#include <utility>
+
+#include "cli/console/console.h"
+#include "cli/console/version.h"
+#include "numerics/kernels/kernel_set.h"
+#include "studio/http/server.h"
+#include "studio/studio.h"
+#include "web/web_assets.h"
+
+extern char** environ;
+
+namespace latsch::cli {
+
+/// Studio and server know each other: what is published while there is no server has no listener.
+struct ServedStudies::Parts {
+  std::unique_ptr<studio::Studio> studio;
+  std::mutex publishing;  // of what follows; it never takes long
+  studio::Server* published_to = nullptr;
+  std::unique_ptr<studio::Server> server;
+};
+
+ServedStudies::ServedStudies(const ServeOptions& options, const experiment::Language& language)
+    : parts_(std::make_unique<Parts>()) {
+  Parts& parts = *parts_;
+  studio::ServerOptions server;
+  server.listen = options.listen;
+  server.port = static_cast<std::uint16_t>(options.port);
+  server.threads = 4;
+  server.assets = studio::web_assets();
+  server.report = [](std::string_view what) { warn("a request failed: " + std::string(what)); };
+  const studio::StudioOptions about{options.root,
+                                    std::filesystem::read_symlink("/proc/self/exe"),
+                                    "latsch " + version_number(),
+                                    !server.assets.empty()};
+  parts.studio = std::make_unique<studio::Studio>(
+      about, language, [&parts](auto topic, auto event, auto json) {
+        const std::lock_guard lock(parts.publishing);
+        if (parts.published_to) parts.published_to->publish(topic, event, json);
+      });
+  parts.server = std::make_unique<studio::Server>(
+      std::move(server),
+      [&parts](const studio::Request& request) { return parts.studio->answer(request); });
+  const std::lock_guard lock(parts.publishing);
+  parts.published_to = parts.server.get();
+}
+
+ServedStudies::~ServedStudies() {
+  // The server's handlers ask the studio, the studio's threads tell the server: first nobody is
+  // told any more, then the sockets and handlers end, then the threads.
+  {
+    const std::lock_guard lock(parts_->publishing);
+    parts_->published_to = nullptr;
+  }
+  parts_->server.reset();
+  parts_->studio.reset();
+}
+
+std::string ServedStudies::address() const { return parts_->server->address(); }
+
+bool ServedStudies::open_browser() const {
+  if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY")) return false;
+  std::string program = "xdg-open", where = address();
+  char* arguments[] = {program.data(), where.data(), nullptr};
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  for (const int stream : {0, 1, 2})
+    posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
+  pid_t process = 0;
+  const int error =
+      ::posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  return error == 0;
+}
+
+}  // namespace latsch::cli

@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+"""`latsch serve` and `latsch run --watch` as a page meets them: studies found, a run started, told trial by trial,
+stopped within a second and resumed; the file changed in its place; journals written by others and damaged ones.
+
+    serve_test.py PATH/TO/latsch
+"""
+import contextlib
+import datetime
+import json
+import re
+import signal
+import sqlite3
+import subprocess
+import time
+import unittest
+import urllib.error
+import urllib.request
+
+from cli_testing import LATSCH, Coarse
+
+
+class Page:
+    """The server, asked as scripts ask it."""
+
+    def __init__(self, *arguments):
+        self.process = subprocess.Popen([LATSCH, *arguments], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+                                        start_new_session=True)
+        self.address = None
+        while self.address is None:
+            line = self.process.stdout.readline()
+            assert line, "it ended without an address"
+            found = re.match(r"(http://[^/]+)/\?token=(\S+)", line)
+            if found:
+                self.address, self.token = found.groups()
+
+    def open(self, path, body=None, timeout=30):
+        request = urllib.request.Request(self.address + path, headers={"Authorization": "Bearer " + self.token})
+        if body is not None:
+            request.data = json.dumps(body).encode()
+            request.add_header("Content-Type", "application/json")
+        return urllib.request.urlopen(request, timeout=timeout)
+
+    def get(self, path):
+        with self.open(path) as answer:
+            return json.load(answer)
+
+    def post(self, path, body):
+        with self.open(path, body) as answer:
+            return json.load(answer)
+
+    def status(self, path, body=None):
+        try:
+            with self.open(path, body) as answer:
+                return answer.status
+        except urllib.error.HTTPError as error:
+            with error:
+                return error.code
+
+    def wait(self, path, is_so, seconds=60):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            answer = self.get(path)
+            if is_so(answer):
+                return answer
+            time.sleep(0.02)
+        raise AssertionError(f"{path} stays {answer}")
+
+    def end(self):
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGINT)
+        self.process.wait(10)
+        self.process.stdout.close()
+
+
+STUDY = "/api/study?study=study.toml"
+
+
+class Serve(Coarse):
+    def setUp(self):
+        super().setUp()
+        self.page = None
+
+    def tearDown(self):
+        if self.page:
+            with contextlib.suppress(Exception):
+                if self.page.get(STUDY)["state"] == "running":
+                    self.page.post("/api/stop", {"study": "study.toml"})
+                    self.page.wait(STUDY, lambda view: view["state"] != "running")
+            self.page.end()
+        super().tearDown()
+
+    def serve(self, *arguments):
+        self.page = Page("serve", str(self.folder), "--no-browser", *arguments)
+        return self.page
+
+    def start(self, verb="run"):
+        self.page.post("/api/run", {"study": "study.toml", "verb": verb, "workers": 1})
+        return self.page.wait(STUDY, lambda view: view["state"] == "running")
+
+    def test_a_run_is_started_told_stopped_and_resumed(self):
+        page = self.serve()
+        home = page.wait("/api/home", lambda view: view["studies"])
+        self.assertEqual([one["study"] for one in home["studies"]], ["study.toml"])
+        self.assertEqual(page.wait(STUDY, lambda view: view["state"] != "reading")["state"], "new")
+        events = page.open("/events?study=study.toml")
+        self.start()
+        trial_events = 0
+        while trial_events < 2:
+            line = events.readline().decode()
+            if line.startswith("data:") and json.loads(line[5:]).get("rows"):
+                trial_events += 1
+        arrived = datetime.datetime.now(datetime.timezone.utc)
+        with contextlib.closing(sqlite3.connect(f"file:{self.folder}/study.latsch?mode=ro", uri=True)) as rows:
+            finished = [row[0] for row in rows.execute("select finished from trials order by number")]
+        last = datetime.datetime.fromisoformat(finished[trial_events - 1].replace("Z", "+00:00"))
+        if last.tzinfo is None:
+            last = last.replace(tzinfo=datetime.timezone.utc)
+        self.assertLess((arrived - last).total_seconds(), 3.0)  # 1 s is the row of a bench, on an idle machine
+        events.close()
+        self.assertEqual(page.status("/api/run", {"study": "study.toml", "verb": "run"}), 400)
+        page.post("/api/stop", {"study": "study.toml"})
+        stopped = page.wait(STUDY, lambda view: view["state"] != "running", seconds=5)
+        self.assertEqual(stopped["state"], "stopped")
+        self.assertIn("resume", " ".join(stopped["run"]["log"]))
+        before = stopped["trials"]
+        self.start("resume")
+        resumed = page.wait(STUDY, lambda view: view["trials"] > before)
+        self.assertIsNotNone(resumed["best"])
+
+    def test_a_run_goes_on_where_the_page_ends(self):
+        self.serve()
+        self.start()
+        self.page.end()
+        page = self.serve()
+        running = page.wait(STUDY, lambda view: view["state"] == "running", seconds=20)
+        self.assertIn("process", running["run"]["message"])
+        self.assertFalse(running["run"]["is_ours"])
+        page.post("/api/stop", {"study": "study.toml"})  # one that somebody else started
+        page.wait(STUDY, lambda view: view["state"] != "running", seconds=10)
+
+    def test_the_file_is_changed_in_its_place(self):
+        page = self.serve()
+        page.wait("/api/home", lambda view: view["studies"])
+        file = page.get("/api/file?study=study.toml")
+        body = {"study": "study.toml", "version": file["version"],
+                "edits": [{"table": ["run"], "key": "workers", "value": 3}]}
+        page.post("/api/edit", body)
+        text = (self.folder / "study.toml").read_text()
+        self.assertIn("workers = 3", text)
+        self.assertEqual(page.status("/api/edit", body), 409)
+        wrong = page.post("/api/check", {"study": "study.toml", "text": text.replace('lower = "', 'lower = "about ', 1)})
+        self.assertFalse(wrong["ok"])
+        self.assertGreater(wrong["messages"][0]["line"], 0)
+        self.assertTrue(page.post("/api/check", {"study": "study.toml", "text": text})["ok"])
+
+    def test_strangers_are_refused(self):
+        page = self.serve()
+        page.token = "0" * 32
+        self.assertEqual(page.status("/api/home"), 401)
+
+    def test_a_damaged_journal_is_said(self):
+        journal = self.folder / "study.latsch"
+        subprocess.run([LATSCH, "doe", self.folder / "study.toml", "--levels", "2"], check=True, stdout=subprocess.DEVNULL)
+        with contextlib.closing(sqlite3.connect(journal)) as rows:
+            rows.execute("update trials set outcome = x'00' where number = 3")
+            rows.commit()
+        page = self.serve()
+        view = page.wait(STUDY, lambda view: view["error"])
+        self.assertIn("trial 3", view["error"])
+        self.assertIn("doctor", view["error"])
+
+    def test_the_tire_is_shown_in_space(self):
+        page = self.serve()
+        page.wait("/api/home", lambda view: view["studies"])
+        with page.open("/api/scene?study=study.toml") as answer:
+            buffer = answer.read()
+        length = int.from_bytes(buffer[:4], "little")
+        head = json.loads(buffer[4:4 + length])
+        numbers = len(buffer) - 4 - length
+        self.assertEqual(numbers % 4, 0)
+        mesh = head["meshes"][0]
+        self.assertEqual(mesh["triangles"]["count"], 3 * sum(part["count"] for part in mesh["parts"]))
+        for frame in head["frames"]:
+            self.assertLessEqual(frame["points"]["at"] + 4 * frame["points"]["count"], numbers)
+        self.assertTrue(any(frame["frequency"] for frame in head["frames"]))
+        self.assertTrue(page.get("/api/section?study=study.toml")["polygons"])
+
+    def test_run_watch_shows_itself_and_stays(self):
+        self.page = Page("run", str(self.folder / "study.toml"), "--watch", "--workers", "1")
+        self.page.wait(STUDY, lambda view: view["trials"] > 0)
+        started = time.monotonic()
+        self.page.post("/api/stop", {"study": "study.toml"})
+        self.page.process.wait(10)
+        self.assertLess(time.monotonic() - started, 5.0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: Apache-2.0
+// Identifiability: what residuals and their derivatives say of the variables, as arrays. Ends of
+// intervals are in the units of the variables, also beyond their bounds.
+#include <cmath>
+#include <memory>
+
+#include "bindings/arrays.h"
+#include "bindings/bindings.h"
+#include "bindings/failures.h"
+#include "optimization/identifiability/identification.h"
+
+namespace latsch::python {
+namespace {
+
+/// The value at u of the range, without from_unit's bounds.
+double beyond_bounds(const DesignVariable& v, double u) {
+  if (v.scale == Scale::linear) return v.lower + u * (v.upper - v.lower);
+  return v.lower * std::pow(v.upper / v.lower, u);  // 0 and infinite at the ends of the line
+}
+
+Array intervals(const DesignSpace& space, const std::vector<Interval>& of) {
+  Array rows({static_cast<py::ssize_t>(of.size()), static_cast<py::ssize_t>(2)});
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const auto& v = space[static_cast<int>(i)];
+    rows.mutable_at(i, 0) = beyond_bounds(v, of[i].lower);
+    rows.mutable_at(i, 1) = beyond_bounds(v, of[i].upper);
+  }
+  return rows;
+}
+
+struct SpacedConfidence {
+  DesignSpace space;
+  Confidence found;
+};
+
+struct SpacedProfile {
+  DesignSpace space;
+  Profile found;
+};
+
+ConfidenceOptions options(const std::optional<double>& sigma,
+                          double level,
+                          const std::vector<double>& deviations,
+                          const std::vector<int>& curves) {
+  if (sigma && !(*sigma > 0.0)) throw InputError("sigma: expected a positive number or None");
+  if (!(level > 0.0 && level < 1.0)) throw InputError("level: expected a number in 0 .. 1");
+  return {.sigma = sigma, .level = level, .traits = {deviations, curves}};
+}
+
+void check_traits(const ResidualTraits& traits, std::size_t residuals) {
+  const auto check = [&](std::size_t found, const char* what) {
+    if (found == 0 || found == residuals) return;
+    throw InputError(std::string(what) + " has " + std::to_string(found) +
+                     " values, expected one for each of " + std::to_string(residuals) +
+                     " residuals");
+  };
+  check(traits.deviations.size(), "deviations");
+  check(traits.curves.size(), "curves");
+}
+
+Score score_of(const Array& residuals, const Array& jacobian, int variables) {
+  if (residuals.ndim() != 1 || residuals.size() == 0)
+    throw InputError("residuals: expected an array (m,) of one value at least");
+  matrix(jacobian, residuals.size(), variables, "jacobian");
+  return {.residuals = vector(residuals), .jacobian = vector(jacobian)};
+}
+
+SpacedConfidence confidence_at(const DesignSpace& space,
+                               const Array& at,
+                               const Array& residuals,
+                               const Array& jacobian,
+                               const std::optional<double>& sigma,
+                               double level,
+                               const std::vector<double>& deviations,
+                               const std::vector<int>& curves) {
+  const DesignPoint center = point(at, space.size());
+  if (!space.place(center)) throw InputError("the point has no place in the unit cube");
+  const Score score = score_of(residuals, jacobian, space.size());
+  const ConfidenceOptions asked = options(sigma, level, deviations, curves);
+  check_traits(asked.traits, score.residuals.size());
+  Linearization linear;
+  const std::vector<double> u = space.to_unit(center);
+  linear.u = Eigen::Map<const Eigen::VectorXd>(u.data(), space.size());
+  linear.r = Eigen::Map<const Eigen::VectorXd>(score.residuals.data(),
+                                               static_cast<Eigen::Index>(score.residuals.size()));
+  linear.J = space.unit_jacobian(center, score);
+  linear.is_exact = true;
+  if (linear.J.size() == 0 || !linear.r.allFinite())
+    throw InputError("residuals and jacobian: expected finite numbers");
+  const py::gil_scoped_release others;
+  return {space, confidence(linear, asked)};
+}
+
+/// Residuals, (residuals, jacobian) or a Failure.
+Result<Evaluated> evaluated(const DesignSpace& space,
+                            const DesignPoint& at,
+                            const py::handle& told) {
+  if (is_failure(told)) return failure_of(told);
+  Array r;
+  py::object slopes = py::none();
+  if (py::isinstance<py::tuple>(told)) {
+    const auto pair = told.cast<py::tuple>();
+    if (pair.size() != 2) throw InputError("expected a pair of residuals and jacobian");
+    r = pair[0].cast<Array>();
+    slopes = pair[1];
+  } else {
+    r = told.cast<Array>();
+  }
+  if (r.ndim() != 1 || r.size() == 0)
+    throw InputError("residuals: expected an array (m,) of one value at least");
+  Eigen::VectorXd residuals = Eigen::Map<const Eigen::VectorXd>(r.data(), r.size());
+  if (slopes.is_none()) return Evaluated(std::move(residuals));
+  const Score score = score_of(r, slopes.cast<Array>(), space.size());
+  return Evaluated(std::move(residuals), space.unit_jacobian(at, score));
+}
+
+class SpacedIdentification {
+ public:
+  SpacedIdentification(const DesignSpace& space,
+                       const DesignPoint& center,
+                       const IdentificationOptions& options)
+      : space_(space), found_(space, center, options) {}
+
+  void observe(const py::sequence& outcomes) {
+    const auto& wanted = found_.wanted();
+    std::vector<Result<Evaluated>> told;
+    for (std::size_t k = 0; k < std::min(outcomes.size(), wanted.size()); ++k)
+      told.push_back(evaluated(space_, wanted[k], outcomes[k]));
+    const bool is_first_enough = !told.empty() && found_.is_enough(told.front());
+    if (outcomes.size() != wanted.size() && !(outcomes.size() == 1 && is_first_enough))
+      throw InputError("observe: " + std::to_string(wanted.size()) +
+                       " points are wanted, found the outcomes of " +
+                       std::to_string(outcomes.size()));
+    if (is_first_enough) told.resize(1, told.front());
+    const py::gil_scoped_release others;
+    found_.observe(told);
+  }
+  const Identification& found() const {
+    if (found_.failure()) raise(*found_.failure());
+    if (!found_.is_linearized()) throw InputError("nothing is known yet: observe what is wanted");
+    return found_;
+  }
+  const Identification& now() const { return found_; }
+  const DesignSpace& space() const { return space_; }
+
+ private:
+  DesignSpace space_;
+  Identification found_;
+};
+
+void bind_confidence(py::module_& module) {
+  using C = SpacedConfidence;
+  py::class_<C>(module,
+                "Confidence",
+                "What the data say at a fitted point, in linear approximation. Variables are in "
+                "their own units in\n`intervals`, in ranges (the unit cube) elsewhere.")
+      .def_property_readonly(
+          "intervals",
+          [](const C& c) { return intervals(c.space, c.found.intervals); },
+          "Array (n, 2): lower and upper end, infinite (0 on a logarithmic scale) where nothing "
+          "holds them.")
+      .def_property_readonly(
+          "sigma",
+          [](const C& c) { return c.found.sigma; },
+          "Standard deviation of a residual; NaN where none are left to tell it.")
+      .def_property_readonly(
+          "t", [](const C& c) { return c.found.t; }, "Student's quantile, two-sided.")
+      .def_property_readonly(
+          "excess",
+          [](const C& c) { return c.found.excess; },
+          "The spread of the residuals over a stated sigma, where that cannot be chance; else 1.")
+      .def_property_readonly(
+          "covariance",
+          [](const C& c) { return array(c.found.covariance); },
+          "Array (n, n), in ranges; 0 of held variables.")
+      .def_property_readonly(
+          "correlation", [](const C& c) { return array(c.found.correlation); }, "Array (n, n).")
+      .def_property_readonly(
+          "singular_values",
+          [](const C& c) { return array(c.found.singular_values); },
+          "Array (n,), descending: how strongly the data hold a direction.")
+      .def_property_readonly(
+          "directions",
+          [](const C& c) { return array(c.found.directions); },
+          "Array (n, n): a column of the unit cube each.")
+      .def_property_readonly(
+          "deviations",
+          [](const C& c) { return array(c.found.direction_deviations); },
+          "Array (n,): standard deviation along each direction, in ranges; infinite where flat.")
+      .def_property_readonly(
+          "thresholds",
+          [](const C& c) { return array(c.found.thresholds); },
+          "Array (n,): the rise of the sum of squares at the ends of each interval.")
+      .def_property_readonly(
+          "held",
+          [](const C& c) {
+            std::vector<std::string> names;
+            for (const Bound at : c.found.held)
+              names.emplace_back(at == Bound::none ? "" : at == Bound::lower ? "lower" : "upper");
+            return names;
+          },
+          "The bound that keeps a variable from a better fit: \"\", \"lower\" or \"upper\".");
+  module.def("confidence",
+             &confidence_at,
+             py::arg("space"),
+             py::arg("point"),
+             py::arg("residuals"),
+             py::arg("jacobian"),
+             py::kw_only(),
+             py::arg("sigma") = py::none(),
+             py::arg("level") = 0.95,
+             py::arg("deviations") = std::vector<double>{},
+             py::arg("curves") = std::vector<int>{},
+             "Confidence from residuals (m,) and their derivatives (m, n) by the values of a "
+             "fitted point (n,).\n\nsigma: standard deviation of a residual where it is known. "
+             "deviations (m,): of each in units of sigma.\ncurves (m,): the curve a residual is a "
+             "sample of; neighbors of one may share their noise.");
+}
+
+void bind_profile(py::module_& module) {
+  using P = SpacedProfile;
+  py::class_<P>(module, "Profile", "How well the data are explained with one variable held.")
+      .def_property_readonly("variable", [](const P& p) { return p.space[p.found.variable].name; })
+      .def_property_readonly(
+          "verdict",
+          [](const P& p) { return name(p.found.verdict); },
+          "\"identifiable\", \"one-sided\", \"flat\", \"several minima\" or \"not evaluable "
+          "beyond\".")
+      .def_property_readonly("in_words", [](const P& p) { return in_words(p.found); })
+      .def_property_readonly(
+          "interval",
+          [](const P& p) {
+            const auto& v = p.space[p.found.variable];
+            return py::make_tuple(beyond_bounds(v, p.found.interval.lower),
+                                  beyond_bounds(v, p.found.interval.upper));
+          },
+          "(lower, upper), infinite where the data give none.")
+      .def_property_readonly(
+          "values",
+          [](const P& p) {
+            std::vector<double> x;
+            for (const auto& at : p.found.points)
+              x.push_back(beyond_bounds(p.space[p.found.variable], at.u[p.found.variable]));
+            return array(x);
+          },
+          "Array (k,) of the variable, ascending.")
+      .def_property_readonly(
+          "rise",
+          [](const P& p) {
+            std::vector<double> rise;
+            for (const auto& at : p.found.points) rise.push_back(at.S - p.found.least);
+            return array(rise);
+          },
+          "Array (k,): the sum of squares less its least.")
+      .def_property_readonly("threshold", [](const P& p) { return p.found.threshold; });
+}
+
+}  // namespace
+
+void bind_identifiability(py::module_& module) {
+  bind_confidence(module);
+  bind_profile(module);
+  using I = SpacedIdentification;
+  py::class_<I>(module,
+                "Identification",
+                "What the data determine around a fitted point: ask and tell in rounds, all of "
+                "`wanted` at once.\n\nsigma, level, deviations, curves: as of confidence(). "
+                "profiles=False: intervals alone. step: of differences,\nin ranges.")
+      .def(py::init([](const DesignSpace& space,
+                       const Array& at,
+                       const std::optional<double>& sigma,
+                       double level,
+                       bool profiles,
+                       double step,
+                       const std::vector<double>& deviations,
+                       const std::vector<int>& curves) {
+             const DesignPoint center = point(at, space.size());
+             if (!space.contains(center))
+               throw InputError("the point lies outside of the bounds or constraints");
+             if (!(step > 0.0 && step <= 0.5)) throw InputError("step: expected 0 < step <= 0.5");
+             return std::make_unique<I>(
+                 space,
+                 center,
+                 IdentificationOptions{.confidence = options(sigma, level, deviations, curves),
+                                       .profiles = profiles,
+                                       .step = step});
+           }),
+           py::arg("space"),
+           py::arg("point"),
+           py::kw_only(),
+           py::arg("sigma") = py::none(),
+           py::arg("level") = 0.95,
+           py::arg("profiles") = true,
+           py::arg("step") = 0.01,
+           py::arg("deviations") = std::vector<double>{},
+           py::arg("curves") = std::vector<int>{})
+      .def_property_readonly(
+          "wanted",
+          [](const I& i) { return array(i.now().wanted(), i.space().size()); },
+          "Points to evaluate, array (k, n); k is 0 when done.")
+      .def(
+          "observe",
+          &I::observe,
+          py::arg("outcomes"),
+          "What the points wanted tell, in their order: residuals (m,), a pair of residuals and "
+          "jacobian (m, n), or\na Failure. The first alone where it brings a jacobian in the first "
+          "round.")
+      .def_property_readonly(
+          "point",
+          [](const I& i) { return array(i.now().center().values); },
+          "What the results belong to: the point given, or a better one found since. Array (n,).")
+      .def_property_readonly("confidence",
+                             [](const I& i) {
+                               return SpacedConfidence{i.space(), i.found().confidence()};
+                             })
+      .def_property_readonly(
+          "profiles",
+          [](const I& i) {
+            std::vector<SpacedProfile> all;
+            for (const Profile& p : i.found().profiles()) all.push_back({i.space(), p});
+            return all;
+          },
+          "One a variable, when done and asked for.");
+}
+
+}  // namespace latsch::python

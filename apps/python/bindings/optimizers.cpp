@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ask and tell. An optimizer is called by one thread at a time and lets others run meanwhile: its
+// own lock, not the interpreter's.
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "base/document.h"
+#include "bindings/arrays.h"
+#include "bindings/bindings.h"
+#include "bindings/failures.h"
+#include "correlation/study/study_optimizer.h"
+#include "optimization/strategy/cascade.h"
+#include "optimization/strategy/multi_start.h"
+
+namespace latsch::python {
+namespace {
+
+constexpr const char* kOptions = "options of the optimizer";
+
+class AskTell {
+ public:
+  AskTell(DesignSpace space, std::unique_ptr<Optimizer> optimizer, MethodChoice choice)
+      : space_(std::move(space)), optimizer_(std::move(optimizer)), choice_(std::move(choice)) {}
+
+  std::vector<DesignPoint> propose(int count) {
+    if (count < 1) throw InputError("propose: expected at least one point");
+    const py::gil_scoped_release others;
+    const std::lock_guard lock(mutex_);
+    return optimizer_->propose(count);
+  }
+  void observe(const DesignPoint& point, const Result<Score>& outcome) {
+    const py::gil_scoped_release others;
+    const std::lock_guard lock(mutex_);
+    optimizer_->observe(point, outcome);
+  }
+  bool converged() {
+    const py::gil_scoped_release others;
+    const std::lock_guard lock(mutex_);
+    return optimizer_->converged();
+  }
+  std::string ending() {
+    const py::gil_scoped_release others;
+    const std::lock_guard lock(mutex_);
+    return optimizer_->ending();
+  }
+
+  const DesignSpace& space() const { return space_; }
+  const MethodChoice& choice() const { return choice_; }
+
+ private:
+  DesignSpace space_;
+  std::unique_ptr<Optimizer> optimizer_;
+  MethodChoice choice_;
+  std::mutex mutex_;
+};
+
+/// As a study has it: the same keys, the same complaints.
+struct Chosen {
+  Method method;
+  OptimizerSettings settings;
+  ProblemTraits traits;
+  std::string reason;
+};
+
+Chosen chosen(const DesignSpace& space,
+              const std::string& method,
+              const std::string& options,
+              ProblemTraits traits) {
+  traits.variables = space.size();
+  traits.has_linear_constraints = !space.constraints().empty();
+  OptimizerSettings named;
+  named.method = method;
+  if (method != "ensemble") {
+    const MethodChoice choice = method_of(named, traits);  // InputError for a name that is none
+    named.method = name(choice.method);
+    const Node table =
+        Document::parse("method = \"" + named.method + "\"\n" + options, kOptions).root();
+    named = correlation::read_optimizer(table, space, traits.has_nonlinear_constraints);
+    table.close();
+    const std::string reason = method == "auto" ? choice.reason : "as asked for";
+    return {choice.method, std::move(named), traits, reason};
+  }
+  const Node table = Document::parse("method = \"ensemble\"\n" + options, kOptions).root();
+  named = correlation::read_optimizer(table, space, traits.has_nonlinear_constraints);
+  table.close();
+  return {Method::ensemble, named, traits, method_of(named, traits).reason};
+}
+
+std::unique_ptr<AskTell> made(const DesignSpace& space, const Chosen& of) {
+  return std::make_unique<AskTell>(space,
+                                   make_optimizer(of.method, space, of.settings, of.traits),
+                                   MethodChoice{of.method, of.reason});
+}
+
+auto maker(const Chosen& of) {
+  return [of](const DesignSpace& space) {
+    return make_optimizer(of.method, space, of.settings, of.traits);
+  };
+}
+
+ProblemTraits traits(bool residuals, bool jacobian, bool constraints, double failed, int basins) {
+  return {.has_residuals = residuals || jacobian,
+          .has_jacobian = jacobian,
+          .failed_share = failed,
+          .basins = basins,
+          .has_nonlinear_constraints = constraints};
+}
+
+Score score(const py::object& value,
+            const py::object& residuals,
+            const py::object& jacobian,
+            const std::vector<double>& constraints,
+            const std::vector<double>& equations,
+            int stand_ins) {
+  Score made{.stand_ins = stand_ins, .constraints = constraints, .equations = equations};
+  if (!residuals.is_none()) {
+    const auto r = residuals.cast<Array>();
+    if (r.ndim() != 1) throw InputError("residuals: expected an array (m,)");
+    made.residuals = vector(r);
+  }
+  if (!jacobian.is_none()) {
+    const auto J = jacobian.cast<Array>();
+    const auto rows = static_cast<py::ssize_t>(made.residuals.size());
+    if (J.ndim() != 2 || J.shape(0) != rows)
+      throw InputError("jacobian: expected an array (m, n) with a row for each of " +
+                       std::to_string(rows) + " residuals, found " +
+                       py::str(J.attr("shape")).cast<std::string>());
+    made.jacobian = vector(J);
+  }
+  if (!value.is_none()) {
+    made.value = value.cast<double>();
+  } else if (!residuals.is_none()) {
+    for (const double r : made.residuals) made.value += r * r;
+  } else {
+    throw InputError("a score has a value, residuals or both");
+  }
+  return made;
+}
+
+bool is_finite(const Score& score) {
+  const auto all = [](const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+  };
+  return std::isfinite(score.value) && all(score.residuals) && all(score.constraints) &&
+         all(score.equations);
+}
+
+/// A number, a Score or a Failure. What is not finite is a failure, as in a study.
+Result<Score> outcome_of(const py::handle& told, int variables) {
+  const auto checked = [](Score score) -> Result<Score> {
+    if (is_finite(score)) return score;
+    return Failure{"the outcome holds a number that is not finite", Cause::bad_output};
+  };
+  if (PyFloat_Check(told.ptr())) return checked({.value = PyFloat_AS_DOUBLE(told.ptr())});
+  if (py::isinstance<Score>(told)) {
+    const auto& score = told.cast<const Score&>();
+    const std::size_t columns = static_cast<std::size_t>(variables);
+    if (!score.jacobian.empty() && score.jacobian.size() != score.residuals.size() * columns)
+      throw InputError(
+          "jacobian has " + std::to_string(score.jacobian.size() / score.residuals.size()) +
+          " columns, expected one for each of " + std::to_string(variables) + " variables");
+    return checked(score);
+  }
+  if (is_failure(told)) return failure_of(told);
+  if (PyNumber_Check(told.ptr())) return checked({.value = told.cast<double>()});
+  throw InputError("an outcome is a number, a Score or a Failure, found " +
+                   py::repr(py::type::of(told)).cast<std::string>());
+}
+
+void bind_score(py::module_& module) {
+  py::class_<Score>(module,
+                    "Score",
+                    "How good a point is: less is better.\n\nvalue: the target; the sum of squares "
+                    "of the residuals unless given.\nresiduals (m,); jacobian (m, n): their "
+                    "derivatives by the values of the point.\nconstraints c <= 0 and equations h = "
+                    "0, in units in which 1 is much.")
+      .def(py::init(&score),
+           py::arg("value") = py::none(),
+           py::kw_only(),
+           py::arg("residuals") = py::none(),
+           py::arg("jacobian") = py::none(),
+           py::arg("constraints") = std::vector<double>{},
+           py::arg("equations") = std::vector<double>{},
+           py::arg("stand_ins") = 0)
+      .def_readonly("value", &Score::value)
+      .def_property_readonly(
+          "residuals", [](const Score& s) { return array(s.residuals); }, "Array (m,).")
+      .def_property_readonly(
+          "jacobian",
+          [](const Score& s) -> py::object {
+            if (s.jacobian.empty()) return py::none();
+            const auto rows = static_cast<py::ssize_t>(s.residuals.size());
+            const auto columns = static_cast<py::ssize_t>(s.jacobian.size()) / rows;
+            return Array({rows, columns}, s.jacobian.data());
+          },
+          "Array (m, n), None where it is not known.")
+      .def_property_readonly("constraints", [](const Score& s) { return array(s.constraints); })
+      .def_property_readonly("equations", [](const Score& s) { return array(s.equations); })
+      .def_property_readonly(
+          "violation",
+          [](const Score& s) { return violation(s); },
+          "The largest of c and |h|; 0 where all are fulfilled.")
+      .def(
+          "is_better_than",
+          [](const Score& a, const Score& b) { return is_better(a, b); },
+          py::arg("other"))
+      .def(py::pickle(  // of processes that evaluate
+          [](const Score& s) {
+            return py::make_tuple(
+                s.value, s.residuals, s.jacobian, s.stand_ins, s.constraints, s.equations);
+          },
+          [](const py::tuple& t) {
+            return Score{t[0].cast<double>(),
+                         t[1].cast<std::vector<double>>(),
+                         t[2].cast<std::vector<double>>(),
+                         t[3].cast<int>(),
+                         t[4].cast<std::vector<double>>(),
+                         t[5].cast<std::vector<double>>()};
+          }))
+      .def("__repr__", [](const Score& s) {
+        return py::str("Score({!r}, {} residuals)").format(s.value, s.residuals.size());
+      });
+}
+
+void bind_makers(py::module_& module) {
+  module.def("_optimizer",
+             [](const DesignSpace& space,
+                const std::string& method,
+                const std::string& options,
+                bool residuals,
+                bool jacobian,
+                bool constraints,
+                double failed,
+                int basins) {
+               const auto known = traits(residuals, jacobian, constraints, failed, basins);
+               return made(space, chosen(space, method, options, known));
+             });
+  module.def(
+      "_cascade",
+      [](const DesignSpace& space,
+         const std::string& method,
+         const std::string& options,
+         int stages,
+         double tightening) {
+        const auto of = chosen(space, method, options, {.has_residuals = true});
+        return std::make_unique<AskTell>(
+            space,
+            std::make_unique<Cascade>(
+                space, CascadeOptions{.stages = stages, .tightening = tightening}, maker(of)),
+            MethodChoice{of.method, of.reason});
+      });
+  module.def("_multi_start",
+             [](const DesignSpace& space,
+                const Array& starts,
+                const std::string& method,
+                const std::string& options) {
+               const auto of = chosen(space, method, options, {.has_residuals = true});
+               if (starts.ndim() != 2) throw InputError("starts: expected an array (k, n)");
+               const Eigen::MatrixXd rows = matrix(starts, starts.shape(0), space.size(), "starts");
+               std::vector<DesignPoint> points;
+               for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+                 const Eigen::VectorXd row = rows.row(k);
+                 points.push_back({{row.begin(), row.end()}});
+               }
+               return std::make_unique<AskTell>(
+                   space,
+                   std::make_unique<MultiStart>(space, std::move(points), maker(of)),
+                   MethodChoice{of.method, of.reason});
+             });
+}
+
+}  // namespace
+
+void bind_optimizers(py::module_& module) {
+  bind_score(module);
+  py::class_<AskTell>(module, "Optimizer", "Proposes points and is told what came of them.")
+      .def(
+          "propose",
+          [](AskTell& of, int count) { return array(of.propose(count), of.space().size()); },
+          py::arg("count") = 1,
+          "At most `count` different points, the most wanted first; none only when converged.\n"
+          "Array (k, n). Evaluate as many as there are workers, observe the first, ask again.")
+      .def(
+          "observe",
+          [](AskTell& of, const Array& at, const py::object& outcome) {
+            const int n = of.space().size();
+            of.observe(point(at, n), outcome_of(outcome, n));
+          },
+          py::arg("point"),
+          py::arg("outcome"),
+          "What came of a point (n,): the target, a Score or a Failure. Also of points it did not "
+          "ask for.")
+      .def_property_readonly("converged", &AskTell::converged)
+      .def_property_readonly("ending",
+                             &AskTell::ending,
+                             "Why it converged, as the end of a sentence; empty where it does not "
+                             "say.")
+      .def_property_readonly("space", &AskTell::space)
+      .def_property_readonly(
+          "method", [](const AskTell& of) { return std::string(name(of.choice().method)); })
+      .def_property_readonly(
+          "reason", [](const AskTell& of) { return of.choice().reason; }, "Why this method.");
+  bind_makers(module);
+  module.def("method_names", &method_names, "All methods, and \"auto\".");
+}
+
+}  // namespace latsch::python

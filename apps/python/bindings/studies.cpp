@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+// Studies: what they vary and compare, the target at channels, trials of a journal as arrays. Runs
+// are the program's own (apps/python/latsch/_study.py).
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <thread>
+
+#include "bindings/arrays.h"
+#include "bindings/bindings.h"
+#include "bindings/failures.h"
+#include "bindings/long_call.h"
+#include "bindings/models.h"
+#include "correlation/search/study_fit.h"
+#include "correlation/search/study_method.h"
+#include "correlation/study/study_slopes.h"
+#include "correlation/study/variables.h"
+#include "correlation/target/best_trial.h"
+#include "correlation/target/study_trials.h"
+#include "evaluation/journal/asked_trials.h"
+#include "evaluation/journal/journal_lock.h"
+
+namespace latsch::python {
+namespace {
+
+using correlation::Study;
+using correlation::StudyExperiment;
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// A study and its journal, which need not be there yet.
+using SharedStudy = std::shared_ptr<const Study>;
+
+// A run that has just begun holds a journal that is none yet, for some milliseconds.
+constexpr int kMostReads = 10;
+constexpr std::chrono::milliseconds kBetweenReads{50};
+
+/// nullopt before the first run.
+std::optional<Journal> journal_of(const Study& study) {
+  const std::filesystem::path& file = study.run.journal;
+  for (int read = 1;; ++read) {
+    if (!std::filesystem::exists(file)) return std::nullopt;
+    try {
+      return Journal::read(file, correlation::identity(study));
+    } catch (const InputError&) {
+      if (read == kMostReads || !journal_holder(file)) throw;
+      std::this_thread::sleep_for(kBetweenReads);
+    }
+  }
+}
+
+/// The columns of a journal, a row a trial.
+struct Trials {
+  std::vector<DesignPoint> points;
+  std::vector<double> targets, violations, seconds;
+  std::vector<bool> asked;
+  std::vector<std::optional<Failure>> failures;
+  std::vector<std::string> channels;                             // in the order they were met
+  std::map<std::string, std::vector<std::vector<double>>> rows;  // empty: failed
+  std::map<std::string, std::string> units;
+
+  void add_channels(const Channels& found, const std::vector<std::string>& names, bool all) {
+    for (const Channel& channel : found.all()) {
+      if (!all && std::find(names.begin(), names.end(), channel.name) == names.end()) continue;
+      auto& column = rows[channel.name];
+      if (column.empty()) {
+        channels.push_back(channel.name);
+        units[channel.name] = channel.unit;
+      }
+      column.resize(points.size());
+      column.back() = channel.values;
+    }
+  }
+};
+
+Trials trials_of(const Study& as_written, const std::vector<std::string>& names, bool all) {
+  const std::optional<Journal> read = journal_of(as_written);
+  if (!read) return {};
+  const Journal& journal = *read;
+  const Study study = correlation::with_estimated_noise(as_written, journal);
+  const Objective target = correlation::objective(study);
+  const AskedTrials asked(journal.marks());
+  Trials trials;
+  long row = 0;
+  journal.for_each([&](const Trial& trial) {
+    const auto& channels = trial.outcome.result;
+    const Result<Score> score =
+        channels ? target(trial.point, *channels) : Result<Score>(channels.failure());
+    trials.points.push_back(trial.point);
+    trials.targets.push_back(score ? score->value : kUnknown);
+    trials.violations.push_back(score ? violation(*score) : kUnknown);
+    trials.failures.push_back(score ? std::nullopt : std::optional(score.failure()));
+    trials.seconds.push_back(trial.outcome.wall_time);
+    trials.asked.push_back(asked.contains(row++, trial.point));
+    if (channels) trials.add_channels(*channels, names, all);
+  });
+  for (auto& [name, column] : trials.rows) column.resize(trials.points.size());
+  return trials;
+}
+
+/// (N, samples), NaN where failed; a list where trials differ in their number of samples.
+py::object column(const std::vector<std::vector<double>>& rows) {
+  std::size_t samples = 0;
+  for (const auto& row : rows) samples = std::max(samples, row.size());
+  const bool are_alike = std::all_of(rows.begin(), rows.end(), [&](const auto& row) {
+    return row.empty() || row.size() == samples;
+  });
+  if (!are_alike) {
+    py::list all;
+    for (const auto& row : rows) all.append(row.empty() ? py::none() : py::object(array(row)));
+    return all;
+  }
+  Array all({static_cast<py::ssize_t>(rows.size()), static_cast<py::ssize_t>(samples)});
+  double* to = all.mutable_data();
+  for (const auto& row : rows) {
+    if (row.empty()) std::fill_n(to, samples, kUnknown);
+    to = row.empty() ? to + samples : std::copy(row.begin(), row.end(), to);
+  }
+  return all;
+}
+
+py::dict as_dict(const Trials& trials, int variables) {
+  py::list failures;
+  for (const auto& failure : trials.failures)
+    failures.append(failure ? failure_value(*failure) : py::none());
+  py::array_t<bool> asked(static_cast<py::ssize_t>(trials.asked.size()));
+  std::copy(trials.asked.begin(), trials.asked.end(), asked.mutable_data());
+  py::dict channels, units;
+  for (const std::string& name : trials.channels) {
+    channels[py::str(name)] = column(trials.rows.at(name));
+    units[py::str(name)] = trials.units.at(name);
+  }
+  py::dict all;
+  all["points"] = array(trials.points, variables);
+  all["targets"] = array(trials.targets);
+  all["violations"] = array(trials.violations);
+  all["seconds"] = array(trials.seconds);
+  all["asked"] = asked;
+  all["failures"] = failures;
+  all["channels"] = channels;
+  all["units"] = units;
+  return all;
+}
+
+Channels channels_of(const py::dict& values) {
+  Channels channels;
+  for (const auto& [name, samples] : values)
+    channels.add({.name = name.cast<std::string>(),
+                  .unit = "1",  // a target compares numbers in SI
+                  .values = vector(samples.cast<Array>())});
+  return channels;
+}
+
+Score target_of(const Study& study, const DesignPoint& at, const Channels& channels) {
+  const auto score = correlation::objective(study)(at, channels);
+  if (!score) raise(score.failure());
+  return *score;
+}
+
+/// What a trial of a run tells a search, with slopes where the model knows them.
+Result<Score> score_at(const Study& study, const DesignPoint& at, bool slopes) {
+  Study asking = study;
+  asking.asks_slopes = slopes;
+  const Outcome outcome = evaluate(correlation::evaluator(asking), at);
+  if (!outcome.result) return outcome.result.failure();
+  return correlation::objective(asking)(at, *outcome.result);
+}
+
+py::tuple simulated(const SharedStudy& study, const DesignPoint& at) {
+  auto found = long_call<Result<Channels>>(
+      [study, at](const Abandonment&) { return correlation::simulate_all(*study, at); });
+  if (!found) raise(found.failure());
+  return arrays_of(found->all(), 0);
+}
+
+Score scored(const SharedStudy& study, const DesignPoint& at, const py::object& slopes) {
+  const auto why_not = correlation::reason_without_slopes(*study);
+  const bool asked = slopes.is_none() ? !why_not : slopes.cast<bool>();
+  if (asked && why_not) throw InputError("slopes: " + *why_not);
+  auto found = long_call<Result<Score>>(
+      [study, at, asked](const Abandonment&) { return score_at(*study, at, asked); });
+  if (!found) raise(found.failure());
+  return *found;
+}
+
+Model model_at(const Study& study, const py::object& at) {
+  const auto* kind = study.specimens->kind();
+  if (!kind)
+    throw InputError({study.file.string(), 0},
+                     "has a [simulator] in a model's place: there is no model");
+  if (at.is_none()) return {*kind, study.model};
+  const DesignPoint p = point(at.cast<Array>(), study.space.size());
+  return {*kind, correlation::at(study.model, study.space, p)};
+}
+
+/// (point, target, violation) or None.
+py::object best_of(const Study& as_written) {
+  std::optional<correlation::RatedTrial> best;
+  {
+    const py::gil_scoped_release others;
+    if (const auto journal = journal_of(as_written))
+      best = correlation::best_trial(correlation::with_estimated_noise(as_written, *journal),
+                                     *journal);
+  }
+  if (!best) return py::none();
+  return py::make_tuple(array(best->point.values), best->target, best->violation);
+}
+
+void bind_experiments(py::module_& module) {
+  py::class_<StudyExperiment>(module, "Experiment", "A test's recording beside a measurement.")
+      .def_readonly("name", &StudyExperiment::name)
+      .def_readonly("fitted", &StudyExperiment::fitted, "False: predicted only.")
+      .def_property_readonly("weight", [](const StudyExperiment& e) { return e.objective.weight; })
+      .def_property_readonly("kind", [](const StudyExperiment& e) { return e.observable->kind(); })
+      .def_property_readonly(
+          "channels",
+          [](const StudyExperiment& e) { return e.observable->asks(); },
+          "Names of the channels of a trial that it compares.")
+      .def_property_readonly(
+          "measured",
+          [](const StudyExperiment& e) { return array(e.observable->measured_values()); },
+          "Array (values,), in `unit`; empty where it compares spectra or levels.")
+      .def_property_readonly("unit", [](const StudyExperiment& e) { return e.observable->unit(); })
+      .def_property_readonly("values", &StudyExperiment::values, "How many are compared.")
+      .def("__repr__", [](const StudyExperiment& e) {
+        return "<latsch.Experiment " + e.name + ", " + e.observable->kind() + ", " +
+               std::to_string(e.values()) + " values>";
+      });
+}
+
+}  // namespace
+
+void bind_studies(py::module_& module) {
+  bind_experiments(module);
+  struct Read {
+    SharedStudy study;
+  };
+  py::class_<Read>(module, "_Study", py::dynamic_attr())
+      .def(py::init([](const std::filesystem::path& file) {
+             return Read{std::make_shared<const Study>(
+                 correlation::read_study(file, experiment::language()))};
+           }),
+           py::arg("file"))
+      .def_property_readonly("file", [](const Read& s) { return s.study->file; })
+      .def_property_readonly("title", [](const Read& s) { return s.study->title; })
+      .def_property_readonly("journal", [](const Read& s) { return s.study->run.journal; })
+      .def_property_readonly("space", [](const Read& s) { return s.study->space; })
+      .def_property_readonly("variables", [](const Read& s) { return s.study->space.variables(); })
+      .def_property_readonly("experiments", [](const Read& s) { return s.study->experiments; })
+      .def_property_readonly(
+          "method",
+          [](const Read& s) { return std::string(name(correlation::method_of(*s.study).method)); })
+      .def_property_readonly(
+          "reason_without_slopes",
+          [](const Read& s) { return correlation::reason_without_slopes(*s.study).value_or(""); },
+          "Why trials bring no derivatives; empty where they do.")
+      .def(
+          "target",
+          [](const Read& s, const Array& at, const py::dict& channels) {
+            return target_of(*s.study, point(at, s.study->space.size()), channels_of(channels));
+          },
+          py::arg("point"),
+          py::arg("channels"))
+      .def(
+          "score",
+          [](const Read& s, const Array& at, const py::object& slopes) {
+            return scored(s.study, point(at, s.study->space.size()), slopes);
+          },
+          py::arg("point"),
+          py::kw_only(),
+          py::arg("slopes") = py::none())
+      .def("_simulate",
+           [](const Read& s, const Array& at) {
+             return simulated(s.study, point(at, s.study->space.size()));
+           })
+      .def(
+          "model",
+          [](const Read& s, const py::object& at) { return model_at(*s.study, at); },
+          py::arg("point") = py::none(),
+          "The Model as written, or with the variables at a point (n,).")
+      .def("_best", [](const Read& s) { return best_of(*s.study); })
+      .def("_trials", [](const Read& s, const std::vector<std::string>& names, bool all) {
+        const Trials trials = long_call<Trials>([study = s.study, names, all](const Abandonment&) {
+          return trials_of(*study, names, all);
+        });
+        return as_dict(trials, s.study->space.size());
+      });
+}
+
+}  // namespace latsch::python

@@ -1,0 +1,39 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""A study read, run by the program, and its journal as arrays; then the same fit by a loop of one's own.
+
+    python3 study.py FOLDER      (a copy of studies/compliance is made there)
+"""
+import pathlib
+import shutil
+import sys
+
+import latsch
+import numpy as np
+
+folder = pathlib.Path(sys.argv[1]) / "compliance"
+shutil.copytree(pathlib.Path(__file__).resolve().parents[3] / "studies/compliance", folder, dirs_exist_ok=True)
+study = latsch.read_study(folder / "study.toml")
+print(f"{study.title}: {len(study.variables)} variables, {len(study.experiments)} experiments, by {study.method}")
+
+result = study.run(workers=1, progress=False)  # run() goes on where an interrupted one was
+print(f"{result['trials']} trials, target {result['target']:.2e}")
+
+trials = study.trials(channels=["B/toe_by_Fy"])
+good = ~np.isnan(trials.targets)
+print(f"B/toe_by_Fy of {good.sum()} trials, {trials.channels['B/toe_by_Fy'].shape}, "
+      f"from {trials.channels['B/toe_by_Fy'][good].min():.2e} to {trials.channels['B/toe_by_Fy'][good].max():.2e} "
+      f"{trials.units['B/toe_by_Fy']}")
+
+# The same search, evaluated here: study.score() is a trial with its residuals and their slopes.
+optimizer = latsch.optimizer(study.space, "levenberg_marquardt")
+least = np.inf
+while not optimizer.converged:
+    point = optimizer.propose()[0]
+    try:
+        outcome = study.score(point)
+        least = min(least, outcome.value)
+    except latsch.Failure as failure:
+        outcome = failure
+    optimizer.observe(point, outcome)
+print(f"by the loop here: target {least:.2e}")

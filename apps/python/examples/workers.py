@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Ask and tell over several processes: points that are only likely to be wanted are evaluated ahead, and the path stays that
+of one process to the last bit.
+
+    python3 workers.py [PROCESSES]
+"""
+import concurrent.futures
+import math
+import sys
+
+import latsch
+
+SPACE = latsch.DesignSpace([latsch.Variable(name, lower=-2, upper=2, initial=-1) for name in "abc"])
+
+
+def evaluate(point):
+    """A model that takes long, and fails in a corner."""
+    a, b, c = point
+    if a + b > 3:
+        return latsch.Failure("no equilibrium: a + b is above 3")
+    return latsch.Score(residuals=[a - 0.5, b - a * a, 3 * (c - math.sin(b))])
+
+
+def search(pool, look_ahead):
+    optimizer, begun, steps = latsch.optimizer(SPACE, residuals=True), {}, []
+    while not optimizer.converged:
+        plan = optimizer.propose(look_ahead)
+        for point in plan:
+            if point.tobytes() not in begun:
+                begun[point.tobytes()] = pool.submit(evaluate, point)
+        outcome = begun[plan[0].tobytes()].result()  # the first alone: so the others change nothing but the time
+        optimizer.observe(plan[0], outcome)
+        steps.append((plan[0].tolist(), getattr(outcome, "value", math.inf)))
+    return steps, len(begun)
+
+
+if __name__ == "__main__":
+    processes = int(sys.argv[1]) if len(sys.argv) > 1 else 4
+    with concurrent.futures.ProcessPoolExecutor(processes) as pool:
+        alone, _ = search(pool, 1)
+        together, evaluated = search(pool, processes)
+    best, least = min(together, key=lambda step: step[1])
+    print(f"{len(together)} steps, {evaluated} evaluated; at {', '.join(f'{value:.4f}' for value in best)}: {least:.1e}")
+    print("the path of one process:", "the same" if alone == together else "another one")

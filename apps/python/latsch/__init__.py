@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Latsch from Python: optimizers that propose and are told, designs of experiments, identifiability; models through
+virtual tests; studies and their journals.
+
+    space = latsch.DesignSpace([latsch.Variable("k", lower=1, upper=50, initial=9)])
+    optimizer = latsch.optimizer(space, residuals=True)
+    while not optimizer.converged:
+        point = optimizer.propose()[0]
+        optimizer.observe(point, latsch.Score(residuals=measured - computed(point)))
+
+    study = latsch.read_study("study.toml")
+    study.run(workers=2)
+    trials = study.trials()
+
+    forces = latsch.test("tire.toml", {"kind": "modes", "pressure": "2.6 bar"})["frequency"]
+
+Numbers are in SI, axes those of ISO 8855 (x forward, y left, z up). Arrays are NumPy's, copies of what the libraries
+hold. Wrong data raise InputError, with file and line where there is one; a simulation that does not succeed is a
+Failure: raised where there is one result, a value where there are several.
+"""
+from latsch._errors import Failure, InputError, JournalError
+from latsch._latsch import (Confidence, DesignSpace, Experiment, Identification, LinearConstraint, Model, Morris, Optimizer,
+                            Profile, Score, Variable, basins_of_grid, confidence, full_factorial, kernels, latin_hypercube,
+                            method_names, read_model, sobol, tests)
+from latsch._optimizers import cascade, multi_start, optimizer
+from latsch._study import Study, Trials, read_study
+from latsch._tests import Recording, test
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Confidence", "DesignSpace", "Experiment", "Failure", "Identification", "InputError", "JournalError", "LinearConstraint",
+    "Model", "Morris", "Optimizer", "Profile", "Recording", "Score", "Study", "Trials", "Variable", "basins_of_grid",
+    "cascade", "confidence", "full_factorial", "kernels", "latin_hypercube", "method_names", "multi_start", "optimizer",
+    "read_model", "read_study", "sobol", "test", "tests"]

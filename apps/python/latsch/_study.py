@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Studies: what they vary and compare, their runs, their journals.
+
+A run is a process of the installed program, `latsch run`, not of this interpreter. It is the same search to the last bit
+whoever starts it, its journal is locked, survives anything and can be watched (`latsch serve`) and resumed from a
+terminal; a simulation that crashes or takes all memory ends a worker of that process; and Ctrl-C is the program's own,
+which leaves every finished trial on the disk.
+"""
+import collections
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import warnings
+
+from latsch import _latsch
+from latsch._errors import Failure, InputError
+from latsch._tests import Recording
+
+Best = collections.namedtuple("Best", "point target violation")
+Best.__doc__ = "The best trial: its point (n,), its target, by how much it violates constraints (0 where it does not)."
+
+_PATIENCE = 10  # s that a run is given to end after Ctrl-C; it asks for three
+
+
+def program():
+    """The program `latsch`: $LATSCH_PROGRAM, the one installed or built with this package, or one on the PATH."""
+    named = os.environ.get("LATSCH_PROGRAM")
+    beside = pathlib.Path(__file__).resolve().parents[4] / "bin" / "latsch"
+    found = named or (str(beside) if beside.is_file() else shutil.which("latsch"))
+    if not found:
+        raise InputError("the program latsch is not installed: expected it on the PATH or in LATSCH_PROGRAM")
+    return found
+
+
+def read_study(file):
+    """A study's file. Raises InputError naming file and line where the study, its model or a measurement is wrong."""
+    return Study(file)
+
+
+class Trials:
+    """What the journal of a study holds, a row a trial, in the order they finished.
+
+    points (N, n); targets (N,), NaN where a trial failed; violations (N,) of constraints; failures: a Failure each, None
+    where it succeeded; seconds (N,); asked (N,): False of what ran ahead of a search and is no result; channels: by
+    "TEST/CHANNEL" arrays (N, samples), rows of NaN where failed, or lists of arrays where trials differ in their samples;
+    units: of these.
+    """
+
+    def __init__(self, columns):
+        self.__dict__.update(columns)
+
+    def __len__(self):
+        return len(self.points)
+
+    def __repr__(self):
+        return f"<latsch.Trials {len(self)}, {sum(1 for one in self.failures if one)} failed>"
+
+
+class Study(_latsch._Study):
+    """A study as read: `file`, `title`, `journal`; `space` and `variables`; `experiments`; `method` of its search.
+
+    score(point, slopes=None): a trial here and now, without journal: a Score with residuals and, where the model knows
+    them, their jacobian. target(point, channels): the Score of channels that are known, a dict as a Recording is.
+    model(point=None): the Model as written, or at a point.
+    """
+
+    def simulate(self, point):
+        """All experiments at a point (n,), the predicted ones too: a Recording with channels "TEST/CHANNEL"."""
+        values, units, _ = self._simulate(point)
+        return Recording(values, units)
+
+    def run(self, workers=None, *, anew=False, progress=True):
+        """Fits, by a process `latsch run`; what its journal has is not computed again.
+
+        workers: processes; the study's own number unless given. anew: begins with an empty journal. progress: True shows
+        it on standard error, False not; or a function that gets its lines. Returns the results as a dict, those of
+        `latsch run --json`. Ctrl-C ends the run with all trials safe and raises KeyboardInterrupt; run() or resume() goes on.
+        """
+        return self._program("run", workers, ["--anew"] if anew else [], progress)
+
+    def resume(self, workers=None, *, retry_failed=False, progress=True):
+        """Goes on with an interrupted run, to the same result to the last bit. retry_failed: once a cause is mended."""
+        return self._program("resume", workers, ["--retry-failed"] if retry_failed else [], progress)
+
+    def doe(self, workers=None, *, progress=True):
+        """The design of experiments of the study's [doe]."""
+        return self._program("doe", workers, [], progress)
+
+    def identify(self, workers=None, *, progress=True):
+        """Confidence intervals and profiles around the best trial."""
+        return self._program("identify", workers, [], progress)
+
+    def trials(self, channels=()):
+        """The trials so far, also while a run goes on. channels: names to read, True: all (large)."""
+        names = [channels] if isinstance(channels, str) else [] if isinstance(channels, bool) else list(channels)
+        return Trials(self._trials(names, channels is True))
+
+    def best(self):
+        """The best trial of the journal: (point, target, violation); None where none has succeeded."""
+        found = self._best()
+        return Best(*found) if found else None
+
+    def _program(self, verb, workers, options, progress):
+        command = [program(), verb, str(self.file), "--json", *options]
+        if workers is not None:
+            command += ["--workers", str(workers)]
+        if progress is False:
+            command.append("--quiet")
+        said = []
+        output = _followed(command, _listener(progress, said))
+        return _result(output, said)
+
+
+def _listener(progress, said):
+    def listen(line):
+        said.append(line)
+        del said[:-20]
+        if line.startswith("latsch: "):
+            return  # a warning or what is raised: it stands in the answer as well
+        if callable(progress):
+            progress(line)
+        elif progress:
+            print(line, file=sys.stderr, flush=True)
+    return listen
+
+
+def _followed(command, listen):
+    """Standard output of the process, to the end; lines of its standard error are listened to as they come."""
+    # A session of its own: the terminal's Ctrl-C comes to this process alone, which hands it on once.
+    process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                               text=True, encoding="utf-8", errors="replace", start_new_session=True)
+    output = []
+    reader = threading.Thread(target=lambda: output.append(process.stdout.read()), daemon=True)
+    reader.start()
+    try:
+        for line in process.stderr:
+            listen(line.rstrip("\n"))
+        process.wait()
+    except BaseException:  # Ctrl-C, or what a listener raises
+        _end(process)
+        raise
+    finally:
+        process.stderr.close()
+        reader.join()
+        process.stdout.close()
+    return output[0]
+
+
+def _end(process):
+    process.send_signal(signal.SIGINT)
+    try:
+        threading.Thread(target=process.stderr.read, daemon=True).start()  # it may have more to say
+        process.wait(_PATIENCE)
+    except BaseException:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        raise
+
+
+def _result(output, said):
+    try:
+        answer = json.loads(output)
+    except ValueError:
+        raise Failure("latsch ended without an answer: " + "; ".join(said), "transient") from None
+    for warning in answer.get("warnings", []):
+        warnings.warn(warning["message"], stacklevel=4)
+    if answer["exit_code"] == 0:
+        return answer.get("result", {})
+    error = answer.get("error", {"message": "the run was interrupted"})
+    if answer["exit_code"] == 2:
+        raise InputError(error["message"], error.get("file", ""), error.get("line", 0))
+    raise Failure(error["message"])

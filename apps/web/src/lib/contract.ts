@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the server answers: the shapes of docs/studio.md, under their names. Numbers stand in the unit named beside
+// them, targets and errors are ratios, null is what is not known or not finite.
+
+export type Value = number | null;
+/** A number, or a text with its unit as the report words it: "22.3 N/mm^2", "9.8 .. 10.3 N/mm^2", "at least 4 bar". */
+export type Told = Value | string | readonly Value[];
+export type Scale = 'linear' | 'logarithmic';
+export type StudyState = 'new' | 'running' | 'stopped' | 'ended' | 'reading' | 'broken';
+export type Verb = 'run' | 'resume' | 'doe' | 'identify';
+
+export interface HomeStudy {
+  study: string;
+  title: string;
+  state: StudyState;
+  trials: number;
+  failed: number;
+  best: Value;
+  variables: number;
+  changed: number;
+  reading: boolean;
+  error: string;
+}
+
+export interface Home {
+  version: string;
+  folder: string;
+  has_page: boolean;
+  loading: { done: number; total: number } | null;
+  studies: HomeStudy[];
+}
+
+export interface Variable {
+  name: string;
+  path: string;
+  unit: string;
+  lower: Value;
+  upper: Value;
+  initial: Value;
+  scale: Scale;
+  best: Value;
+}
+
+export interface Experiment {
+  name: string;
+  kind: string;
+  conditions: string;
+  compared: string;
+  fitted: boolean;
+  weight: Value;
+  values: number;
+  share: Value;
+}
+
+export interface FailureGroup {
+  reason: string;
+  cause: string;
+  count: number;
+  trials: number[];
+  hint: string;
+}
+
+export interface Run {
+  workers: number;
+  is_starting: boolean;
+  exit_code: Value;
+  log_file: string;
+  elapsed: Value;
+  rate: Value;
+  eta: Value;
+  is_ours: boolean;
+  message: string;
+  log: string[];
+}
+
+export interface Study {
+  study: string;
+  title: string;
+  file: string;
+  model: { file: string; kind: string };
+  optimizer: { method: string; reason: string; ending: string };
+  state: StudyState;
+  error: string;
+  has_design: boolean;
+  workers: number;
+  run: Run | null;
+  trials: number;
+  succeeded: number;
+  failed: number;
+  best: { trial: number; target: Value; words: string; violation: Value; values: Value[]; shown: string[] } | null;
+  initial: { trial: number; target: Value } | null;
+  variables: Variable[];
+  experiments: Experiment[];
+  constraints: string[];
+  failures: FailureGroup[];
+  warnings: string[];
+}
+
+export interface Convergence {
+  total: number;
+  from: number;
+  to: number;
+  trial: number[];
+  target: Value[];
+  best: Value[];
+  failed: number[];
+  is_decimated: boolean;
+}
+
+export interface TrialRow {
+  trial: number;
+  target: Value;
+  violation: Value;
+  values: Value[];
+  reason: string; // "" of a trial that succeeded
+  cause: string;
+  seconds: Value;
+}
+
+export interface Trials {
+  total: number;
+  rows: TrialRow[];
+}
+
+export interface TrialExperiment {
+  name: string;
+  fitted: boolean;
+  weight: Value;
+  value: Value;
+  share: Value;
+  mean_error: Value;
+  largest_error: Value;
+}
+
+export interface Trial extends TrialRow {
+  hint: string;
+  experiments: TrialExperiment[];
+}
+
+export interface XY {
+  x: Value[];
+  y: Value[];
+}
+
+export interface Curve {
+  experiment: string;
+  conditions: string;
+  fitted: boolean;
+  x_name: string;
+  x_unit: string;
+  y_name: string;
+  y_unit: string;
+  x: Value[];
+  measured: Value[];
+  simulated: XY;
+  initial: XY | null;
+  errors: Value[];
+  errors_x?: Value[]; // as x unless given
+  band: { x: Value[]; lower: Value[]; upper: Value[]; inside: Told } | null;
+  psd: { unit: string; measured: XY; simulated: XY } | null;
+}
+
+export interface ModePair {
+  label: string;
+  measured: Value;
+  simulated: Value;
+  initial: Value;
+  error: Value;
+  likeness: Value;
+}
+
+export interface LooseMode {
+  label: string;
+  frequency: Value;
+}
+
+export interface ModeSet {
+  experiment: string;
+  conditions: string;
+  fitted: boolean;
+  pairs: ModePair[];
+  missing: LooseMode[];
+  extra: LooseMode[];
+}
+
+export interface ComparedValue {
+  name: string;
+  compared: string;
+  unit: string;
+  fitted: boolean;
+  weight: Value;
+  measured: Value;
+  found: Value;
+  initial: Value;
+  lower: Value;
+  upper: Value;
+  error: Value;
+}
+
+export interface Comparison {
+  trial: number;
+  initial: number | null;
+  curves: Curve[];
+  modes: ModeSet[];
+  values: ComparedValue[];
+  absent: { experiment: string; reason: string }[];
+}
+
+export interface SurfaceAxis {
+  name: string;
+  unit: string;
+  scale: Scale;
+  levels: number[];
+}
+
+export interface Surface {
+  x: SurfaceAxis;
+  y: SurfaceAxis;
+  target: Value[][];
+  held: string;
+  found: [Value, Value] | null;
+  initial: [Value, Value] | null;
+}
+
+export interface Slice {
+  variable: string;
+  unit: string;
+  scale: Scale;
+  x: Value[];
+  target: Value[];
+  found: Value;
+}
+
+export interface Minima {
+  design: string;
+  variables: string[];
+  count: number;
+  rows: { target: Value; points: number; values: Told[] }[];
+  doubt: string;
+}
+
+export interface Target {
+  surfaces: Surface[];
+  slices: Slice[];
+  minima: Minima | null;
+  effects: { variable: string; mu_star: Value; mu: Value; sigma: Value }[];
+  scatter: { trial: number[]; target: Value[]; values: Value[][] };
+}
+
+export interface KpiRow {
+  name: string;
+  experiment: string;
+  unit: string;
+  weight: Value;
+  target: Value;
+  initial: Value;
+  optimized: Value;
+  error: Value;
+  fitted: boolean;
+  flag: string;
+}
+
+export interface Kpis {
+  rows: KpiRow[];
+  variables: {
+    name: string;
+    unit: string;
+    initial: Value;
+    optimized: Value;
+    lower: Value;
+    upper: Value;
+    interval: Told;
+    flag: string;
+  }[];
+  target: { initial: Value; optimized: Value };
+}
+
+export interface Profile {
+  variable: string;
+  unit: string;
+  scale: Scale;
+  x: Value[];
+  rise: Value[];
+  found: Value;
+  verdict: string;
+  interval: Told;
+}
+
+export interface Identifiability {
+  known: boolean;
+  why_not: string | null;
+  variables: { name: string; value: Told; interval: Told; shift: Told }[];
+  deviations: Value[];
+  directions: string[];
+  correlation: Value[][];
+  profiles: Profile[];
+  bands: { experiment: string; fitted: boolean; widest: Told; inside: Told; remarks: string[] }[];
+  gains: { measurement: string; shrinkage: Value; helps: string }[];
+  left_out: { name: string; fitted: Value; predicted: Value }[];
+  remarks: string[];
+  missed: string[];
+  residuals: Value;
+  priors: Value;
+}
+
+export interface ModelNumber {
+  path: string;
+  value: Value;
+  unit: string;
+  line: number | null;
+  variable: string; // "" where it does not vary
+}
+
+export interface Outline {
+  part: string;
+  y: Value[];
+  z: Value[];
+}
+
+export interface Model {
+  file: string;
+  kind: string;
+  description: string | string[];
+  numbers: ModelNumber[];
+  has_scene: boolean;
+}
+
+export interface Section {
+  title: string;
+  unit: string;
+  polygons: Outline[];
+  cords: Outline[];
+}
+
+export interface StudyFile {
+  text: string;
+  version: string;
+}
+
+export interface CheckMessage {
+  text: string;
+  line: number | null;
+  is_wrong: boolean; // else a remark
+}
+
+export interface Check {
+  ok: boolean;
+  messages: CheckMessage[];
+  understood: string[];
+}
+
+export interface Edit {
+  table: string[];
+  key: string;
+  value: number | string | boolean | null;
+}
+
+export interface Compared {
+  studies: { study: string; title: string; target: Value }[];
+  variables: { name: string; unit: string; values: Value[]; intervals: Told[] }[];
+  experiments: { name: string; errors: Value[] }[];
+  convergence: { trial: number[]; best: Value[] }[];
+}
+
+export interface TrialEvent {
+  study: string;
+  total: number;
+  best: { trial: number; target: Value } | null;
+  is_many: boolean; // more than one event holds: to be asked for
+  rows: { trial: number; target: Value }[];
+}
+
+export interface RunEvent {
+  study: string;
+  state: StudyState;
+  message: string;
+}

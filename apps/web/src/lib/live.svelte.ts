@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// The server's events: that it is alive, that a list has changed, that trials have ended. The browser connects again by
+// itself where the connection breaks; what is shown then is asked for anew.
+
+import { isReport } from './answers';
+import type { RunEvent, TrialEvent } from './contract';
+
+interface Heard {
+  home: Record<string, never>;
+  trials: TrialEvent;
+  run: RunEvent;
+  again: Record<string, never>;
+}
+
+type Kind = keyof Heard;
+type Listener = (data: never) => void;
+
+const kSilence = 6000; // ms; the server says it is alive every two seconds
+
+class Live {
+  isAlive = $state(isReport);
+  lastSeen = $state(Date.now());
+  #source: EventSource | null = null;
+  #study = '';
+  #listeners = new Map<Kind, Set<Listener>>();
+  #wasLost = false;
+
+  /** Follows this study's events; "" is the list alone. */
+  follow(study: string): void {
+    if (isReport || (this.#source && study === this.#study)) return;
+    this.#source?.close();
+    this.#study = study;
+    const source = new EventSource(study ? `/events?study=${encodeURIComponent(study)}` : '/events');
+    this.#source = source;
+    source.onopen = () => this.#seen();
+    source.onerror = () => {
+      this.isAlive = false;
+      this.#wasLost = true;
+    };
+    source.addEventListener('alive', () => this.#seen());
+    for (const kind of ['home', 'trials', 'run'] as const) {
+      source.addEventListener(kind, (event) => {
+        this.#seen();
+        this.#tell(kind, JSON.parse((event as MessageEvent<string>).data || '{}'));
+      });
+    }
+  }
+
+  watch(): () => void {
+    const timer = setInterval(() => {
+      if (isReport || Date.now() - this.lastSeen < kSilence) return;
+      this.isAlive = false;
+      this.#wasLost = true;
+      if (this.#source?.readyState === EventSource.CLOSED) {
+        const study = this.#study;
+        this.#source = null;
+        this.follow(study);
+      }
+    }, 1000);
+    return () => clearInterval(timer);
+  }
+
+  on<K extends Kind>(kind: K, listener: (data: Heard[K]) => void): () => void {
+    const all = this.#listeners.get(kind) ?? new Set<Listener>();
+    this.#listeners.set(kind, all);
+    all.add(listener as Listener);
+    return () => all.delete(listener as Listener);
+  }
+
+  #seen(): void {
+    this.isAlive = true;
+    this.lastSeen = Date.now();
+    if (this.#wasLost) {
+      this.#wasLost = false;
+      this.#tell('again', {});
+    }
+  }
+
+  #tell(kind: Kind, data: unknown): void {
+    for (const listener of this.#listeners.get(kind) ?? []) listener(data as never);
+  }
+}
+
+export const live = new Live();

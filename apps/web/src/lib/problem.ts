@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// What went wrong with a request, as it is shown: what and where, why, what next.
+
+export class Problem extends Error {
+  constructor(
+    message: string,
+    readonly hint: string,
+    readonly where: string,
+    readonly status = 0,
+  ) {
+    super(message);
+  }
+}
+
+export function asProblem(error: unknown, where: string): Problem {
+  if (error instanceof Problem) return error;
+  const words = error instanceof Error ? error.message : String(error);
+  return new Problem(words, 'Reload the page; the journal holds all that has been computed.', where);
+}
+
+const kHints: Record<number, string> = {
+  401: 'Open the address that `latsch serve` has printed: it holds the token of this server.',
+  403: 'Open the address that `latsch serve` has printed: it holds the token of this server.',
+  404: 'Go to the list of studies: the file may have been moved or removed.',
+  409: 'The file has changed meanwhile: read it anew, then change it again.',
+};
+
+export async function problemOf(response: Response, where: string): Promise<Problem> {
+  let words = `the server answered ${response.status} ${response.statusText}`;
+  let hint = kHints[response.status] ?? 'Look at the terminal in which `latsch serve` runs.';
+  try {
+    const body = (await response.json()) as { error?: string; hint?: string };
+    if (body.error) words = body.error;
+    if (body.hint) hint = body.hint;
+  } catch {
+    // An answer that is no JSON: its status says all there is.
+  }
+  return new Problem(words, hint, where, response.status);
+}

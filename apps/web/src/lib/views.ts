@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The views of a study, in the order of the work. All but the first are loaded when they are first shown.
+
+import type { Component } from 'svelte';
+
+import type { OpenStudy } from './study.svelte';
+
+export interface View {
+  name: string;
+  title: string;
+  load: () => Promise<{ default: Component<{ open: OpenStudy }> }>;
+  needsServer?: boolean;
+}
+
+export const views: readonly View[] = [
+  { name: 'study', title: 'Overview', load: () => import('../views/StudyView.svelte') },
+  { name: 'setup', title: 'Set-up', load: () => import('../views/setup/SetupView.svelte'), needsServer: true },
+  { name: 'model', title: 'Model', load: () => import('../views/model/ModelView.svelte') },
+  { name: 'convergence', title: 'Convergence', load: () => import('../views/ConvergenceView.svelte') },
+  { name: 'target', title: 'Target function', load: () => import('../views/target/TargetView.svelte') },
+  { name: 'comparison', title: 'Measured and simulated', load: () => import('../views/comparison/ComparisonView.svelte') },
+  { name: 'kpis', title: 'KPI table', load: () => import('../views/KpiView.svelte') },
+  { name: 'identifiability', title: 'Identifiability', load: () => import('../views/identifiability/IdentifiabilityView.svelte') },
+];

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a journal of 50 000 trials costs the page: until its convergence is drawn, and each time it is drawn again. For a
+// page at any address, so that a benchmark measures the real server with it.
+
+import { newPage, settled } from './browser.mjs';
+
+/** Milliseconds from the address to the drawn convergence of a study. */
+export async function loadTime(browser, address, study) {
+  const page = await newPage(browser);
+  const begin = performance.now();
+  await page.goto(`${address}#/convergence?study=${study}`);
+  await page.waitForSelector('.u-wrap canvas');
+  await settled(page);
+  const took = performance.now() - begin;
+  await page.context().close();
+  return took;
+}
+
+/** Milliseconds of the longest of several drawings of the convergence, from the click to the drawn frame. */
+export async function redrawTime(browser, address, study) {
+  const page = await newPage(browser);
+  await page.goto(`${address}#/convergence?study=${study}`);
+  await page.waitForSelector('.u-wrap canvas');
+  await settled(page);
+  const longest = await page.evaluate(async () => {
+    const entry = [...document.querySelectorAll('.key button')].find((button) => button.textContent.includes('best so far'));
+    let longest = 0;
+    for (let k = 0; k < 7; ++k) {
+      const begin = performance.now();
+      entry.click();
+      await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 0)));
+      longest = Math.max(longest, performance.now() - begin);
+    }
+    return longest;
+  });
+  await page.context().close();
+  return longest;
+}
+
+/** Milliseconds from `act`, which makes a trial end, to the point that is counted on the page. */
+export async function firstPointTime(page, act) {
+  const count = () => page.evaluate(() => document.querySelector('.panel header .small-print')?.textContent ?? '');
+  const before = await count();
+  const begin = performance.now();
+  await act();
+  await page.waitForFunction((words) => (document.querySelector('.panel header .small-print')?.textContent ?? '') !== words, before, { polling: 10, timeout: 30000 });
+  return performance.now() - begin;
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every view, light and dark: what axe calls a violation and what the console calls an error is none of theirs.
+
+import assert from 'node:assert/strict';
+
+import { newPage, settled, violations } from './browser.mjs';
+import { kViews } from './views.mjs';
+
+const allOf = (scheme) => async ({ browser, address }) => {
+  const page = await newPage(browser, { scheme });
+  const faults = [];
+  for (const [name, hash] of kViews) {
+    await page.goto(address + hash);
+    await page.reload();
+    await settled(page);
+    const missing = name === 'missing'; // its 404 is the browser's own word
+    const errors = page.errors.splice(0).filter((words) => !missing || !words.includes('404'));
+    faults.push(...[...(await violations(page)), ...errors].map((words) => `${name}: ${words}`));
+  }
+  await page.context().close();
+  assert.deepEqual(faults, []);
+  return `${kViews.length} views`;
+};
+
+export const claims = {
+  'no violation of axe and no console error, light': allOf('light'),
+  'no violation of axe and no console error, dark': allOf('dark'),
+
+  async 'three.js is not loaded before something is shown in space'({ browser, address }) {
+    const page = await newPage(browser);
+    const asked = [];
+    page.on('request', (request) => asked.push(request.url()));
+    await page.goto(`${address}#/target?study=tire_b_twin/study.toml`);
+    await settled(page);
+    assert.ok(!asked.some((url) => url.includes('stage-')), asked.join('\n'));
+    await page.getByRole('button', { name: '3-D' }).click();
+    await page.waitForSelector('canvas');
+    assert.ok(asked.some((url) => url.includes('stage-')));
+    assert.ok(asked.every((url) => url.startsWith(address)), 'it asks no other host');
+    await page.waitForTimeout(500);
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  },
+};

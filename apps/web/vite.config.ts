@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page of the server: a first script, further ones when they are needed (three.js), one style sheet.
+import { svelte } from '@sveltejs/vite-plugin-svelte';
+import { defineConfig } from 'vite';
+
+import { leanThree } from './tools/lean_three.mjs';
+
+export default defineConfig({
+  plugins: [leanThree(), svelte()],
+  base: '/',
+  build: {
+    outDir: process.env.LATSCH_WEB_OUT ?? 'dist',
+    emptyOutDir: true,
+    target: 'es2022',
+    cssCodeSplit: false,
+    modulePreload: { polyfill: false },
+    assetsInlineLimit: 0, // the policy allows no data: addresses
+    chunkSizeWarningLimit: 700,
+  },
+});

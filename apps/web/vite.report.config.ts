@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The same components for a report that is one file: report.js and report.css, which need nothing beside them.
+import { svelte } from '@sveltejs/vite-plugin-svelte';
+import { defineConfig } from 'vite';
+
+import { leanThree } from './tools/lean_three.mjs';
+
+export default defineConfig({
+  plugins: [leanThree(), svelte()],
+  build: {
+    outDir: `${process.env.LATSCH_WEB_OUT ?? 'dist'}/report`,
+    emptyOutDir: true,
+    target: 'es2022',
+    cssCodeSplit: false,
+    copyPublicDir: false,
+    chunkSizeWarningLimit: 1200,
+    rollupOptions: {
+      input: 'src/report.ts',
+      output: {
+        format: 'iife',
+        inlineDynamicImports: true,
+        entryFileNames: 'report.js',
+        assetFileNames: 'report[extname]',
+      },
+    },
+  },
+});

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// The studio's page on the real program in a browser: first point, 50,000 trials, stop, sizes, axe
+//
+//   ./bench.sh studio          needs the page (Node) and Debian's chromium
+//
+// The journals are written by `latsch doe` on a Magic Formula of two numbers, 224 and 71 levels
+// each; the study that is watched has an outside program that sleeps.
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "base/file.h"
+#include "base/scratch_folder_testing.h"
+#include "killed_study.h"
+#include "table.h"
+#include "web/web_assets.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kPause = 0.4;  // s, of a trial of the study that is watched
+constexpr double kKilobyte = 1024.0;
+
+fs::path program() { return fs::read_symlink("/proc/self/exe").parent_path() / "latsch"; }
+
+/// Side force over slip angle of a Magic Formula, two coefficients to be found.
+fs::path write_force_study(const fs::path& folder) {
+  fs::create_directories(folder);
+  fs::copy_file(fs::path(LATSCH_SOURCE_DIR) / "studies/race_tire_mf/tire.tir", folder / "tire.tir");
+  std::string states = "Fz [N],alpha [deg]\n", measured = "Fy [N]\n";
+  for (int i = -12; i <= 12; ++i) {
+    states += fmt::format("{},{}\n", 3000 + 500 * ((i + 12) % 3), i);
+    measured += fmt::format("{}\n", -290 * i);
+  }
+  write_text_file(folder / "states.csv", states);
+  write_text_file(folder / "measured.csv", measured);
+  write_text_file(folder / "study.toml", R"(title = "Side force over slip angle"
+[model]
+kind = "magic_formula"
+file = "tire.tir"
+[test.steady]
+kind = "steady_states"
+states = "states.csv"
+[variable.grip]
+path = "PDY1"
+lower = 0.5
+upper = 2
+initial = 0.7
+[variable.stiffness]
+path = "PKY1"
+lower = -60
+upper = -5
+initial = -10
+[experiment.side_force]
+kind = "curve"
+y = "steady/Fy"
+measurement = "measured.csv"
+[run]
+workers = 2
+)");
+  return folder / "study.toml";
+}
+
+void evaluate_grid(const fs::path& study, int levels) {
+  const std::string command = fmt::format(
+      "'{}' doe '{}' --levels {} > /dev/null 2>&1", program().string(), study.string(), levels);
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+}
+
+/// Figures that the script of the browser prints, by name.
+std::map<std::string, double> figures(const fs::path& folder) {
+  const fs::path page = program().parent_path().parent_path() / "apps/web/page";
+  const fs::path printed = folder / "figures.txt";
+  const std::string command = fmt::format("cd '{}' && node tests/bench.mjs '{}' '{}' > '{}'",
+                                          page.string(),
+                                          program().string(),
+                                          folder.string(),
+                                          printed.string());
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+  std::map<std::string, double> found;
+  std::ifstream in(printed);
+  std::string name;
+  for (double value = 0.0; in >> name >> value;) found[name] = value;
+  return found;
+}
+
+bool is_script(const studio::Asset& asset) {
+  return asset.path.ends_with(".js") && !asset.path.starts_with("/report/");
+}
+
+/// Bytes of all scripts, and of those that index.html loads before anything is asked for.
+std::pair<double, double> script_sizes() {
+  double all = 0.0, first = 0.0;
+  for (const studio::Asset& asset : studio::web_assets()) {
+    if (!is_script(asset)) continue;
+    all += static_cast<double>(asset.body.size());
+    if (asset.path.find("/index-") != std::string::npos)
+      first += static_cast<double>(asset.body.size());
+  }
+  return {first, all};
+}
+
+int run() {
+  Table table("studio");
+  if (studio::web_assets().empty()) {
+    std::cerr << "latsch was built without its page: install Node and build again\n";
+    return 1;
+  }
+  const auto [first, all] = script_sizes();
+  table.row("first script, gzipped",
+            fmt::format("{:.1f} KB", first / kKilobyte),
+            "<= 60 KB",
+            first > 0.0 && first <= 60.0 * kKilobyte);
+  table.row("all scripts, 3-D too, gzipped",
+            fmt::format("{:.1f} KB", all / kKilobyte),
+            "<= 200 KB",
+            all <= 200.0 * kKilobyte);
+
+  const ScratchFolder folder;
+  evaluate_grid(write_force_study(folder / "many"), 224);
+  evaluate_grid(write_force_study(folder / "some"), 71);
+  fs::create_directories(folder / "live");
+  write_small_study(folder / "live", kPause);
+  auto at = figures(folder.path());
+
+  const auto milliseconds = [&](const char* what, const char* name, double most) {
+    table.row(what,
+              fmt::format("{:.0f} ms", at.at(name)),
+              fmt::format("< {:g} ms", most),
+              at.at(name) < most);
+  };
+  const auto none = [&](const char* what, const char* name) {
+    table.row(what, fmt::format("{:g}", at.at(name)), "0", at.at(name) == 0.0);
+  };
+  milliseconds("point on the page after its trial is committed, worst of 5", "live_ms", 1000.0);
+  milliseconds("50,176 trials: from the address to the drawn convergence", "many_load_ms", 2000.0);
+  milliseconds("50,176 trials: convergence drawn again, worst of 7", "many_redraw_ms", 100.0);
+  table.note("50,176 trials: read by the server",
+             fmt::format("{:.2f} s after its start", at.at("many_read_s")));
+  milliseconds("stop, until nobody runs it", "stop_ms", 1000.0);
+  none("axe violations, all views, light and dark", "axe");
+  none("errors in the browser's console", "console");
+  table.row("report of 5,041 trials",
+            fmt::format("{:.2f} MB", at.at("report_bytes") / 1e6),
+            "< 3 MB",
+            at.at("report_bytes") < 3e6);
+  milliseconds("that report opens", "report_open_ms", 1000.0);
+  none("axe violations and console errors of that report", "report_faults");
+  return table.exit_code();
+}
+
+}  // namespace
+}  // namespace latsch::benchmarks
+
+int main() { return latsch::benchmarks::guarded(latsch::benchmarks::run); }

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// A server of the studio in a process of its own, watched while it is attacked.
+#pragma once
+
+#include <sys/types.h>
+
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "studio/http/raw_client_testing.h"
+
+namespace latsch::benchmarks {
+
+class AttackedServer {
+ public:
+  /// Starts the program and waits until it prints http://HOST:PORT/?token=TOKEN. It may have as
+  /// many files open as a login may by default, 1,024. Throws std::runtime_error.
+  explicit AttackedServer(const std::vector<std::string>& command);
+  ~AttackedServer();
+  AttackedServer(const AttackedServer&) = delete;
+  AttackedServer& operator=(const AttackedServer&) = delete;
+
+  std::uint16_t port() const { return port_; }
+  const std::string& token() const { return token_; }
+  /// "GET /x HTTP/1.1" with Host, these fields and, where there is one, the body and its length.
+  std::string request(const std::string& line,
+                      const std::string& fields = "",
+                      const std::string& body = "") const;
+  /// The same with the token.
+  std::string trusted(const std::string& line,
+                      const std::string& fields = "",
+                      const std::string& body = "") const;
+
+  /// Bytes of memory at most since the process began; -1 where it is gone.
+  double peak_memory() const;
+  bool is_running() const;
+  /// Seconds until it ended after SIGTERM; -1 where it did not within ten.
+  double terminate();
+
+ private:
+  pid_t child_ = -1;
+  int output_ = -1;
+  std::uint16_t port_ = 0;
+  std::string token_;
+};
+
+/// Asks for /api/ping a hundred times a second, in turns on a new connection and on a kept one.
+class Pings {
+ public:
+  explicit Pings(const AttackedServer& server);
+  ~Pings();
+
+  /// Seconds each took since the last call; those that were not answered took ten.
+  std::vector<double> take();
+
+ private:
+  void run();
+  bool answers(studio::RawClient& client) const;
+
+  const AttackedServer& server_;
+  std::atomic<bool> is_ending_ = false;
+  std::mutex mutex_;
+  std::vector<double> seconds_;
+  std::thread thread_;
+};
+
+/// The value that the share (0.99) of all does not exceed; 0 where there is none.
+double quantile(std::vector<double> values, double share);
+
+}  // namespace latsch::benchmarks

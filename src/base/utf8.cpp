@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/utf8.h"
+
+#include <cstddef>
+
+namespace latsch {
+namespace {
+
+/// The second byte of a character lies between these, a character that begins with `first` has
+/// `length` bytes [RFC 3629, 4]; 0 where none begins so.
+struct Utf8Form {
+  std::size_t length = 0;
+  unsigned char least = 0x80;
+  unsigned char most = 0xbf;
+};
+
+Utf8Form utf8_form(unsigned char first) {
+  if (first < 0x80) return {1};
+  if (first < 0xc2) return {};
+  if (first < 0xe0) return {2};
+  if (first == 0xe0) return {3, 0xa0};        // below: longer than it need be
+  if (first == 0xed) return {3, 0x80, 0x9f};  // above: surrogates
+  if (first < 0xf0) return {3};
+  if (first == 0xf0) return {4, 0x90};
+  if (first < 0xf4) return {4};
+  if (first == 0xf4) return {4, 0x80, 0x8f};  // above: beyond U+10FFFF
+  return {};
+}
+
+/// Bytes of the character at the beginning; 0 where there is none.
+std::size_t utf8_character(std::string_view bytes) {
+  const auto code = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+  const Utf8Form form = utf8_form(code(0));
+  if (form.length == 0 || form.length > bytes.size()) return 0;
+  if (form.length > 1 && (code(1) < form.least || code(1) > form.most)) return 0;
+  for (std::size_t i = 2; i < form.length; ++i)
+    if (code(i) < 0x80 || code(i) > 0xbf) return 0;
+  return form.length;
+}
+
+}  // namespace
+
+bool is_utf8(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const std::size_t length = utf8_character(bytes);
+    if (length == 0) return false;
+    bytes.remove_prefix(length);
+  }
+  return true;
+}
+
+std::string replaced_where_no_utf8(std::string_view bytes) {
+  std::string text;
+  while (!bytes.empty()) {
+    const std::size_t length = utf8_character(bytes);
+    text += length > 0 ? bytes.substr(0, length) : "\xef\xbf\xbd";
+    bytes.remove_prefix(length > 0 ? length : 1);
+  }
+  return text;
+}
+
+}  // namespace latsch

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/target/target_parts.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "base/error.h"
+#include "correlation/target/weighing.h"
+
+namespace latsch::correlation {
+
+PartedTarget::PartedTarget(const Study& study)
+    : fitted_(fitted_experiments(study)),
+      space_(study.space),
+      constraints_(study.constraints),
+      common_(common_deviation(fitted_)) {
+  for (const StudyExperiment& experiment : fitted_) weights_.push_back(experiment.objective.weight);
+}
+
+std::vector<std::string> PartedTarget::experiments() const {
+  std::vector<std::string> names;
+  for (const StudyExperiment& experiment : fitted_) names.push_back(experiment.name);
+  return names;
+}
+
+Result<TargetParts> PartedTarget::parts(const DesignPoint& point, const Channels& channels) const {
+  TargetParts parts;
+  for (const StudyExperiment& experiment : fitted_) {
+    auto comparison = experiment.observable->compare(channels, experiment.objective);
+    if (!comparison) return comparison.failure();
+    parts.mean_errors.push_back(comparison->mean_error);
+    parts.largest_errors.push_back(comparison->largest_error);
+    weigh(experiment, common_, *comparison);
+    parts.values.push_back(comparison->value);
+  }
+  if (common_) {
+    const double exponent = fitted_.front().objective.exponent;
+    for (int i = 0; i < space_.size(); ++i) {
+      if (!space_[i].prior) continue;
+      const double d =
+          *common_ * space_[i].prior->residual(point.values[static_cast<std::size_t>(i)]);
+      parts.priors += std::pow(std::abs(d), exponent);
+    }
+  }
+  Score limits;
+  for (const ChannelConstraint& constraint : constraints_)
+    if (auto failure = apply(constraint, channels, limits)) return *failure;
+  parts.violation = violation(limits);
+  return parts;
+}
+
+PartedTarget::Weighting PartedTarget::weighting(const std::vector<double>& weights) const {
+  std::vector<StudyExperiment> weighted = fitted_;
+  double sum = 0.0;
+  for (std::size_t e = 0; e < weighted.size(); ++e) {
+    if (!std::isfinite(weights[e]) || weights[e] < 0.0)
+      throw InputError("the weight of experiment " + weighted[e].name +
+                       " is negative or no number; expected one from 0 up");
+    weighted[e].objective.weight = weights[e];
+    sum += weights[e];
+  }
+  if (!(sum > 0.0)) throw InputError("all weights are 0: at least one experiment has to count");
+  const auto common = common_deviation(weighted);
+  assert(common.has_value() == common_.has_value());  // all experiments state noise or none does
+  const double f = common ? *common / *common_ : 1.0;
+  Weighting result;
+  double total = 0.0;
+  for (const StudyExperiment& experiment : weighted) {
+    const double n = common ? static_cast<double>(experiment.values()) : 1.0;
+    result.factors_.push_back(experiment.objective.weight * n);
+    total += result.factors_.back();
+  }
+  for (std::size_t e = 0; e < weighted.size(); ++e)
+    result.factors_[e] *= std::pow(f, weighted[e].objective.exponent) / total;
+  result.prior_ = std::pow(f, fitted_.front().objective.exponent) / total;
+  return result;
+}
+
+double PartedTarget::Weighting::share(const TargetParts& parts, std::size_t e) const {
+  return factors_[e] * parts.values[e];
+}
+
+double PartedTarget::Weighting::target(const TargetParts& parts) const {
+  double sum = prior_ * parts.priors;
+  for (std::size_t e = 0; e < factors_.size(); ++e) sum += share(parts, e);
+  return sum;
+}
+
+}  // namespace latsch::correlation

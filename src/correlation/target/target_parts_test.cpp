@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// The target put together from its parts is that of objective() at any weights.
+#include "correlation/target/target_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "correlation/search/study_reuse_testing.h"
+
+namespace latsch::correlation {
+namespace {
+
+class PartsOfTarget : public FittedStudy {
+ protected:
+  /// A second experiment of the same test with other settings, and what both have of noise.
+  static std::string more(const std::string& noise, const std::string& other_noise) {
+    return noise + R"(
+[experiment.aligning]
+kind = "curve"
+y = "steady/Mz"
+measurement = "aligning.csv"
+exponent = 2
+weight = 0.25
+)" + other_noise;
+  }
+
+  Study two_experiments(const std::string& noise, const std::string& other_noise) {
+    std::string text = "Mz [N*m]\n";
+    for (int i = -12; i <= 12; ++i) text += std::to_string(2.5 * i) + "\n";
+    write("aligning.csv", text);
+    return read(more(noise, other_noise));
+  }
+
+  void expect_same_at_any_weights(Study study) {
+    const PartedTarget parted(study);
+    const DesignPoint point{{1.1, -18.0}};
+    const auto channels = evaluator(study)(point);
+    ASSERT_TRUE(channels);
+    const auto parts = parted.parts(point, *channels);
+    ASSERT_TRUE(parts);
+    for (const auto& weights :
+         std::vector<std::vector<double>>{{1.0, 0.25}, {0.0, 1.0}, {3.0, 2e-3}}) {
+      for (std::size_t e = 0; e < weights.size(); ++e)
+        study.experiments[e].objective.weight = weights[e];
+      const auto weighting = parted.weighting(weights);
+      const double expected = objective(study)(point, *channels)->value;
+      EXPECT_NEAR(weighting.target(*parts), expected, 1e-13 * expected);
+      EXPECT_NEAR(
+          weighting.share(*parts, 0) + weighting.share(*parts, 1), expected, 1e-13 * expected);
+    }
+  }
+};
+
+TEST_F(PartsOfTarget, WithoutNoise) { expect_same_at_any_weights(two_experiments("", "")); }
+
+TEST_F(PartsOfTarget, WithNoiseAndARobustLoss) {
+  expect_same_at_any_weights(
+      two_experiments("noise = \"3 %\"\nloss = \"huber\"\n", "noise = \"2 N*m\"\n"));
+}
+
+TEST_F(PartsOfTarget, WeightsThatAreNoneAreRefused) {
+  const PartedTarget parted(two_experiments("", ""));
+  EXPECT_THROW(parted.weighting({0.0, 0.0}), InputError);
+  EXPECT_THROW(parted.weighting({-1.0, 2.0}), InputError);
+  EXPECT_THROW(parted.weighting({std::nan(""), 2.0}), InputError);
+}
+
+}  // namespace
+}  // namespace latsch::correlation

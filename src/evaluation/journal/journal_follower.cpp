@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "evaluation/journal/journal_follower.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <optional>
+
+#include "base/error.h"
+#include "evaluation/journal/journal.h"
+#include "evaluation/journal/journal_format.h"
+
+namespace latsch {
+
+using namespace journal_format;
+
+namespace {
+
+constexpr int kPatience = 2000;  // ms
+
+/// Which file a path leads to now; nullopt: none.
+std::optional<std::pair<dev_t, ino_t>> file_at(const std::filesystem::path& path) {
+  struct stat found {};
+  if (::stat(path.c_str(), &found) != 0) return std::nullopt;
+  return std::pair(found.st_dev, found.st_ino);
+}
+
+}  // namespace
+
+struct JournalFollower::Impl {
+  std::filesystem::path file;
+  std::optional<std::pair<dev_t, ino_t>> opened;
+  std::unique_ptr<SQLite::Database> database;
+  int format = kFormat;
+  StudyIdentity identity;
+  std::vector<JournalMark> marks;
+  std::optional<RowDecoder> decoder;
+  std::int64_t number = 0;  // of the last row handed on
+  std::uint64_t state = 0;  // of the chain there
+  std::int64_t total = 0;   // rows at the last look
+  std::int64_t marks_seen = -1;
+
+  void close() {
+    database.reset();
+    opened.reset();
+    identity.clear();
+    marks.clear();
+    number = total = 0;
+    marks_seen = -1;
+  }
+
+  void open() {
+    opened = file_at(file);
+    identity = Journal::read(file).identity();  // and says what is wrong with the file
+    database = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, kPatience);
+    format = database->execAndGet("PRAGMA user_version").getInt();
+    decoder.emplace(format);
+    state = hash_of(identity);
+  }
+
+  [[noreturn]] void damaged(std::int64_t at, const char* what) const {
+    throw JournalError(
+        fmt::format("{}: trial {} {}: the file is damaged; latsch doctor says what can be saved",
+                    file.string(),
+                    at,
+                    what));
+  }
+
+  void hand_on(const Row& row, const std::function<void(const Trial&)>& visit) {
+    if (row.number != number + 1) damaged(number + 1, "is missing");
+    const std::uint64_t next = row.chained(format, state);
+    if (stored(next) != row.hash || stored(row.own_hash()) != row.content)
+      damaged(row.number, "does not agree with its hash");
+    const auto trial = decoder->decode(row);
+    if (!trial) damaged(row.number, "cannot be decoded");
+    state = next;
+    number = row.number;
+    visit(*trial);
+  }
+
+  News read(long most, const std::function<void(const Trial&)>& visit) {
+    News news;
+    if (opened && file_at(file) != opened) {
+      close();
+      news.begins_anew = news.has_more = true;
+      return news;
+    }
+    if (!database) {
+      if (!file_at(file)) return news;
+      open();
+    }
+    SQLite::Transaction snapshot(*database);  // tally, marks and rows of one moment
+    const auto tally = read_tally(*database, format);
+    if (!tally) damaged(number + 1, "or the tally of the trials is missing");
+    if (tally->trials < number) damaged(number, "is gone");
+    total = tally->trials;
+    if (format >= 4 && tally->marks != marks_seen) {
+      auto read = read_marks(*database, *tally);
+      if (!read) damaged(number, "has marks beside it that do not agree with their hashes");
+      marks = std::move(*read);
+      news.has_marks = marks_seen >= 0 || !marks.empty();
+      marks_seen = tally->marks;
+    }
+    SQLite::Statement select(
+        *database,
+        "SELECT " + columns(format) + " FROM trials WHERE number > ? ORDER BY number LIMIT ?");
+    select.bind(1, number);
+    select.bind(2, static_cast<std::int64_t>(most));
+    while (select.executeStep()) {
+      hand_on(read_row(select, format), visit);
+      ++news.trials;
+    }
+    news.has_more = number < total;
+    return news;
+  }
+};
+
+JournalFollower::JournalFollower(std::filesystem::path file) : impl_(std::make_unique<Impl>()) {
+  impl_->file = std::move(file);
+}
+JournalFollower::~JournalFollower() = default;
+JournalFollower::JournalFollower(JournalFollower&&) noexcept = default;
+JournalFollower& JournalFollower::operator=(JournalFollower&&) noexcept = default;
+
+JournalFollower::News JournalFollower::read(long most,
+                                            const std::function<void(const Trial&)>& visit) {
+  try {
+    return impl_->read(most, visit);
+  } catch (const SQLite::Exception& error) {
+    throw JournalError(
+        fmt::format("{}: cannot be read just now ({})", impl_->file.string(), error.what()));
+  }
+}
+
+long JournalFollower::total() const { return static_cast<long>(impl_->total); }
+const StudyIdentity& JournalFollower::identity() const { return impl_->identity; }
+const std::vector<JournalMark>& JournalFollower::marks() const { return impl_->marks; }
+
+}  // namespace latsch

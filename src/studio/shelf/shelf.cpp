@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/shelf/shelf.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+#include "base/clock.h"
+#include "base/document.h"
+
+namespace latsch::studio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMostLevels = 4;
+constexpr std::size_t kMostStudies = 2000;
+constexpr auto kOften = std::chrono::milliseconds(150);
+constexpr double kSeldom = 3.0;      // s, between looks at all of them
+constexpr double kLookedAt = 120.0;  // s, that one somebody opened is looked at often
+constexpr long kAtOnce = 2000;       // trials read before others have their turn
+
+bool is_passed_by(const fs::path& folder) {
+  static const std::set<std::string> kNames{"build", "node_modules", "CMakeFiles"};
+  const std::string name = folder.filename().string();
+  return name.starts_with(".") || kNames.count(name) > 0;
+}
+
+bool is_study(const fs::path& file) {
+  try {
+    const Document document = Document::read(file);
+    const Node root = document.root();
+    return (root.has("model") || root.has("simulator")) &&
+           (root.has("variable") || root.has("experiment"));
+  } catch (const std::exception&) {
+    return file.filename() == "study.toml";
+  }
+}
+
+}  // namespace
+
+std::vector<fs::path> find_studies(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code ignored;
+  for (fs::recursive_directory_iterator at(
+           folder, fs::directory_options::skip_permission_denied, ignored);
+       !ignored && at != fs::recursive_directory_iterator() && found.size() < kMostStudies;
+       at.increment(ignored)) {
+    std::error_code none;
+    if (at->is_directory(none)) {
+      if (at.depth() + 1 >= kMostLevels || is_passed_by(at->path())) at.disable_recursion_pending();
+    } else if (at->path().extension() == ".toml" && at->is_regular_file(none) &&
+               is_study(at->path())) {
+      found.push_back(at->path());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+Shelf::Shelf(fs::path root, const experiment::Language& language, Notice notice)
+    : root_(std::move(root)),
+      folder_(fs::is_directory(root_) ? fs::canonical(root_)
+                                      : fs::canonical(fs::absolute(root_).parent_path())),
+      language_(language),
+      notice_(std::move(notice)) {
+  if (!fs::is_directory(root_)) {
+    const fs::path file = folder_ / root_.filename();
+    const std::string id = file.filename().string();
+    studies_.emplace(id, std::make_shared<ShelvedStudy>(id, file, language_));
+  }
+  search();  // so that whoever asks next finds them
+  watching_ = std::thread([this] { watch(); });
+  replaying_ = std::thread([this] { find_endings(); });
+}
+
+Shelf::~Shelf() {
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  wake_.notify_all();
+  watching_.join();
+  replaying_.join();
+}
+
+std::vector<std::shared_ptr<ShelvedStudy>> Shelf::studies() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::shared_ptr<ShelvedStudy>> all;
+  for (const auto& [id, study] : studies_) all.push_back(study);
+  return all;
+}
+
+std::shared_ptr<ShelvedStudy> Shelf::find(const std::string& id) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = studies_.find(id);
+  return found == studies_.end() ? nullptr : found->second;
+}
+
+std::shared_ptr<ShelvedStudy> Shelf::open(const std::string& id) {
+  const auto study = find(id);
+  if (!study) return nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    looked_at_[id] = steady_clock()();
+  }
+  if (study->look([](const auto& sight) { return sight.state == StudyState::reading; }))
+    study->refresh(kAtOnce);
+  return study;
+}
+
+std::pair<int, int> Shelf::read_so_far() const {
+  int done = 0;
+  const auto all = studies();
+  for (const auto& study : all)
+    done += study->look([](const auto& sight) { return sight.state != StudyState::reading; });
+  return {done, static_cast<int>(all.size())};
+}
+
+void Shelf::look_again() {
+  const std::lock_guard lock(mutex_);
+  hurries_ = true;
+  wake_.notify_all();
+}
+
+bool Shelf::search() {
+  if (!fs::is_directory(root_)) return false;
+  std::map<std::string, fs::path> found;
+  for (const fs::path& file : find_studies(folder_))
+    found.emplace(fs::relative(file, folder_).generic_string(), file);
+  const std::lock_guard lock(mutex_);
+  const std::size_t before = studies_.size();
+  const auto gone =
+      std::erase_if(studies_, [&](const auto& one) { return !found.count(one.first); });
+  for (const auto& [id, file] : found) {
+    if (!studies_.count(id))
+      studies_.emplace(id, std::make_shared<ShelvedStudy>(id, file, language_));
+  }
+  return gone > 0 || studies_.size() != before;
+}
+
+void Shelf::refresh(ShelvedStudy& study) {
+  const auto changes = study.refresh(kAtOnce);
+  if (changes.any()) notice_(study.id(), changes);
+}
+
+bool Shelf::ends() const {
+  const std::lock_guard lock(mutex_);
+  return ends_;
+}
+
+void Shelf::find_endings() {
+  while (true) {
+    for (const auto& study : studies()) {
+      if (study->has_more()) continue;
+      const auto changes = study->find_ending();
+      if (ends()) return;
+      if (changes.any()) notice_(study->id(), changes);
+    }
+    std::unique_lock lock(mutex_);
+    wake_.wait_for(lock, std::chrono::seconds(1), [&] { return ends_; });
+    if (ends_) return;
+  }
+}
+
+void Shelf::watch() {
+  double all_looked_at = -kSeldom;
+  while (true) {
+    const double now = steady_clock()();
+    const bool looks_at_all = now - all_looked_at >= kSeldom;
+    if (looks_at_all) {
+      all_looked_at = now;
+      if (search()) notice_("", {.of_study = true});
+    }
+    bool has_more = false;
+    for (const auto& study : studies()) {
+      const bool is_running =
+          study->look([](const auto& sight) { return sight.state == StudyState::running; });
+      bool is_watched = is_running || looks_at_all || study->has_more();
+      if (ends()) return;
+      {
+        const std::lock_guard lock(mutex_);
+        const auto last = looked_at_.find(study->id());
+        is_watched = is_watched || (last != looked_at_.end() && now - last->second < kLookedAt);
+      }
+      if (!is_watched) continue;
+      refresh(*study);
+      has_more = has_more || study->has_more();
+    }
+    std::unique_lock lock(mutex_);
+    if (!has_more) wake_.wait_for(lock, kOften, [&] { return ends_ || hurries_; });
+    hurries_ = false;
+    if (ends_) return;
+  }
+}
+
+}  // namespace latsch::studio

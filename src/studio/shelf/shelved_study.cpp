@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/shelf/shelved_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/clock.h"
+#include "base/error.h"
+#include "correlation/search/study_fit.h"
+#include "correlation/study/study_stages.h"
+#include "correlation/target/estimated_noise.h"
+
+namespace latsch::studio {
+
+namespace fs = std::filesystem;
+using correlation::Study;
+
+std::string name(StudyState state) {
+  switch (state) {
+    case StudyState::reading:
+      return "reading";
+    case StudyState::broken:
+      return "broken";
+    case StudyState::fresh:
+      return "new";
+    case StudyState::running:
+      return "running";
+    case StudyState::stopped:
+      return "stopped";
+    case StudyState::ended:
+      return "ended";
+  }
+  return "";
+}
+
+namespace {
+
+fs::file_time_type time_of(const fs::path& file) {
+  std::error_code none;
+  const auto time = fs::last_write_time(file, none);
+  return none ? fs::file_time_type::min() : time;
+}
+
+/// The files a study was read from.
+std::vector<fs::path> files_of(const Study& study) {
+  std::vector<fs::path> files{study.file};
+  if (!study.model_file.empty()) files.push_back(study.model_file);
+  for (const auto& experiment : study.experiments) {
+    if (!experiment.measurement_file.empty()) files.push_back(experiment.measurement_file);
+    if (!experiment.shapes_file.empty()) files.push_back(experiment.shapes_file);
+  }
+  return files;
+}
+
+/// The last stage that has a journal of its own which was begun; without one the first.
+Study shown_stage(const Study& study) {
+  if (study.stages.empty()) return study;
+  for (int k = correlation::stage_count(study) - 1; k > 0; --k) {
+    const Study part = correlation::stage(study, k);
+    if (fs::exists(part.run.journal)) return part;
+  }
+  return correlation::stage(study, 0);
+}
+
+/// Why the trials of a journal are not those of the study; empty where they are.
+std::string journal_fault(const Study& study) {
+  if (!fs::exists(study.run.journal)) return "";
+  try {
+    Journal::read(study.run.journal, correlation::identity(study));
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+ShelvedStudy::ShelvedStudy(std::string id, fs::path file, const experiment::Language& language)
+    : id_(std::move(id)), file_(std::move(file)), language_(language) {}
+
+bool ShelvedStudy::is_out_of_date() const {
+  if (!is_read_) return true;
+  return std::any_of(read_at_.begin(), read_at_.end(), [](const auto& one) {
+    return time_of(one.first) != one.second;
+  });
+}
+
+void ShelvedStudy::read_files() {
+  is_read_ = true;
+  read_at_ = {{file_, time_of(file_)}};  // before it is read: what changes meanwhile is seen
+  whole_.reset();
+  study_.reset();
+  table_.reset();
+  ending_.reset();
+  error_.clear();
+  try {
+    whole_ = std::make_shared<const Study>(correlation::read_study(file_, language_));
+    for (const fs::path& file : files_of(*whole_)) read_at_.emplace(file, time_of(file));
+    show_stage();
+  } catch (const std::exception& error) {
+    error_ = error.what();
+    whole_.reset();
+  }
+}
+
+void ShelvedStudy::show_stage() {
+  Study shown = shown_stage(*whole_);
+  journal_error_ = journal_fault(shown);
+  if (correlation::estimates_noise(*whole_) && fs::exists(whole_->run.journal) &&
+      journal_error_.empty())
+    shown = correlation::with_estimated_noise(shown, Journal::read(whole_->run.journal));
+  study_ = std::make_shared<const Study>(std::move(shown));
+  table_ = std::make_unique<TrialTable>(*study_);
+}
+
+ShelvedStudy::Changes ShelvedStudy::refresh(long most_trials) {
+  const std::lock_guard lock(mutex_);
+  Changes changes;
+  if (is_out_of_date()) {
+    read_files();
+    changes.of_study = true;
+  }
+  if (!study_) return changes;
+  const auto journal_time =
+      std::max(time_of(study_->run.journal), time_of(study_->run.journal.string() + "-wal"));
+  changed_ = std::max(time_of(file_), journal_time);
+  if (!study_->stages.empty() || !whole_->stages.empty()) {
+    if (shown_stage(*whole_).run.journal != study_->run.journal) {  // the next stage has begun
+      show_stage();
+      changes.of_study = true;
+    }
+  }
+  const auto holder = ignores_runs_ ? std::nullopt : journal_holder(study_->run.journal);
+  changes.of_state = holder.has_value() != holder_.has_value();
+  if (holder && (!holder_ || holder->words != holder_->words)) {
+    run_seen_at_ = steady_clock()();
+    run_seen_rows_ = static_cast<long>(table_->rows().size());
+  }
+  holder_ = holder;
+  const std::string fault_before = journal_error_;
+  try {
+    const int edition = table_->edition();
+    changes.of_trials = table_->follow(most_trials);
+    if (table_->edition() != edition) journal_error_ = journal_fault(*study_);
+  } catch (const std::exception& error) {
+    journal_error_ = error.what();
+  }
+  changes.of_state = changes.of_state || journal_error_ != fault_before;
+  return changes;
+}
+
+bool ShelvedStudy::has_more() const {
+  const std::lock_guard lock(mutex_);
+  return !is_read_ || (table_ && table_->has_more() && journal_error_.empty());
+}
+
+ShelvedStudy::Changes ShelvedStudy::find_ending() {
+  std::shared_ptr<const Study> whole;
+  Ending found;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!whole_ || holder_ || !journal_error_.empty() || table_->rows().empty()) return {};
+    if (ending_ && ending_->rows == table_->rows().size() && ending_->edition == table_->edition())
+      return {};
+    whole = whole_;
+    found.rows = table_->rows().size();
+    found.edition = table_->edition();
+  }
+  try {
+    const auto fits = correlation::recorded_fit(*whole, Journal::read(whole->run.journal));
+    if (fits.empty()) {  // no search was begun: a design of experiments
+      found.has_ended = true;
+    } else {
+      found.has_ended = static_cast<int>(fits.size()) == correlation::stage_count(*whole) &&
+                        fits.back().run.end != RunEnd::stopped;
+      if (found.has_ended) found.words = fits.back().run.ending;
+    }
+  } catch (const std::exception&) {  // of a stage that is not there, or changed meanwhile
+  }
+  const std::lock_guard lock(mutex_);
+  if (whole != whole_) return {};
+  ending_ = std::move(found);
+  return {.of_state = true};
+}
+
+ShelvedStudy::Sight ShelvedStudy::sight() const {
+  StudyState state = StudyState::stopped;
+  if (!is_read_) {
+    state = StudyState::reading;
+  } else if (!study_) {
+    state = StudyState::broken;
+  } else if (holder_) {
+    state = StudyState::running;
+  } else if (table_->total() == 0) {
+    state = StudyState::fresh;
+  } else if (ending_ && ending_->has_ended) {
+    state = StudyState::ended;
+  }
+  Sight sight{.state = state,
+              .error = error_.empty() ? journal_error_ : error_,
+              .study = study_,
+              .table = table_.get(),
+              .holder = holder_,
+              .changed = changed_,
+              .ending = ending_ ? ending_->words : ""};
+  if (holder_) {
+    sight.run_seconds = steady_clock()() - run_seen_at_;
+    sight.run_trials = static_cast<long>(table_->rows().size()) - run_seen_rows_;
+  }
+  return sight;
+}
+
+}  // namespace latsch::studio

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page is answered is what the study's own functions say of its journal.
+#include "studio/studio.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "correlation/search/study_reuse_testing.h"
+#include "correlation/target/best_trial.h"
+#include "evaluation/journal/journal_lock.h"
+
+namespace latsch::studio {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace std::chrono_literals;
+
+class Asked : public correlation::FittedStudy {
+ protected:
+  static constexpr const char* kTwo = R"(
+[experiment.aligning]
+kind = "curve"
+y = "steady/Mz"
+measurement = "aligning.csv"
+weight = 0.5
+)";
+
+  correlation::Study two() {
+    std::string text = "Mz [N*m]\n";
+    for (int i = -12; i <= 12; ++i) text += std::to_string(2.5 * i) + "\n";
+    write("aligning.csv", text);
+    return read(kTwo);
+  }
+
+  void begin() {
+    StudioOptions options{folder_.path(), "/bin/false", "test", false};
+    studio_ = std::make_unique<Studio>(
+        options, experiment::language(), [this](auto topic, auto event, auto json) {
+          const std::lock_guard lock(mutex_);
+          events_.emplace_back(std::string(topic) + " " + std::string(event), Json::parse(json));
+        });
+    for (int k = 0; k < 200 && get("/api/home")["studies"].empty(); ++k)
+      std::this_thread::sleep_for(10ms);
+  }
+
+  Response ask(const std::string& path, std::map<std::string, std::string> query = {}) {
+    query.emplace("study", "study.toml");
+    return studio_->answer({"GET", path, std::move(query), "", {}});
+  }
+  Json get(const std::string& path, std::map<std::string, std::string> query = {}) {
+    const Response response = ask(path, std::move(query));
+    EXPECT_EQ(response.status, 200) << path << ": " << response.body;
+    return Json::parse(response.body);
+  }
+  Response post(const std::string& path, Json body) {
+    body["study"] = "study.toml";
+    return studio_->answer({"POST", path, {}, body.dump(), {}});
+  }
+  template <class Condition>
+  bool wait_for(Condition&& is_so) {
+    for (int k = 0; k < 500; ++k, std::this_thread::sleep_for(10ms))
+      if (is_so()) return true;
+    return false;
+  }
+
+  std::mutex mutex_;
+  std::vector<std::pair<std::string, Json>> events_;
+  std::unique_ptr<Studio> studio_;
+};
+
+TEST_F(Asked, StudyAndTrialsAreThoseOfTheJournal) {
+  const auto study = two();
+  fit_all(study);
+  const Journal journal = Journal::read(study.run.journal);
+  const auto best = correlation::best_trial(study, journal);
+  begin();
+  ASSERT_TRUE(wait_for([&] { return get("/api/study")["trials"] == journal.size(); }));
+  const Json view = get("/api/study");
+  EXPECT_NEAR(view["best"]["target"], best->target, 1e-6 * best->target);
+  EXPECT_NEAR(view["best"]["values"][1], best->point.values[1], 1e-6 * 60.0);
+  double share = 0.0;
+  for (const Json& experiment : view["experiments"]) share += experiment["share"].get<double>();
+  EXPECT_NEAR(share, 1.0, 1e-6);
+  EXPECT_TRUE(wait_for([&] { return get("/api/study")["state"] == "ended"; }));
+  EXPECT_NE(get("/api/study")["optimizer"]["ending"], "");
+
+  const auto rated = correlation::rated_trials(study, journal);
+  const Json convergence = get("/api/convergence");
+  ASSERT_EQ(convergence["target"].size(), rated.size());
+  for (std::size_t k = 0; k < rated.size(); ++k)
+    EXPECT_NEAR(convergence["target"][k], rated[k].target, 1e-6 * rated[k].target);
+  const Json sorted = get("/api/trials", {{"order", "target"}, {"count", "1"}});
+  EXPECT_EQ(sorted["rows"][0]["trial"], view["best"]["trial"]);
+}
+
+TEST_F(Asked, OtherWeightsGiveTheTargetOfAStudyWithThem) {
+  const auto study = two();
+  fit_all(study);
+  begin();
+  ASSERT_TRUE(wait_for([&] { return get("/api/study")["trials"].get<long>() > 0; }));
+  std::string changed = kTwo;
+  changed.replace(changed.find("0.5"), 3, "7.5");
+  const auto other = read(changed, "other.toml");
+  const auto rated = correlation::rated_trials(other, Journal::read(study.run.journal));
+  const Json convergence = get("/api/convergence", {{"weights", "aligning:7.5"}});
+  ASSERT_EQ(convergence["target"].size(), rated.size());
+  for (std::size_t k = 0; k < rated.size(); ++k)
+    EXPECT_NEAR(convergence["target"][k], rated[k].target, 1e-6 * rated[k].target);
+  for (const char* wrong : {"nobody:1", "light", "light:x", "light:0,aligning:0", "light:-1"})
+    EXPECT_EQ(ask("/api/convergence", {{"weights", wrong}}).status, 400) << wrong;
+}
+
+TEST_F(Asked, ManyTrialsKeepTheirLeastAndGreatest) {
+  const auto study = two();
+  const Evaluator model = evaluator(study);
+  {
+    Journal journal = Journal::open(study.run.journal, identity(study));
+    std::vector<Trial> trials;
+    for (int k = 0; k < 3000; ++k) {
+      const DesignPoint point{{1.0 + 2e-4 * (k % 777), -20.0}};
+      trials.push_back({point, {model(point), 0.1, 0.1, 0}});
+    }
+    journal.append(trials);
+  }
+  const auto rated = correlation::rated_trials(study, Journal::read(study.run.journal));
+  double least = INFINITY, greatest = 0.0;
+  for (const auto& trial : rated) {
+    least = std::min(least, trial.target);
+    greatest = std::max(greatest, trial.target);
+  }
+  begin();
+  ASSERT_TRUE(wait_for([&] { return get("/api/convergence")["total"] == 3000; }));
+  const Json few = get("/api/convergence", {{"most", "300"}});
+  EXPECT_TRUE(few["is_decimated"]);
+  EXPECT_LE(few["target"].size(), 300u);
+  double shown_least = INFINITY, shown_greatest = 0.0;
+  for (const Json& target : few["target"]) {
+    shown_least = std::min(shown_least, target.get<double>());
+    shown_greatest = std::max(shown_greatest, target.get<double>());
+  }
+  EXPECT_NEAR(shown_least, least, 1e-6 * least);
+  EXPECT_NEAR(shown_greatest, greatest, 1e-6 * greatest);
+  const Json zoomed = get("/api/convergence", {{"from", "100"}, {"to", "120"}});
+  EXPECT_EQ(zoomed["trial"].size(), 21u);
+  EXPECT_EQ(zoomed["trial"].front(), 100);
+}
+
+TEST_F(Asked, ATrialIsToldWhileAnotherWrites) {
+  const auto study = two();
+  const Evaluator model = evaluator(study);
+  Journal journal = Journal::open(study.run.journal, identity(study));
+  begin();
+  ASSERT_TRUE(wait_for([&] { return get("/api/study")["state"] == "running"; }));
+  const DesignPoint point{{1.2, -20.0}};
+  journal.append(Trial{point, {model(point), 0.1, 0.1, 0}});
+  EXPECT_TRUE(wait_for([&] {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [what, json] : events_)
+      if (what == "study.toml trials" && json["total"] == 1) return true;
+    return false;
+  }));
+  EXPECT_EQ(get("/api/study")["state"], "running");
+  EXPECT_EQ(post("/api/run", {{"verb", "run"}}).status, 400) << "somebody runs it";
+}
+
+TEST_F(Asked, MeasuredAndSimulatedStandBesideEachOther) {
+  const auto study = two();
+  fit_all(study);
+  begin();
+  ASSERT_TRUE(wait_for([&] { return !get("/api/study")["best"].is_null(); }));
+  const Json view = get("/api/comparison", {{"trial", "best"}});
+  ASSERT_EQ(view["curves"].size(), 2u);
+  EXPECT_EQ(view["curves"][0]["measured"].size(), 25u);
+  EXPECT_EQ(view["curves"][0]["simulated"]["y"].size(), 25u);
+  EXPECT_FALSE(view["curves"][0]["initial"].is_null());
+  EXPECT_EQ(ask("/api/comparison", {{"trial", "100000"}}).status, 400);
+  EXPECT_EQ(get("/api/kpis")["rows"].size(), 2u);
+  EXPECT_TRUE(get("/api/target")["scatter"]["target"].size() > 0);
+  EXPECT_FALSE(get("/api/identifiability")["why_not"].get<std::string>().empty());
+  EXPECT_FALSE(get("/api/model")["numbers"].empty());
+  EXPECT_EQ(get("/api/compare", {{"other", "study.toml"}})["studies"].size(), 2u);
+}
+
+TEST_F(Asked, TheFileIsChangedWhereThePageHasSeenIt) {
+  two();
+  begin();
+  const Json file = get("/api/file");
+  const Json edit{{"table", {"variable", "grip"}}, {"key", "upper"}, {"value", 1.75}};
+  const Json body{{"version", file["version"]}, {"edits", {edit}}};
+  const Response changed = post("/api/edit", body);
+  EXPECT_EQ(changed.status, 200) << changed.body;
+  EXPECT_EQ(post("/api/edit", body).status, 409) << "that version is gone";
+  EXPECT_TRUE(wait_for([&] { return get("/api/study")["variables"][0]["upper"] == 1.75; }));
+}
+
+TEST_F(Asked, AJournalOfAnotherStudyIsSaidNotShown) {
+  const auto study = two();
+  fit_all(study);
+  write("states.csv", "Fz [N],alpha [deg]\n4000,1\n");
+  write("measured.csv", "Fy [N]\n-10\n");
+  write("aligning.csv", "Mz [N*m]\n1\n");
+  begin();
+  ASSERT_TRUE(wait_for([&] { return get("/api/study")["state"] != "reading"; }));
+  EXPECT_NE(get("/api/study")["error"], "");
+}
+
+TEST_F(Asked, AStudyThatCannotBeReadSaysWhy) {
+  two();
+  write("study.toml", "model = \"nowhere.toml\"\n[variable.x]\n");
+  begin();
+  ASSERT_TRUE(wait_for([&] { return get("/api/study")["state"] == "broken"; }));
+  EXPECT_NE(get("/api/study")["error"].get<std::string>().find("study.toml"), std::string::npos);
+  for (const char* path : {"/api/convergence",
+                           "/api/comparison",
+                           "/api/target",
+                           "/api/kpis",
+                           "/api/model",
+                           "/api/scene",
+                           "/api/section"})
+    EXPECT_EQ(ask(path).status, 400) << path;
+}
+
+TEST_F(Asked, WhatIsNotThereIsNotFound) {
+  two();
+  begin();
+  EXPECT_EQ(ask("/api/study", {{"study", "../study.toml"}}).status, 404);
+  EXPECT_EQ(ask("/api/nothing").status, 404);
+  EXPECT_EQ(ask("/api/trials", {{"from", "x"}}).status, 400);
+  EXPECT_EQ(post("/api/run", {{"verb", "rm"}}).status, 400);
+  EXPECT_EQ(post("/api/stop", Json::object()).status, 400);
+  EXPECT_EQ(studio_->answer({"POST", "/api/run", {}, "{", {}}).status, 400);
+  EXPECT_EQ(studio_->answer({"POST", "/api/run", {}, "[1]", {}}).status, 400);
+}
+
+}  // namespace
+}  // namespace latsch::studio

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two studies beside each other: what they have in common by name.
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "studio/views/json_values.h"
+#include "studio/views/kept_identifiability.h"
+#include "studio/views/views.h"
+
+namespace latsch::studio {
+namespace {
+
+struct Side {
+  std::string id, title;
+  std::shared_ptr<const correlation::Study> study;
+  std::optional<DesignPoint> best;
+  Json target = nullptr;
+  std::map<std::string, double> errors;  // mean, by experiment
+  Json convergence;
+};
+
+Side side_of(const ShelvedStudy& shelved) {
+  Side side;
+  side.id = shelved.id();
+  side.convergence = convergence_view(shelved, {.most = 600}, "");
+  side.convergence.erase("failed");
+  shelved.look([&](const ShelvedStudy::Sight& sight) {
+    if (!sight.study) throw InputError(side.id + " cannot be read: " + sight.error);
+    side.title = sight.study->title;
+    side.study = sight.study;
+    const auto best = sight.table->best();
+    if (!best) return;
+    const TableRow& row = sight.table->rows()[*best];
+    const auto& target = sight.table->target();
+    side.best = row.point;
+    side.target = finite(target.weighting(target.weights()).target(*row.parts));
+    const auto names = target.experiments();
+    for (std::size_t e = 0; e < names.size(); ++e)
+      side.errors[names[e]] = row.parts->mean_errors[e];
+  });
+  return side;
+}
+
+Json value_of(const Side& side, const std::string& name, const std::string& unit) {
+  if (!side.best) return nullptr;
+  for (int i = 0; i < side.study->space.size(); ++i)
+    if (side.study->space[i].name == name)
+      return in_unit(side.best->values[static_cast<std::size_t>(i)], unit);
+  return nullptr;
+}
+
+Json interval_of(const ShelvedStudy& shelved, const Side& side, const std::string& name) {
+  const KeptIdentifiability kept = kept_identifiability(shelved);
+  if (!kept.what || !side.best || kept.what->best != *side.best) return "";
+  for (int i = 0; i < side.study->space.size(); ++i)
+    if (side.study->space[i].name == name)
+      return correlation::interval_text(
+          side.study->space, i, correlation::reported_interval(*side.study, *kept.what, i));
+  return "";
+}
+
+/// Names of both, those of the first in front.
+template <class Named>
+std::vector<std::string> names_of(const Named& a, const Named& b) {
+  std::vector<std::string> names;
+  for (const auto* list : {&a, &b})
+    for (const auto& one : *list)
+      if (std::find(names.begin(), names.end(), one.name) == names.end()) names.push_back(one.name);
+  return names;
+}
+
+std::string unit_of(const Side& a, const Side& b, const std::string& name) {
+  for (const Side* side : {&a, &b})
+    for (const DesignVariable& v : side->study->space.variables())
+      if (v.name == name) return v.unit;
+  return "1";
+}
+
+}  // namespace
+
+Json comparing_view(const ShelvedStudy& first, const ShelvedStudy& second) {
+  const Side a = side_of(first), b = side_of(second);
+  Json view{{"studies", Json::array()},
+            {"variables", Json::array()},
+            {"experiments", Json::array()},
+            {"convergence", {a.convergence, b.convergence}}};
+  for (const Side* side : {&a, &b})
+    view["studies"].push_back(
+        {{"study", side->id}, {"title", side->title}, {"target", side->target}});
+  for (const std::string& name : names_of(a.study->space.variables(), b.study->space.variables())) {
+    const std::string unit = unit_of(a, b, name);
+    view["variables"].push_back(
+        {{"name", name},
+         {"unit", unit},
+         {"values", {value_of(a, name, unit), value_of(b, name, unit)}},
+         {"intervals", {interval_of(first, a, name), interval_of(second, b, name)}}});
+  }
+  for (const std::string& name : names_of(a.study->experiments, b.study->experiments)) {
+    const auto error = [&](const Side& side) {
+      const auto found = side.errors.find(name);
+      return found == side.errors.end() ? Json(nullptr) : finite(found->second);
+    };
+    view["experiments"].push_back({{"name", name}, {"errors", {error(a), error(b)}}});
+  }
+  return view;
+}
+
+}  // namespace latsch::studio

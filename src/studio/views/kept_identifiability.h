@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the journal of a study tells of identifiability, computed once for every state of it: it
+// takes a pass over all channels.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "correlation/analysis/identifiability.h"
+#include "studio/shelf/shelved_study.h"
+
+namespace latsch::studio {
+
+struct KeptIdentifiability {
+  std::shared_ptr<const correlation::Study> study;
+  std::shared_ptr<const correlation::Identifiability> what;  // nullptr: `why_not`
+  std::string why_not;
+};
+
+/// From any thread; who asks while it is computed waits.
+KeptIdentifiability kept_identifiability(const ShelvedStudy& shelved);
+
+}  // namespace latsch::studio

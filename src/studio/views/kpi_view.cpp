@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of the compliance tool: weight, target, initial, optimized, error, a row a number; what
+// is a whole curve has a row for its mean error.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "correlation/analysis/identifiability.h"
+#include "studio/views/json_values.h"
+#include "studio/views/kept_identifiability.h"
+#include "studio/views/recorded_trial.h"
+#include "studio/views/views.h"
+#include "studio/views/weights.h"
+
+namespace latsch::studio {
+namespace {
+
+using correlation::Study;
+
+constexpr double kNextToNoWeight = 1e-6;  // of the largest
+constexpr double kAtBound = 1e-3;   // of the range
+constexpr double kMissed = 0.1;     // an error worth a remark
+
+std::string weight_flag(double weight, double largest) {
+  return weight < kNextToNoWeight * largest ? "weight about zero: it does not count" : "";
+}
+
+struct Row {
+  std::string name = {}, experiment = {}, unit = {};
+  double weight = 1.0;
+  Json target = nullptr, initial = nullptr, optimized = nullptr, error = nullptr;
+  bool fitted = true;
+  std::string flag = {};
+};
+
+Json json_of(const Row& row) {
+  return {{"name", row.name},
+          {"experiment", row.experiment},
+          {"unit", row.unit},
+          {"weight", row.weight},
+          {"target", row.target},
+          {"initial", row.initial},
+          {"optimized", row.optimized},
+          {"error", row.error},
+          {"fitted", row.fitted},
+          {"flag", row.flag}};
+}
+
+std::string error_flag(double error) {
+  return std::abs(error) > kMissed ? fmt::format("missed by {:.0f} %", 100.0 * std::abs(error))
+                                   : "";
+}
+
+/// The mean error of a whole curve or set of modes, which should be 0.
+Row mean_row(const std::string& experiment,
+             bool fitted,
+             double weight,
+             const std::vector<double>& errors,
+             const std::vector<double>& initial_errors) {
+  const auto mean = [](const std::vector<double>& all) {
+    double sum = 0.0;
+    for (const double e : all) sum += std::abs(e);
+    return sum / static_cast<double>(all.size());
+  };
+  Row row{"mean error", experiment, "%", weight};
+  row.fitted = fitted;
+  row.target = 0.0;
+  if (!errors.empty()) {
+    row.optimized = finite(100.0 * mean(errors));
+    row.error = finite(mean(errors));
+    row.flag = error_flag(mean(errors));
+  }
+  if (!initial_errors.empty()) row.initial = finite(100.0 * mean(initial_errors));
+  return row;
+}
+
+Row mode_row(const report::ModalComparison& modes, const report::ModePair& pair, double weight) {
+  Row row{pair.label, modes.experiment, "Hz", weight};
+  const double error = (pair.simulated - pair.measured) / pair.measured;
+  row.target = finite(pair.measured);
+  row.initial = finite(pair.initial);
+  row.optimized = finite(pair.simulated);
+  row.error = finite(error);
+  row.fitted = modes.fitted;
+  row.flag = error_flag(error);
+  return row;
+}
+
+Row value_row(const report::MeasuredValue& value) {
+  Row row{
+      value.compared.empty() ? value.name : value.compared, value.name, value.unit, value.weight};
+  row.target = in_unit(value.measured, value.unit);
+  row.initial = value.initial ? in_unit(*value.initial, value.unit) : Json(nullptr);
+  row.optimized = in_unit(value.found, value.unit);
+  row.fitted = value.fitted;
+  if (value.measured == 0.0) return row;
+  const double error = (value.found - value.measured) / std::abs(value.measured);
+  row.error = finite(error);
+  row.flag = error_flag(error);
+  return row;
+}
+
+std::vector<double> force_errors(const report::ForceCurve& curve, const std::vector<double>& of) {
+  std::vector<double> errors;
+  for (std::size_t k = 0; k < of.size(); ++k)
+    errors.push_back((curve.measured[k] - of[k]) / curve.measured[k]);
+  return errors;
+}
+
+std::string bound_flag(const DesignSpace& space, const DesignPoint& point, int i) {
+  const auto place = space.place(point);
+  if (!place) return "";
+  const double u = (*place)[static_cast<std::size_t>(i)];
+  if (u < kAtBound) return "at its lower bound";
+  if (u > 1.0 - kAtBound) return "at its upper bound";
+  return "";
+}
+
+Json variable_rows(const ShelvedStudy& shelved, const RecordedTrial& recorded) {
+  const Study& study = *recorded.study;
+  const KeptIdentifiability kept = kept_identifiability(shelved);
+  Json rows = Json::array();
+  for (int i = 0; i < study.space.size(); ++i) {
+    const DesignVariable& v = study.space[i];
+    std::string interval, flag = bound_flag(study.space, recorded.point, i);
+    if (kept.what && kept.what->best == recorded.point) {
+      interval = correlation::interval_text(
+          study.space, i, correlation::reported_interval(study, *kept.what, i));
+      if (interval == "anywhere") flag = "no measurement excites it: it may be anywhere";
+    }
+    rows.push_back(
+        {{"name", v.name},
+         {"unit", v.unit},
+         {"initial", in_unit(v.initial, v.unit)},
+         {"optimized", in_unit(recorded.point.values[static_cast<std::size_t>(i)], v.unit)},
+         {"lower", in_unit(v.lower, v.unit)},
+         {"upper", in_unit(v.upper, v.unit)},
+         {"interval", interval},
+         {"flag", flag}});
+  }
+  return rows;
+}
+
+}  // namespace
+
+Json kpi_view(const ShelvedStudy& shelved, const std::string& weights) {
+  std::map<std::string, double> weight_of;
+  double largest = 0.0;
+  Json targets{{"initial", nullptr}, {"optimized", nullptr}};
+  const std::string trial = shelved.look([&](const ShelvedStudy::Sight& sight) -> std::string {
+    if (!sight.table) return "best";
+    const auto& target = sight.table->target();
+    const auto values = weights_of(weights, target);
+    const auto weighting = target.weighting(values);
+    const auto names = target.experiments();
+    for (std::size_t e = 0; e < names.size(); ++e) {
+      weight_of[names[e]] = values[e];
+      largest = std::max(largest, values[e]);
+    }
+    const auto target_at = [&](std::size_t place) {
+      return finite(weighting.target(*sight.table->rows()[place].parts));
+    };
+    if (const auto initial = sight.table->initial()) targets["initial"] = target_at(*initial);
+    const auto best = sight.table->best(weighting);
+    if (!best) return "best";
+    targets["optimized"] = target_at(*best);
+    return std::to_string(*best + 1);
+  });
+  const RecordedTrial recorded = recorded_trial(shelved, trial);
+  const Drawn drawn = draw(recorded);
+  Json view{{"trial", recorded.trial}, {"target", targets}, {"rows", Json::array()}};
+  const auto add = [&](Row row) {
+    if (const auto found = weight_of.find(row.experiment); found != weight_of.end())
+      row.weight = found->second;
+    if (row.fitted && row.flag.empty()) row.flag = weight_flag(row.weight, largest);
+    view["rows"].push_back(json_of(row));
+  };
+  for (const auto& curve : drawn.page.forces)
+    add(mean_row(curve.experiment,
+                 curve.fitted,
+                 0.0,
+                 force_errors(curve, curve.simulated),
+                 force_errors(curve, curve.initial)));
+  for (const auto& curve : drawn.page.curves)
+    add(mean_row(curve.experiment, curve.fitted, 0.0, curve.errors, {}));
+  for (const auto& modes : drawn.page.modes)
+    for (const auto& pair : modes.pairs) add(mode_row(modes, pair, 0.0));
+  for (const auto& value : drawn.page.values) add(value_row(value));
+  view["variables"] = variable_rows(shelved, recorded);
+  return view;
+}
+
+}  // namespace latsch::studio

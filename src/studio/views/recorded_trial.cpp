@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/views/recorded_trial.h"
+
+#include <charconv>
+#include <map>
+#include <mutex>
+
+#include "base/error.h"
+#include "correlation/analysis/prediction_bands.h"
+#include "correlation/study/study_experiment.h"
+#include "correlation/target/predictions.h"
+#include "correlation/target/study_trials.h"
+
+namespace latsch::studio {
+
+using correlation::Study;
+
+namespace {
+
+constexpr std::size_t kKept = 16;  // points simulated for their predictions
+
+std::size_t place_of(const ShelvedStudy::Sight& sight, const std::string& trial) {
+  const auto count = static_cast<long>(sight.table->rows().size());
+  if (trial.empty() || trial == "best") {
+    if (const auto best = sight.table->best()) return *best;
+    throw InputError(sight.table->total() == 0 ? "no trial has been run yet: start the study"
+                                               : "no trial has succeeded yet");
+  }
+  long number = 0;
+  const auto [end, error] = std::from_chars(trial.data(), trial.data() + trial.size(), number);
+  if (error != std::errc{} || end != trial.data() + trial.size() || number < 1 || number > count)
+    throw InputError("there is no trial \"" + trial + "\"; they are numbered 1 to " +
+                     std::to_string(count) + ", or \"best\"");
+  return static_cast<std::size_t>(number - 1);
+}
+
+/// Recordings of all experiments at a point, the predicted ones too; remembered for a while.
+Result<Channels> with_predicted(const std::shared_ptr<const Study>& study,
+                                const DesignPoint& point) {
+  static std::mutex mutex;
+  static std::vector<std::tuple<std::shared_ptr<const Study>, std::string, Result<Channels>>> kept;
+  const std::lock_guard lock(mutex);  // two pages that ask for the same wait for one simulation
+  for (const auto& [of, bits, channels] : kept)
+    if (of == study && bits == point.bits()) return channels;
+  if (const auto recorded =
+          correlation::recorded_channels(correlation::with_predictions(*study), {point}))
+    return recorded->front();
+  auto channels = correlation::simulate_all(*study, point);
+  if (kept.size() == kKept) kept.erase(kept.begin());
+  kept.emplace_back(study, point.bits(), channels);
+  return channels;
+}
+
+}  // namespace
+
+RecordedTrial recorded_trial(const ShelvedStudy& shelved, const std::string& trial) {
+  bool is_kept = false;
+  RecordedTrial recorded = shelved.look([&](const ShelvedStudy::Sight& sight) {
+    if (!sight.study) throw InputError(shelved.id() + " cannot be read: " + sight.error);
+    const TrialTable& table = *sight.table;
+    const std::size_t place = place_of(sight, trial);
+    const TableRow& row = table.rows()[place];
+    if (!row.parts)
+      throw InputError("trial " + std::to_string(place + 1) +
+                       " failed: " + table.reasons()[static_cast<std::size_t>(row.reason)]);
+    RecordedTrial found{sight.study, static_cast<long>(place + 1), row.point, {}, {}, {}};
+    if (const Channels* kept = table.kept_channels(place)) {
+      is_kept = true;
+      found.channels = *kept;
+    }
+    if (const auto initial = table.initial(); initial && *initial != place) {
+      found.initial_trial = static_cast<long>(*initial + 1);
+      found.initial = *table.kept_channels(*initial);
+    }
+    return found;
+  });
+  if (is_kept) return recorded;
+  // Nobody who follows the journal has to wait for it.
+  auto channels =
+      read_channels(recorded.study->run.journal, static_cast<std::size_t>(recorded.trial - 1));
+  if (!channels) throw InputError(channels.failure().reason);
+  recorded.channels = std::move(*channels);
+  return recorded;
+}
+
+namespace {
+
+/// One for every experiment, or none.
+std::vector<correlation::ExperimentBand> bands_of(const RecordedTrial& recorded,
+                                                  const correlation::Identifiability* what) {
+  const Study& study = *recorded.study;
+  if (!what || what->best != recorded.point) return {};
+  std::vector<correlation::KnownTrial> others;
+  if (correlation::has_predictions(study) && study.specimens->may_repeat()) {
+    auto all = with_predicted(recorded.study, recorded.point);
+    if (all) others.push_back({recorded.point, std::move(*all)});
+  }
+  return correlation::prediction_bands(study, *what, Journal::read(study.run.journal), others);
+}
+
+}  // namespace
+
+Drawn draw(const RecordedTrial& recorded, const correlation::Identifiability* what) {
+  const Study& study = *recorded.study;
+  const auto bands = bands_of(recorded, what);
+  Drawn drawn;
+  std::optional<Result<Channels>> all;
+  for (std::size_t e = 0; e < study.experiments.size(); ++e) {
+    const auto& experiment = study.experiments[e];
+    const bool has_band = e < bands.size() && bands[e].is_known();
+    const report::Band band =
+        has_band ? report::Band{bands[e].lower, bands[e].upper, inside_text(bands[e])}
+                 : report::Band{};
+    const Channels* found = &recorded.channels;
+    const Channels* initial = recorded.initial ? &*recorded.initial : nullptr;
+    if (!experiment.fitted) {
+      if (!study.specimens->may_repeat()) {
+        drawn.absent.emplace_back(
+            experiment.name,
+            "it is only predicted, and an outside program is not run again for "
+            "a page");
+        continue;
+      }
+      if (!all) all = with_predicted(recorded.study, recorded.point);
+      if (!*all) {
+        drawn.absent.emplace_back(experiment.name, all->failure().reason);
+        continue;
+      }
+      found = &**all;
+      initial = nullptr;
+    }
+    const auto comparison = experiment.observable->compare(*found, experiment.objective);
+    if (!comparison) {
+      drawn.absent.emplace_back(experiment.name, comparison.failure().reason);
+      continue;
+    }
+    std::optional<correlation::Comparison> at_start;
+    if (initial) {
+      auto start = experiment.observable->compare(*initial, experiment.objective);
+      if (start) at_start = std::move(*start);
+      if (!start) initial = nullptr;
+    }
+    experiment.observable->draw({experiment.name,
+                                 conditions_of(experiment, study.tests),
+                                 experiment.fitted,
+                                 false,
+                                 *found,
+                                 *comparison,
+                                 initial,
+                                 at_start ? &*at_start : nullptr,
+                                 has_band ? &band : nullptr,
+                                 experiment.objective.weight},
+                                drawn.page);
+  }
+  return drawn;
+}
+
+}  // namespace latsch::studio

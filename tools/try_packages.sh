@@ -1,0 +1,50 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Run by package.sh in a bare Debian 12 that has the packages in /packages: installs them and uses what they bring.
+set -eu
+export DEBIAN_FRONTEND=noninteractive HOME=/root
+apt-get update -qq
+apt-get install -y -qq --no-install-recommends /packages/*.deb >/packages/install.log 2>&1 || {
+  cat /packages/install.log
+  exit 1
+}
+cd "$(mktemp -d)"
+try() {
+  echo "== $*"
+  "$@" >/tmp/said 2>&1 || { cat /tmp/said; exit 1; }
+}
+latsch --version
+ldd /usr/bin/latsch | grep openblas-serial
+try latsch new my_tire --coarse
+try latsch check my_tire/study.toml
+try latsch run /packages/compliance/study.toml --workers 2
+tail -n 3 /tmp/said
+try latsch new my_car --car
+try latsch export /packages/tire.toml --fmu 3.0 -o tire.fmu
+try man -w latsch
+latsch serve /packages --no-browser >/tmp/serve.log 2>&1 &
+server=$!
+for second in 1 2 3 4 5; do
+  grep -q http: /tmp/serve.log && break
+  sleep 1
+done
+address=$(grep -o 'http://[^ ]*' /tmp/serve.log | head -n 1)
+echo "== latsch serve: $(echo "$address" | sed 's/[?#].*//')"
+try python3 - "$address" <<'P'
+import json, re, sys, urllib.request
+base, token = re.match(r"(http://[^/]+)/.*?token=([^&]+)", sys.argv[1]).groups()
+request = urllib.request.Request(base + "/api/home", headers={"Authorization": "Bearer " + token})
+home = json.load(urllib.request.urlopen(request))
+assert [one["study"] for one in home["studies"]], home
+P
+kill $server
+try python3 - <<'P'
+import latsch
+study = latsch.read_study("/packages/compliance/study.toml")
+assert study.run(progress=False)["target"] == study.best().target
+assert latsch.test("/packages/compliance/corner.toml", {"kind": "kc", "Fy": "-4 kN"})["toe"].shape == (1,)
+P
+bash -ic 'source /usr/share/bash-completion/bash_completion; _completion_loader latsch
+COMP_WORDS=(latsch ru); COMP_CWORD=1; _latsch; [ "${COMPREPLY[*]}" = run ] || exit 1
+COMP_WORDS=(latsch run --wor); COMP_CWORD=2; _latsch; [ "${COMPREPLY[*]}" = --workers ]' 2>/dev/null
+echo "== all of it works"
