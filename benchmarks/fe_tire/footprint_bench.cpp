@@ -14,15 +14,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "base/document.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
+#include "shipped_tires.h"
 #include "table.h"
 
 namespace latsch::benchmarks {
@@ -34,18 +32,6 @@ constexpr double kEarly = 2.5e-3;  // m, the first millimeters
 // Of the judge: sums of its many elements round beyond the default.
 constexpr double kTolerance = 3e-4;
 constexpr double kSensor = 15e-3;  // m, side of a sensor
-
-TireDescription shipped(const std::string& name) {
-  return read_tire(
-      Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires" / (name + ".toml"))
-          .root());
-}
-
-template <class T>
-T value_of(Result<T> result) {
-  if (!result) throw std::runtime_error(result.failure().reason);
-  return *std::move(result);
-}
 
 /// Twice as many elements around where the tire may touch, `along` times along the section.
 FeTire refined(TireDescription tire, int along_section) {
@@ -120,7 +106,7 @@ struct Errors {
 };
 
 void compare(const std::string& name, double deepest, int along_section, Table& table) {
-  const TireDescription description = shipped(name);
+  const TireDescription description = shipped_tire(name);
   std::vector<double> deflections;
   for (const double millimeters : {0.5, 1.0, 1.75, 2.5, 5.0, 7.5, 10.0, 15.0, 20.0, 25.0}) {
     if (1e-3 * millimeters <= deepest) deflections.push_back(1e-3 * millimeters);
@@ -154,7 +140,7 @@ void compare(const std::string& name, double deepest, int along_section, Table& 
 
 void compare_friction(const std::string& name, Table& table) {
   constexpr double kReach = 3e-3;
-  const TireDescription description = shipped(name);
+  const TireDescription description = shipped_tire(name);
   FeTire tire(description);
   const Ground ground{.mu = 0.8};
   std::vector<double> coarse, fine;
