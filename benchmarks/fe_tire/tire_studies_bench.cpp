@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the studies of tire B claim: one minimum, stiffness that goes over, moduli of a foreign truth
+// What the studies of tire B claim: one minimum, stiffness that goes over, a foreign truth found
 //
 //   ./bench.sh tire_studies [uniqueness | transfer | foreign_truth]   all of them; some ten minutes
 //

@@ -20,7 +20,7 @@ bool has_calculix();
 struct CalculixRun {
   formats::CcxResults results;
   double cpu_seconds = 0.0;
-  /// At the ends of the load step's increments: share of the way, N upward on the tire. Where asked.
+  /// At every increment of the load step, where asked: share of the way, N upward on the tire.
   std::vector<std::pair<double, double>> ground_forces;
 };
 
