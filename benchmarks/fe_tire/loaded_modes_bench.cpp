@@ -5,7 +5,7 @@
 // smeared, 24 x 2 elements across: here and in CalculiX 2.20. A mode of the loaded tire sees the
 // ground as springs where it touches, with the full penalty however small the pressure there. Which
 // points those are changes point by point as the tire is pressed, on faces as long as half the
-// patch; both programs have points of their own (four Gauss points a face here). The judge is the
+// patch; both programs have points of their own (12 x 12 a face here). The judge is the
 // same tire on four times as many sectors, whose steps are four times as small.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
