@@ -206,13 +206,6 @@ std::string text_of(const Grid& grid) {
 }
 
 void compare_uniqueness(const Studies& studies, Table& table) {
-  const Grid modes = grid(studies, "tire_b_uniqueness/study.toml"),
-             force = grid(studies, "tire_b_uniqueness/force.toml");
-  table.note("uniqueness, targets of at most 0.01 %: force alone", text_of(force));
-  table.row("uniqueness, the same: force and modes",
-            text_of(modes),
-            "a smaller share",
-            modes.points > 0 && modes.share + kValley <= force.share);
   const Ends one = fits_from_corners(studies, "tire_b_uniqueness/study.toml", "from_corner");
   table.row("uniqueness, fits from the corners of the grid: force and modes",
             one.text(),
@@ -235,6 +228,13 @@ void compare_uniqueness(const Studies& studies, Table& table) {
             "two ends with modes, one without",
             carcass.lower && carcass.upper && open.at("carcass").has_interval &&
                 !(open.at("carcass").lower && open.at("carcass").upper));
+  const Grid modes = grid(studies, "tire_b_uniqueness/study.toml"),
+             force = grid(studies, "tire_b_uniqueness/force.toml");
+  table.note("uniqueness, targets of at most 0.01 %: force alone", text_of(force));
+  table.row("uniqueness, the same: force and modes",
+            text_of(modes),
+            "a smaller share",
+            modes.points > 0 && modes.share + kValley <= force.share);
 }
 
 // --- transfer ---
