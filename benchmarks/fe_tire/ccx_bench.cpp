@@ -13,12 +13,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "base/document.h"
 #include "calculix.h"
 #include "cpu_time.h"
 #include "formats/mesh/inp_tire.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/reference_tires.h"
+#include "shipped_tires.h"
 #include "table.h"
 
 namespace latsch::benchmarks {
@@ -31,12 +31,6 @@ constexpr double kTravel = 0.025;  // m
 constexpr int kModes = 20;
 constexpr double kClear = 2e-3;  // m, from the undeformed tire to the ground
 constexpr double kRatio = 30.0;  // CPU of CalculiX to ours
-
-template <class T>
-T take(Result<T> result) {
-  if (!result) throw std::runtime_error(result.failure().reason);
-  return *std::move(result);
-}
 
 struct Trial {
   double growth = 0.0;  // m, radial, of the crown
@@ -53,17 +47,18 @@ Trial run_trial(FeTire& tire,
                 bool loaded_modes,
                 double stiffness) {
   Trial trial;
-  const Inflated inflated = take(tire.inflate(pressure));
+  const Inflated inflated = value_of(tire.inflate(pressure));
   trial.growth = inflated.growth;
   std::vector<Mode> modes;
-  if (!loaded_modes) modes = take(tire.modes(inflated, kModes));
+  if (!loaded_modes) modes = value_of(tire.modes(inflated, kModes));
   if (travel > 0.0) {
     const double from_touch = travel - (ground_radius - inflated.radius);
     std::vector<double> deflections;
     for (int i = 1; i <= 5; ++i) deflections.push_back(from_touch * i / 5);
-    const TireState loaded = take(tire.press(inflated, Ground{stiffness, 0.0}, deflections)).back();
+    const TireState loaded =
+        value_of(tire.press(inflated, Ground{stiffness, 0.0}, deflections)).back();
     trial.Fz = tire.stand(loaded).force.z();
-    if (loaded_modes) modes = take(tire.modes(loaded, kModes));
+    if (loaded_modes) modes = value_of(tire.modes(loaded, kModes));
   }
   for (const Mode& mode : modes) trial.frequencies.push_back(mode.frequency);
   return trial;
@@ -117,11 +112,6 @@ void compare_decks(Table& table) {
                 largest_error(trial.frequencies, expected.frequencies),
                 3e-3);
   }
-}
-
-TireDescription shipped(const std::string& file) {
-  return read_tire(
-      Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires" / file).root());
 }
 
 /// CPU seconds of a trial of a tire as it is shipped, mesh and symbolic work included.
@@ -189,7 +179,7 @@ void race(Table& table,
             fmt::format("{:.1f}", ratio),
             fmt::format(">= {:.0f}", kRatio),
             ratio >= kRatio);
-  const double as_shipped = seconds_as_shipped(shipped(file), loaded_modes);
+  const double as_shipped = seconds_as_shipped(shipped_tire(file), loaded_modes);
   table.note(name + ": CPU of our trial, shipped element with rebars",
              fmt::format("{:.2f} s", as_shipped));
   table.row(name + ": CPU ratio, shipped element with rebars",
@@ -201,7 +191,7 @@ void race(Table& table,
 /// Rows that meet on plies and end at tied corners, equations between nodes in the deck: tire B's
 /// shipped section in 24 sectors, cords smeared, comparison element, off the ground.
 void compare_ties(Table& table) {
-  TireDescription description = shipped("passenger_225_50R16.toml");
+  TireDescription description = shipped_tire("passenger_225_50R16");
   description.section.sectors = 24;
   description.section.sector_zones.clear();
   description.cord_model = CordModel::smeared;
@@ -239,8 +229,8 @@ int run() {
     table.note("CPU time against CalculiX", "skipped: no ccx on the path");
   } else {
     compare_ties(table);
-    race(table, "tire B", reference_tire_b(), "passenger_225_50R16.toml", true);
-    race(table, "tire A", reference_tire_a(), "passenger_235_45R20.toml", false);
+    race(table, "tire B", reference_tire_b(), "passenger_225_50R16", true);
+    race(table, "tire A", reference_tire_a(), "passenger_235_45R20", false);
   }
   return table.exit_code();
 }

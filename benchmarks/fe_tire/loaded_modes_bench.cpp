@@ -5,7 +5,7 @@
 // smeared, 24 x 2 elements across: here and in CalculiX 2.20. A mode of the loaded tire sees the
 // ground as springs where it touches, with the full penalty however small the pressure there. Which
 // points those are changes point by point as the tire is pressed, on faces as long as half the
-// patch; both programs have points of their own (four Gauss points a face here). The judge is the
+// patch; both programs have points of their own (12 x 12 a face here). The judge is the
 // same tire on four times as many sectors, whose steps are four times as small.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,10 +13,10 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "base/document.h"
 #include "calculix.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
+#include "shipped_tires.h"
 #include "table.h"
 
 namespace latsch::benchmarks {
@@ -29,21 +29,13 @@ constexpr int kModes = 10;
 constexpr double kWeak = 0.05;  // of the mean pressure: a point that just touches
 
 TireDescription passenger_tire(int sectors) {
-  TireDescription tire = read_tire(Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) /
-                                                  "studies/tires/passenger_205_55R16.toml")
-                                       .root());
+  TireDescription tire = shipped_tire("passenger_205_55R16");
   tire.section.meridional = 24;
   tire.section.sectors = sectors;
   tire.section.sector_zones.clear();
   tire.cord_model = CordModel::smeared;
   tire.element = ElementKind::full_integration;
   return tire;
-}
-
-template <class T>
-T value_of(Result<T> result) {
-  if (!result) throw std::runtime_error(result.failure().reason);
-  return *std::move(result);
 }
 
 struct Answer {

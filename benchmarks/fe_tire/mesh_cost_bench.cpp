@@ -8,13 +8,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
-#include <stdexcept>
 
-#include "base/document.h"
 #include "cpu_time.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
+#include "shipped_tires.h"
 #include "table.h"
 
 namespace latsch::benchmarks {
@@ -25,12 +23,6 @@ using namespace fe_tire;
 constexpr double kTravel = 0.025;  // m
 constexpr int kModes = 20, kSteps = 5;
 constexpr double kReach = 1.2;  // exponent in the sectors
-
-template <class T>
-T take(Result<T> result) {
-  if (!result) throw std::runtime_error(result.failure().reason);
-  return *std::move(result);
-}
 
 struct Trial {
   int unknowns = 0;
@@ -43,11 +35,11 @@ Trial run_trial(const TireDescription& description, const Refinement& refinement
   settings.element = description.element;
   FeTire tire(
       build_mesh(description, refinement), build_materials(description, refinement), settings);
-  const Inflated inflated = take(tire.inflate(description.pressure));
+  const Inflated inflated = value_of(tire.inflate(description.pressure));
   std::vector<double> deflections;
   for (int i = 1; i <= kSteps; ++i) deflections.push_back(kTravel * i / kSteps);
-  const TireState loaded = take(tire.press(inflated, Ground{}, deflections)).back();
-  take(tire.modes(loaded, kModes));
+  const TireState loaded = value_of(tire.press(inflated, Ground{}, deflections)).back();
+  value_of(tire.modes(loaded, kModes));
   return {tire.mesh().free_dofs(), cpu_seconds() - start};
 }
 
@@ -55,9 +47,7 @@ Trial run_trial(const TireDescription& description, const Refinement& refinement
 
 int run() {
   Table table("mesh_cost");
-  const auto file =
-      std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires/passenger_225_50R16.toml";
-  const TireDescription tire = read_tire(Document::read(file).root());
+  const TireDescription tire = shipped_tire("passenger_225_50R16");
   const auto trial = [&](const std::string& what, const Refinement& refinement) {
     const Trial result = run_trial(tire, refinement);
     table.note(what, fmt::format("{} unknowns, {:.2f} s CPU", result.unknowns, result.seconds));

@@ -18,9 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include "base/document.h"
@@ -31,6 +29,7 @@
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
 #include "models/fe_tire/slopes/tire_slopes.h"
+#include "shipped_tires.h"
 #include "table.h"
 
 namespace latsch::benchmarks {
@@ -67,18 +66,18 @@ std::vector<Case> cases() {
                                                 "rubber.belt.young_modulus",
                                                 "rubber.upper_sidewall.young_modulus",
                                                 "rubber.tread.density"});
-  return {{"tire A", "passenger_235_45R20.toml", 0.025, false, four},
+  return {{"tire A", "passenger_235_45R20", 0.025, false, four},
           {"tire B",
-           "passenger_225_50R16.toml",
+           "passenger_225_50R16",
            0.025,
            true,
            common({"rubber.matrix.young_modulus",
                    "rubber.matrix.density",
                    "layer.belt_2.young_modulus",
                    "layer.belt_2.density"})},
-          {"205/55R16", "passenger_205_55R16.toml", 0.025, true, four},
+          {"205/55R16", "passenger_205_55R16", 0.025, true, four},
           {"race tire",
-           "race_16x7.5-10.toml",
+           "race_16x7.5-10",
            0.015,
            true,
            {"rubber.tread.young_modulus",
@@ -93,12 +92,6 @@ std::vector<Case> cases() {
             "pressure"}}};
 }
 
-template <class T>
-T take(Result<T> result) {
-  if (!result) throw std::runtime_error(result.failure().reason);
-  return *std::move(result);
-}
-
 struct Trial {
   Inflated inflated;
   std::vector<TireState> states;  // of the loads, the last one that of the modes
@@ -109,24 +102,24 @@ Trial run(FeTire& tire, double pressure, const Case& of, int modes) {
   std::vector<double> deflections;
   for (int i = 1; i <= kLoads; ++i) deflections.push_back(of.travel * i / kLoads);
   Trial trial;
-  trial.inflated = take(tire.inflate(pressure));
-  trial.states = take(tire.press(trial.inflated, Ground{}, deflections));
-  trial.modes = take(of.loaded_modes ? tire.modes(trial.states.back(), modes)
-                                     : tire.modes(trial.inflated, modes));
+  trial.inflated = value_of(tire.inflate(pressure));
+  trial.states = value_of(tire.press(trial.inflated, Ground{}, deflections));
+  trial.modes = value_of(of.loaded_modes ? tire.modes(trial.states.back(), modes)
+                                         : tire.modes(trial.inflated, modes));
   return trial;
 }
 
 /// Of loads, then of frequencies [answers x numbers].
 Eigen::MatrixXd slopes_of(const Trial& trial, bool loaded_modes, TireSlopes& slopes) {
-  const auto of_inflated = take(slopes.of_inflated(trial.inflated));
+  const auto of_inflated = value_of(slopes.of_inflated(trial.inflated));
   Eigen::MatrixXd all(kLoads + kModes, slopes.variables());
   for (int k = 0; k < kLoads; ++k) {
-    const auto of_state = take(slopes.of_state(trial.states[k]));
+    const auto of_state = value_of(slopes.of_state(trial.states[k]));
     all.row(k) = of_state.force + of_state.by_height * of_inflated.radius;
   }
   all.bottomRows(kModes) =
-      take(loaded_modes ? slopes.of_modes(trial.states.back(), trial.modes, of_inflated.radius)
-                        : slopes.of_modes(trial.inflated, trial.modes));
+      value_of(loaded_modes ? slopes.of_modes(trial.states.back(), trial.modes, of_inflated.radius)
+                            : slopes.of_modes(trial.inflated, trial.modes));
   return all;
 }
 
@@ -140,7 +133,8 @@ void time_row(Table& table, const Case& of, const Document& numbers) {
     const Trial trial = run(tire, description.pressure, of, kModes);
     const double between = cpu_seconds();
     TireSlopes slopes(
-        tire, take(experiment::fe_variations(numbers, of.paths, experiment::described_tires())));
+        tire,
+        value_of(experiment::fe_variations(numbers, of.paths, experiment::described_tires())));
     slopes_of(trial, of.loaded_modes, slopes);
     plain = between - start;
     shares.push_back((cpu_seconds() - between) / plain);
@@ -331,7 +325,7 @@ void error_rows(Table& table, const Case& of, const Document& numbers) {
   FeTire tire(build_mesh(description), build_materials(description), settings);
   const Trial trial = run(tire, description.pressure, of, kModes);
   TireSlopes slopes(
-      tire, take(experiment::fe_variations(numbers, of.paths, experiment::described_tires())));
+      tire, value_of(experiment::fe_variations(numbers, of.paths, experiment::described_tires())));
   const Eigen::MatrixXd found = slopes_of(trial, of.loaded_modes, slopes);
   const Judge judge(of, numbers);
   table.note(
@@ -367,8 +361,7 @@ int bench(const Asked& asked) {
   for (Case of : cases()) {
     RandomStream random(asked.seed, stream++);
     if (!asked.tire.empty() && asked.tire != of.name) continue;
-    const Document numbers =
-        Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires" / of.file);
+    const Document numbers = Document::read(tire_file(of.file));
     time_row(table, of, numbers);
     if (!asked.path.empty()) of.paths = {asked.path};
     if (!asked.all) draw(of.paths, random);

@@ -12,8 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,6 +24,7 @@
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/reference_tires.h"
 #include "models/fe_tire/description/tire_description.h"
+#include "shipped_tires.h"
 #include "table.h"
 
 namespace latsch::benchmarks {
@@ -42,17 +41,6 @@ constexpr int kUnknownsOfB = 15480 * 3 / 2, kUnknownsOfA = 27000 * 3 / 2;
 constexpr double kFullRatio = 50.0;  // harmonics against the full eigen-solve
 constexpr int kModes = 20;
 
-TireDescription shipped(const std::string& name) {
-  const auto file = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires" / name;
-  return read_tire(Document::read(file).root());
-}
-
-template <class T>
-T take(Result<T> result) {
-  if (!result) throw std::runtime_error(result.failure().reason);
-  return *std::move(result);
-}
-
 /// Median CPU seconds of five runs.
 template <class Work>
 double time_of(Work work) {
@@ -68,10 +56,10 @@ double time_of(Work work) {
 
 void compare_modes(const std::string& name, const TireDescription& description, Table& table) {
   FeTire tire(description);
-  const Inflated inflated = take(tire.inflate(description.pressure));
+  const Inflated inflated = value_of(tire.inflate(description.pressure));
   std::vector<Mode> by_harmonics, by_ring;
-  const double fast = time_of([&] { by_harmonics = take(tire.modes(inflated, kModes)); });
-  const double full = time_of([&] { by_ring = take(tire.modes_full(inflated, kModes)); });
+  const double fast = time_of([&] { by_harmonics = value_of(tire.modes(inflated, kModes)); });
+  const double full = time_of([&] { by_ring = value_of(tire.modes_full(inflated, kModes)); });
   double difference = 0.0;
   for (int k = 0; k < kModes; ++k) {
     difference =
@@ -192,9 +180,7 @@ void study_random_sizes(std::uint64_t seed, Table& table) {
     const std::string size = fmt::format("{}/{}R{}", width, aspect, rim);
     try {
       const std::string from = cli::template_of(size);
-      const auto file =
-          std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires" / (from + ".toml");
-      const std::string text = cli::sized_tire(read_text_file(file), size);
+      const std::string text = cli::sized_tire(read_text_file(tire_file(from)), size);
       study({.name = size,
              .tire = read_tire(Document::parse(text, size).root()),
              .unknowns = from == "passenger_235_45R20" ? kUnknownsOfA : kUnknownsOfB},
@@ -219,13 +205,13 @@ TireDescription smeared(TireDescription tire, const TireDescription& as, int mer
 
 int run(std::uint64_t seed) {
   Table table("verification");
-  const TireDescription a = shipped("passenger_235_45R20.toml"),
-                        b = shipped("passenger_225_50R16.toml");
+  const TireDescription a = shipped_tire("passenger_235_45R20"),
+                        b = shipped_tire("passenger_225_50R16");
   compare_modes("tire B", b, table);
   compare_modes("tire A", a, table);
-  study({.name = "205/55R16", .tire = shipped("passenger_205_55R16.toml"), .travel = kTravel},
+  study({.name = "205/55R16", .tire = shipped_tire("passenger_205_55R16"), .travel = kTravel},
         table);
-  study({.name = "race tire", .tire = shipped("race_16x7.5-10.toml"), .travel = kRaceTravel},
+  study({.name = "race tire", .tire = shipped_tire("race_16x7.5-10"), .travel = kRaceTravel},
         table);
   study_random_sizes(seed, table);
   study({.name = "tire B, rebars", .tire = b, .travel = kTravel}, table);

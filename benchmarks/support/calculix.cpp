@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
 
+#include "base/file.h"
 #include "base/scratch_folder_testing.h"
 #include "cpu_time.h"
 #include "models/fe_tire/contact/ground.h"
@@ -13,11 +17,43 @@ namespace latsch::benchmarks {
 
 bool has_calculix() { return std::system("command -v ccx > /dev/null 2>&1") == 0; }
 
+namespace {
+
+/// The load step, the last one that writes displacements of all nodes at its end alone, then writes
+/// after every increment: how often forces are printed, too.
+void print_every_force(std::string& text) {
+  constexpr std::string_view kEnd = "RF\n*NODE FILE,FREQUENCY=100";
+  const auto at = text.find(kEnd);
+  if (at == std::string::npos) throw std::runtime_error("a deck without a load step");
+  text.replace(at, kEnd.size(), "RF\n*NODE FILE,FREQUENCY=1");
+}
+
+/// Upward is y in the deck, whose load step begins at the time 1.
+std::vector<std::pair<double, double>> forces_of(const std::string& dat) {
+  std::vector<std::pair<double, double>> forces;
+  constexpr std::string_view kTitle = "for set GROUND and time";
+  for (auto at = dat.find(kTitle); at != std::string::npos; at = dat.find(kTitle, at + 1)) {
+    std::istringstream numbers(dat.substr(at + kTitle.size(), 200));
+    double time = 0.0, x = 0.0, y = 0.0;
+    if (!(numbers >> time >> x >> y)) throw std::runtime_error("no force below its title");
+    forces.emplace_back(time - 1.0, y);
+  }
+  return forces;
+}
+
+}  // namespace
+
 std::optional<CalculixRun> run_calculix(const fe_tire::Mesh& mesh,
                                         const fe_tire::Materials& materials,
-                                        const formats::CcxRun& run) {
+                                        const formats::CcxRun& run,
+                                        const DeckChanges& changes) {
   const ScratchFolder folder;
-  formats::write_ccx_deck(folder / "tire.inp", mesh, materials, run);
+  std::ostringstream deck;
+  formats::write_ccx_deck(deck, mesh, materials, run);
+  std::string text = std::move(deck).str();
+  text.insert(text.find("*BOUNDARY"), changes.model_cards);
+  if (changes.every_force) print_every_force(text);
+  write_text_file(folder / "tire.inp", text);
   const std::string command = fmt::format(
       "cd '{}' && OMP_NUM_THREADS=1 CCX_NPROC_EQUATION_SOLVER=1 CCX_NPROC_RESULTS=1 ccx -i tire > "
       "tire.log 2>&1",
@@ -25,7 +61,12 @@ std::optional<CalculixRun> run_calculix(const fe_tire::Mesh& mesh,
   const double start = cpu_seconds(RUSAGE_CHILDREN);
   if (std::system(command.c_str()) != 0) return std::nullopt;
   const double seconds = cpu_seconds(RUSAGE_CHILDREN) - start;
-  return CalculixRun{formats::read_ccx_results(folder / "tire.dat"), seconds};
+  CalculixRun result{formats::read_ccx_results(folder / "tire.dat"), seconds, {}};
+  if (changes.every_force) {
+    result.ground_forces = forces_of(read_text_file(folder / "tire.dat"));
+    result.results.total_force.at("GROUND").y() = result.ground_forces.back().second;
+  }
+  return result;
 }
 
 formats::CcxRun calculix_trial(const std::string& title,

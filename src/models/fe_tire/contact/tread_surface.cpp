@@ -16,6 +16,9 @@ namespace {
 /// Abscissae and weights of three Gauss points on [-1, 1].
 constexpr double kThree[3] = {-0.77459666924148337704, 0.0, 0.77459666924148337704};
 constexpr double kThreeWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+/// Along each side of a facet: with eight, Fz where the patch is shorter than two facets is 1 % off
+/// that of sixteen, with twelve not 0.1 %; with two, at Gauss' places, 24 %.
+constexpr int kFacetPoints = 12;
 
 /// Weights of four neighbors, the second and third being the ends of a face, and their derivatives
 /// by u in [-1, 1].
@@ -233,8 +236,11 @@ void TreadSurface::add_facet(const std::array<std::pair<int, int>, 4>& corner) {
     }
     return at;
   };
-  for (int q = 0; q < 4; ++q) {
-    points_.push_back(point_at(grid, weights_at(kGauss * kXi[q], kGauss * kEta[q]), 1.0));
+  const auto place = [](int k) { return (2.0 * k + 1.0) / kFacetPoints - 1.0; };
+  constexpr double kShare = 4.0 / (kFacetPoints * kFacetPoints);
+  for (int i = 0; i < kFacetPoints; ++i) {
+    for (int j = 0; j < kFacetPoints; ++j)
+      points_.push_back(point_at(grid, weights_at(place(i), place(j)), kShare));
   }
   add_samples({grid[0], grid[1], grid[2], grid[3]}, grid, weights_at);
 }

@@ -18,7 +18,7 @@
 // Forces go to the nodes by the same weights, so they are the gradient of an energy.
 //   [Wriggers, Computational Contact Mechanics, Springer 2006: smoothing, mortar methods;
 //   Puso & Laursen 2004, CMAME 193: a mortar segment-to-segment contact method]
-// Facets, each with 2x2 points, are there for comparison with programs that see them, and for
+// Facets, each with 12x12 points, are there for comparison with programs that see them, and for
 // meshes without sectors.
 //
 // What lies farther than the half angle from the lowest place is no part of it.

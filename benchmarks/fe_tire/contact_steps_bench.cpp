@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fz at every step from the first millimeter on, here and in CalculiX, on the same mesh
+//
+// Tires B and A of [Hempel & Oertel 2016], comparison element, cords smeared, sectors of 6 and 4
+// degrees: in the first millimeters the patch is shorter than a facet of the tread, and what Fz is
+// depends on how the pressure on a facet is summed up. Both programs see the facets of the mesh and
+// one penalty; CalculiX cuts faces by the ground's and has points of its own on the pieces. How far
+// a mesh of such facets is from a tread, ./bench.sh footprint says of finer ones. On friction the
+// way is part of the answer: there our steps of 2.5 mm, as studies take them, stand beside
+// CalculiX' steps of a fifth.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "calculix.h"
+#include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/description/reference_tires.h"
+#include "shipped_tires.h"
+#include "table.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+using namespace fe_tire;
+
+constexpr double kReach = 0.01, kFrictionReach = 0.003;  // of the step's Fz
+
+struct Way {
+  double step;  // m, ours
+  int steps;
+  double mu = 0.0;
+  int theirs = 1;  // steps of CalculiX for one of ours
+  double reach = kReach;
+};
+
+/// CalculiX halves steps in which it does not find an equilibrium; those asked for are among all.
+double at_share(const std::vector<std::pair<double, double>>& forces, double share) {
+  for (const auto& [reached, force] : forces)
+    if (std::abs(reached - share) < 1e-4) return force;
+  return NAN;
+}
+
+void compare(Table& table,
+             const std::string& name,
+             const TireDescription& description,
+             const Way& of) {
+  const Mesh mesh = build_mesh(description);
+  const Materials materials = build_materials(description);
+  FeTire tire(mesh, materials, {.element = ElementKind::full_integration});
+  const Inflated inflated = value_of(tire.inflate(description.pressure));
+  std::vector<double> way;
+  for (int i = 1; i <= of.steps; ++i) way.push_back(of.step * i);
+  const Ground ground{.mu = of.mu};
+  const std::vector<TireState> states = value_of(tire.press(inflated, ground, way));
+
+  formats::CcxRun run;
+  run.title = description.name;
+  run.pressure = description.pressure;
+  run.modes = 0;
+  run.load_increments = of.steps * of.theirs;
+  run.ground = formats::CcxGround{inflated.radius, way.back(), ground.stiffness, ground.mu};
+  const auto calculix = run_calculix(mesh, materials, run, {.every_force = true});
+  if (!calculix) {
+    table.row(name + ": CalculiX", "did not finish", "finish", false);
+    return;
+  }
+  for (int i = 0; i < of.steps; ++i) {
+    const double ours = tire.stand(states[i]).force.z();
+    const double theirs = at_share(calculix->ground_forces, way[i] / way.back());
+    const double error = ours / theirs - 1.0;
+    table.row(fmt::format("{}: Fz at {:g} mm, ours and CalculiX", name, 1e3 * way[i]),
+              fmt::format("{:.1f} and {:.1f} N, {:+.2f} %", ours, theirs, 100.0 * error),
+              fmt::format("<= {:g} %", 100.0 * of.reach),
+              std::abs(error) <= of.reach);
+  }
+}
+
+}  // namespace
+
+int run() {
+  Table table("contact_steps");
+  if (!has_calculix()) {
+    table.note("Fz at every step", "skipped: no ccx on the path");
+    return table.exit_code();
+  }
+  compare(table, "tire B", reference_tire_b(), {1e-3, 25});
+  compare(table, "tire A", reference_tire_a(), {1e-3, 10});
+  compare(table, "tire B on friction 0.8", reference_tire_b(), {2.5e-3, 4, 0.8, 5, kFrictionReach});
+  return table.exit_code();
+}
+
+}  // namespace latsch::benchmarks
+
+int main() { return latsch::benchmarks::guarded(latsch::benchmarks::run); }
