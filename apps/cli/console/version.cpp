@@ -13,10 +13,7 @@
 #include <vector>
 
 #include "numerics/kernels/kernel_set.h"
-
-#if __has_include("web/web_assets.h")
 #include "web/web_assets.h"
-#endif
 
 extern "C" char* openblas_get_config();
 
@@ -35,14 +32,6 @@ constexpr bool kMpi = true;
 constexpr bool kMpi = false;
 #endif
 
-bool has_page() {
-#if __has_include("web/web_assets.h")
-  return !studio::web_assets().empty();
-#else
-  return false;
-#endif
-}
-
 std::string kernels() {
   std::vector<std::string> names;
   for (const KernelSet set : kernel_sets()) names.push_back(std::string(name(set)));
@@ -50,6 +39,8 @@ std::string kernels() {
 }
 
 }  // namespace
+
+std::string version_number() { return LATSCH_VERSION; }
 
 std::string version_text() {
   return fmt::format(
@@ -86,7 +77,7 @@ std::string version_text() {
       zlibVersion(),
       openblas_get_config(),
       kMpi ? "yes" : "no",
-      has_page() ? "latsch serve shows it" : "none: latsch serve answers programs alone");
+      !studio::web_assets().empty() ? "latsch serve shows it" : "none: latsch serve answers programs alone");
 }
 
 }  // namespace latsch::cli

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "cli/console/console.h"
+#include "cli/console/version.h"
 #include "numerics/kernels/kernel_set.h"
 #include "studio/http/server.h"
 #include "studio/studio.h"
@@ -39,7 +40,7 @@ ServedStudies::ServedStudies(const ServeOptions& options, const experiment::Lang
   server.report = [](std::string_view what) { warn("a request failed: " + std::string(what)); };
   const studio::StudioOptions about{options.root,
                                     std::filesystem::read_symlink("/proc/self/exe"),
-                                    "latsch 0.1.0",
+                                    "latsch " + version_number(),
                                     !server.assets.empty()};
   parts.studio = std::make_unique<studio::Studio>(
       about, language, [&parts](auto topic, auto event, auto json) {
