@@ -37,6 +37,34 @@ export async function redrawTime(browser, address, study) {
   return longest;
 }
 
+/** What the page has worked so far, ms of the processor: what a busy machine does not change. */
+async function meter(page) {
+  const tools = await page.context().newCDPSession(page);
+  await tools.send('Performance.enable', { timeDomain: 'threadTicks' });
+  return async () => 1000 * (await tools.send('Performance.getMetrics')).metrics.find(({ name }) => name === 'TaskDuration').value;
+}
+
+/** Milliseconds of the processor until the convergence is drawn, and for one drawing more. */
+export async function work(browser, address, study) {
+  const page = await newPage(browser);
+  const worked = await meter(page);
+  await page.goto(`${address}#/convergence?study=${study}`);
+  await page.waitForSelector('.u-wrap canvas');
+  await settled(page);
+  const load = await worked();
+  const times = 8;
+  await page.evaluate(async (count) => {
+    const entry = [...document.querySelectorAll('.key button')].find((button) => button.textContent.includes('best so far'));
+    for (let k = 0; k < count; ++k) {
+      entry.click();
+      await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 0)));
+    }
+  }, times);
+  const redraw = ((await worked()) - load) / times;
+  await page.context().close();
+  return { load, redraw };
+}
+
 /** Milliseconds from `act`, which makes a trial end, to the point that is counted on the page. */
 export async function firstPointTime(page, act) {
   const count = () => page.evaluate(() => document.querySelector('.panel header .small-print')?.textContent ?? '');

@@ -1,33 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// 50 000 trials: loaded in less than 2 s, drawn again in less than 100 ms (docs/studio.md). The machine may be busy, so the
-// best of three counts.
+// 50 000 trials: loaded in less than 2 s, drawn again in less than 100 ms, of the processor, for the machine may be busy;
+// ./bench.sh studio has the times of the clock.
 
 import assert from 'node:assert/strict';
 
 import { newPage, settled } from './browser.mjs';
-import { loadTime, redrawTime } from './load.mjs';
+import { work } from './load.mjs';
 
 const kLoad = 2000; // ms
 const kRedraw = 100; // ms
 const kStudy = 'long/study.toml';
 
-async function best(measure) {
-  let least = Infinity;
-  for (let k = 0; k < 3; ++k) least = Math.min(least, await measure());
-  return Math.round(least);
-}
-
 export const claims = {
-  async 'the convergence of 50 000 trials loads in less than 2 s'({ browser, address }) {
-    const took = await best(() => loadTime(browser, address, kStudy));
-    assert.ok(took < kLoad, `${took} ms`);
-    return `${took} ms`;
-  },
-
-  async 'it is drawn again in less than 100 ms'({ browser, address }) {
-    const took = await best(() => redrawTime(browser, address, kStudy));
-    assert.ok(took < kRedraw, `${took} ms`);
-    return `${took} ms`;
+  async 'the convergence of 50 000 trials is loaded with less than 2 s, drawn again with less than 100 ms'({ browser, address }) {
+    const { load, redraw } = await work(browser, address, kStudy);
+    assert.ok(load < kLoad && redraw < kRedraw, `${load} ms, ${redraw} ms`);
+    return `${Math.round(load)} ms, ${redraw.toFixed(1)} ms`;
   },
 
   async 'never are all trials asked for'({ browser, address }) {

@@ -6,6 +6,7 @@ import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { gzipSync } from 'node:zlib';
 
 import { newPage, settled, violations } from './browser.mjs';
 import * as data from './fixtures/data.mjs';
@@ -18,7 +19,7 @@ function reportOf(folder) {
   const answers = {
     study: data.study(kStudy), convergence: data.convergence(kStudy, none), trials: data.trials(kStudy, new URLSearchParams({ order: 'target' })),
     comparison: data.comparison(kStudy), target: data.target(kStudy, none), kpis: data.kpis(kStudy, none), identifiability: data.identifiability(kStudy),
-    model: data.model(), section: data.section(), scene: { base64: scene().toString('base64') }, 'trial?trial=12': data.trial(kStudy, 12),
+    model: data.model(), section: data.section(), scene: { gzip_base64: gzipSync(scene()).toString('base64') }, 'trial?trial=12': data.trial(kStudy, 12),
   };
   const inside = (name) => readFileSync(join(folder, 'report', name), 'utf8');
   const json = JSON.stringify(answers).replaceAll('<', '\\u003c');
