@@ -52,7 +52,7 @@ export class OpenStudy {
   }
 }
 
-/** Calls `act` after this study's trials have ended, at most once in `pause` ms. */
+/** Calls `act` after trials of this study have ended or its file has been read anew, at most once in `pause` ms. */
 export function onTrials(study: string, act: () => void, pause = 1000): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const soon = () => {
@@ -63,6 +63,7 @@ export function onTrials(study: string, act: () => void, pause = 1000): () => vo
   };
   const ends = [
     live.on('trials', (event) => { if (event.study === study) soon(); }),
+    live.on('run', (event) => { if (event.study === study) soon(); }),
     live.on('again', soon),
   ];
   return () => {
