@@ -9,8 +9,8 @@
 
 namespace latsch::fe_tire {
 
-/// What is wanted of it: in double precision, or summed up in single, which a step of Newton's method
-/// may stand on and nothing that is shown. Comparison elements have it exact always.
+/// What is wanted of it: in double precision, or summed up in single, which a step of Newton's
+/// method may stand on and nothing that is shown. Comparison elements have it exact always.
 enum class Stiffness { none, exact, rough };
 
 struct ElementBatch {

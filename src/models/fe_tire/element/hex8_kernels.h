@@ -90,8 +90,8 @@ LATSCH_INLINE void sum_stiffness(const Operators<V>& operators,
 }
 
 /// Only the sums by modal vectors are in single precision: of what comes to the nodes from there in
-/// double, a translation of the element feels nothing at all, as it has to be where the stiffness of
-/// a tire is many thousand times less than that of its elements.
+/// double, a translation of the element feels nothing at all, as it has to be where the stiffness
+/// of a tire is many thousand times less than that of its elements.
 void find_rough_stiffness(const ElementLaw& law,
                           const ElementSurroundings& around,
                           const ElementState<F>& state,
