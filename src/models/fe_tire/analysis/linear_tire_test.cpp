@@ -67,8 +67,8 @@ TEST(LinearTire, AnswersTheGroundExactly) {
 }
 
 // By nodes in place of heights: a coefficient of friction of 1e-12 is none, but another way leads
-// there. Every equilibrium by heights is polished, so its forces agree in more digits than are shown
-// with those of a judge who is a hundred times as exact.
+// there. Every equilibrium by heights is polished, so its forces agree in more digits than are
+// shown with those of a judge who is a hundred times as exact.
 TEST(LinearTire, EquilibriaAreTheSameByNodesAndByHeights) {
   for (const TireDescription& description :
        {coarse(reference_tire_a()), coarse(reference_tire_b())}) {
