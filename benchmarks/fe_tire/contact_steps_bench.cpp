@@ -6,7 +6,7 @@
 // depends on how the pressure on a facet is summed up. Both programs see the facets of the mesh and
 // one penalty; CalculiX cuts faces by the ground's and has points of its own on the pieces. How far
 // a mesh of such facets is from a tread, ./bench.sh footprint says of finer ones. On friction the
-// way is part of the answer: there our steps of 2.5 mm, as studies take them, stand beside
+// way is part of the answer: there our loads every 2.5 mm, as studies ask for, stand beside
 // CalculiX' steps of a fifth.
 #include <fmt/format.h>
 

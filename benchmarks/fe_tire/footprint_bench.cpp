@@ -8,8 +8,8 @@
 // first millimeter. A mesh shows pressures as means over what a node stands for, a finer one over
 // less: so peaks are compared as sensors of 15 mm see them, on which both have several. Chosen on
 // the 205/55R16 and the race tire, which is pressed to 10 mm: beyond, it stands on its tread's
-// edges. B and A were looked at afterwards. Before all that friction, of every shipped tire: 2.5 mm
-// steps, as studies take them, against steps of a tenth.
+// edges. B and A were looked at afterwards. Before all that friction, of every shipped tire: asked
+// for every 2.5 mm, as studies do, against steps of a tenth.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -159,12 +159,12 @@ void compare_friction(const std::string& name, Table& table) {
     errors.add(ours[i] / judge[i] - 1.0);
     errors_of_few.add(few[i] / judge[i] - 1.0);
   }
-  table.row(name + ": Fz on friction 0.8, 2.5 to 10 mm by 2.5 mm, steps of a tenth",
+  table.row(name + ": Fz on friction 0.8, every 2.5 mm to 10 mm, against steps of a tenth",
             fmt::format("{} %, at most {:.2f} %", errors.text, 100.0 * errors.worst),
             fmt::format("<= {:.1f} %", 100.0 * kReach),
             errors.worst <= kReach);
   table.note(
-      name + ": the same by steps of a third",
+      name + ": the same asked for every 0.83 mm",
       fmt::format("{} %, at most {:.2f} %", errors_of_few.text, 100.0 * errors_of_few.worst));
 }
 
