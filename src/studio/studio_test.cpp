@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "base/file.h"
 #include "correlation/search/study_reuse_testing.h"
 #include "correlation/target/best_trial.h"
 #include "evaluation/journal/journal_lock.h"
@@ -201,12 +202,70 @@ TEST_F(Asked, TheFileIsChangedWhereThePageHasSeenIt) {
 TEST_F(Asked, AJournalOfAnotherStudyIsSaidNotShown) {
   const auto study = two();
   fit_all(study);
-  write("states.csv", "Fz [N],alpha [deg]\n4000,1\n");
-  write("measured.csv", "Fy [N]\n-10\n");
-  write("aligning.csv", "Mz [N*m]\n1\n");
+  const std::string text = kHead + kTwo;
+  write("study.toml",
+        text + "[variable.more]\npath = \"PEY1\"\nlower = -1\nupper = 1\ninitial = 0\n");
   begin();
   ASSERT_TRUE(wait_for([&] { return get("/api/study")["state"] != "reading"; }));
   EXPECT_NE(get("/api/study")["error"], "");
+  EXPECT_EQ(get("/api/trials")["rows"].size(), 0u) << "its points have a variable less";
+  EXPECT_NE(ask("/api/comparison").body.find("another study"), std::string::npos);
+  write("study.toml", text);
+  EXPECT_TRUE(wait_for([&] { return get("/api/study")["error"] == ""; }));
+  EXPECT_TRUE(wait_for([&] { return get("/api/trials")["total"].get<long>() > 0; }));
+}
+
+TEST_F(Asked, AJournalThatWasMendedIsRead) {
+  const auto study = two();
+  fit_all(study);
+  const std::string whole = read_text_file(study.run.journal);
+  write_text_file(study.run.journal, "no journal");
+  begin();
+  ASSERT_TRUE(wait_for([&] { return get("/api/study")["state"] != "reading"; }));
+  EXPECT_NE(get("/api/study")["error"], "");
+  write_text_file(study.run.journal, whole);
+  EXPECT_TRUE(wait_for([&] { return get("/api/study")["error"] == ""; }));
+  EXPECT_TRUE(wait_for([&] { return get("/api/study")["trials"].get<long>() > 0; }));
+}
+
+TEST_F(Asked, NoiseThatTheFitTellsIsFollowed) {
+  two();
+  const std::string noise = "noise = \"estimated\"\n";
+  const auto study = read(noise + kTwo + noise);
+  begin();
+  ASSERT_TRUE(wait_for([&] { return get("/api/study")["state"] == "new"; }));
+  {
+    Journal journal = Journal::open(study.run.journal, identity(study));
+    ThreadExecutor executor([&] { return evaluator(study); }, 1);
+    std::optional<correlation::StageEnd> before;
+    for (int k = 0; k < correlation::stage_count(study); ++k) {
+      const auto part = correlation::weighted_stage(study, k, before);
+      const auto found = correlation::fit(part, executor, journal, {.max_steps = part.max_steps});
+      before = correlation::end_of_stage(found.run.best()->point, journal);
+    }
+  }
+  const Journal journal = Journal::read(study.run.journal);
+  const auto weighted = correlation::with_estimated_noise(study, journal);
+  const double target = correlation::best_trial(weighted, journal)->target;
+  EXPECT_TRUE(wait_for([&] { return get("/api/study")["state"] == "ended"; }));
+  EXPECT_TRUE(wait_for([&] {
+    const Json best = get("/api/study")["best"];
+    return !best.is_null() && std::abs(best["target"].get<double>() - target) < 1e-6 * target;
+  })) << get("/api/study")["best"]
+      << " but " << target;
+}
+
+TEST_F(Asked, StudiesAreNamedAsTheirFilesStandInTheFolder) {
+  two();
+  std::filesystem::create_symlink("study.toml", folder_ / "linked.toml");
+  std::filesystem::create_symlink("nowhere.toml", folder_ / "dangling.toml");
+  std::filesystem::create_directory_symlink(".", folder_ / "loop");
+  write(".study.17.1.toml", kHead);  // as a check has for a moment
+  begin();
+  std::vector<std::string> names;
+  const Json home = get("/api/home");
+  for (const Json& one : home["studies"]) names.push_back(one["study"]);
+  EXPECT_EQ(names, (std::vector<std::string>{"linked.toml", "study.toml"}));
 }
 
 TEST_F(Asked, AStudyThatCannotBeReadSaysWhy) {
@@ -223,6 +282,17 @@ TEST_F(Asked, AStudyThatCannotBeReadSaysWhy) {
                            "/api/scene",
                            "/api/section"})
     EXPECT_EQ(ask(path).status, 400) << path;
+}
+
+TEST_F(Asked, AStudyHalfWrittenStaysUntilItsFileIsGone) {
+  two();
+  begin();
+  write("study.toml", "");
+  EXPECT_TRUE(wait_for([&] { return get("/api/study")["state"] == "broken"; }));
+  std::this_thread::sleep_for(3500ms);  // all are looked for every three seconds
+  EXPECT_EQ(get("/api/study")["state"], "broken");
+  std::filesystem::remove(folder_ / "study.toml");
+  EXPECT_TRUE(wait_for([&] { return ask("/api/study").status == 404; }));
 }
 
 TEST_F(Asked, WhatIsNotThereIsNotFound) {

@@ -35,7 +35,7 @@ ServedStudies::ServedStudies(const ServeOptions& options, const experiment::Lang
   studio::ServerOptions server;
   server.listen = options.listen;
   server.port = static_cast<std::uint16_t>(options.port);
-  server.threads = 4;
+  server.threads = 12;  // most wait for one that computes: a few slow views keep nothing else
   server.assets = studio::web_assets();
   server.report = [](std::string_view what) { warn("a request failed: " + std::string(what)); };
   const studio::StudioOptions about{options.root,

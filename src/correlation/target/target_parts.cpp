@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/target/target_parts.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -51,15 +52,16 @@ Result<TargetParts> PartedTarget::parts(const DesignPoint& point, const Channels
 
 PartedTarget::Weighting PartedTarget::weighting(const std::vector<double>& weights) const {
   std::vector<StudyExperiment> weighted = fitted_;
-  double sum = 0.0;
+  double largest = 0.0;
   for (std::size_t e = 0; e < weighted.size(); ++e) {
     if (!std::isfinite(weights[e]) || weights[e] < 0.0)
       throw InputError("the weight of experiment " + weighted[e].name +
                        " is negative or no number; expected one from 0 up");
-    weighted[e].objective.weight = weights[e];
-    sum += weights[e];
+    largest = std::max(largest, weights[e]);
   }
-  if (!(sum > 0.0)) throw InputError("all weights are 0: at least one experiment has to count");
+  if (!(largest > 0.0)) throw InputError("all weights are 0: at least one experiment has to count");
+  for (std::size_t e = 0; e < weighted.size(); ++e)  // no sum of them overflows
+    weighted[e].objective.weight = weights[e] / largest;
   const auto common = common_deviation(weighted);
   assert(common.has_value() == common_.has_value());  // all experiments state noise or none does
   const double f = common ? *common / *common_ : 1.0;
@@ -72,7 +74,7 @@ PartedTarget::Weighting PartedTarget::weighting(const std::vector<double>& weigh
   }
   for (std::size_t e = 0; e < weighted.size(); ++e)
     result.factors_[e] *= std::pow(f, weighted[e].objective.exponent) / total;
-  result.prior_ = std::pow(f, fitted_.front().objective.exponent) / total;
+  result.prior_ = std::pow(f, fitted_.front().objective.exponent) / total / largest;
   return result;
 }
 
@@ -81,7 +83,7 @@ double PartedTarget::Weighting::share(const TargetParts& parts, std::size_t e) c
 }
 
 double PartedTarget::Weighting::target(const TargetParts& parts) const {
-  double sum = prior_ * parts.priors;
+  double sum = parts.priors > 0.0 ? prior_ * parts.priors : 0.0;
   for (std::size_t e = 0; e < factors_.size(); ++e) sum += share(parts, e);
   return sum;
 }

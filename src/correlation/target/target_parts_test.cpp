@@ -60,6 +60,22 @@ TEST_F(PartsOfTarget, WithNoiseAndARobustLoss) {
       two_experiments("noise = \"3 %\"\nloss = \"huber\"\n", "noise = \"2 N*m\"\n"));
 }
 
+/// The sum of weights goes over the priors alone: twice the weights, half of what they add.
+TEST_F(PartsOfTarget, PriorsCountAgainstTheSumOfWeights) {
+  const PartedTarget parted(two_experiments("", ""));
+  const TargetParts priors{{0.0, 0.0}, {}, {}, 2.0};
+  EXPECT_DOUBLE_EQ(parted.weighting({1.0, 0.25}).target(priors), 2.0 / 1.25);
+  EXPECT_DOUBLE_EQ(parted.weighting({2.0, 0.5}).target(priors), 2.0 / 2.5);
+}
+
+/// Only ratios of weights matter to what is measured, at the ends of the numbers too.
+TEST_F(PartsOfTarget, WeightsOfAnySize) {
+  const PartedTarget parted(two_experiments("", ""));
+  const TargetParts parts{{0.5, 0.25}, {}, {}};
+  for (const double size : {1e308, 1e-308, 5e-324})
+    EXPECT_DOUBLE_EQ(parted.weighting({size, size}).target(parts), 0.375) << size;
+}
+
 TEST_F(PartsOfTarget, WeightsThatAreNoneAreRefused) {
   const PartedTarget parted(two_experiments("", ""));
   EXPECT_THROW(parted.weighting({0.0, 0.0}), InputError);

@@ -21,10 +21,11 @@ constexpr double kSeldom = 3.0;      // s, between looks at all of them
 constexpr double kLookedAt = 120.0;  // s, that one somebody opened is looked at often
 constexpr long kAtOnce = 2000;       // trials read before others have their turn
 
+bool is_hidden(const fs::path& file) { return file.filename().string().starts_with("."); }
+
 bool is_passed_by(const fs::path& folder) {
   static const std::set<std::string> kNames{"build", "node_modules", "CMakeFiles"};
-  const std::string name = folder.filename().string();
-  return name.starts_with(".") || kNames.count(name) > 0;
+  return is_hidden(folder) || kNames.count(folder.filename().string()) > 0;
 }
 
 bool is_study(const fs::path& file) {
@@ -50,8 +51,8 @@ std::vector<fs::path> find_studies(const fs::path& folder) {
     std::error_code none;
     if (at->is_directory(none)) {
       if (at.depth() + 1 >= kMostLevels || is_passed_by(at->path())) at.disable_recursion_pending();
-    } else if (at->path().extension() == ".toml" && at->is_regular_file(none) &&
-               is_study(at->path())) {
+    } else if (at->path().extension() == ".toml" && !is_hidden(at->path()) &&
+               at->is_regular_file(none) && is_study(at->path())) {
       found.push_back(at->path());
     }
   }
@@ -105,8 +106,11 @@ std::shared_ptr<ShelvedStudy> Shelf::open(const std::string& id) {
     const std::lock_guard lock(mutex_);
     looked_at_[id] = steady_clock()();
   }
-  if (study->look([](const auto& sight) { return sight.state == StudyState::reading; }))
-    study->refresh(kAtOnce);
+  if (study->look([](const auto& sight) { return sight.state == StudyState::reading; })) {
+    const auto changes = study->refresh(kAtOnce);
+    const std::lock_guard lock(mutex_);
+    if (changes.any()) untold_.insert(id);
+  }
   return study;
 }
 
@@ -125,14 +129,17 @@ void Shelf::look_again() {
 }
 
 bool Shelf::search() {
-  if (!fs::is_directory(root_)) return false;
+  std::error_code none;
+  if (!fs::is_directory(root_, none)) return false;
   std::map<std::string, fs::path> found;
   for (const fs::path& file : find_studies(folder_))
-    found.emplace(fs::relative(file, folder_).generic_string(), file);
+    found.emplace(file.lexically_relative(folder_).generic_string(), file);  // links as they stand
   const std::lock_guard lock(mutex_);
   const std::size_t before = studies_.size();
-  const auto gone =
-      std::erase_if(studies_, [&](const auto& one) { return !found.count(one.first); });
+  const auto gone = std::erase_if(studies_, [&](const auto& one) {
+    // A file that is being written by an editor is no study for a moment.
+    return !found.count(one.first) && !fs::is_regular_file(one.second->file(), none);
+  });
   for (const auto& [id, file] : found) {
     if (!studies_.count(id))
       studies_.emplace(id, std::make_shared<ShelvedStudy>(id, file, language_));
@@ -141,7 +148,11 @@ bool Shelf::search() {
 }
 
 void Shelf::refresh(ShelvedStudy& study) {
-  const auto changes = study.refresh(kAtOnce);
+  auto changes = study.refresh(kAtOnce);
+  {
+    const std::lock_guard lock(mutex_);
+    if (untold_.erase(study.id()) > 0) changes = {true, true, true};
+  }
   if (changes.any()) notice_(study.id(), changes);
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "base/clock.h"
 #include "base/error.h"
@@ -65,13 +66,24 @@ Study shown_stage(const Study& study) {
 
 /// Why the trials of a journal are not those of the study; empty where they are.
 std::string journal_fault(const Study& study) {
-  if (!fs::exists(study.run.journal)) return "";
   try {
+    if (!fs::exists(study.run.journal)) return "";
     Journal::read(study.run.journal, correlation::identity(study));
     return "";
   } catch (const std::exception& error) {
     return error.what();
   }
+}
+
+/// Of the experiments whose noise the fit tells.
+bool have_same_noise(const Study& a, const Study& b) {
+  for (std::size_t e = 0; e < a.experiments.size(); ++e) {
+    const auto &one = a.experiments[e].noise, &other = b.experiments[e].noise;
+    if (!a.experiments[e].estimates_noise) continue;
+    if (one.has_value() != other.has_value() || (one && one->relative != other->relative))
+      return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -94,6 +106,8 @@ void ShelvedStudy::read_files() {
   table_.reset();
   ending_.reset();
   error_.clear();
+  journal_fault_.clear();
+  journal_error_.clear();
   try {
     whole_ = std::make_shared<const Study>(correlation::read_study(file_, language_));
     for (const fs::path& file : files_of(*whole_)) read_at_.emplace(file, time_of(file));
@@ -106,12 +120,28 @@ void ShelvedStudy::read_files() {
 
 void ShelvedStudy::show_stage() {
   Study shown = shown_stage(*whole_);
-  journal_error_ = journal_fault(shown);
+  journal_fault_ = journal_fault(shown);
+  journal_error_.clear();
   if (correlation::estimates_noise(*whole_) && fs::exists(whole_->run.journal) &&
-      journal_error_.empty())
-    shown = correlation::with_estimated_noise(shown, Journal::read(whole_->run.journal));
+      journal_fault_.empty())
+    correlation::take_noise(
+        correlation::with_estimated_noise(*whole_, Journal::read(whole_->run.journal)), shown);
+  table_ = std::make_unique<TrialTable>(shown);  // what it throws leaves no study without a table
   study_ = std::make_shared<const Study>(std::move(shown));
-  table_ = std::make_unique<TrialTable>(*study_);
+}
+
+/// Before its first trial is taken, and as long as it is another study's: points of another space
+/// have no place in the table.
+void ShelvedStudy::check_journal() {
+  const bool was_another = !journal_fault_.empty();
+  if (!was_another && !table_->rows().empty()) return;
+  journal_fault_ = journal_fault(*study_);
+  if (was_another && journal_fault_.empty()) show_stage();
+}
+
+std::string ShelvedStudy::error() const {
+  if (!error_.empty()) return error_;
+  return journal_fault_.empty() ? journal_error_ : journal_fault_;
 }
 
 ShelvedStudy::Changes ShelvedStudy::refresh(long most_trials) {
@@ -122,37 +152,41 @@ ShelvedStudy::Changes ShelvedStudy::refresh(long most_trials) {
     changes.of_study = true;
   }
   if (!study_) return changes;
-  const auto journal_time =
-      std::max(time_of(study_->run.journal), time_of(study_->run.journal.string() + "-wal"));
-  changed_ = std::max(time_of(file_), journal_time);
-  if (!study_->stages.empty() || !whole_->stages.empty()) {
-    if (shown_stage(*whole_).run.journal != study_->run.journal) {  // the next stage has begun
+  const std::string error_before = error();
+  try {
+    if (!whole_->stages.empty() &&
+        shown_stage(*whole_).run.journal != study_->run.journal) {  // the next stage has begun
       show_stage();
       changes.of_study = true;
     }
+    changes.of_state = look_at_run();
+    check_journal();
+    changes.of_trials = journal_fault_.empty() && table_->follow(most_trials);
+    journal_error_.clear();
+  } catch (const std::exception& error) {
+    journal_error_ = error.what();
   }
-  const auto holder = ignores_runs_ ? std::nullopt : journal_holder(study_->run.journal);
-  changes.of_state = holder.has_value() != holder_.has_value();
+  changes.of_state = changes.of_state || error() != error_before;
+  return changes;
+}
+
+/// Who runs it and when it last changed; whether a run has begun or ended.
+bool ShelvedStudy::look_at_run() {
+  const auto& journal = study_->run.journal;
+  changed_ = std::max({time_of(file_), time_of(journal), time_of(journal.string() + "-wal")});
+  const auto holder = ignores_runs_ ? std::nullopt : journal_holder(journal);
+  const bool is_other = holder.has_value() != holder_.has_value();
   if (holder && (!holder_ || holder->words != holder_->words)) {
     run_seen_at_ = steady_clock()();
     run_seen_rows_ = static_cast<long>(table_->rows().size());
   }
   holder_ = holder;
-  const std::string fault_before = journal_error_;
-  try {
-    const int edition = table_->edition();
-    changes.of_trials = table_->follow(most_trials);
-    if (table_->edition() != edition) journal_error_ = journal_fault(*study_);
-  } catch (const std::exception& error) {
-    journal_error_ = error.what();
-  }
-  changes.of_state = changes.of_state || journal_error_ != fault_before;
-  return changes;
+  return is_other;
 }
 
 bool ShelvedStudy::has_more() const {
   const std::lock_guard lock(mutex_);
-  return !is_read_ || (table_ && table_->has_more() && journal_error_.empty());
+  return !is_read_ || (table_ && table_->has_more() && error().empty());
 }
 
 ShelvedStudy::Changes ShelvedStudy::find_ending() {
@@ -160,15 +194,17 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
   Ending found;
   {
     const std::lock_guard lock(mutex_);
-    if (!whole_ || holder_ || !journal_error_.empty() || table_->rows().empty()) return {};
+    if (!whole_ || holder_ || !error().empty() || table_->rows().empty()) return {};
     if (ending_ && ending_->rows == table_->rows().size() && ending_->edition == table_->edition())
       return {};
     whole = whole_;
     found.rows = table_->rows().size();
     found.edition = table_->edition();
   }
+  Study weighted = *whole;  // with the noise its stages found
   try {
-    const auto fits = correlation::recorded_fit(*whole, Journal::read(whole->run.journal));
+    const auto fits =
+        correlation::recorded_fit(*whole, Journal::read(whole->run.journal), &weighted);
     if (fits.empty()) {  // no search was begun: a design of experiments
       found.has_ended = true;
     } else {
@@ -180,8 +216,23 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
   }
   const std::lock_guard lock(mutex_);
   if (whole != whole_) return {};
+  const bool is_of_now = found.rows == table_->rows().size() && found.edition == table_->edition();
   ending_ = std::move(found);
-  return {.of_state = true};
+  if (!is_of_now || have_same_noise(weighted, *study_)) return {.of_state = true};
+  // The trials since it was read have told more of the noise.
+  Study shown = *study_;
+  correlation::take_noise(weighted, shown);
+  std::unique_ptr<TrialTable> table;
+  try {
+    table = std::make_unique<TrialTable>(shown);
+    while (table->follow(std::numeric_limits<int>::max()) && table->has_more()) {
+    }
+  } catch (const std::exception&) {
+    return {.of_state = true};  // refresh() says why
+  }
+  study_ = std::make_shared<const Study>(std::move(shown));
+  table_ = std::move(table);
+  return {.of_study = true, .of_state = true};
 }
 
 ShelvedStudy::Sight ShelvedStudy::sight() const {
@@ -192,13 +243,13 @@ ShelvedStudy::Sight ShelvedStudy::sight() const {
     state = StudyState::broken;
   } else if (holder_) {
     state = StudyState::running;
-  } else if (table_->total() == 0) {
+  } else if (table_->total() == 0 && journal_fault_.empty()) {
     state = StudyState::fresh;
   } else if (ending_ && ending_->has_ended) {
     state = StudyState::ended;
   }
   Sight sight{.state = state,
-              .error = error_.empty() ? journal_error_ : error_,
+              .error = error(),
               .study = study_,
               .table = table_.get(),
               .holder = holder_,

@@ -72,6 +72,9 @@ class ShelvedStudy {
   bool is_out_of_date() const;
   void read_files();
   void show_stage();
+  void check_journal();
+  bool look_at_run();
+  std::string error() const;
   Sight sight() const;
 
   std::string id_;
@@ -80,7 +83,9 @@ class ShelvedStudy {
 
   mutable std::mutex mutex_;
   bool is_read_ = false, ignores_runs_ = false;
-  std::string error_, journal_error_;
+  std::string error_;          // of the file
+  std::string journal_fault_;  // why the journal is not that of the study: none of it is shown
+  std::string journal_error_;  // why no more of it can be read
   std::map<std::filesystem::path, std::filesystem::file_time_type> read_at_;  // what was read when
   std::filesystem::file_time_type changed_ = std::filesystem::file_time_type::min();
   std::shared_ptr<const correlation::Study> whole_;  // as its file says

@@ -23,6 +23,7 @@ std::size_t place_of(const ShelvedStudy::Sight& sight, const std::string& trial)
   const auto count = static_cast<long>(sight.table->rows().size());
   if (trial.empty() || trial == "best") {
     if (const auto best = sight.table->best()) return *best;
+    if (!sight.error.empty()) throw InputError(sight.error);
     throw InputError(sight.table->total() == 0 ? "no trial has been run yet: start the study"
                                                : "no trial has succeeded yet");
   }
