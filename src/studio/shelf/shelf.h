@@ -62,8 +62,8 @@ class Shelf {
 };
 
 /// The study files of a folder and of those below it, few levels deep; what is hidden and folders
-/// of builds and packages are passed by. A file that cannot be read as TOML is one where its name is
-/// study.toml: so that a typo does not make it vanish.
+/// of builds and packages are passed by. A file that cannot be read as TOML is one where its name
+/// is study.toml: so that a typo does not make it vanish.
 std::vector<std::filesystem::path> find_studies(const std::filesystem::path& folder);
 
 }  // namespace latsch::studio
