@@ -57,13 +57,13 @@ class Shelf {
   bool ends_ = false, hurries_ = false;
   std::map<std::string, std::shared_ptr<ShelvedStudy>> studies_;
   std::map<std::string, double> looked_at_;  // s, of the steady clock
-  std::set<std::string> untold_;  // read by who opened them; the thread that watches tells
+  std::set<std::string> untold_;  // read by who opened them, not told to the others
   std::thread watching_, replaying_;
 };
 
 /// The study files of a folder and of those below it, few levels deep; what is hidden and folders
-/// of builds and packages are passed by. A file that cannot be read as TOML is one where its name is
-/// study.toml: so that a typo does not make it vanish.
+/// of builds and packages are passed by. A file that cannot be read as TOML is one where its name
+/// is study.toml: so that a typo does not make it vanish.
 std::vector<std::filesystem::path> find_studies(const std::filesystem::path& folder);
 
 }  // namespace latsch::studio
