@@ -223,6 +223,7 @@ TEST_F(Asked, AJournalThatWasMendedIsRead) {
   begin();
   ASSERT_TRUE(wait_for([&] { return get("/api/study")["state"] != "reading"; }));
   EXPECT_NE(get("/api/study")["error"], "");
+  EXPECT_EQ(get("/api/study")["state"], "stopped");
   write_text_file(study.run.journal, whole);
   EXPECT_TRUE(wait_for([&] { return get("/api/study")["error"] == ""; }));
   EXPECT_TRUE(wait_for([&] { return get("/api/study")["trials"].get<long>() > 0; }));

@@ -57,7 +57,7 @@ class Shelf {
   bool ends_ = false, hurries_ = false;
   std::map<std::string, std::shared_ptr<ShelvedStudy>> studies_;
   std::map<std::string, double> looked_at_;  // s, of the steady clock
-  std::set<std::string> untold_;  // read by who opened them; the thread that watches tells
+  std::set<std::string> untold_;             // read by who opened them, not told to the others
   std::thread watching_, replaying_;
 };
 

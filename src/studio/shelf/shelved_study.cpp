@@ -135,6 +135,7 @@ void ShelvedStudy::show_stage() {
 void ShelvedStudy::check_journal() {
   const bool was_another = !journal_fault_.empty();
   if (!was_another && !table_->rows().empty()) return;
+  ending_.reset();
   journal_fault_ = journal_fault(*study_);
   if (was_another && journal_fault_.empty()) show_stage();
 }

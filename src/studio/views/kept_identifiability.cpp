@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 namespace latsch::studio {
@@ -25,30 +26,53 @@ KeptIdentifiability computed(const std::string& id,
   return {study, std::make_shared<const correlation::Identifiability>(std::move(*what)), ""};
 }
 
+/// What it was computed from.
+struct State {
+  std::shared_ptr<const correlation::Study> study;
+  int edition = 0;
+  std::size_t rows = 0;
+  std::string error;
+  bool is_running = false;
+
+  /// It takes a reading of the whole journal: while a run goes on, what was known when it was first
+  /// asked for stays.
+  bool holds_for(const State& now) const {
+    return study == now.study && edition == now.edition && error == now.error &&
+           (rows == now.rows || now.is_running);
+  }
+};
+
+struct Kept {
+  std::mutex mutex;  // of one study: the others do not wait for it
+  std::optional<State> from;
+  KeptIdentifiability result;
+};
+
+std::shared_ptr<Kept> kept_of(const std::filesystem::path& file) {
+  static std::mutex mutex;
+  static std::map<std::filesystem::path, std::shared_ptr<Kept>> all;
+  const std::lock_guard lock(mutex);
+  auto& kept = all[file];
+  if (!kept) kept = std::make_shared<Kept>();
+  return kept;
+}
+
 }  // namespace
 
 KeptIdentifiability kept_identifiability(const ShelvedStudy& shelved) {
-  struct State {
-    std::shared_ptr<const correlation::Study> study;
-    std::size_t rows = 0;
-    int edition = 0;
-    std::string error;
-    bool operator==(const State&) const = default;
-  };
-  static std::mutex mutex;
-  static std::map<std::filesystem::path, std::pair<State, KeptIdentifiability>> kept;
-  const State now = shelved.look([](const ShelvedStudy::Sight& sight) {
+  const auto kept = kept_of(shelved.file());
+  const std::lock_guard lock(kept->mutex);
+  State now = shelved.look([](const ShelvedStudy::Sight& sight) {
     return State{sight.study,
-                 sight.table ? sight.table->rows().size() : 0,
                  sight.table ? sight.table->edition() : 0,
-                 sight.error};
+                 sight.table ? sight.table->rows().size() : 0,
+                 sight.error,
+                 sight.state == StudyState::running};
   });
-  const std::lock_guard lock(mutex);
-  const auto found = kept.find(shelved.file());
-  if (found != kept.end() && found->second.first == now) return found->second.second;
-  auto result = computed(shelved.id(), now.study, now.error);
-  kept.insert_or_assign(shelved.file(), std::pair(now, result));
-  return result;
+  if (kept->from && kept->from->holds_for(now)) return kept->result;
+  kept->result = computed(shelved.id(), now.study, now.error);
+  kept->from = std::move(now);
+  return kept->result;
 }
 
 }  // namespace latsch::studio

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The body of a model in space and its section. What a kind of model draws takes a trial's time, so
 // the last ones are kept.
+#include <future>
 #include <mutex>
 
 #include "base/error.h"
@@ -20,26 +21,48 @@ constexpr std::size_t kBodiesKept = 4;
 using Body = std::shared_ptr<const report::StudyReport>;
 
 /// What the kind draws of the model at a point.
+Body draw_body(const Study& study, const DesignPoint& point) {
+  const experiment::SpecimenKind* kind = study.specimens->kind();
+  if (!kind || !kind->has_body()) throw InputError("the model of this study has no body to draw");
+  std::vector<const experiment::Test*> tests;
+  for (const auto& test : study.tests) tests.push_back(test.test.get());
+  auto page = std::make_shared<report::StudyReport>();
+  kind->draw_body(correlation::at(study.model, study.space, point), tests, *page);
+  return page;
+}
+
+/// The same, of the last ones as it was; who asks for one that is being drawn waits for it alone.
 Body drawn_body(const std::shared_ptr<const Study>& study, const DesignPoint& point) {
   struct Kept {
     std::shared_ptr<const Study> study;
     std::string point;
-    Body page;
+    std::shared_future<Body> page;
   };
   static std::mutex mutex;
   static std::vector<Kept> kept;
-  const std::lock_guard lock(mutex);
-  for (const Kept& one : kept)
-    if (one.study == study && one.point == point.bits()) return one.page;
-  const experiment::SpecimenKind* kind = study->specimens->kind();
-  if (!kind || !kind->has_body()) throw InputError("the model of this study has no body to draw");
-  std::vector<const experiment::Test*> tests;
-  for (const auto& test : study->tests) tests.push_back(test.test.get());
-  auto page = std::make_shared<report::StudyReport>();
-  kind->draw_body(correlation::at(study->model, study->space, point), tests, *page);
-  if (kept.size() == kBodiesKept) kept.erase(kept.begin());
-  kept.push_back({study, point.bits(), page});
-  return page;
+  std::promise<Body> drawn;
+  {
+    std::unique_lock lock(mutex);
+    for (const Kept& one : kept) {
+      if (one.study != study || one.point != point.bits()) continue;
+      const std::shared_future<Body> page = one.page;
+      lock.unlock();
+      return page.get();
+    }
+    if (kept.size() == kBodiesKept) kept.erase(kept.begin());
+    kept.push_back({study, point.bits(), drawn.get_future().share()});
+  }
+  try {
+    const Body page = draw_body(*study, point);
+    drawn.set_value(page);
+    return page;
+  } catch (...) {  // for those who wait; the next one draws it again
+    drawn.set_exception(std::current_exception());
+    const std::lock_guard lock(mutex);
+    std::erase_if(kept,
+                  [&](const Kept& one) { return one.study == study && one.point == point.bits(); });
+    throw;
+  }
 }
 
 struct AtPoint {
