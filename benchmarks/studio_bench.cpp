@@ -140,6 +140,10 @@ int run() {
   const auto none = [&](const char* what, const char* name) {
     table.row(what, fmt::format("{:g}", at.at(name)), "0", at.at(name) == 0.0);
   };
+  table.row("latsch new, run from the page, first point of an FE tire",
+            fmt::format("{:.1f} s", at.at("fresh_s")),
+            "<= 60 s",
+            at.at("fresh_s") <= 60.0);
   milliseconds("point on the page after its trial is committed, worst of 5", "live_ms", 1000.0);
   milliseconds("50,176 trials: from the address to the drawn convergence", "many_load_ms", 2000.0);
   milliseconds("50,176 trials: convergence drawn again, worst of 7", "many_redraw_ms", 100.0);

@@ -5,7 +5,7 @@
 //   live/study.toml   that was never run, and whose trials take some tenths of a second
 // Prints a line a figure: its name, a tab, the number. What fails ends it.
 
-import { spawn } from 'node:child_process';
+import { execFileSync, spawn } from 'node:child_process';
 import { statSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 
@@ -117,6 +117,15 @@ await until(async () => (await ask('/api/study?study=many/study.toml')).read >= 
 tell('many_read_s', (Date.now() - began) / 1000);
 tell('many_load_ms', await loadTime(browser, address, 'many/study.toml'));
 tell('many_redraw_ms', await redrawTime(browser, address, 'many/study.toml'));
+
+const fresh = Date.now(); // as after an installation: a tire, its study, the run, the first point
+execFileSync(latsch, ['new', join(folder, 'fresh')], { stdio: 'ignore' });
+await until(async () => (await ask('/api/home')).studies.some((one) => one.study === 'fresh/study.toml'));
+await ask('/api/run', { study: 'fresh/study.toml', verb: 'run', workers: 2 });
+await until(async () => (await ask('/api/convergence?study=fresh/study.toml')).total > 0);
+tell('fresh_s', (Date.now() - fresh) / 1000);
+await ask('/api/stop', { study: 'fresh/study.toml' });
+await until(async () => (await ask('/api/study?study=fresh/study.toml')).state !== 'running');
 
 const page = await newPage(browser);
 await page.goto(address);
