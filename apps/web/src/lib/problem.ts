@@ -27,7 +27,8 @@ const kHints: Record<number, string> = {
 
 export async function problemOf(response: Response, where: string): Promise<Problem> {
   let words = `the server answered ${response.status} ${response.statusText}`;
-  let hint = kHints[response.status] ?? 'Look at the terminal in which `latsch serve` runs.';
+  // What is wrong with a study says itself what to do; what went wrong in the server is said where it runs.
+  let hint = kHints[response.status] ?? (response.status < 500 ? '' : 'Look at the terminal in which `latsch serve` runs.');
   try {
     const body = (await response.json()) as { error?: string; hint?: string };
     if (body.error) words = body.error;
