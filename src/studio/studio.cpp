@@ -149,8 +149,8 @@ class Studio::Impl {
         {"/api/trials",
          [&](auto& s) {
            const TrialsPage page{query.number("from", 1),
-                           query.number("count", 50),
-                           query.text("order", "trial") == "target"};
+                                 query.number("count", 50),
+                                 query.text("order", "trial") == "target"};
            return trials_view(s, page, weights);
          }},
         {"/api/trial", [&](auto& s) { return trial_view(s, query.number("trial", 0)); }},
@@ -214,7 +214,10 @@ class Studio::Impl {
     if (id.empty()) return;
     const auto shelved = shelf_.find(id);
     if (!shelved) return;
-    if (changes.of_trials) publish_(id, "trials", trials_event(*shelved).dump());
+    if (changes.of_trials) {
+      const Json event = trials_event(*shelved);
+      if (!event.is_null()) publish_(id, "trials", event.dump());
+    }
     if (changes.of_state || changes.of_study) {
       publish_(
           id,
@@ -227,9 +230,11 @@ class Studio::Impl {
     }
   }
 
-  /// The trials that came since the last event of that study.
+  /// The trials that came since the last event of that study; null where it cannot be read any
+  /// more.
   Json trials_event(const ShelvedStudy& shelved) {
-    return shelved.look([&](const auto& sight) {
+    return shelved.look([&](const auto& sight) -> Json {
+      if (!sight.table) return nullptr;
       const TrialTable& table = *sight.table;
       Told& told = told_[shelved.id()];
       const auto count = static_cast<long>(table.rows().size());
