@@ -17,7 +17,7 @@ const SpecimenKind& suspension_kind();
 const SpecimenKind& car_kind();
 extern const TestKind kDrumCleat, kSlipSweep, kRollingStiffness, kUniformity, kStaticStiffness,
     kFootprint, kModes, kSteadyStates, kSlipHistory, kLoadDeflection, kKc, kKinematics, kFourPost,
-    kKerb, kAxleKc, kMassProperties;
+    kKerb, kAxleKc, kMassProperties, kInflation;
 
 const Language& language() {
   static const Language all = {{&fe_tire_kind(),
@@ -42,7 +42,8 @@ const Language& language() {
                                 &kFourPost,
                                 &kKerb,
                                 &kAxleKc,
-                                &kMassProperties}};
+                                &kMassProperties,
+                                &kInflation}};
   return all;
 }
 

@@ -6,7 +6,7 @@ ground and standing, with shapes.
     python3 studies/foreign_truth/measure.py build/release/bin/latsch quadratic
 
 The decks are those of latsch export, cords smeared: `linear` as they are, C3D8; `quadratic` with nodes amid the edges, C3D20R,
-nearly converged: modes off the ground alone. Needs ccx on the path (Debian: calculix-ccx).
+nearly converged: modes off the ground, and growth under pressure. Needs ccx on the path (Debian: calculix-ccx).
 """
 import csv
 import math
@@ -20,6 +20,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 TIRE = HERE / "tire.toml"
 PRESSURES = ["2.6", "2.2", "3.0"]  # bar, modes at the first
+INFLATED = ["1.0", "2.2", "3.0"]  # bar, growth
 DEFLECTIONS = [5, 10, 15, 20, 25]  # mm
 FREE, STANDING = 20, 12  # modes
 AROUND = 12  # sections of the tire with sensors
@@ -105,6 +106,30 @@ def forces(folder):
     return [found[d] for d in DEFLECTIONS]
 
 
+def displacements(folder):
+    """Of all nodes, of the last static step."""
+    found, current = {}, None
+    for line in open(folder / "tire.frd"):
+        if line.startswith(" -4"):
+            current = {} if line.split()[1] == "DISP" else None
+            found = current if current is not None else found
+        elif line.startswith(" -3"):
+            current = None
+        elif current is not None and line.startswith(" -1"):
+            current[int(line[3:13])] = [float(line[13 + 12 * i : 25 + 12 * i]) for i in range(3)]
+    return found
+
+
+def inflated_size(deck, folder):
+    """mm: growth of the middle of the tread, section width; of corner nodes, as Latsch tells them."""
+    at = {int(n): x for n, *x in deck.numbers("*NODE,NSET=TIRENODES") if n < FIRST_AMID}
+    u = displacements(folder)
+    middle = min(at, key=lambda n: (round(abs(at[n][2]), 6), -math.hypot(*at[n][:2])))
+    moved = {n: [a + b for a, b in zip(at[n], u[n])] for n in at if n in u}
+    across = [x[2] for x in moved.values()]
+    return math.hypot(*moved[middle][:2]) - math.hypot(*at[middle][:2]), max(across) - min(across)
+
+
 def shapes(folder, nodes):
     """Frequency and displacements of these nodes, of every mode."""
     modes, frequency = [], None
@@ -161,6 +186,11 @@ def main():
         write_modes(kind, "standing_", deck, folder)
 
     computed(PRESSURES[0], False, lambda deck, folder: write_modes(kind, "free_", deck, folder))
+    rows = []
+    for pressure in INFLATED if kind == "quadratic" else []:
+        computed(pressure, False, lambda deck, folder: rows.append([pressure] + [f"{x:.6f}" for x in inflated_size(deck, folder)]))
+    if rows:
+        write(kind, "inflated", ["pressure [bar]", "growth [mm]", "section_width [mm]"], rows)
     if kind == "quadratic":  # contact of quadratic elements takes long
         return
     computed(PRESSURES[0], True, write_standing)

@@ -3,10 +3,34 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "experiment/kinds/fe_variations.h"
 #include "experiment/tests/modes.h"
 
 namespace latsch::experiment {
+namespace {
+
+bool states_pressure(const InflatedSizeTest& test) { return !test.pressures.empty(); }
+template <class Test>
+bool states_pressure(const Test& test) {
+  return test.pressure.has_value();
+}
+
+/// The tire's own pressure moves nothing that is done at one of the test's: columns in the order
+/// of the paths.
+Channels held_at_pressure(const Channels& channels, const std::vector<std::string>& paths) {
+  Channels held;
+  for (Channel channel : channels.all()) {
+    const std::size_t rows = channel.values.size();
+    for (std::size_t k = 0; k < paths.size() && !channel.slopes.empty(); ++k)
+      if (paths[k] == "pressure") std::fill_n(channel.slopes.begin() + k * rows, rows, 0.0);
+    held.add(std::move(channel));
+  }
+  return held;
+}
+
+}  // namespace
 
 FeTireSpecimen::FeTireSpecimen(fe_tire::FeTire tire,
                                double pressure,
@@ -29,7 +53,12 @@ Result<Channels> FeTireSpecimen::stand(const StandingTest& test, const Asked& as
     return experiment::stand(tire_, pressure_, test);
   const auto slopes = slopes_in(asked.paths);
   if (!slopes) return slopes.failure();
-  return experiment::stand(tire_, pressure_, test, *slopes);
+  const auto channels = experiment::stand(tire_, pressure_, test, *slopes);
+  if (!channels || !states_pressure(test)) return channels;
+  return held_at_pressure(*channels, asked.paths);
+}
+Result<Channels> FeTireSpecimen::inflate(const InflatedSizeTest& test, const Asked& asked) {
+  return run(test, asked);
 }
 Result<Channels> FeTireSpecimen::weigh(const MassTest& test, const Asked& asked) {
   return run(test, asked);
@@ -40,7 +69,9 @@ Result<Channels> FeTireSpecimen::run(const Test& test, const Asked& asked) {
   if (asked.paths.empty() || asked.channels.empty()) return rig_->run(test);
   const auto slopes = slopes_in(asked.paths);
   if (!slopes) return slopes.failure();
-  return rig_->run(test, **slopes, asked.channels);
+  const auto channels = rig_->run(test, **slopes, asked.channels);
+  if (!channels || !states_pressure(test)) return channels;
+  return held_at_pressure(*channels, asked.paths);
 }
 
 /// Made once for all tests of a trial.

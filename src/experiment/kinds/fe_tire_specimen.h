@@ -20,6 +20,7 @@ class FeTireSpecimen : public Specimen,
                        public IsPressed,
                        public Vibrates,
                        public StandsOnGround,
+                       public IsInflated,
                        public IsWeighed,
                        public HasFootprint,
                        public TakesConditions {
@@ -34,6 +35,7 @@ class FeTireSpecimen : public Specimen,
   Result<Channels> vibrate(const ModalTest& test, const Asked& asked) override;
   Eigen::Matrix3Xd sensor_points() const override { return default_points(tire_.mesh()); }
   Result<Channels> stand(const StandingTest& test, const Asked& asked) override;
+  Result<Channels> inflate(const InflatedSizeTest& test, const Asked& asked) override;
   Result<Channels> weigh(const MassTest& test, const Asked& asked) override;
   Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) override;
 

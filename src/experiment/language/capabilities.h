@@ -55,6 +55,14 @@ struct StandsOnGround {
   virtual Result<Channels> stand(const StandingTest& test, const Asked& asked) = 0;
 };
 
+/// Grows under its pressure.
+struct IsInflated {
+  static constexpr const char* kName = "is inflated";
+  virtual ~IsInflated() = default;
+  /// With the slopes asked for, where they are known.
+  virtual Result<Channels> inflate(const InflatedSizeTest& test, const Asked& asked) = 0;
+};
+
 /// Has a mass and moments of inertia of its own.
 struct IsWeighed {
   static constexpr const char* kName = "is weighed";
@@ -150,6 +158,7 @@ std::vector<std::string> abilities_of() {
   add(static_cast<IsPressed*>(nullptr));
   add(static_cast<Vibrates*>(nullptr));
   add(static_cast<StandsOnGround*>(nullptr));
+  add(static_cast<IsInflated*>(nullptr));
   add(static_cast<IsWeighed*>(nullptr));
   add(static_cast<HasFootprint*>(nullptr));
   add(static_cast<Rolls*>(nullptr));

@@ -35,6 +35,11 @@ struct ModalTest {
   bool loaded() const { return deflection || load; }
 };
 
+/// Dimensions as inflated, off the ground.
+struct InflatedSizeTest {
+  std::vector<double> pressures = {};  // Pa, gauge; none: the tire's own
+};
+
 /// Mass and moments of inertia, off the rim but as inflated on it.
 struct MassTest {
   Inflation pressure = {};

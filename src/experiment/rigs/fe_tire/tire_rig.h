@@ -5,7 +5,8 @@
 // m, "loaded_radius" m, "force" N, "patch_length" m, "patch_width" m, "patch_area" m^2. A loaded
 // radius larger than the radius of the inflated tire is no contact: force and patch are 0. Channels
 // of a modal test: those of mode_record.h, and of a loaded one "deflection", "loaded_radius",
-// "force" (one value). Of a mass test: "mass" kg, "spin_inertia" and "diametral_inertia" kg m^2.
+// "force" (one value). Of an inflation: "pressure" Pa, "outer_radius" m,
+// "section_width" m, "growth" m, one value a pressure. Of a mass test: "mass" kg, "spin_inertia" and "diametral_inertia" kg m^2.
 //
 // A test goes its own way: a curve is pressed once through its deflections, ascending; a single
 // deflection is reached in five even steps. So its recording does not depend on other tests. The
@@ -31,12 +32,16 @@ class TireRig {
 
   Result<Channels> run(const LoadDeflection& test);
   Result<Channels> run(const ModalTest& test);
+  Result<Channels> run(const InflatedSizeTest& test);
   Result<Channels> run(const MassTest& test);
   /// The same with slopes: of all channels but shapes, those of a patch and of what a modal test
   /// stands at where they are `asked` for. Without friction and upright.
   using Asked = std::vector<std::string>;
   Result<Channels> run(const LoadDeflection& test, fe_tire::TireSlopes& slopes, const Asked& asked);
   Result<Channels> run(const ModalTest& test, fe_tire::TireSlopes& slopes, const Asked& asked);
+  Result<Channels> run(const InflatedSizeTest& test,
+                       fe_tire::TireSlopes& slopes,
+                       const Asked& asked);
   Result<Channels> run(const MassTest& test, fe_tire::TireSlopes& slopes, const Asked& asked);
 
  private:
@@ -46,6 +51,8 @@ class TireRig {
     Result<std::vector<fe_tire::TireState>> states;  // at the deflections
   };
 
+  /// With slopes where there are any.
+  Result<Channels> measure(const InflatedSizeTest& test, fe_tire::TireSlopes* slopes);
   const Result<fe_tire::Inflated>& inflated(double pressure);
   const Result<std::vector<fe_tire::TireState>>& pressed(const std::vector<double>& way,
                                                          const fe_tire::Ground& ground);

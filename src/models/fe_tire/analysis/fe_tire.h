@@ -36,6 +36,7 @@ struct Inflated {
   Eigen::VectorXd alpha;  // internal parameters of one sector's elements
   double growth = 0.0;    // m, radial displacement of the tread node nearest to the middle plane
   double radius = 0.0;    // m, distance of the lowest tread point from the wheel center
+  double width = 0.0;     // m, of the section, from sidewall to sidewall
 };
 
 /// Equilibrium on the ground, or over it. Rim clamped.

@@ -98,12 +98,15 @@ void measure_growth(const Mesh& mesh, Inflated& inflated) {
   constexpr double kSameDistance = 1e-6;  // of the outer radius: nodes of both halves of the tread
   const double same = kSameDistance * mesh.outer_radius();
   double nearest = std::numeric_limits<double>::infinity(), outer = 0.0;
+  double left = 0.0, right = 0.0;
   inflated.radius = 0.0;
   for (const Element& element : mesh.elements) {
-    if (!element.tread) continue;
     for (int a = 4; a < 8; ++a) {
       const int node = element.node[a] % mesh.nodes_per_sector();
       const Eigen::Vector3d X = mesh.X.col(node), x = X + inflated.u.col(node);
+      left = std::max(left, x.y());
+      right = std::min(right, x.y());
+      if (!element.tread) continue;
       const double R = std::hypot(X.x(), X.z()), r = std::hypot(x.x(), x.z());
       const double distance = std::abs(X.y());
       if (distance < nearest - same || (distance < nearest + same && R > outer)) {
@@ -114,6 +117,7 @@ void measure_growth(const Mesh& mesh, Inflated& inflated) {
       inflated.radius = std::max(inflated.radius, r);
     }
   }
+  inflated.width = left - right;
 }
 
 Result<Inflated> inflate_sector(const RingElements& elements,

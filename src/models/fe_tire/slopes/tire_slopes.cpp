@@ -45,10 +45,12 @@ Result<TireSlopes::Impl::AtInflated> TireSlopes::Impl::solve_inflated(const Infl
   int worst = 0;
   if (!assemble_sector(elements, x, at.pressure, alpha, f, &K, &worst))
     return no_tangent(ring, worst);
-  AtInflated found{
-      at.u,
-      {},
-      {Eigen::MatrixXd(x.size(), count()), Eigen::VectorXd(count()), Eigen::VectorXd(count())}};
+  AtInflated found{at.u,
+                   {},
+                   {Eigen::MatrixXd(x.size(), count()),
+                    Eigen::VectorXd(count()),
+                    Eigen::VectorXd(count()),
+                    Eigen::VectorXd(count())}};
   OfInflated& slopes = found.slopes;
   if (!found.K.factorize(K.harmonic(0))) return Failure{"slopes: the inflated tire is not stable"};
   for (int k = 0; k < count(); ++k) {
@@ -67,6 +69,7 @@ Result<TireSlopes::Impl::AtInflated> TireSlopes::Impl::solve_inflated(const Infl
     const auto [below, above] = moved_inflated(at, slopes.x.col(k), k);
     slopes.radius[k] = (above.radius - below.radius) / way;
     slopes.growth[k] = (above.growth - below.growth) / way;
+    slopes.width[k] = (above.width - below.width) / way;
   }
   return found;
 }

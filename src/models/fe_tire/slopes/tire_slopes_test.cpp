@@ -85,9 +85,9 @@ FeTire at_rest(const TireDescription& tire, double mode_tolerance) {
   return FeTire(build_mesh(tire), build_materials(tire), settings);
 }
 
-constexpr int kLoads = 4, kModesFrom = 7, kAnswers = kModesFrom + 2 * kModes;
+constexpr int kWidth = 4, kModesFrom = 8, kAnswers = kModesFrom + 2 * kModes;
 
-/// radius, growth, loads at two deflections, mass, moments of inertia, frequencies free and
+/// radius, growth, loads at two deflections, section width, mass, moments of inertia, frequencies free and
 /// loaded: solved until nothing is left that differences would enlarge.
 Eigen::VectorXd answers(const TireDescription& description) {
   FeTire tire = at_rest(description, 1e-9);
@@ -100,7 +100,8 @@ Eigen::VectorXd answers(const TireDescription& description) {
   const MassProperties mass = tire.mass_properties(*inflated);
   Eigen::VectorXd all(kAnswers);
   all.head<kModesFrom>() << inflated->radius, inflated->growth, tire.stand((*states)[0]).force.z(),
-      tire.stand((*states)[1]).force.z(), mass.mass, mass.spin_inertia, mass.diametral_inertia;
+      tire.stand((*states)[1]).force.z(), inflated->width, mass.mass, mass.spin_inertia,
+      mass.diametral_inertia;
   for (int k = 0; k < kModes; ++k) {
     all[kModesFrom + k] = (*free)[k].frequency;
     all[kModesFrom + kModes + k] = (*loaded)[k].frequency;
@@ -143,9 +144,10 @@ TEST(TireSlopes, AreThoseOfWholeTrials) {
   }
   const auto of_mass = slopes.of_mass(*inflated);
   ASSERT_TRUE(of_mass);
-  found.row(kLoads) = of_mass->mass;
-  found.row(kLoads + 1) = of_mass->spin_inertia;
-  found.row(kLoads + 2) = of_mass->diametral_inertia;
+  found.row(kWidth) = of_inflated->width;
+  found.row(kWidth + 1) = of_mass->mass;
+  found.row(kWidth + 2) = of_mass->spin_inertia;
+  found.row(kWidth + 3) = of_mass->diametral_inertia;
   const auto of_free = slopes.of_modes(*inflated, *free);
   const auto of_loaded = slopes.of_modes(states->back(), *loaded, of_inflated->radius);
   ASSERT_TRUE(of_free && of_loaded);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dimensions of a tire as it is inflated on its rim, off the ground.
+//
+//   kind = "inflation"
+//   pressures = ["0.5 bar", "2.6 bar"]   # or {from = "measurement.inflated"}: those of its channel
+//                                        # pressure; the tire's own unless given
+//
+// Channels, one value a pressure in the order asked for: "pressure" (Pa), "outer_radius" (m, half
+// of the outside diameter), "section_width" (m, from sidewall to sidewall), and "growth" (m), how
+// far the middle of the tread has moved outward since there was no pressure. Growth is mostly the
+// stretch of belt and carcass: it tells their moduli where frequencies hardly do.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/units.h"
+#include "experiment/language/capabilities.h"
+#include "experiment/language/test.h"
+
+namespace latsch::experiment {
+
+extern const TestKind kInflation;
+namespace {
+
+std::string range_in_words(const std::vector<double>& pressures) {
+  if (pressures.empty()) return "";
+  const auto [least, most] = std::minmax_element(pressures.begin(), pressures.end());
+  const std::string from = format_quantity(*least, "bar", 4);
+  return *least == *most ? from : from + " to " + format_quantity(*most, "bar", 4);
+}
+
+class InflationTest : public Test {
+ public:
+  explicit InflationTest(InflatedSizeTest test) : test_(std::move(test)) {}
+
+  std::string in_words() const override {
+    return test_.pressures.empty() ? "inflation" : "inflation, " + conditions();
+  }
+  std::string conditions() const override { return range_in_words(test_.pressures); }
+  std::string identity() const override {
+    return fmt::format("inflation pressures {}", fmt::join(test_.pressures, " "));
+  }
+  std::vector<ChannelInfo> channels() const override {
+    return {{"pressure", "Pa"}, {"outer_radius", "m"}, {"section_width", "m"}, {"growth", "m"}};
+  }
+  std::vector<std::string> needs() const override { return kInflation.needs; }
+  std::optional<Reach> reach(const std::string& channel) const override {
+    if (channel != "pressure" || test_.pressures.empty()) return std::nullopt;
+    const auto [least, most] = std::minmax_element(test_.pressures.begin(), test_.pressures.end());
+    return Reach{*least, *most};
+  }
+  std::optional<long> samples() const override {
+    return std::max<long>(1, std::ssize(test_.pressures));
+  }
+
+  Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
+  bool tells_slopes() const override { return true; }
+  Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
+    const auto measured = specimen.find<IsInflated>()->inflate(test_, asked);
+    if (!measured) return measured;
+    return with_slopes_of(asked.channels, *measured);
+  }
+
+ private:
+  InflatedSizeTest test_;
+};
+
+std::unique_ptr<Test> read_inflation(const Node& root, const TestSource& source) {
+  InflatedSizeTest test;
+  if (const auto from = find_measured(root, "pressures"))
+    test.pressures = measured_values(*from, {"pressure", "Pa"}, source.measured);
+  else if (root.has("pressures"))
+    test.pressures = root.quantities("pressures", "Pa", Range::positive());
+  return std::make_unique<InflationTest>(std::move(test));
+}
+
+}  // namespace
+
+const TestKind kInflation = {"inflation",
+                             "is inflated: outer radius, section width, growth",
+                             {IsInflated::kName},
+                             read_inflation};
+
+}  // namespace latsch::experiment
