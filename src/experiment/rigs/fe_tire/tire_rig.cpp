@@ -252,8 +252,8 @@ Result<Channels> TireRig::measure(const InflatedSizeTest& test, fe_tire::TireSlo
   Channel pressure{"pressure", "Pa", pressures}, radius{"outer_radius", "m", {}};
   Channel width{"section_width", "m", {}}, growth{"growth", "m", {}};
   const auto variables = slopes ? slopes->variables() : 0;
-  Eigen::MatrixXd by_radius(std::ssize(pressures), variables), by_width = by_radius,
-                                                               by_growth = by_radius;
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(std::ssize(pressures), variables);
+  Eigen::MatrixXd by_pressure = none, by_radius = none, by_width = none, by_growth = none;
   for (std::size_t i = 0; i < pressures.size(); ++i) {
     const auto& inflated = this->inflated(pressures[i]);
     if (!inflated) return inflated.failure();
@@ -267,12 +267,16 @@ Result<Channels> TireRig::measure(const InflatedSizeTest& test, fe_tire::TireSlo
     by_radius.row(row) = of->radius;
     by_width.row(row) = of->width;
     by_growth.row(row) = of->growth;
+    by_pressure.row(row) = of->pressure;
   }
   Channels channels;
   for (Channel* channel : {&pressure, &radius, &width, &growth}) channels.add(std::move(*channel));
   if (!slopes) return channels;
-  return with_slopes(
-      channels, {{"outer_radius", by_radius}, {"section_width", by_width}, {"growth", by_growth}});
+  return with_slopes(channels,
+                     {{"pressure", by_pressure},
+                      {"outer_radius", by_radius},
+                      {"section_width", by_width},
+                      {"growth", by_growth}});
 }
 
 Result<Channels> TireRig::run(const MassTest& test) {

@@ -50,6 +50,7 @@ Result<TireSlopes::Impl::AtInflated> TireSlopes::Impl::solve_inflated(const Infl
                    {Eigen::MatrixXd(x.size(), count()),
                     Eigen::VectorXd(count()),
                     Eigen::VectorXd(count()),
+                    Eigen::VectorXd(count()),
                     Eigen::VectorXd(count())}};
   OfInflated& slopes = found.slopes;
   if (!found.K.factorize(K.harmonic(0))) return Failure{"slopes: the inflated tire is not stable"};
@@ -70,6 +71,9 @@ Result<TireSlopes::Impl::AtInflated> TireSlopes::Impl::solve_inflated(const Infl
     slopes.radius[k] = (above.radius - below.radius) / way;
     slopes.growth[k] = (above.growth - below.growth) / way;
     slopes.width[k] = (above.width - below.width) / way;
+    slopes.pressure[k] = (pressure_of(k, varied[k]->above.tire, at.pressure) -
+                          pressure_of(k, varied[k]->below.tire, at.pressure)) /
+                         way;
   }
   return found;
 }

@@ -61,8 +61,9 @@ class TireSlopes {
 
   /// Of the inflated tire, a value a variable.
   struct OfInflated {
-    Eigen::MatrixXd x;               // [sector unknowns x variables]
+    Eigen::MatrixXd x;                      // [sector unknowns x variables]
     Eigen::VectorXd radius, growth, width;  // m/unit
+    Eigen::VectorXd pressure;               // Pa/unit
   };
   Result<OfInflated> of_inflated(const Inflated& inflated);
   /// Of its mass properties, kg/unit and kg m^2/unit, a value a variable.
