@@ -84,12 +84,17 @@ def make_quadratic(deck):
 
 
 def compute(program, kind, pressure, pressed, folder):
-    """The deck, with forces printed at every fifth of the way, after CalculiX ran it in the folder."""
+    """The deck, with forces printed at every fifth of the way, after CalculiX ran it in the folder.
+
+    With modes at the first of the pressures; at others it ends inflated or on the ground."""
     ground = ["--deflection", f"{DEFLECTIONS[-1]} mm"] if pressed else []
-    modes = ["--modes", str(0 if pressure != PRESSURES[0] else STANDING if pressed else FREE)]
+    has_modes = pressure == PRESSURES[0]
+    modes = ["--modes", str(0 if not has_modes else STANDING if pressed else FREE)]
     subprocess.run([program, "export", TIRE, "--ccx", folder / "tire.inp", "--pressure", pressure + " bar", "--quiet"] + ground +
                    modes, check=True)
     deck = Deck((folder / "tire.inp").read_text())
+    if not has_modes and not pressed:
+        deck.cards = deck.cards[:next(k for k, (name, _) in enumerate(deck.cards) if name == "*STEP,PERTURBATION")]
     if kind == "quadratic":
         make_quadratic(deck)
     (folder / "tire.inp").write_text(deck.text().replace("*NODE FILE,FREQUENCY=100", "*NODE FILE,FREQUENCY=1"))
@@ -186,12 +191,11 @@ def main():
         write_modes(kind, "standing_", deck, folder)
 
     computed(PRESSURES[0], False, lambda deck, folder: write_modes(kind, "free_", deck, folder))
-    rows = []
-    for pressure in INFLATED if kind == "quadratic" else []:
-        computed(pressure, False, lambda deck, folder: rows.append([pressure] + [f"{x:.6f}" for x in inflated_size(deck, folder)]))
-    if rows:
-        write(kind, "inflated", ["pressure [bar]", "growth [mm]", "section_width [mm]"], rows)
     if kind == "quadratic":  # contact of quadratic elements takes long
+        rows = []
+        for pressure in INFLATED:
+            computed(pressure, False, lambda deck, folder: rows.append([pressure] + [f"{x:.6f}" for x in inflated_size(deck, folder)]))
+        write(kind, "inflated", ["pressure [bar]", "growth [mm]", "section_width [mm]"], rows)
         return
     computed(PRESSURES[0], True, write_standing)
     for pressure in PRESSURES[1:]:

@@ -72,6 +72,7 @@ class Ranks(Outside):
                 time.sleep(0.01)
             self.kill(victim)
             job.wait(timeout=30)
+            self.wait_for_the_last_rank()
             kept = trials_of(self.journal)
             self.assertGreaterEqual(kept, 4)
             resumed = self.mpi("resume", self.quarter_car)
@@ -87,16 +88,29 @@ class Ranks(Outside):
         self.assertEqual(result(self.mpi("run", self.quarter_car)), alone)
         self.assert_says(self.mpi("doe", self.quarter_car, "--levels", "2"), "of 4 points")
 
-    def kill(self, rank):
-        """kill -9 of `latsch run` on that rank of the job."""
+    def ranks(self):
+        """Processes of `latsch run` of the job, by their rank."""
+        found = {}
         for process in pathlib.Path("/proc").glob("[0-9]*"):
             with contextlib.suppress(OSError):
                 words = (process / "cmdline").read_bytes().split(b"\0")
                 if words[0] == b"mpirun" or not {b"run", bytes(self.quarter_car)} <= set(words):
                     continue
-                if f"OMPI_COMM_WORLD_RANK={rank}".encode() in (process / "environ").read_bytes().split(b"\0"):
-                    return os.kill(int(process.name), signal.SIGKILL)
-        self.fail(f"there is no rank {rank}")
+                for setting in (process / "environ").read_bytes().split(b"\0"):
+                    if setting.startswith(b"OMPI_COMM_WORLD_RANK="):
+                        found[int(setting.split(b"=")[1])] = int(process.name)
+        return found
+
+    def kill(self, rank):
+        self.assertIn(rank, self.ranks())
+        os.kill(self.ranks()[rank], signal.SIGKILL)
+
+    def wait_for_the_last_rank(self):
+        """mpirun may end before its ranks do, and the master records until then."""
+        end = time.monotonic() + 30
+        while self.ranks():
+            self.assertLess(time.monotonic(), end, "a rank goes on without its job")
+            time.sleep(0.01)
 
 
 class Tasks(Outside):
