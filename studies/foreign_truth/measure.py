@@ -129,7 +129,7 @@ def inflated_size(deck, folder):
     """mm: growth of the middle of the tread, section width; of corner nodes, as Latsch tells them."""
     at = {int(n): x for n, *x in deck.numbers("*NODE,NSET=TIRENODES") if n < FIRST_AMID}
     u = displacements(folder)
-    middle = min(at, key=lambda n: (round(abs(at[n][2]), 6), -math.hypot(*at[n][:2])))
+    middle = max(at, key=lambda n: math.hypot(*at[n][:2]))  # of the outer face, where the crown is highest
     moved = {n: [a + b for a, b in zip(at[n], u[n])] for n in at if n in u}
     across = [x[2] for x in moved.values()]
     return math.hypot(*moved[middle][:2]) - math.hypot(*at[middle][:2]), max(across) - min(across)

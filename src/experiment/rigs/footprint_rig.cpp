@@ -12,12 +12,18 @@ namespace latsch::experiment {
 namespace {
 
 /// Each contact point as the rectangle it stands for.
-Footprint footprint_of(const fe_tire::Standing& standing) {
+Footprint footprint_of(const fe_tire::Standing& standing, double friction) {
   const fe_tire::ContactPatch& patch = standing.patch;
   Footprint print{patch.length, patch.width, patch.area, standing.force.z(), {}};
   for (const auto& at : patch.points) {
-    print.elements.push_back(
-        {at.x, at.y, at.length, at.area / at.length, at.pressure, at.shear_x, at.shear_y});
+    print.elements.push_back({at.x,
+                              at.y,
+                              at.length,
+                              at.area / at.length,
+                              at.pressure,
+                              at.shear_x,
+                              at.shear_y,
+                              friction});
   }
   return print;
 }
@@ -41,6 +47,20 @@ FootprintTest read_footprint_test(const Node& root, const MeasuredConditions& me
   test.pressure = read_pressure(root, measured);
   if (root.has("friction"))
     test.friction = root.quantity("friction", "1", Range::between(0.0, 5.0));
+  constexpr double kLeastSensor = 1e-3, kMostSensor = 0.1;  // m
+  test.sensor =
+      root.quantity("sensor", "m", Range::between(kLeastSensor, kMostSensor), test.sensor);
+  if (const auto from = find_measured(root, "sensors")) {
+    const Channels at = take_measured(*from,
+                                      {{.channel = "x", .unit = "m", .is_needed = true},
+                                       {.channel = "y", .unit = "m", .is_needed = true}},
+                                      measured);
+    for (std::size_t i = 0; i < at["x"].size(); ++i)
+      test.sensors.emplace_back(at["x"][i], at["y"][i]);
+  } else if (root.has("sensors")) {
+    for (const std::vector<double>& at : root.rows("sensors", {"m", "m"}))
+      test.sensors.emplace_back(at[0], at[1]);
+  }
   root.close();
   return test;
 }
@@ -83,7 +103,7 @@ Result<std::vector<StandingFootprint>> footprints(fe_tire::FeTire& tire,
   if (test.camber != 0.0) standing.poses = fe_tire::FeTire::Poses::any;
   std::vector<StandingFootprint> states;
   const auto keep = [&](const fe_tire::TireState& state) {
-    states.push_back({state.deflection(), footprint_of(tire.stand(state))});
+    states.push_back({state.deflection(), footprint_of(tire.stand(state), ground.mu)});
   };
   for (const double load : test.loads) {
     const auto state =
@@ -99,9 +119,11 @@ Result<std::vector<StandingFootprint>> footprints(fe_tire::FeTire& tire,
   return states;
 }
 
-Channels to_channels(const std::vector<StandingFootprint>& states) {
+Channels to_channels(const FootprintTest& test, const std::vector<StandingFootprint>& states) {
   Channel load{"load", "N", {}}, deflection{"deflection", "m", {}}, length{"length", "m", {}};
   Channel width{"width", "m", {}}, area{"area", "m^2", {}}, pressure{"mean_pressure", "Pa", {}};
+  Channel peak{"peak_pressure", "Pa", {}}, grip{"grip_level", "1", {}};
+  Channel sensed{"pressure", "Pa", {}}, x{"sensor_x", "m", {}}, y{"sensor_y", "m", {}};
   for (const StandingFootprint& state : states) {
     load.values.push_back(state.footprint.load);
     deflection.values.push_back(state.deflection);
@@ -109,10 +131,19 @@ Channels to_channels(const std::vector<StandingFootprint>& states) {
     width.values.push_back(state.footprint.width);
     area.values.push_back(state.footprint.area);
     pressure.values.push_back(state.footprint.mean_pressure());
+    peak.values.push_back(state.footprint.peak_pressure(test.sensor));
+    grip.values.push_back(state.footprint.grip_level());
+    for (const Eigen::Vector2d& at : test.sensors) {
+      sensed.values.push_back(state.footprint.pressure_at(at.x(), at.y(), test.sensor));
+      x.values.push_back(at.x());
+      y.values.push_back(at.y());
+    }
   }
   Channels channels;
-  for (Channel* channel : {&load, &deflection, &length, &width, &area, &pressure})
+  for (Channel* channel : {&load, &deflection, &length, &width, &area, &pressure, &peak, &grip})
     channels.add(std::move(*channel));
+  if (!test.sensors.empty())
+    for (Channel* channel : {&sensed, &x, &y}) channels.add(std::move(*channel));
   return channels;
 }
 

@@ -8,11 +8,18 @@
 //   camber = "2 deg"                 # about x, top to the right; default 0
 //   pressure = "2.6 bar"             # the tire's own unless given (inflation.h)
 //   friction = 0.8                   # of a finite-element tire with the ground, 0 unless given
+//   sensor = "15 mm"                 # side of the squares in which pressure is measured; default
+//   sensors = [["0 mm", "0 mm"]]     # where the middles of some are, x forward, y left of below the
+//                                    # wheel center; {from = "measurement.mat"}: its x, y
 //
 // Channels, one value a state in their order: "load" (N), "deflection", "length", "width" (m, the
-// longest and the widest), "area" (m^2, grooves included), "mean_pressure" (Pa, load over area).
+// longest and the widest), "area" (m^2, grooves included), "mean_pressure" (Pa, load over area),
+// "peak_pressure" (Pa, the most that a sensor measures, wherever it lies) and "grip_level" (1, how
+// much of the friction is used: the shear forces over the largest there can be). Of `sensors`, all
+// of a state and then those of the next: "pressure" (Pa), "sensor_x", "sensor_y" (m).
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -35,7 +42,9 @@ struct FootprintTest {
   std::vector<double> deflections;  // m
   double camber = 0.0;              // rad
   Inflation pressure = {};
-  std::optional<double> friction = {};  // 1; none: the tire's own
+  std::optional<double> friction = {};        // 1; none: the tire's own
+  double sensor = 15e-3;                      // m, side
+  std::vector<Eigen::Vector2d> sensors = {};  // m
 };
 
 /// Throws InputError naming the place; unknown keys too.
@@ -54,6 +63,7 @@ Result<std::vector<StandingFootprint>> footprints(fe_tire::FeTire& tire,
                                                   const fe_tire::Ground& ground,
                                                   const FootprintTest& test);
 
-Channels to_channels(const std::vector<StandingFootprint>& states);
+/// What a test records of its states.
+Channels to_channels(const FootprintTest& test, const std::vector<StandingFootprint>& states);
 
 }  // namespace latsch::experiment

@@ -45,7 +45,10 @@ std::vector<AxisFrame> read_frames(const Node& test, std::vector<AxisFrame> fall
 
 std::string names_of(const std::vector<AxisFrame>& frames) {
   std::string names;
-  for (const AxisFrame frame : frames) names += (names.empty() ? "" : " ") + name_of(frame);
+  for (const AxisFrame frame : frames) {
+    if (!names.empty()) names += ' ';
+    names += name_of(frame);
+  }
   return names;
 }
 

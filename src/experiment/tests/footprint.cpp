@@ -32,17 +32,22 @@ class StandingFootprintTest : public Test {
     const auto stated = [](const char* name, const std::optional<double>& value) {
       return value ? fmt::format(" {} {}", name, *value) : "";
     };
-    return fmt::format("footprint loads {} deflections {} camber {}{}{}",
+    std::string sensors;
+    for (const Eigen::Vector2d& at : test_.sensors)
+      sensors += fmt::format(" {} {}", at.x(), at.y());
+    return fmt::format("footprint loads {} deflections {} camber {}{}{} sensor {} at{}",
                        fmt::join(test_.loads, " "),
                        fmt::join(test_.deflections, " "),
                        test_.camber,
                        stated("pressure", test_.pressure),
-                       stated("friction", test_.friction));
+                       stated("friction", test_.friction),
+                       test_.sensor,
+                       sensors);
   }
 
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
-    const Channels none = to_channels(std::vector<StandingFootprint>{});
+    const Channels none = to_channels(test_, {});
     for (const Channel& channel : none.all()) channels.push_back({channel.name, channel.unit});
     return channels;
   }
@@ -53,13 +58,14 @@ class StandingFootprintTest : public Test {
   }
 
   std::optional<long> samples() const override {
+    if (!test_.sensors.empty()) return std::nullopt;  // their channels have more
     return std::ssize(test_.loads) + std::ssize(test_.deflections);
   }
 
   Result<Channels> run(Specimen& specimen) const override {
     const auto states = specimen.find<HasFootprint>()->footprints(test_);
     if (!states) return states.failure();
-    return to_channels(*states);
+    return to_channels(test_, *states);
   }
   Result<Details> details(Specimen& specimen) const override {
     const auto states = specimen.find<HasFootprint>()->footprints(test_);

@@ -103,6 +103,11 @@ Footprint TreadContact::footprint(const NodeValues& q,
         .push_back({left.dot(root), block.depth});
     if (!(block.Fn > 0.0)) return;
     const Vector3d F = block.Fn * block.normal + block.F;
+    const Patch& patch = patches_[block.patch];
+    const double factor =
+        patch.level ? patch.ground.friction
+                    : column(block.patch, kFriction)[block.line * stride_ + block.station];
+    const double pressure = block.Fn * block_law().by_force / std::max(block.share, 1e-300);
     print.load += F.z();
     print.elements.push_back({.x = heading.dot(at),
                               .y = left.dot(at),
@@ -110,7 +115,8 @@ Footprint TreadContact::footprint(const NodeValues& q,
                               .width = width,
                               .pressure = F.z() / area_,
                               .shear_x = heading.dot(F) / area_,
-                              .shear_y = left.dot(F) / area_});
+                              .shear_y = left.dot(F) / area_,
+                              .friction = factor * law_.mu(0.0, pressure)});
   });
   double front = -kNoRoad, rear = kNoRoad;
   for (auto& line : along) {
