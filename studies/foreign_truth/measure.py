@@ -5,8 +5,8 @@ ground and standing, with shapes.
     python3 studies/foreign_truth/measure.py build/release/bin/latsch linear
     python3 studies/foreign_truth/measure.py build/release/bin/latsch quadratic
 
-The decks are those of latsch export, cords smeared: `linear` as they are, C3D8; `quadratic` with nodes amid the edges, C3D20R,
-nearly converged: modes off the ground, and growth under pressure. Needs ccx on the path (Debian: calculix-ccx).
+The decks are those of latsch export, cords smeared: `linear` as they are, C3D8; `quadratic`, of shipped_tire.toml, refined and with
+nodes amid the edges, C3D20R: off the ground alone. Needs ccx on the path (Debian: calculix-ccx).
 """
 import csv
 import math
@@ -18,9 +18,9 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-TIRE = HERE / "tire.toml"
+TIRE, SHIPPED_TIRE = HERE / "tire.toml", HERE / "shipped_tire.toml"
+REFINED = {"meridional": 50, "rows_inside": 2}  # the mesh of the quadratic deck
 PRESSURES = ["2.6", "2.2", "3.0"]  # bar, modes at the first
-INFLATED = ["1.0", "2.2", "3.0"]  # bar, growth
 DEFLECTIONS = [5, 10, 15, 20, 25]  # mm
 FREE, STANDING = 20, 12  # modes
 AROUND = 12  # sections of the tire with sensors
@@ -83,18 +83,22 @@ def make_quadratic(deck):
             lines += rim
 
 
-def compute(program, kind, pressure, pressed, folder):
-    """The deck, with forces printed at every fifth of the way, after CalculiX ran it in the folder.
+def refined_tire(file):
+    text = SHIPPED_TIRE.read_text()
+    for key, value in REFINED.items():
+        text = re.sub(rf"\n{key} = \d+", f"\n{key} = {value}", text)
+    file.write_text(text.replace("\ncords =", '\nelement = "full_integration"\ncords ='))
+    return file
 
-    With modes at the first of the pressures; at others it ends inflated or on the ground."""
+
+def compute(program, kind, pressure, pressed, folder):
+    """The deck, with forces printed at every fifth of the way, after CalculiX ran it in the folder."""
     ground = ["--deflection", f"{DEFLECTIONS[-1]} mm"] if pressed else []
-    has_modes = pressure == PRESSURES[0]
-    modes = ["--modes", str(0 if not has_modes else STANDING if pressed else FREE)]
-    subprocess.run([program, "export", TIRE, "--ccx", folder / "tire.inp", "--pressure", pressure + " bar", "--quiet"] + ground +
+    modes = ["--modes", str(0 if pressure != PRESSURES[0] else STANDING if pressed else FREE)]
+    tire = TIRE if kind == "linear" else refined_tire(folder / "tire.toml")
+    subprocess.run([program, "export", tire, "--ccx", folder / "tire.inp", "--pressure", pressure + " bar", "--quiet"] + ground +
                    modes, check=True)
     deck = Deck((folder / "tire.inp").read_text())
-    if not has_modes and not pressed:
-        deck.cards = deck.cards[:next(k for k, (name, _) in enumerate(deck.cards) if name == "*STEP,PERTURBATION")]
     if kind == "quadratic":
         make_quadratic(deck)
     (folder / "tire.inp").write_text(deck.text().replace("*NODE FILE,FREQUENCY=100", "*NODE FILE,FREQUENCY=1"))
@@ -111,28 +115,32 @@ def forces(folder):
     return [found[d] for d in DEFLECTIONS]
 
 
-def displacements(folder):
-    """Of all nodes, of the last static step."""
-    found, current = {}, None
-    for line in open(folder / "tire.frd"):
-        if line.startswith(" -4"):
-            current = {} if line.split()[1] == "DISP" else None
-            found = current if current is not None else found
-        elif line.startswith(" -3"):
-            current = None
-        elif current is not None and line.startswith(" -1"):
-            current[int(line[3:13])] = [float(line[13 + 12 * i : 25 + 12 * i]) for i in range(3)]
-    return found
-
-
-def inflated_size(deck, folder):
-    """mm: growth of the middle of the tread, section width; of corner nodes, as Latsch tells them."""
+def inflated_sizes(deck, folder, pressure):
+    """Of every increment of the inflation: its pressure in the unit of `pressure`; mm, growth of the middle of the tread and
+    section width, of corner nodes, as Latsch tells them."""
     at = {int(n): x for n, *x in deck.numbers("*NODE,NSET=TIRENODES") if n < FIRST_AMID}
-    u = displacements(folder)
-    middle = max(at, key=lambda n: math.hypot(*at[n][:2]))  # of the outer face, where the crown is highest
-    moved = {n: [a + b for a, b in zip(at[n], u[n])] for n in at if n in u}
-    across = [x[2] for x in moved.values()]
-    return math.hypot(*moved[middle][:2]) - math.hypot(*at[middle][:2]), max(across) - min(across)
+    middle = max(at, key=lambda n: math.hypot(*at[n][:2]))  # where the crown is highest
+    sizes = []
+    for time, u in displacements(folder, at):
+        moved = {n: [a + b for a, b in zip(at[n], u[n])] for n in at}
+        across = [x[2] for x in moved.values()]
+        sizes.append((time * pressure, math.hypot(*moved[middle][:2]) - math.hypot(*at[middle][:2]), max(across) - min(across)))
+    return sizes
+
+
+def displacements(folder, nodes):
+    """Time and displacements of these nodes, of every static increment."""
+    increments, time, has_displacements = [], None, False
+    for line in open(folder / "tire.frd"):
+        if line.startswith("  100CL"):
+            time = None if "MODAL" in line else float(line[12:24])
+        elif line.startswith(" -4"):
+            has_displacements = time is not None and line.split()[1] == "DISP"
+            if has_displacements:
+                increments.append((time, {}))
+        elif has_displacements and line.startswith(" -1") and int(line[3:13]) in nodes:
+            increments[-1][1][int(line[3:13])] = [float(line[13 + 12 * i : 25 + 12 * i]) for i in range(3)]
+    return increments
 
 
 def shapes(folder, nodes):
@@ -190,12 +198,14 @@ def main():
         write_forces(PRESSURES[0], folder)
         write_modes(kind, "standing_", deck, folder)
 
-    computed(PRESSURES[0], False, lambda deck, folder: write_modes(kind, "free_", deck, folder))
+    def write_free(deck, folder):
+        write_modes(kind, "free_", deck, folder)
+        sizes = inflated_sizes(deck, folder, float(PRESSURES[0]))
+        write(kind, "inflated", ["pressure [bar]", "growth [mm]", "section_width [mm]"],
+              [[f"{p:.6g}", f"{growth:.6f}", f"{width:.6f}"] for p, growth, width in sizes])
+
+    computed(PRESSURES[0], False, write_free)
     if kind == "quadratic":  # contact of quadratic elements takes long
-        rows = []
-        for pressure in INFLATED:
-            computed(pressure, False, lambda deck, folder: rows.append([pressure] + [f"{x:.6f}" for x in inflated_size(deck, folder)]))
-        write(kind, "inflated", ["pressure [bar]", "growth [mm]", "section_width [mm]"], rows)
         return
     computed(PRESSURES[0], True, write_standing)
     for pressure in PRESSURES[1:]:
