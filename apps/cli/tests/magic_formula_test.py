@@ -45,6 +45,26 @@ VERTICAL_STIFFNESS = 218000
 [COEFFICIENTS]
 """
 
+PRESSED = """title = "pressed"
+model = "tire.tir"
+test.ground = {{kind = {0}}}
+[variable.stiffness]
+path = "VERTICAL_STIFFNESS"
+lower = "50 N/mm"
+upper = "600 N/mm"
+initial = "150 N/mm"
+[experiment.force]
+kind = "values"
+channel = "ground/{1}"
+values = {{unit = "{2}", values = [{3}]}}
+exponent = 2
+[optimizer]
+method = "auto"
+[run]
+workers = 1
+intervals = false
+"""
+
 
 def sweep(most, count):
     """There and back, as a rig does: both ends twice."""
@@ -130,6 +150,16 @@ class MagicFormula(unittest.TestCase):
             true, fitted = columns["truth.csv"][c], columns["fitted.csv"][c]
             error = math.sqrt(sum((a - b) ** 2 for a, b in zip(true, fitted)) / sum(a * a for a in true))
             self.assertLess(error, 0.01, c)
+
+    def test_what_rolls_tells_slopes_of_steady_states_alone(self):
+        """A formula knows its slopes in its coefficients, but not those of a tire that stands."""
+        for keys in (('"load_deflection", deflections = ["5 mm", "10 mm"]', "force", "N", "1000, 2000"),
+                     ('"static_stiffness", load = "2 kN", directions = ["vertical"]', "vertical_stiffness", "N/mm", "200")):
+            folder = pathlib.Path(tempfile.mkdtemp(dir=self.base))
+            (folder / "tire.tir").write_text(TIR + "".join(f"{k} = {v}\n" for k, v in TRUTH.items()))
+            (folder / "study.toml").write_text(PRESSED.format(*keys))
+            said = self.latsch("run", folder / "study.toml").stdout
+            self.assertRegex(said, r"stiffness +(200|199\.9+\d*|200\.0\d*) N/mm", said)
 
     def test_what_does_not_vary_is_not_freed(self):
         folder = self.base / "cornering_alone"

@@ -7,6 +7,8 @@
 
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
+
 #include "bindings/arrays.h"
 #include "bindings/bindings.h"
 #include "bindings/failures.h"
@@ -42,21 +44,24 @@ std::shared_ptr<const Test> test_of(const std::string& text) {
                               {});
 }
 
+std::vector<std::string> channels_of(const Test& test) {
+  std::vector<std::string> names;
+  for (const auto& channel : test.channels()) names.push_back(channel.name);
+  return names;
+}
+
 void check_slopes(const Model& model, const Test& test, const std::vector<std::string>& paths) {
   if (paths.empty()) return;
-  if (!test.tells_slopes())
+  const std::vector<std::string> channels = channels_of(test);
+  if (std::ranges::none_of(channels, [&](const std::string& channel) {
+        return test.tells_slopes(model.kind(), channel);
+      }))
     throw InputError("slopes: this test (" + test.in_words() + ") tells none");
   for (const std::string& path : paths) {
     model.numbers().get(path);  // InputError where it leads to no number
     if (!model.kind().knows_slopes_in(path))
       throw InputError("slopes: a " + model.kind().in_words() + " knows none in \"" + path + "\"");
   }
-}
-
-std::vector<std::string> channels_of(const Test& test) {
-  std::vector<std::string> names;
-  for (const auto& channel : test.channels()) names.push_back(channel.name);
-  return names;
 }
 
 /// Block by block into one, so that an abandoned recording ends with a block.

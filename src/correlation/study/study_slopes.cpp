@@ -53,9 +53,10 @@ std::optional<std::string> reason_without_slopes(const Study& study) {
                          experiment.observable->compared(experiment.objective));
     for (const std::string& channel : experiment.observable->asks()) {
       const StudyTest* test = find_test(study, test_of(channel));
-      if (!test || !test->test->tells_slopes())
-        return fmt::format(
-            "experiment {} compares {}, and that test tells no slopes", experiment.name, channel);
+      if (!test || !test->test->tells_slopes(*kind, channel.substr(test->name.size() + 1)))
+        return fmt::format("experiment {} compares {}, of which that test tells no slopes",
+                           experiment.name,
+                           channel);
     }
   }
   return std::nullopt;

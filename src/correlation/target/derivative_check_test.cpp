@@ -24,7 +24,7 @@ class SlopingPull : public PullTest {
  public:
   SlopingPull(double speed, double wrong)
       : PullTest({0.01, 0.02, 0.03}, speed, 0.0), speed_(speed), wrong_(wrong) {}
-  bool tells_slopes() const override { return true; }
+  bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     const auto plain = run(specimen);
     Channels sloping;

@@ -92,10 +92,30 @@ void FeTireSpecimen::set(fe_tire::Materials materials, double pressure, Document
   rig_ = std::make_unique<TireRig>(tire_, pressure);
 }
 
-Result<std::vector<StandingFootprint>> FeTireSpecimen::footprints(const FootprintTest& test) {
+Result<StandingTire> FeTireSpecimen::standing(const FootprintTest& test) {
   fe_tire::Ground ground;
   ground.mu = test.friction.value_or(0.0);
-  return experiment::footprints(tire_, test.pressure.value_or(pressure_), ground, test);
+  return stand_in_states(tire_, test.pressure.value_or(pressure_), ground, test);
+}
+
+Result<std::vector<StandingFootprint>> FeTireSpecimen::footprints(const FootprintTest& test) {
+  const auto standing = this->standing(test);
+  if (!standing) return standing.failure();
+  return experiment::footprints(tire_, *standing);
+}
+
+Result<Channels> FeTireSpecimen::print(const FootprintTest& test, const Asked& asked) {
+  const auto standing = this->standing(test);
+  if (!standing) return standing.failure();
+  const auto prints = experiment::footprints(tire_, *standing);
+  const Channels channels = to_channels(test, prints);
+  if (asked.paths.empty() || asked.channels.empty()) return channels;
+  const auto slopes = slopes_in(asked.paths);
+  if (!slopes) return slopes.failure();
+  const auto found = footprint_slopes(test, *standing, prints, **slopes);
+  if (!found) return found.failure();
+  const Channels sloped = with_slopes(channels, *found);
+  return states_pressure(test) ? held_at_pressure(sloped, asked.paths) : sloped;
 }
 
 std::string far_points(const fe_tire::Mesh& mesh, const Test& test) {

@@ -9,6 +9,7 @@
 
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
+#include "experiment/rigs/fe_tire/tire_footprint.h"
 #include "experiment/rigs/fe_tire/tire_rig.h"
 #include "experiment/rigs/static_stiffness.h"
 #include "models/fe_tire/analysis/fe_tire.h"
@@ -38,12 +39,14 @@ class FeTireSpecimen : public Specimen,
   Result<Channels> inflate(const InflatedSizeTest& test, const Asked& asked) override;
   Result<Channels> weigh(const MassTest& test, const Asked& asked) override;
   Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) override;
+  Result<Channels> print(const FootprintTest& test, const Asked& asked) override;
 
  protected:
   /// The same mesh with other numbers: the symbolic work on it is kept.
   void set(fe_tire::Materials materials, double pressure, Document numbers);
 
  private:
+  Result<StandingTire> standing(const FootprintTest& test);
   template <class Test>
   Result<Channels> run(const Test& test, const Asked& asked);
   Result<fe_tire::TireSlopes*> slopes_in(const std::vector<std::string>& paths);

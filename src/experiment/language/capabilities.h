@@ -75,6 +75,12 @@ struct HasFootprint {
   static constexpr const char* kName = "leaves a footprint";
   virtual ~HasFootprint() = default;
   virtual Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) = 0;
+  /// What the test records, with the slopes asked for, where they are known.
+  virtual Result<Channels> print(const FootprintTest& test, const Asked&) {
+    const auto states = footprints(test);
+    if (!states) return states.failure();
+    return to_channels(test, *states);
+  }
 };
 
 /// Rolls on a road, a step of time after the other.

@@ -3,7 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace latsch::experiment {
+
+bool SpecimenKind::has(const std::string& ability) const {
+  const auto all = abilities();
+  return std::find(all.begin(), all.end(), ability) != all.end();
+}
 
 std::string SpecimenKind::text(const Document& numbers) const { return numbers.text(); }
 

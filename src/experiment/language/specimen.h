@@ -57,6 +57,7 @@ class SpecimenKind {
   virtual int version() const = 0;
   /// Names of the capabilities its specimens have.
   virtual std::vector<std::string> abilities() const = 0;
+  bool has(const std::string& ability) const;
 
   /// Whether a file that states no kind is one of this: by its ending, or by the tables it has.
   virtual bool recognizes(const std::filesystem::path& file) const = 0;

@@ -88,8 +88,11 @@ class Test {
   }
   /// The details in these signs.
   virtual Result<Details> details_in(suspension::SignView view, Specimen& specimen) const;
-  /// Whether run_with_slopes() tells slopes in every number in which the specimen knows them.
-  virtual bool tells_slopes() const { return false; }
+  /// Whether run_with_slopes() tells slopes of this channel in every number in which specimens of
+  /// the kind know them.
+  virtual bool tells_slopes(const SpecimenKind& /*kind*/, const std::string& /*channel*/) const {
+    return false;
+  }
   /// The same values to the last bit, and the slopes that are asked for, as far as they are known.
   virtual Result<Channels> run_with_slopes(Specimen& specimen, const Asked&) const {
     return run(specimen);

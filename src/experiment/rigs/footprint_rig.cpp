@@ -5,30 +5,9 @@
 #include <cmath>
 
 #include "experiment/rigs/drum_rig.h"
-#include "experiment/rigs/fe_tire/deflection_for_load.h"
 #include "models/road/plane_road.h"
 
 namespace latsch::experiment {
-namespace {
-
-/// Each contact point as the rectangle it stands for.
-Footprint footprint_of(const fe_tire::Standing& standing, double friction) {
-  const fe_tire::ContactPatch& patch = standing.patch;
-  Footprint print{patch.length, patch.width, patch.area, standing.force.z(), {}};
-  for (const auto& at : patch.points) {
-    print.elements.push_back({at.x,
-                              at.y,
-                              at.length,
-                              at.area / at.length,
-                              at.pressure,
-                              at.shear_x,
-                              at.shear_y,
-                              friction});
-  }
-  return print;
-}
-
-}  // namespace
 
 FootprintTest read_footprint_test(const Node& root, const MeasuredConditions& measured) {
   root.choice("kind", {"footprint"});
@@ -88,33 +67,6 @@ Result<std::vector<StandingFootprint>> footprints(Tire& tire, const FootprintTes
           "this tire does not know its footprint: a Magic Formula needs the coefficients of its "
           "contact patch"};
     states.push_back({tire.free_radius() - height, std::move(*print)});
-  }
-  return states;
-}
-
-Result<std::vector<StandingFootprint>> footprints(fe_tire::FeTire& tire,
-                                                  double pressure,
-                                                  const fe_tire::Ground& ground,
-                                                  const FootprintTest& test) {
-  constexpr double kTypicalStiffness = 2.0e5;  // N/m, for a first guess of the deflection
-  const auto inflated = tire.inflate(pressure);
-  if (!inflated) return inflated.failure();
-  StandingPose standing{.camber = test.camber};
-  if (test.camber != 0.0) standing.poses = fe_tire::FeTire::Poses::any;
-  std::vector<StandingFootprint> states;
-  const auto keep = [&](const fe_tire::TireState& state) {
-    states.push_back({state.deflection(), footprint_of(tire.stand(state), ground.mu)});
-  };
-  for (const double load : test.loads) {
-    const auto state =
-        load_to_force(tire, *inflated, load, load / kTypicalStiffness, ground, standing);
-    if (!state) return state.failure();
-    keep(*state);
-  }
-  if (!test.deflections.empty()) {
-    const auto pressed = press_down(tire, *inflated, ground, standing, test.deflections);
-    if (!pressed) return pressed.failure();
-    for (const auto& state : *pressed) keep(state);
   }
   return states;
 }

@@ -30,11 +30,6 @@
 #include "measurement/channels.h"
 #include "models/tire/tire.h"
 
-namespace latsch::fe_tire {
-class FeTire;
-struct Ground;
-}  // namespace latsch::fe_tire
-
 namespace latsch::experiment {
 
 struct FootprintTest {
@@ -57,11 +52,6 @@ struct StandingFootprint {
 
 /// A Failure of a kind of tire that does not know its footprint.
 Result<std::vector<StandingFootprint>> footprints(Tire& tire, const FootprintTest& test);
-/// Of the finite-element tire, upright; deflections in ascending order.
-Result<std::vector<StandingFootprint>> footprints(fe_tire::FeTire& tire,
-                                                  double pressure,
-                                                  const fe_tire::Ground& ground,
-                                                  const FootprintTest& test);
 
 /// What a test records of its states.
 Channels to_channels(const FootprintTest& test, const std::vector<StandingFootprint>& states);

@@ -107,9 +107,11 @@ class AxleKc : public Test {
     return Details{loop_pictures(*recorded, names(), {"_L", "_R"}, test_.slopes),
                    std::move(*matrices)};
   }
-  bool tells_slopes() const override { return !test_.travel; }
+  bool tells_slopes(const SpecimenKind&, const std::string&) const override {
+    return !test_.travel;
+  }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
-    return specimen.find<HasAxles>()->load(test_, tells_slopes() ? asked : Asked{});
+    return specimen.find<HasAxles>()->load(test_, test_.travel ? Asked{} : asked);
   }
   std::optional<suspension::SignSense> sense(const std::string& channel) const override {
     return kc_sense(channel);

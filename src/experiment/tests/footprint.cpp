@@ -62,10 +62,16 @@ class StandingFootprintTest : public Test {
     return std::ssize(test_.loads) + std::ssize(test_.deflections);
   }
 
-  Result<Channels> run(Specimen& specimen) const override {
-    const auto states = specimen.find<HasFootprint>()->footprints(test_);
-    if (!states) return states.failure();
-    return to_channels(test_, *states);
+  Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
+  /// Of what is pressed; what rolls tells none. What a sensor measures jumps with its neighbors.
+  bool tells_slopes(const SpecimenKind& kind, const std::string& channel) const override {
+    return test_.friction.value_or(0.0) == 0.0 && test_.camber == 0.0 &&
+           kind.has(IsPressed::kName) && channel != "peak_pressure" && channel != "pressure";
+  }
+  Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
+    const auto printed = specimen.find<HasFootprint>()->print(test_, asked);
+    if (!printed) return printed;
+    return with_slopes_of(asked.channels, *printed);
   }
   Result<Details> details(Specimen& specimen) const override {
     const auto states = specimen.find<HasFootprint>()->footprints(test_);

@@ -55,7 +55,7 @@ class InflationTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
-  bool tells_slopes() const override { return true; }
+  bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     const auto measured = specimen.find<IsInflated>()->inflate(test_, asked);
     if (!measured) return measured;

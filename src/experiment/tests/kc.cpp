@@ -100,7 +100,7 @@ class KcTestOfCorner : public Test {
       if (test_.stated[i]) loads.emplace_back(KcTest::kLoads[i]);
     return Details{loop_pictures(*recorded, loads, {""}, test_.slopes), std::move(*matrices)};
   }
-  bool tells_slopes() const override { return true; }
+  bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     return specimen.find<IsLoaded>()->load(test_, asked);
   }

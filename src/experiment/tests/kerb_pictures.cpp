@@ -177,7 +177,8 @@ std::string KerbFilm::animation() const {
   for (int k = 0; k < 60; ++k)
     circle.emplace_back(radius_ * std::cos(k * M_PI / 30.0), radius_ * std::sin(k * M_PI / 30.0));
   return fmt::format(
-             "<svg viewBox=\"-6000 -8200 28000 10400\" width=\"100%\" style=\"overflow:hidden\" role=\"img\" "
+             "<svg viewBox=\"-6000 -8200 28000 10400\" width=\"100%\" style=\"overflow:hidden\" "
+             "role=\"img\" "
              "aria-label=\"The car on the kerb from its left\"><polygon class=\"kerb\" "
              "fill=\"#9aa5b1\"/><path class=\"pressure\" fill=\"{}\"/><polygon class=\"chassis\" "
              "fill=\"#9aa5b1\" fill-opacity=\"0.3\" stroke=\"#5b6875\" stroke-width=\"30\"/>",

@@ -101,12 +101,15 @@ std::optional<long> LoadDeflectionTest::samples() const {
   return std::ssize(test_.deflections) + std::ssize(test_.loaded_radii);
 }
 
+bool LoadDeflectionTest::tells_slopes(const SpecimenKind& kind, const std::string&) const {
+  return test_.ground.mu == 0.0 && kind.has(IsPressed::kName);
+}
+
 Result<Channels> LoadDeflectionTest::run(Specimen& specimen) const {
   return run_with_slopes(specimen, {});
 }
 
-Result<Channels> LoadDeflectionTest::run_with_slopes(Specimen& specimen,
-                                                     const Asked& asked) const {
+Result<Channels> LoadDeflectionTest::run_with_slopes(Specimen& specimen, const Asked& asked) const {
   if (auto* pressed = specimen.find<IsPressed>()) return pressed->press(test_, asked);
   return press_rolling(*specimen.find<Rolls>()->tire(test_.pressure), test_);
 }

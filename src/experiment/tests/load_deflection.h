@@ -31,7 +31,8 @@ class LoadDeflectionTest : public Test {
   std::optional<Reach> reach(const std::string& channel) const override;
   std::optional<long> samples() const override;
   Result<Channels> run(Specimen& specimen) const override;
-  bool tells_slopes() const override { return test_.ground.mu == 0.0; }
+  /// Of what is pressed; what rolls tells none.
+  bool tells_slopes(const SpecimenKind& kind, const std::string& channel) const override;
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override;
 
  private:

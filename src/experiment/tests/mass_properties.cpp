@@ -32,7 +32,7 @@ class MassPropertiesTest : public Test {
   std::optional<long> samples() const override { return 1; }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
-  bool tells_slopes() const override { return true; }
+  bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     const auto weighed = specimen.find<IsWeighed>()->weigh(test_, asked);
     if (!weighed) return weighed;

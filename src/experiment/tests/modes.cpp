@@ -64,9 +64,7 @@ std::vector<std::string> ModesTest::needs() const {
   return kModes.needs;
 }
 
-Result<Channels> ModesTest::run(Specimen& specimen) const {
-  return run_with_slopes(specimen, {});
-}
+Result<Channels> ModesTest::run(Specimen& specimen) const { return run_with_slopes(specimen, {}); }
 
 Result<Channels> ModesTest::run_with_slopes(Specimen& specimen, const Asked& asked) const {
   return specimen.find<Vibrates>()->vibrate(test_, asked);

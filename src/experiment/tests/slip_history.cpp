@@ -59,7 +59,7 @@ class SlipHistoryTest : public Test {
   Result<Channels> run(Specimen& specimen) const override {
     return specimen.find<HasSteadyStates>()->slip_history(history_, {});
   }
-  bool tells_slopes() const override { return true; }
+  bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     return specimen.find<HasSteadyStates>()->slip_history(history_, asked);
   }

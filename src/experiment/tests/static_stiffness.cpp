@@ -83,15 +83,19 @@ class StaticStiffnessTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
+  /// Of what stands; what rolls tells none.
+  bool tells_slopes(const SpecimenKind& kind, const std::string&) const override {
+    return has_slopes() && kind.has(StandsOnGround::kName);
+  }
   /// Upright on flat ground without friction.
-  bool tells_slopes() const override {
+  bool has_slopes() const {
     const auto is_vertical = [](Direction direction) { return direction == Direction::vertical; };
     return !test_.cleat && test_.camber == 0.0 && test_.friction.value_or(0.0) == 0.0 &&
            std::ranges::all_of(test_.directions, is_vertical);
   }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     if (auto* held = specimen.find<StandsOnGround>())
-      return held->stand(test_, tells_slopes() ? asked : Asked{});
+      return held->stand(test_, has_slopes() ? asked : Asked{});
     return stand(*specimen.find<Rolls>()->tire(test_.pressure), test_);
   }
 

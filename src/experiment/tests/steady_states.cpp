@@ -79,7 +79,7 @@ class SteadyStatesTest : public Test {
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     return specimen.find<HasSteadyStates>()->steady_in_blocks(states_, conventions_, tell);
   }
-  bool tells_slopes() const override { return true; }
+  bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     return specimen.find<HasSteadyStates>()->steady_with_slopes(states_, conventions_, asked);
   }
