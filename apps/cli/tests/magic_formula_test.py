@@ -154,7 +154,7 @@ class MagicFormula(unittest.TestCase):
     def test_what_rolls_tells_slopes_of_steady_states_alone(self):
         """A formula knows its slopes in its coefficients, but not those of a tire that stands."""
         for keys in (('"load_deflection", deflections = ["5 mm", "10 mm"]', "force", "N", "1000, 2000"),
-                     ('"static_stiffness", load = "2 kN", directions = ["vertical"]', "vertical_stiffness", "N/mm", "200")):
+                     ('"static_stiffness", load = "2 kN", directions = ["vertical"]', "vertical", "N/mm", "200")):
             folder = pathlib.Path(tempfile.mkdtemp(dir=self.base))
             (folder / "tire.tir").write_text(TIR + "".join(f"{k} = {v}\n" for k, v in TRUTH.items()))
             (folder / "study.toml").write_text(PRESSED.format(*keys))

@@ -9,8 +9,8 @@
 //   pressure = "2.6 bar"             # the tire's own unless given (inflation.h)
 //   friction = 0.8                   # of a finite-element tire with the ground, 0 unless given
 //   sensor = "15 mm"                 # side of the squares in which pressure is measured; default
-//   sensors = [["0 mm", "0 mm"]]     # where the middles of some are, x forward, y left of below the
-//                                    # wheel center; {from = "measurement.mat"}: its x, y
+//   sensors = [["0 mm", "0 mm"]]     # where the middles of some are, x forward, y left of what is
+//                                    # below the wheel center; {from = "measurement.mat"}: its x, y
 //
 // Channels, one value a state in their order: "load" (N), "deflection", "length", "width" (m, the
 // longest and the widest), "area" (m^2, grooves included), "mean_pressure" (Pa, load over area),

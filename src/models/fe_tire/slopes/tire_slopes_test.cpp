@@ -87,8 +87,8 @@ FeTire at_rest(const TireDescription& tire, double mode_tolerance) {
 
 constexpr int kWidth = 4, kModesFrom = 8, kAnswers = kModesFrom + 2 * kModes;
 
-/// radius, growth, loads at two deflections, section width, mass, moments of inertia, frequencies free and
-/// loaded: solved until nothing is left that differences would enlarge.
+/// radius, growth, loads at two deflections, section width, mass, moments of inertia, frequencies
+/// free and loaded: solved until nothing is left that differences would enlarge.
 Eigen::VectorXd answers(const TireDescription& description) {
   FeTire tire = at_rest(description, 1e-9);
   const auto inflated = tire.inflate(description.pressure);
