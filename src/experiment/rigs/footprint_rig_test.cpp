@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "experiment/rigs/fe_tire/tire_footprint.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/analysis/ring_assembly.h"
 #include "models/fe_tire/description/reference_tires.h"
@@ -41,9 +42,9 @@ std::vector<StandingFootprint> standing(const fe_tire::TireDescription& descript
                                         const FootprintTest& test,
                                         const Ground& ground = {}) {
   FeTire tire = build(description);
-  auto states = footprints(tire, kFootprintPressure, ground, test);
+  const auto states = stand_in_states(tire, kFootprintPressure, ground, test);
   EXPECT_TRUE(states) << states.failure().reason;
-  return *states;
+  return footprints(tire, *states);
 }
 
 /// What the elements carry together, N.

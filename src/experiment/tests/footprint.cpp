@@ -66,7 +66,8 @@ class StandingFootprintTest : public Test {
   /// Of what is pressed; what rolls tells none. What a sensor measures jumps with its neighbors.
   bool tells_slopes(const SpecimenKind& kind, const std::string& channel) const override {
     return test_.friction.value_or(0.0) == 0.0 && test_.camber == 0.0 &&
-           kind.has(IsPressed::kName) && channel != "peak_pressure" && channel != "pressure";
+           kind.has(IsPressed::kName) && channel != "peak_pressure" && channel != "pressure" &&
+           !channel.starts_with("sensor_");
   }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     const auto printed = specimen.find<HasFootprint>()->print(test_, asked);

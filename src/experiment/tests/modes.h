@@ -36,8 +36,10 @@ class ModesTest : public Test {
   std::vector<ChannelInfo> channels() const override;
   std::vector<std::string> needs() const override;
   Result<Channels> run(Specimen& specimen) const override;
-  bool tells_slopes(const SpecimenKind&, const std::string&) const override {
-    return test_.ground.mu == 0.0 && test_.camber == 0.0;
+  /// What names a mode, and its shape, have none.
+  bool tells_slopes(const SpecimenKind&, const std::string& channel) const override {
+    return test_.ground.mu == 0.0 && test_.camber == 0.0 && channel != "n" && channel != "type" &&
+           channel != "phase" && channel != "shape";
   }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override;
 

@@ -5,8 +5,9 @@
 // m, "loaded_radius" m, "force" N, "patch_length" m, "patch_width" m, "patch_area" m^2. A loaded
 // radius larger than the radius of the inflated tire is no contact: force and patch are 0. Channels
 // of a modal test: those of mode_record.h, and of a loaded one "deflection", "loaded_radius",
-// "force" (one value). Of an inflation: "pressure" Pa, "outer_radius" m,
-// "section_width" m, "growth" m, one value a pressure. Of a mass test: "mass" kg, "spin_inertia" and "diametral_inertia" kg m^2.
+// "force" (one value). Of an inflation: "pressure" Pa, "outer_radius" m, "section_width" m,
+// "growth" m, one value a pressure. Of a mass test: "mass" kg, "spin_inertia" and
+// "diametral_inertia" kg m^2.
 //
 // A test goes its own way: a curve is pressed once through its deflections, ascending; a single
 // deflection is reached in five even steps. So its recording does not depend on other tests. The
