@@ -92,6 +92,7 @@ ComparedValues compared_curve(const CurveMeasurement& c) {
       .asks = c.x.empty() ? std::vector{c.y} : std::vector{c.x, c.y},
       .passes_slopes = !c.comparison.of_spectrum() && c.comparison.what != ComparedCurve::path,
       .unit = c.y_compared_unit,
+      .shown = c.y_compared_unit == c.y_unit ? c.y_shown : "",
       .measured = c.y_compared,
       .scales = std::vector<double>(c.y_compared.size(), c.scale)};
   for (std::size_t i = 0; i < c.y_compared.size(); ++i) {
