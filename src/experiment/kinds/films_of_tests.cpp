@@ -8,8 +8,8 @@
 namespace latsch::experiment {
 
 void add_films(const std::vector<const Test*>& tests, Specimen& specimen, report::Scene& scene) {
-  // A step of a car on its road takes some 6 kB: two megabytes for all, half of that compressed.
-  constexpr int kSteps = 320, kMostSteps = 140, kFewestSteps = 9;
+  // A step of a car on its road takes some 7 kB: 1.6 megabytes for all, of a report 0.9.
+  constexpr int kSteps = 240, kMostSteps = 120, kFewestSteps = 9;
   std::vector<const Test*> shown;
   for (const Test* test : tests)
     if (test->has_film() && std::ssize(shown) < kSteps / kFewestSteps) shown.push_back(test);
