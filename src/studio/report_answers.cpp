@@ -42,6 +42,8 @@ std::string rounded(std::string scene) {
     round_all(frame["points"]);
     round_all(frame["swing"]);
   }
+  for (const Json& sequence : json["sequences"])
+    if (sequence["along"] == "time") round_all(sequence["points"]);  // others are magnified
   return scene;
 }
 

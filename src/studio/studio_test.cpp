@@ -285,6 +285,20 @@ TEST_F(Asked, AStudyThatCannotBeReadSaysWhy) {
     EXPECT_EQ(ask(path).status, 400) << path;
 }
 
+// As latsch new writes its files one after the other while somebody watches the folder.
+TEST_F(Asked, AStudyWhoseMeasurementComesLaterIsReadThen) {
+  two();
+  const std::string measured = read_text_file(folder_ / "aligning.csv");
+  std::filesystem::remove(folder_ / "aligning.csv");
+  begin();
+  ASSERT_TRUE(wait_for([&] { return get("/api/study")["state"] == "broken"; }));
+  write("aligning.csv", "Mz [N*m]\nabout 3\n");
+  std::this_thread::sleep_for(300ms);
+  EXPECT_EQ(get("/api/study")["state"], "broken");
+  write("aligning.csv", measured);
+  EXPECT_TRUE(wait_for([&] { return get("/api/study")["state"] == "new"; }));
+}
+
 TEST_F(Asked, AStudyHalfWrittenStaysUntilItsFileIsGone) {
   two();
   begin();

@@ -4,10 +4,12 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <mutex>
+#include <thread>
 #include <utility>
 
 #include "cli/console/console.h"
@@ -79,7 +81,10 @@ bool ServedStudies::open_browser() const {
   const int error =
       ::posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
-  return error == 0;
+  if (error != 0) return false;
+  // It ends when it likes; somebody has to take note of that, or it stays as a zombie.
+  std::thread([process] { ::waitpid(process, nullptr, 0); }).detach();
+  return true;
 }
 
 }  // namespace latsch::cli

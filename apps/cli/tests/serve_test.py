@@ -7,9 +7,13 @@ stopped within a second and resumed; the file changed in its place; journals wri
 import contextlib
 import datetime
 import json
+import os
+import pathlib
 import re
+import shutil
 import signal
 import sqlite3
+import struct
 import subprocess
 import time
 import unittest
@@ -18,13 +22,15 @@ import urllib.request
 
 from cli_testing import LATSCH, Coarse
 
+SOURCE = pathlib.Path(__file__).resolve().parents[3]
+
 
 class Page:
     """The server, asked as scripts ask it."""
 
-    def __init__(self, *arguments):
+    def __init__(self, *arguments, environment=None):
         self.process = subprocess.Popen([LATSCH, *arguments], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
-                                        start_new_session=True)
+                                        start_new_session=True, env=environment)
         self.address = None
         while self.address is None:
             line = self.process.stdout.readline()
@@ -184,6 +190,47 @@ class Serve(Coarse):
             self.assertLessEqual(frame["points"]["at"] + 4 * frame["points"]["count"], numbers)
         self.assertTrue(any(frame["frequency"] for frame in head["frames"]))
         self.assertTrue(page.get("/api/section?study=study.toml")["polygons"])
+
+    def test_a_corner_is_shown_under_the_loads_of_its_tests(self):
+        shutil.copytree(SOURCE / "studies/compliance", self.folder / "corner",
+                        ignore=shutil.ignore_patterns("rear_axle", "*.latsch*"))
+        page = self.serve()
+        page.wait("/api/home", lambda view: len(view["studies"]) > 1)
+        with page.open("/api/scene?study=corner/study.toml") as answer:
+            buffer = answer.read()
+        length = int.from_bytes(buffer[:4], "little")
+        head = json.loads(buffer[4:4 + length])
+        numbers = buffer[4 + length:]
+        self.assertEqual([one["along"] for one in head["sequences"]], ["Fz", "Fy", "Fx", "Mz"])
+        points = {mesh["name"]: mesh["points"]["count"] for mesh in head["meshes"]}
+        for one in head["sequences"]:
+            steps = len(one["at"])
+            self.assertEqual(one["points"]["count"], steps * points[one["mesh"]])
+            self.assertEqual(one["field"]["values"]["count"], steps * points[one["mesh"]] // 3)
+            self.assertEqual(one["vectors"]["count"], steps * len(one["arrows"]) * 3)
+            self.assertLessEqual(one["vectors"]["at"] + 4 * one["vectors"]["count"], len(numbers))
+        lateral = head["sequences"][1]
+        load = next(k for k, arrow in enumerate(lateral["arrows"]) if arrow["is_load"] and arrow["unit"] == "N")
+        vectors = struct.unpack_from(f"<{lateral['vectors']['count']}f", numbers, lateral["vectors"]["at"])
+        last = 3 * ((len(lateral["at"]) - 1) * len(lateral["arrows"]) + load)
+        self.assertEqual(vectors[last:last + 3], (0.0, lateral["at"][-1], 0.0))
+
+    @unittest.skipUnless(pathlib.Path("/proc/self/stat").exists(), "it looks into /proc")
+    def test_a_browser_that_ends_leaves_nothing(self):
+        opener = self.folder / "bin" / "xdg-open"
+        opener.parent.mkdir()
+        opener.write_text(f"#!/bin/sh\necho $$ > {self.folder}/opened\n")
+        opener.chmod(0o755)
+        self.page = Page("serve", str(self.folder),
+                         environment={**os.environ, "DISPLAY": ":0", "PATH": f"{opener.parent}:{os.environ['PATH']}"})
+        def is_over():
+            opened = self.folder / "opened"
+            number = opened.read_text().strip() if opened.exists() else ""
+            return number and not pathlib.Path(f"/proc/{number}").exists()
+        end = time.monotonic() + 10
+        while not is_over() and time.monotonic() < end:
+            time.sleep(0.02)
+        self.assertTrue(is_over())
 
     def test_run_watch_shows_itself_and_stays(self):
         self.page = Page("run", str(self.folder / "study.toml"), "--watch", "--workers", "1")

@@ -120,7 +120,7 @@ tell('many_redraw_ms', await redrawTime(browser, address, 'many/study.toml'));
 
 const fresh = Date.now(); // as after an installation: a tire, its study, the run, the first point
 execFileSync(latsch, ['new', join(folder, 'fresh')], { stdio: 'ignore' });
-await until(async () => (await ask('/api/home')).studies.some((one) => one.study === 'fresh/study.toml'));
+await until(async () => (await ask('/api/home')).studies.some((one) => one.study === 'fresh/study.toml' && one.state === 'new'));
 await ask('/api/run', { study: 'fresh/study.toml', verb: 'run', workers: 2 });
 await until(async () => (await ask('/api/convergence?study=fresh/study.toml')).total > 0);
 tell('fresh_s', (Date.now() - fresh) / 1000);

@@ -14,6 +14,7 @@ export const kViews = [
   ['identifiability', '#/identifiability?study=tire_b_twin/study.toml'],
   ['identifiability_new', '#/identifiability?study=fresh/study.toml'],
   ['model', '#/model?study=tire_b_twin/study.toml'],
+  ['model_rig', '#/model?study=compliance/study.toml'],
   ['setup', '#/setup?study=tire_b_twin/study.toml'],
   ['compare', '#/compare?study=tire_b_twin/study.toml&other=compliance/study.toml'],
   ['missing', '#/study?study=gone/study.toml'],

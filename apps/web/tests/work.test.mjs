@@ -51,6 +51,58 @@ export const claims = {
     await page.context().close();
   },
 
+  async 'a page that is hidden follows nothing, and asks anew when it is looked at'({ browser, address }) {
+    forget();
+    const page = await newPage(browser);
+    await page.addInitScript(() => {
+      const Real = EventSource;
+      globalThis.followed = new Set();
+      globalThis.EventSource = class extends Real {
+        constructor(...of) { super(...of); globalThis.followed.add(this); }
+        close() { super.close(); globalThis.followed.delete(this); }
+      };
+    });
+    await page.goto(`${address}#/study?study=${kStudy}`);
+    await settled(page);
+    const show = (isHidden) => page.evaluate((hidden) => {
+      Object.defineProperty(document, 'hidden', { configurable: true, get: () => hidden });
+      document.dispatchEvent(new Event('visibilitychange'));
+      return globalThis.followed.size;
+    }, isHidden);
+    assert.equal(await page.evaluate(() => globalThis.followed.size), 1);
+    assert.equal(await show(true), 0);
+    const asked = page.waitForRequest((request) => request.url().includes('/api/study?'));
+    assert.equal(await show(false), 1);
+    await asked;
+    await page.getByText('Server is alive').waitFor();
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  },
+
+  async 'a test is gone through step by step, by keys too, with its forces as numbers'({ browser, address }) {
+    forget();
+    const page = await open(browser, address, '#/model?study=compliance/study.toml');
+    const slider = page.getByLabel('State of the rig');
+    await slider.waitFor();
+    assert.equal(await slider.inputValue(), '9'); // where forces are largest
+    await slider.press('ArrowLeft');
+    await page.getByText('Fy 3200 N, state 9 of 10').waitFor();
+    await page.getByText('Forces as numbers').click();
+    await page.getByRole('row', { name: 'lower joint 10400 0 10400 0 N 10400 N tension' }).waitFor();
+    await page.getByRole('row', { name: 'moment on the wheel 80 0 0 80 N m' }).waitFor();
+    await page.getByLabel('displacements drawn').selectOption('50');
+    await page.getByText('Displacements are drawn 50 times').waitFor();
+    await page.locator('.state select').selectOption({ label: 'over a step' });
+    const time = page.getByLabel('Time of the run');
+    await time.fill('0');
+    await page.getByText('time 0 s').waitFor();
+    await page.getByRole('button', { name: 'Play' }).click();
+    await page.waitForFunction(() => document.querySelector('[aria-label="Time of the run"]').value !== '0');
+    await page.getByRole('button', { name: 'Hold' }).click();
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  },
+
   async 'form and text edit the same file, and what is wrong is said while it is typed'({ browser, address }) {
     forget();
     const page = await open(browser, address, `#/setup?study=${kStudy}`);

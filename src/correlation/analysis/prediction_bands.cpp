@@ -12,6 +12,7 @@
 #include <set>
 
 #include "base/text.h"
+#include "base/units.h"
 #include "correlation/analysis/measurement_gains.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/residuals.h"
@@ -270,14 +271,20 @@ std::string widest_text(const StudyExperiment& experiment, const ExperimentBand&
   }
   if (!widest) return "";
   const size_t k = *widest;
-  const double down = band.computed[k] - band.lower[k], up = band.upper[k] - band.computed[k];
+  const std::string unit = experiment.observable->shown_unit();
+  const auto read_in = Unit::find(unit);  // none of levels
+  // Of a difference.
+  const double times = read_in && unit != experiment.observable->unit()
+                           ? read_in->from_si(1.0) - read_in->from_si(0.0)
+                           : 1.0;
+  const double down = times * (band.computed[k] - band.lower[k]),
+               up = times * (band.upper[k] - band.computed[k]);
   const double half = 0.5 * (up + down);
   constexpr double kAlike = 0.01;  // of the half width
   const auto shown = [&](double value) { return format_known(value, half); };
   const std::string ends = std::abs(up - down) <= kAlike * half
                                ? "+- " + shown(half)
                                : fmt::format("-{} .. +{}", shown(down), shown(up));
-  const std::string unit = experiment.observable->unit();
   return fmt::format("{}{} ({} %), {}",
                      ends,
                      unit == "1" ? "" : " " + unit,

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "base/random.h"
 #include "correlation/analysis/measurement_gains.h"
@@ -125,6 +126,40 @@ TEST_F(SpringBands, OfALinearModelAreThoseByHand) {
   EXPECT_EQ(bands[1].inside, half(0.02, 3.0) > 30.0 ? 2 : 1);
   EXPECT_EQ(widest_text(study.experiments[0], bands[0]).substr(0, 5), "+- 5.");
   EXPECT_EQ(inside_text(bands[0]), "3 of 3 measured values");
+}
+
+// A band is told in the unit of the measurement it is held against: 0.2 mm of 2 mm.
+TEST(WidestBand, IsToldInTheUnitOfItsMeasurement) {
+  class Lengths : public Observable {
+   public:
+    explicit Lengths(std::string shown)
+        : Observable({.kind = "values",
+                      .compared = "dz",
+                      .rows = {"dz"},
+                      .unit = "m",
+                      .shown = std::move(shown),
+                      .measured = {2e-3},
+                      .scales = {2e-3}}) {}
+    Result<Comparison> compare(const Channels&, const ObjectiveSettings&) const override {
+      return Failure{};
+    }
+    std::vector<std::filesystem::path> write(const Channels&,
+                                             const MeasurementFiles&) const override {
+      return {};
+    }
+    void draw(const ShownExperiment&, report::StudyReport&) const override {}
+    std::string table(const Channels&, const Comparison&) const override { return ""; }
+    std::pair<std::string, nlohmann::ordered_json> answer(const Channels&,
+                                                          const Comparison&) const override {
+      return {"", nullptr};
+    }
+  };
+  const ExperimentBand band{{2e-3}, {1.8e-3}, {2.2e-3}, {}, 0, 0, {}};
+  StudyExperiment experiment;
+  experiment.observable = std::make_unique<Lengths>("mm");
+  EXPECT_EQ(widest_text(experiment, band), "+- 0.2 mm (10 %), dz");
+  experiment.observable = std::make_unique<Lengths>("");
+  EXPECT_EQ(widest_text(experiment, band), "+- 0.0002 m (10 %), dz");
 }
 
 // No more than two trials a variable, one and those of the ranking: none for a band.

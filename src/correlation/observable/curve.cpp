@@ -92,6 +92,7 @@ ComparedValues compared_curve(const CurveMeasurement& c) {
       .asks = c.x.empty() ? std::vector{c.y} : std::vector{c.x, c.y},
       .passes_slopes = !c.comparison.of_spectrum() && c.comparison.what != ComparedCurve::path,
       .unit = c.y_compared_unit,
+      .shown = c.y_compared_unit == c.y_unit ? c.y_shown : "",
       .measured = c.y_compared,
       .scales = std::vector<double>(c.y_compared.size(), c.scale)};
   for (std::size_t i = 0; i < c.y_compared.size(); ++i) {
@@ -131,6 +132,14 @@ std::shared_ptr<const Curve> read_curve(const Node& table,
 
 namespace {
 
+/// A measured abscissa, moved to the end of the simulated ones where it lies beyond by rounding
+/// alone: a sum of time steps is not the decimal number of a file.
+double reached(double at, const std::vector<double>& x) {
+  constexpr double kRounding = 1e-9;  // of the way from end to end
+  const double end = std::clamp(at, x.front(), x.back());
+  return std::abs(at - end) <= kRounding * (x.back() - x.front()) ? end : at;
+}
+
 /// SimulatedValues y at the measured abscissas.
 Result<std::vector<double>> at_measured(const CurveMeasurement& curve,
                                         const std::vector<double>& x,
@@ -140,7 +149,8 @@ Result<std::vector<double>> at_measured(const CurveMeasurement& curve,
     return wrong(curve.x, fmt::format("does not rise behind {:g} {}", *falls, curve.x_unit));
   }
   std::vector<double> values;
-  for (const double at : curve.x_measured) {
+  for (const double measured : curve.x_measured) {
+    const double at = reached(measured, x);
     if (at < x.front() || at > x.back()) {
       return wrong(curve.x,
                    fmt::format("reaches from {0:g} to {1:g} {3}, but was measured at {2:g} {3}",
@@ -163,7 +173,8 @@ std::vector<double> slopes_at_measured(const CurveMeasurement& curve,
   const std::size_t rows = y.values.size();
   std::vector<double> slopes;
   for (std::size_t column = 0; column < y.slopes.size(); column += rows) {
-    for (const double at : curve.x_measured) {
+    for (const double measured : curve.x_measured) {
+      const double at = reached(measured, x.values);
       const auto upper = std::upper_bound(x.values.begin(), x.values.end() - 1, at);
       const auto r = static_cast<std::size_t>(upper - x.values.begin()), l = r - 1;
       const double width = x.values[r] - x.values[l], share = (at - x.values[l]) / width;

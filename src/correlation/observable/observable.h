@@ -62,6 +62,7 @@ struct ComparedValues {
   bool is_sweep = true;                // values beside each other can share noise
   bool passes_slopes = false;          // of the channels to its differences
   std::string unit = "1";              // SI, of what an absolute noise stands beside
+  std::string shown = "";              // the unit a person reads them in; empty: that
   /// What was measured, one each, in that unit, and what an error of 100 % of it is: a trial has
   ///   measured - error scale  in its place (Comparison::errors).
   std::vector<double> measured = {}, scales = {};
@@ -82,6 +83,9 @@ class Observable {
   bool is_sweep() const { return values_.is_sweep; }
   bool passes_slopes() const { return values_.passes_slopes; }
   const std::string& unit() const { return values_.unit; }
+  const std::string& shown_unit() const {
+    return values_.shown.empty() ? values_.unit : values_.shown;
+  }
   const std::vector<double>& measured_values() const { return values_.measured; }
   const std::vector<double>& scales() const { return values_.scales; }
 

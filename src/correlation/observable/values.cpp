@@ -33,6 +33,7 @@ ComparedValues compared_single_values(const Values::Measurement& m) {
                         .is_sweep = false,
                         .passes_slopes = true,
                         .unit = m.unit,
+                        .shown = m.shown,
                         .measured = m.values,
                         .scales = m.scales};
   for (std::size_t i = values.rows.size(); i < m.values.size(); ++i) {

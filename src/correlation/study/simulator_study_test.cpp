@@ -83,6 +83,20 @@ TEST_F(SimulatorStudy, AProgramThatEndsTooEarlyHasFailed) {
       << channels.failure().reason;
 }
 
+// Measured at an end that the program's own sum of steps falls short of by rounding.
+TEST_F(SimulatorStudy, AnEndIsReachedWithinRounding) {
+  const auto score_at = [&](const char* last) {
+    write("measured.csv", std::string("t [s],z [mm]\n0.5,1.5\n") + last + ",4\n");
+    const Study study = read();
+    const auto channels = evaluator(study)({{2000.0}});
+    return channels.ok() ? objective(study)(*channels)->value : -1.0;
+  };
+  const double at_end = score_at("2");
+  EXPECT_GE(at_end, 0.0);
+  EXPECT_EQ(score_at("2.000000000000002"), at_end);
+  EXPECT_EQ(score_at("2.000001"), -1.0);
+}
+
 TEST_F(SimulatorStudy, AVariableMayBeAPlainNumber) {
   std::string text = kSimulatorStudy;
   const std::string with_units = "lower = \"1 N/mm\"\nupper = \"9 N/mm\"\ninitial = \"2 N/mm\"";

@@ -19,18 +19,33 @@ namespace {
 
 constexpr int kPatience = 2000;  // ms
 
-/// Which file a path leads to now; nullopt: none.
-std::optional<std::pair<dev_t, ino_t>> file_at(const std::filesystem::path& path) {
+/// Which file a path leads to now.
+struct FileThere {
+  dev_t device;
+  ino_t number;
+  off_t size;
+  timespec written;
+
+  bool is_same_file(const FileThere& other) const {
+    return device == other.device && number == other.number;
+  }
+  /// Nobody has written to it since; what is still in the log beside it is not in it.
+  bool is_untouched(const FileThere& other) const {
+    return size == other.size && written.tv_sec == other.written.tv_sec &&
+           written.tv_nsec == other.written.tv_nsec;
+  }
+};
+std::optional<FileThere> file_at(const std::filesystem::path& path) {
   struct stat found {};
   if (::stat(path.c_str(), &found) != 0) return std::nullopt;
-  return std::pair(found.st_dev, found.st_ino);
+  return FileThere{found.st_dev, found.st_ino, found.st_size, found.st_mtim};
 }
 
 }  // namespace
 
 struct JournalFollower::Impl {
   std::filesystem::path file;
-  std::optional<std::pair<dev_t, ino_t>> opened;
+  std::optional<FileThere> opened;
   std::unique_ptr<SQLite::Database> database;
   int format = kFormat;
   StudyIdentity identity;
@@ -59,6 +74,28 @@ struct JournalFollower::Impl {
     state = hash_of(identity);
   }
 
+  /// Where the file has been written to: whether the row that was handed on last is still in it, of
+  /// the same study. Another journal can be copied over this one, which leaves the file the same
+  /// and SQLite with pages of the old one.
+  bool has_what_was_handed_on() {
+    const auto there = file_at(file);
+    if (!there || !opened->is_same_file(*there)) return false;
+    if (opened->is_untouched(*there)) return true;
+    try {
+      const StudyIdentity before = identity;
+      const std::uint64_t there_before = state;
+      open();
+      state = there_before;
+      if (identity != before) return false;
+      if (number == 0) return true;
+      SQLite::Statement select(*database, "SELECT hash FROM trials WHERE number = ?");
+      select.bind(1, number);
+      return select.executeStep() && select.getColumn(0).getInt64() == stored(state);
+    } catch (const std::runtime_error&) {  // half written: the next look says what it is
+      return false;
+    }
+  }
+
   [[noreturn]] void damaged(std::int64_t at, const char* what) const {
     throw JournalError(
         fmt::format("{}: trial {} {}: the file is damaged; latsch doctor says what can be saved",
@@ -81,7 +118,7 @@ struct JournalFollower::Impl {
 
   News read(long most, const std::function<void(const Trial&)>& visit) {
     News news;
-    if (opened && file_at(file) != opened) {
+    if (opened && !has_what_was_handed_on()) {
       close();
       news.begins_anew = news.has_more = true;
       return news;

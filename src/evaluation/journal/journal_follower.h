@@ -3,8 +3,8 @@
 // before, so that who watches fifty thousand trials reads each of them once.
 //
 // Every row is held against its hash and the chain of those before it, as Journal::read does. A
-// journal that was put in another's place (latsch run --anew) is noticed and read from its
-// beginning.
+// journal that was put in another's place (latsch run --anew), or copied over it, is noticed and
+// read from its beginning.
 #pragma once
 
 #include <filesystem>

@@ -95,6 +95,30 @@ TEST_F(Followed, AJournalInTheOthersPlaceIsReadFromItsBeginning) {
   EXPECT_FALSE(last_.begins_anew);
 }
 
+// cp other.latsch study.latsch: the same file to all who ask for its number.
+TEST_F(Followed, AJournalCopiedOverTheOtherIsReadFromItsBeginning) {
+  const auto other = folder_ / "other.latsch";
+  const auto write = [](const std::filesystem::path& path, int first, int count) {
+    Journal journal = Journal::open(path, kFollowed);
+    for (int i = 0; i < count; ++i) journal.append(trial_with(first + i));
+  };
+  write(file(), 0, 3);
+  write(other, 10, 5);
+  EXPECT_EQ(news().size(), 3u);
+  EXPECT_TRUE(news().empty());
+  std::filesystem::copy_file(other, file(), std::filesystem::copy_options::overwrite_existing);
+  EXPECT_TRUE(news().empty());
+  EXPECT_TRUE(last_.begins_anew);
+  EXPECT_EQ(news(), (std::vector{10.0, 11.0, 12.0, 13.0, 14.0}));
+  EXPECT_FALSE(last_.begins_anew);
+  EXPECT_TRUE(news().empty());
+  EXPECT_EQ(follower_.total(), 5);
+  // One that goes on is the same journal.
+  write(file(), 15, 1);
+  EXPECT_EQ(news(), std::vector{15.0});
+  EXPECT_FALSE(last_.begins_anew);
+}
+
 TEST_F(Followed, ADamagedRowIsNamedAndThoseBeforeItAreGood) {
   {
     Journal journal = Journal::open(file(), kFollowed);

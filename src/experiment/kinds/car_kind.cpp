@@ -6,6 +6,7 @@
 
 #include "base/document_parts.h"
 #include "base/text.h"
+#include "experiment/kinds/films_of_tests.h"
 #include "experiment/kinds/suspension_scene.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
@@ -73,6 +74,10 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles {
     KcSlopes slopes{{}, asked.channels};
     for (const std::string& path : asked.paths) slopes.varied.push_back(of_axle(*car, test, path));
     return run(*car, test, slopes);
+  }
+  Result<Channels> watch(const AxleKcTest& test, const RigWatcher& watcher) const override {
+    const auto car = on_rig(test);
+    return car ? run(*car, test, {}, watcher) : car.failure();
   }
   Result<Channels> compliance(const AxleKcTest& test) const override {
     const auto car = on_rig(test);
@@ -149,7 +154,7 @@ class CarKind : public SpecimenKind {
   }
   bool has_body() const override { return true; }
   void draw_body(const Document& numbers,
-                 const std::vector<const Test*>&,
+                 const std::vector<const Test*>& tests,
                  report::StudyReport& page) const override {
     std::vector<suspension::CornerGeometry> axles;
     for (const char* axle : kAxles)
@@ -157,6 +162,8 @@ class CarKind : public SpecimenKind {
           suspension::read_corner(part_of(numbers, std::string(axle) + "_suspension").root())
               .geometry);
     page.scene = suspension_scene(axles);
+    CarSpecimen specimen(numbers);
+    add_films(tests, specimen, *page.scene);
   }
 
  private:

@@ -3,6 +3,7 @@
 // (composed_suspension.h).
 #include "base/error.h"
 #include "experiment/kinds/composed_suspension.h"
+#include "experiment/kinds/films_of_tests.h"
 #include "experiment/kinds/suspension_scene.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
@@ -24,6 +25,9 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
     for (const std::string& path : asked.paths)
       slopes.varied.push_back(suspension::stiffnesses_at(numbers_, path, corner.joints));
     return run(corner, test, slopes);
+  }
+  Result<Channels> watch(const KcTest& test, const RigWatcher& watcher) override {
+    return run(statics(), test, {}, watcher);
   }
   Result<Channels> compliance(const KcTest& test) override {
     return compliance_matrices(statics(), test);
@@ -83,9 +87,11 @@ class SuspensionKind : public SpecimenKind {
   }
   bool has_body() const override { return true; }
   void draw_body(const Document& numbers,
-                 const std::vector<const Test*>&,
+                 const std::vector<const Test*>& tests,
                  report::StudyReport& page) const override {
     page.scene = suspension_scene(suspension::read_corner(numbers.root()).geometry);
+    SuspensionSpecimen specimen(numbers);
+    add_films(tests, specimen, *page.scene);
   }
 };
 

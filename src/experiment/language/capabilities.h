@@ -119,6 +119,8 @@ struct IsLoaded {
   virtual ~IsLoaded() = default;
   /// With the slopes asked for, where they are known.
   virtual Result<Channels> load(const KcTest& test, const Asked& asked) = 0;
+  /// The same with somebody who looks at every state.
+  virtual Result<Channels> watch(const KcTest& test, const RigWatcher& watcher) = 0;
   /// Its compliance matrices in the states of the test (rigs/suspension/kc_compliance.h).
   virtual Result<Channels> compliance(const KcTest& test) = 0;
 };
@@ -137,6 +139,8 @@ struct HasAxles {
   virtual ~HasAxles() = default;
   /// With the slopes asked for, where they are known.
   virtual Result<Channels> load(const AxleKcTest& test, const Asked& asked) const = 0;
+  /// The same with somebody who looks at every state.
+  virtual Result<Channels> watch(const AxleKcTest& test, const RigWatcher& watcher) const = 0;
   /// Its compliance matrices in the states of the test.
   virtual Result<Channels> compliance(const AxleKcTest& test) const = 0;
 };

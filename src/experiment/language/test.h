@@ -21,6 +21,10 @@
 #include "measurement/channels.h"
 #include "models/suspension/sign_views.h"
 
+namespace latsch::report {
+struct Scene;
+}
+
 namespace latsch::experiment {
 
 /// A channel before the test runs.
@@ -81,6 +85,11 @@ class Test {
     Channels numbers;
   };
   virtual Result<Details> details(Specimen&) const { return Details{}; }
+  /// Whether film() has anything to show.
+  virtual bool has_film() const { return false; }
+  /// Adds to a scene how the specimen moves in this test, in at most so many steps. A Failure where
+  /// the run is one.
+  virtual Result<bool> film(Specimen&, int /*most_steps*/, report::Scene&) const { return true; }
   /// Which way a channel, also of the details, is positive, for those who want it in the signs of
   /// another convention; nullopt: the test does not say.
   virtual std::optional<suspension::SignSense> sense(const std::string&) const {

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "models/multibody/equilibrium.h"
-
 namespace latsch::experiment {
 namespace {
 
@@ -50,8 +48,11 @@ std::string torn_bushing(const multibody::Mechanism& mechanism, const multibody:
 
 Result<Channels> run(const suspension::CompliantCorner& corner,
                      const KcTest& test,
-                     const KcSlopes& asked) {
+                     const KcSlopes& asked,
+                     const RigWatcher& watch) {
   const multibody::Mechanism mechanism(corner.bodies, corner.joints);
+  const multibody::Assembly assembly(mechanism);
+  const RigState::Wheel wheel{"", corner.upright, corner.wheel_center, corner.contact};
   multibody::Equilibrium statics(mechanism);
   const auto upright_body = static_cast<std::size_t>(corner.upright);
   suspension::WheelPoints points = corner.wheel;
@@ -86,6 +87,7 @@ Result<Channels> run(const suspension::CompliantCorner& corner,
     stands = std::move(*found);
     if (const std::string torn = torn_bushing(mechanism, poses); !torn.empty())
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, torn)};
+    if (watch) watch({mechanism, assembly, stands, {&on, 1}, {&wheel, 1}, i});
     const multibody::Pose& upright = poses[upright_body];
     moved.row(i) = as_vector(wheel_position(points, upright)) - rest;
     if (followed.empty()) continue;

@@ -7,7 +7,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +17,7 @@
 #include "base/result.h"
 #include "experiment/rigs/rig_slopes.h"
 #include "measurement/channels.h"
+#include "models/multibody/equilibrium.h"
 #include "models/suspension/compliant_corner.h"
 
 namespace latsch::experiment {
@@ -39,9 +42,27 @@ struct KcSlopes {
   std::vector<std::string> channels;
 };
 
+/// A state of a rig: what stands on it, where it rests, what acts on it.
+struct RigState {
+  struct Wheel {
+    std::string name;                 // "left"; empty: there is one
+    int upright;                      // body
+    Eigen::Vector3d center, contact;  // at rest, m
+  };
+  const multibody::Mechanism& mechanism;
+  const multibody::Assembly& assembly;
+  const multibody::Rest& rest;
+  std::span<const multibody::Load> loads;  // one a wheel
+  std::span<const Wheel> wheels;
+  Eigen::Index state;
+};
+/// Looks at every state.
+using RigWatcher = std::function<void(const RigState&)>;
+
 /// The loads that are stated, what moves and its slopes; with the slopes that are asked for.
 Result<Channels> run(const suspension::CompliantCorner& corner,
                      const KcTest& test,
-                     const KcSlopes& asked = {});
+                     const KcSlopes& asked = {},
+                     const RigWatcher& watch = {});
 
 }  // namespace latsch::experiment

@@ -35,6 +35,7 @@
 #include "experiment/language/test.h"
 #include "experiment/rigs/car/axle_kc_rig.h"
 #include "experiment/rigs/suspension/kc_senses.h"
+#include "experiment/tests/films/rig_film.h"
 #include "experiment/tests/kc_histories.h"
 #include "experiment/tests/kc_pictures.h"
 
@@ -106,6 +107,20 @@ class AxleKc : public Test {
     if (!recorded) return recorded.failure();
     return Details{loop_pictures(*recorded, names(), {"_L", "_R"}, test_.slopes),
                    std::move(*matrices)};
+  }
+  bool has_film() const override { return true; }
+  Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
+    const auto varies = [](const Channel& one) {
+      const auto [low, high] = std::minmax_element(one.values.begin(), one.values.end());
+      return *high > *low;
+    };
+    auto along = std::find_if(test_.prescribed.begin(), test_.prescribed.end(), varies);
+    if (along == test_.prescribed.end()) along = test_.prescribed.begin();
+    RigFilm film(*along, most_steps);
+    const auto done = specimen.find<HasAxles>()->watch(test_, film.watcher());
+    if (!done) return done.failure();
+    film.add_to(scene, in_words());
+    return true;
   }
   bool tells_slopes(const SpecimenKind&, const std::string&) const override {
     return !test_.travel;

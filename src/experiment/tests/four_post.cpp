@@ -33,6 +33,7 @@
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/four_post_rig.h"
 #include "experiment/rigs/car/post_spectra.h"
+#include "experiment/tests/films/car_film.h"
 #include "experiment/tests/four_post_pictures.h"
 #include "formats/tables/csv_table.h"
 
@@ -108,6 +109,16 @@ class FourPost : public Test {
     const auto record = experiment::run(**car, test_);
     if (!record) return record.failure();
     return four_post_details(*record, over_frequency(*record));
+  }
+  bool has_film() const override { return true; }
+  Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
+    auto car = specimen.find<Drives>()->car({});
+    if (!car) return car.failure();
+    CarFilm film(CarFilm::On::posts);
+    const auto done = experiment::run(**car, test_, film.watcher());
+    if (!done) return done.failure();
+    film.add_to(scene, in_words(), most_steps);
+    return true;
   }
 
  private:

@@ -24,6 +24,7 @@
 #include "experiment/language/test.h"
 #include "experiment/rigs/kc_rig.h"
 #include "experiment/rigs/suspension/kc_senses.h"
+#include "experiment/tests/films/rig_film.h"
 #include "experiment/tests/kc_histories.h"
 #include "experiment/tests/kc_pictures.h"
 
@@ -99,6 +100,23 @@ class KcTestOfCorner : public Test {
     for (std::size_t i = 0; i < 6; ++i)
       if (test_.stated[i]) loads.emplace_back(KcTest::kLoads[i]);
     return Details{loop_pictures(*recorded, loads, {""}, test_.slopes), std::move(*matrices)};
+  }
+  bool has_film() const override { return true; }
+  Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
+    std::size_t along = 0;  // the first load that varies, or that is stated
+    for (std::size_t i = 6; i-- > 0;)
+      if (test_.stated[i]) along = i;
+    for (std::size_t i = 6; i-- > 0;)
+      if (const auto row = test_.loads.row(static_cast<Eigen::Index>(i));
+          row.maxCoeff() > row.minCoeff())
+        along = i;
+    const auto row = test_.loads.row(static_cast<Eigen::Index>(along));
+    RigFilm film({KcTest::kLoads[along], along < 3 ? "N" : "N m", {row.begin(), row.end()}},
+                 most_steps);
+    const auto done = specimen.find<IsLoaded>()->watch(test_, film.watcher());
+    if (!done) return done.failure();
+    film.add_to(scene, in_words());
+    return true;
   }
   bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {

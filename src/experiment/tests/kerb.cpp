@@ -52,6 +52,7 @@
 #include "experiment/language/test.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/kerb_rig.h"
+#include "experiment/tests/films/car_film.h"
 #include "experiment/tests/kerb_pictures.h"
 #include "formats/road/road_file.h"
 #include "models/road/road_reader.h"
@@ -159,11 +160,23 @@ class KerbRunTest : public Test {
     const auto road = road_of(test_, **car);
     KerbFilm film(*road, test_.line.at(0.0) + (*car)->parts().corners[car::kFL].wheel_center.y());
     const auto done = experiment::run(
-        **car, test_, [&](const car::Car& of, const car::CarState& state, double time) {
+        **car,
+        test_,
+        [&](const car::Car& of, const car::CarState& state, const road::Road&, double time) {
           film.see(of, state, time);
         });
     if (!done) return done.failure();
     return film.details();
+  }
+  bool has_film() const override { return true; }
+  Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
+    auto car = specimen.find<Drives>()->car({});
+    if (!car) return car.failure();
+    CarFilm film(CarFilm::On::road);
+    const auto done = experiment::run(**car, test_, film.watcher());
+    if (!done) return done.failure();
+    film.add_to(scene, in_words(), most_steps, road_of(test_, **car).get());
+    return true;
   }
 
  private:

@@ -593,6 +593,10 @@ std::array<double, kCorners> Car::pushrod_forces(const CarState& state,
   return forces;
 }
 
+Motion Car::motion_of(const CarState& state) const {
+  return transient_->motion_of(state.bodies, {&state.rack, kDrivers});
+}
+
 double Car::spring_extension(const CarState& state, int corner) const {
   const int unit = parts_.corners[at(corner)].unit;
   return unit < 0 ? 0.0 : transient_->assembly().extension(unit, state.bodies.poses);

@@ -107,6 +107,9 @@ class Car {
   /// N along the push-rod, compression positive.
   std::array<double, kCorners> pushrod_forces(const CarState& state,
                                               const CarInputs& inputs = {}) const;
+  /// As it moves, for the forces of its elements; it lives as long as the state.
+  multibody::Motion motion_of(const CarState& state) const;
+  const multibody::Assembly& assembly() const { return transient_->assembly(); }
   /// m, of its spring unit against rest; 0 where it is locked.
   double spring_extension(const CarState& state, int corner) const;
   /// N, upward, of each tire on its hub: with the inertia of a belt that moves.

@@ -101,6 +101,8 @@ bool ShelvedStudy::is_out_of_date() const {
 void ShelvedStudy::read_files() {
   is_read_ = true;
   read_at_ = {{file_, time_of(file_)}};  // before it is read: what changes meanwhile is seen
+  const fs::path folder = file_.parent_path();
+  const auto folder_was = time_of(folder);
   whole_.reset();
   study_.reset();
   table_.reset();
@@ -115,6 +117,11 @@ void ShelvedStudy::read_files() {
   } catch (const std::exception& error) {
     error_ = error.what();
     whole_.reset();
+    // A file that it names may come, or be mended, while the study stays as it is.
+    read_at_.emplace(folder, folder_was);
+    const auto* wrong = dynamic_cast<const InputError*>(&error);
+    if (wrong && !wrong->place().file.empty())
+      read_at_.emplace(wrong->place().file, time_of(wrong->place().file));
   }
 }
 

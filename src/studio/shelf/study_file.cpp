@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cctype>
 #include <cmath>
+#include <optional>
 
 #include "base/document_tree.h"
 #include "base/error.h"
@@ -204,16 +205,30 @@ std::vector<std::string> understood(const correlation::Study& study) {
 Checked check_study_text(const fs::path& file,
                          const std::string& text,
                          const experiment::Language& language) {
-  const Beside beside(file, text);
   Checked checked;
+  // What it names stands beside it: so does the text while it is read, unless it is in the file.
+  std::optional<Beside> beside;
+  try {
+    std::error_code none;
+    if (!fs::exists(file, none) || read_study_text(file).text != text) beside.emplace(file, text);
+  } catch (const InputError& error) {
+    checked.messages.push_back(
+        {fmt::format("{} cannot be written to, so this text can be neither checked nor saved: make "
+                     "the folder writable, or copy the study to one that is ({})",
+                     file.parent_path().string(),
+                     error.what()),
+         0,
+         true});
+    return checked;
+  }
+  const fs::path read = beside ? beside->path() : file;
   const auto message = [&](const std::string& what, const Place& place, bool is_wrong) {
-    const bool is_here = place.file == beside.path().string();
-    checked.messages.push_back({replaced(what, beside.path().string(), file.string()),
-                                is_here ? place.line : 0,
-                                is_wrong});
+    const bool is_here = place.file == read.string();
+    checked.messages.push_back(
+        {replaced(what, read.string(), file.string()), is_here ? place.line : 0, is_wrong});
   };
   try {
-    const auto study = correlation::read_study(beside.path(), language);
+    const auto study = correlation::read_study(read, language);
     checked.ok = true;
     for (const correlation::Finding& finding : correlation::implausible(study)) {
       message(finding.place.text() + ": " + finding.sentence, finding.place, finding.impossible);

@@ -108,5 +108,20 @@ TEST_F(WrittenStudy, TheCheckNamesTheLineAndLeavesNothing) {
     EXPECT_FALSE(file.path().filename().string().starts_with(".")) << file.path();
 }
 
+// As in a folder that cannot be written to, which a test run by root has not: a name so long that
+// none fits beside it.
+TEST_F(WrittenStudy, WhereNothingCanBeWrittenTheCheckSaysSo) {
+  const auto& language = experiment::language();
+  const std::string name = std::string(240, 'x') + ".toml";
+  write(name, kHead);
+  EXPECT_TRUE(check_study_text(folder_ / name, kHead, language).ok) << "as it stands it is read";
+  const Checked changed = check_study_text(folder_ / name, kHead + "# more\n", language);
+  EXPECT_FALSE(changed.ok);
+  ASSERT_EQ(changed.messages.size(), 1u);
+  EXPECT_TRUE(
+      changed.messages[0].text.starts_with(folder_.path().string() + " cannot be written to"))
+      << changed.messages[0].text;
+}
+
 }  // namespace
 }  // namespace latsch::studio

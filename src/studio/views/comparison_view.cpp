@@ -212,7 +212,7 @@ Json value_of(const report::MeasuredValue& value) {
 Json comparison_view(const ShelvedStudy& shelved, const std::string& trial) {
   const RecordedTrial recorded = recorded_trial(shelved, trial);
   const KeptIdentifiability kept = kept_identifiability(shelved);
-  const Drawn drawn = draw(recorded, kept.what.get());
+  const Drawn drawn = draw(recorded, kept.what);
   Json view{{"trial", recorded.trial},
             {"initial", recorded.initial_trial ? Json(*recorded.initial_trial) : Json(nullptr)},
             {"curves", Json::array()},

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
 #include "correlation/analysis/prediction_bands.h"
 #include "correlation/study_report/report_identifiability.h"
 #include "studio/views/json_values.h"
+#include "studio/views/kept_answers.h"
 #include "studio/views/kept_identifiability.h"
 #include "studio/views/views.h"
 
 namespace latsch::studio {
 namespace {
+
+constexpr std::size_t kPagesKept = 8;
 
 Json square(const Eigen::MatrixXd& matrix) {
   Json rows = Json::array();
@@ -70,11 +75,17 @@ Json of_page(const report::Identifiability& page, const std::string& why_not) {
 Json identifiability_view(const ShelvedStudy& shelved) {
   const KeptIdentifiability kept = kept_identifiability(shelved);
   if (!kept.what) return of_page({}, kept.why_not);
-  const Journal journal = Journal::read(kept.study->run.journal);
-  return of_page(
-      correlation::identifiability_page(
-          *kept.study, *kept.what, correlation::prediction_bands(*kept.study, *kept.what, journal)),
-      "");
+  // Bands and gains take readings of the whole journal, and trials of what is only predicted.
+  using Question = std::pair<std::shared_ptr<const correlation::Identifiability>, std::string>;
+  static KeptAnswers<Question, Json> pages(kPagesKept);
+  return *pages.get({kept.what, state_of_predictions(*kept.study)}, [&] {
+    const Journal journal = Journal::read(kept.study->run.journal);
+    return of_page(correlation::identifiability_page(
+                       *kept.study,
+                       *kept.what,
+                       correlation::prediction_bands(*kept.study, *kept.what, journal)),
+                   "");
+  });
 }
 
 }  // namespace latsch::studio

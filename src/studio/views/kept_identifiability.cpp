@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/views/kept_identifiability.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <utility>
+
+#include "correlation/target/predictions.h"
 
 namespace latsch::studio {
 namespace {
@@ -58,6 +62,19 @@ std::shared_ptr<Kept> kept_of(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+std::string state_of_predictions(const correlation::Study& study) {
+  if (!correlation::has_predictions(study)) return "";
+  const std::string journal = correlation::with_predictions(study).run.journal.string();
+  std::string state;
+  for (const char* of : {"", "-wal"}) {  // the log beside it
+    std::error_code none;
+    const auto size = std::filesystem::file_size(journal + of, none);
+    const auto written = std::filesystem::last_write_time(journal + of, none);
+    state += fmt::format("{} {} ", size, written.time_since_epoch().count());
+  }
+  return state;
+}
 
 KeptIdentifiability kept_identifiability(const ShelvedStudy& shelved) {
   const auto kept = kept_of(shelved.file());

@@ -17,6 +17,9 @@ struct KeptIdentifiability {
   std::string why_not;
 };
 
+/// Changes where trials of what is only predicted have come, which are in a journal of their own.
+std::string state_of_predictions(const correlation::Study& study);
+
 /// From any thread; who asks while it is computed waits.
 KeptIdentifiability kept_identifiability(const ShelvedStudy& shelved);
 

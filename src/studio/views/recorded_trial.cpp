@@ -2,14 +2,14 @@
 #include "studio/views/recorded_trial.h"
 
 #include <charconv>
-#include <map>
-#include <mutex>
 
 #include "base/error.h"
 #include "correlation/analysis/prediction_bands.h"
 #include "correlation/study/study_experiment.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/study_trials.h"
+#include "studio/views/kept_answers.h"
+#include "studio/views/kept_identifiability.h"
 
 namespace latsch::studio {
 
@@ -17,7 +17,7 @@ using correlation::Study;
 
 namespace {
 
-constexpr std::size_t kKept = 16;  // points simulated for their predictions
+constexpr std::size_t kKept = 16;  // points with their predictions, and with their bands
 
 std::size_t place_of(const ShelvedStudy::Sight& sight, const std::string& trial) {
   const auto count = static_cast<long>(sight.table->rows().size());
@@ -35,21 +35,26 @@ std::size_t place_of(const ShelvedStudy::Sight& sight, const std::string& trial)
   return static_cast<std::size_t>(number - 1);
 }
 
-/// Recordings of all experiments at a point, the predicted ones too; remembered for a while.
-Result<Channels> with_predicted(const std::shared_ptr<const Study>& study,
-                                const DesignPoint& point) {
-  static std::mutex mutex;
-  static std::vector<std::tuple<std::shared_ptr<const Study>, std::string, Result<Channels>>> kept;
-  const std::lock_guard lock(mutex);  // two pages that ask for the same wait for one simulation
-  for (const auto& [of, bits, channels] : kept)
-    if (of == study && bits == point.bits()) return channels;
-  if (const auto recorded =
-          correlation::recorded_channels(correlation::with_predictions(*study), {point}))
-    return recorded->front();
-  auto channels = correlation::simulate_all(*study, point);
-  if (kept.size() == kKept) kept.erase(kept.begin());
-  kept.emplace_back(study, point.bits(), channels);
-  return channels;
+/// A study and a point of it, and where it counts what was known of it then.
+struct Known {
+  std::shared_ptr<const Study> study;
+  std::string point;
+  std::shared_ptr<const correlation::Identifiability> what = nullptr;
+  std::string predictions = {};  // their state
+  bool operator==(const Known&) const = default;
+};
+
+/// Recordings of all experiments at a point, the predicted ones too; two pages that ask for the
+/// same wait for one simulation.
+std::shared_ptr<const Result<Channels>> with_predicted(const std::shared_ptr<const Study>& study,
+                                                       const DesignPoint& point) {
+  static KeptAnswers<Known, Result<Channels>> kept(kKept);
+  return kept.get({study, point.bits()}, [&]() -> Result<Channels> {
+    if (const auto recorded =
+            correlation::recorded_channels(correlation::with_predictions(*study), {point}))
+      return recorded->front();
+    return correlation::simulate_all(*study, point);
+  });
 }
 
 }  // namespace
@@ -86,26 +91,36 @@ RecordedTrial recorded_trial(const ShelvedStudy& shelved, const std::string& tri
 
 namespace {
 
-/// One for every experiment, or none.
-std::vector<correlation::ExperimentBand> bands_of(const RecordedTrial& recorded,
-                                                  const correlation::Identifiability* what) {
-  const Study& study = *recorded.study;
-  if (!what || what->best != recorded.point) return {};
-  std::vector<correlation::KnownTrial> others;
-  if (correlation::has_predictions(study) && study.specimens->may_repeat()) {
-    auto all = with_predicted(recorded.study, recorded.point);
-    if (all) others.push_back({recorded.point, std::move(*all)});
-  }
-  return correlation::prediction_bands(study, *what, Journal::read(study.run.journal), others);
+using Bands = std::vector<correlation::ExperimentBand>;
+
+/// One for every experiment, or none. They take a reading of the whole journal.
+std::shared_ptr<const Bands> bands_of(
+    const RecordedTrial& recorded,
+    const std::shared_ptr<const correlation::Identifiability>& what) {
+  static const auto none = std::make_shared<const Bands>();
+  static KeptAnswers<Known, Bands> kept(kKept);
+  if (!what || what->best != recorded.point) return none;
+  const std::string predictions = state_of_predictions(*recorded.study);
+  return kept.get({recorded.study, recorded.point.bits(), what, predictions}, [&] {
+    const Study& study = *recorded.study;
+    std::vector<correlation::KnownTrial> others;
+    if (correlation::has_predictions(study) && study.specimens->may_repeat()) {
+      const auto all = with_predicted(recorded.study, recorded.point);
+      if (all->ok()) others.push_back({recorded.point, **all});
+    }
+    return correlation::prediction_bands(study, *what, Journal::read(study.run.journal), others);
+  });
 }
 
 }  // namespace
 
-Drawn draw(const RecordedTrial& recorded, const correlation::Identifiability* what) {
+Drawn draw(const RecordedTrial& recorded,
+           const std::shared_ptr<const correlation::Identifiability>& what) {
   const Study& study = *recorded.study;
-  const auto bands = bands_of(recorded, what);
+  const auto known_bands = bands_of(recorded, what);
+  const Bands& bands = *known_bands;
   Drawn drawn;
-  std::optional<Result<Channels>> all;
+  std::shared_ptr<const Result<Channels>> all;
   for (std::size_t e = 0; e < study.experiments.size(); ++e) {
     const auto& experiment = study.experiments[e];
     const bool has_band = e < bands.size() && bands[e].is_known();
@@ -123,7 +138,7 @@ Drawn draw(const RecordedTrial& recorded, const correlation::Identifiability* wh
         continue;
       }
       if (!all) all = with_predicted(recorded.study, recorded.point);
-      if (!*all) {
+      if (!all->ok()) {
         drawn.absent.emplace_back(experiment.name, all->failure().reason);
         continue;
       }

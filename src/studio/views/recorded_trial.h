@@ -35,6 +35,7 @@ struct Drawn {
 /// Every experiment at that trial beside the initial point. Those that are only predicted are
 /// simulated, where the model may be: as long as a trial takes. With `what`, where it belongs to
 /// that point, also how uncertain the computed values are.
-Drawn draw(const RecordedTrial& recorded, const correlation::Identifiability* what = nullptr);
+Drawn draw(const RecordedTrial& recorded,
+           const std::shared_ptr<const correlation::Identifiability>& what = nullptr);
 
 }  // namespace latsch::studio

@@ -43,21 +43,63 @@ std::vector<float> millimeters(const Eigen::Matrix3Xd& points) {
   return numbers;
 }
 
+Json ranges(const std::vector<report::Scene::Part>& parts) {
+  Json all = Json::array();
+  for (const auto& part : parts)
+    all.push_back({{"name", part.name}, {"first", part.first}, {"count", part.count}});
+  return all;
+}
+
+/// What changes from step to step in one list each, the steps behind each other.
+Json sequence_of(const report::Scene::Sequence& sequence, Buffer& buffer) {
+  std::vector<float> points, field, vectors;
+  Json at = Json::array(), origins = Json::array(), arrows = Json::array();
+  for (const auto& arrow : sequence.arrows)
+    arrows.push_back({{"name", arrow.name},
+                      {"unit", arrow.unit},
+                      {"point", arrow.point},
+                      {"is_load", arrow.is_load}});
+  for (const auto& step : sequence.steps) {
+    at.push_back(finite(step.at));
+    origins.push_back(finite(1e3 * step.origin));
+    const std::vector<float> now = millimeters(step.points);
+    points.insert(points.end(), now.begin(), now.end());
+    field.insert(field.end(), step.field.begin(), step.field.end());
+    for (const double value : step.vectors.reshaped()) vectors.push_back(static_cast<float>(value));
+  }
+  return {{"name", sequence.name},
+          {"mesh", sequence.mesh},
+          {"along", sequence.along},
+          {"unit", sequence.unit},
+          {"at", at},
+          {"origins", origins},
+          {"points", buffer.add(points)},
+          {"field",
+           field.empty() ? Json(nullptr)
+                         : Json{{"name", sequence.field_name},
+                                {"unit", sequence.field_unit},
+                                {"values", buffer.add(field)}}},
+          {"arrows", arrows},
+          {"vectors", buffer.add(vectors)},
+          {"ground", sequence.ground.empty() ? Json(nullptr) : Json(sequence.ground)}};
+}
+
 }  // namespace
 
 std::string scene_buffer(const report::Scene& scene, const std::string& title) {
   Buffer buffer;
-  Json head{{"title", title}, {"unit", "mm"}, {"meshes", Json::array()}, {"frames", Json::array()}};
-  for (const auto& mesh : scene.meshes) {
-    Json parts = Json::array();
-    for (const auto& part : mesh.parts)
-      parts.push_back({{"name", part.name}, {"first", part.first}, {"count", part.count}});
+  Json head{{"title", title},
+            {"unit", "mm"},
+            {"meshes", Json::array()},
+            {"frames", Json::array()},
+            {"sequences", Json::array()}};
+  for (const auto& mesh : scene.meshes)
     head["meshes"].push_back({{"name", mesh.name},
                               {"points", buffer.add(millimeters(mesh.points))},
                               {"triangles", buffer.add(mesh.triangles)},
                               {"edges", buffer.add(mesh.edges)},
-                              {"parts", parts}});
-  }
+                              {"parts", ranges(mesh.parts)},
+                              {"rods", ranges(mesh.rods)}});
   for (const auto& frame : scene.frames) {
     Json field = nullptr;
     if (!frame.field.empty())
@@ -73,6 +115,8 @@ std::string scene_buffer(const report::Scene& scene, const std::string& title) {
          {"frequency", frame.frequency > 0.0 ? finite(frame.frequency) : Json(nullptr)},
          {"ground", frame.ground ? finite(1e3 * *frame.ground) : Json(nullptr)}});
   }
+  for (const auto& sequence : scene.sequences)
+    head["sequences"].push_back(sequence_of(sequence, buffer));
   return buffer.behind(head);
 }
 

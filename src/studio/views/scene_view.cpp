@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The body of a model in space and its section. What a kind of model draws takes a trial's time, so
 // the last ones are kept.
-#include <future>
-#include <mutex>
+#include <utility>
 
 #include "base/error.h"
 #include "correlation/study/variables.h"
 #include "report/report.h"
 #include "report/scene.h"
+#include "studio/views/kept_answers.h"
 #include "studio/views/scene_buffer.h"
 #include "studio/views/views.h"
 
@@ -18,51 +18,22 @@ using correlation::Study;
 
 constexpr std::size_t kBodiesKept = 4;
 
-using Body = std::shared_ptr<const report::StudyReport>;
-
 /// What the kind draws of the model at a point.
-Body draw_body(const Study& study, const DesignPoint& point) {
+report::StudyReport draw_body(const Study& study, const DesignPoint& point) {
   const experiment::SpecimenKind* kind = study.specimens->kind();
   if (!kind || !kind->has_body()) throw InputError("the model of this study has no body to draw");
   std::vector<const experiment::Test*> tests;
   for (const auto& test : study.tests) tests.push_back(test.test.get());
-  auto page = std::make_shared<report::StudyReport>();
-  kind->draw_body(correlation::at(study.model, study.space, point), tests, *page);
+  report::StudyReport page;
+  kind->draw_body(correlation::at(study.model, study.space, point), tests, page);
   return page;
 }
 
-/// The same, of the last ones as it was; who asks for one that is being drawn waits for it alone.
-Body drawn_body(const std::shared_ptr<const Study>& study, const DesignPoint& point) {
-  struct Kept {
-    std::shared_ptr<const Study> study;
-    std::string point;
-    std::shared_future<Body> page;
-  };
-  static std::mutex mutex;
-  static std::vector<Kept> kept;
-  std::promise<Body> drawn;
-  {
-    std::unique_lock lock(mutex);
-    for (const Kept& one : kept) {
-      if (one.study != study || one.point != point.bits()) continue;
-      const std::shared_future<Body> page = one.page;
-      lock.unlock();
-      return page.get();
-    }
-    if (kept.size() == kBodiesKept) kept.erase(kept.begin());
-    kept.push_back({study, point.bits(), drawn.get_future().share()});
-  }
-  try {
-    const Body page = draw_body(*study, point);
-    drawn.set_value(page);
-    return page;
-  } catch (...) {  // for those who wait; the next one draws it again
-    drawn.set_exception(std::current_exception());
-    const std::lock_guard lock(mutex);
-    std::erase_if(kept,
-                  [&](const Kept& one) { return one.study == study && one.point == point.bits(); });
-    throw;
-  }
+std::shared_ptr<const report::StudyReport> drawn_body(const std::shared_ptr<const Study>& study,
+                                                      const DesignPoint& point) {
+  static KeptAnswers<std::pair<std::shared_ptr<const Study>, std::string>, report::StudyReport>
+      kept(kBodiesKept);
+  return kept.get({study, point.bits()}, [&] { return draw_body(*study, point); });
 }
 
 struct AtPoint {
@@ -96,7 +67,7 @@ AtPoint point_of(const ShelvedStudy& shelved, const std::string& trial) {
 
 std::string scene_view(const ShelvedStudy& shelved, const std::string& trial) {
   const AtPoint at = point_of(shelved, trial);
-  const Body page = drawn_body(at.study, at.point);
+  const auto page = drawn_body(at.study, at.point);
   if (page->scene) return scene_buffer(*page->scene, at.words);
   if (page->pictures) return scene_buffer(report::scene_of(*page->pictures), at.words);
   throw InputError("the model finds no equilibrium at this point: there is nothing to draw");
@@ -104,7 +75,7 @@ std::string scene_view(const ShelvedStudy& shelved, const std::string& trial) {
 
 Json section_view(const ShelvedStudy& shelved, const std::string& trial) {
   const AtPoint at = point_of(shelved, trial);
-  const Body page = drawn_body(at.study, at.point);
+  const auto page = drawn_body(at.study, at.point);
   return page->pictures ? section_of(*page->pictures, at.words) : Json(nullptr);
 }
 

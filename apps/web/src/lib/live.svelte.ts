@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The server's events: that it is alive, that a list has changed, that trials have ended. The browser connects again by
-// itself where the connection breaks; what is shown then is asked for anew.
+// itself where the connection breaks; what is shown then is asked for anew. A page that is hidden follows nothing: a browser
+// holds few connections to one server, and many tabs would take them all.
 
 import { isReport } from './answers';
 import type { RunEvent, TrialEvent } from './contract';
@@ -29,7 +30,9 @@ class Live {
   follow(study: string): void {
     if (isReport || (this.#source && study === this.#study)) return;
     this.#source?.close();
+    this.#source = null;
     this.#study = study;
+    if (document.hidden) return; // watch() follows when it is looked at
     const source = new EventSource(study ? `/events?study=${encodeURIComponent(study)}` : '/events');
     this.#source = source;
     source.onopen = () => this.#seen();
@@ -47,17 +50,32 @@ class Live {
   }
 
   watch(): () => void {
+    const look = () => {
+      if (isReport) return;
+      this.#wasLost = true;
+      this.lastSeen = Date.now(); // silence counts from here
+      if (document.hidden) this.#leave();
+      else this.follow(this.#study);
+    };
+    document.addEventListener('visibilitychange', look);
     const timer = setInterval(() => {
-      if (isReport || Date.now() - this.lastSeen < kSilence) return;
+      if (isReport || document.hidden || Date.now() - this.lastSeen < kSilence) return;
       this.isAlive = false;
       this.#wasLost = true;
       if (this.#source?.readyState === EventSource.CLOSED) {
-        const study = this.#study;
-        this.#source = null;
-        this.follow(study);
+        this.#leave();
+        this.follow(this.#study);
       }
     }, 1000);
-    return () => clearInterval(timer);
+    return () => {
+      clearInterval(timer);
+      document.removeEventListener('visibilitychange', look);
+    };
+  }
+
+  #leave(): void {
+    this.#source?.close();
+    this.#source = null;
   }
 
   on<K extends Kind>(kind: K, listener: (data: Heard[K]) => void): () => void {

@@ -26,7 +26,7 @@ export function number(value: Value | undefined, digits = 4): string {
   const places = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
   const text = value.toFixed(Math.min(places, 12));
   const [whole, part] = text.split('.');
-  const grouped = whole!.length > 5 ? whole!.replace(/\B(?=(\d{3})+$)/g, ' ') : whole!;
+  const grouped = whole!.replace('-', '').length > 5 ? whole!.replace(/\B(?=(\d{3})+$)/g, ' ') : whole!;
   const rest = part?.replace(/0+$/, '');
   return (rest ? `${grouped}.${rest}` : grouped).replace('-', kMinus);
 }

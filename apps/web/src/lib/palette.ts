@@ -27,11 +27,13 @@ export function inkOn(color: Rgb): string {
   return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.179 ? '#000000' : '#ffffff';
 }
 
-/** From -1 (blue) through the paper to 1 (vermilion), for correlations; `paper` is the color between. */
+/** From -1 (blue) through the color between, `paper`, to 1 (vermilion): correlations on paper, forces on kForceless. */
 export function diverging(value: number, paper: Rgb): Rgb {
   const end = value < 0 ? [0, 114, 178] : [213, 94, 0];
   const share = Math.min(Math.abs(value), 1);
   return [0, 1, 2].map((k) => Math.round(paper[k]! + share * (end[k]! - paper[k]!))) as Rgb;
 }
+
+export const kForceless: Rgb = [168, 176, 184];
 
 export const kLineColors = ['--line-1', '--line-2', '--line-3', '--line-4', '--line-5', '--line-6'] as const;

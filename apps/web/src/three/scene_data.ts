@@ -18,6 +18,7 @@ export interface SceneMesh {
   triangles: Uint32Array;
   edges: Uint32Array;
   parts: Part[];
+  rods: Part[]; // ranges of edges
 }
 
 export interface SceneFrame {
@@ -30,17 +31,40 @@ export interface SceneFrame {
   ground: number | null;
 }
 
+export interface SceneArrow {
+  name: string;
+  unit: string;
+  point: number;
+  is_load: boolean;
+}
+
+/** What a test does: a step after the other, of a rig's states or of a run's moments. */
+export interface SceneSequence {
+  name: string;
+  mesh: number;
+  along: string;
+  unit: string;
+  at: (number | null)[];
+  origins: number[]; // how far along x the place has gone from which points are told
+  points: Float32Array; // of all steps
+  field: { name: string; unit: string; values: Float32Array } | null;
+  arrows: SceneArrow[];
+  vectors: Float32Array; // of all steps, in the arrows' units
+  ground: number | null; // a mesh that stands still
+}
+
 export interface SceneData {
   title: string;
   unit: string;
   meshes: SceneMesh[];
   frames: SceneFrame[];
+  sequences: SceneSequence[];
 }
 
 interface Told {
   title: string;
   unit: string;
-  meshes: { name: string; points: Span; triangles: Span; edges?: Span | null; parts?: Part[] }[];
+  meshes: { name: string; points: Span; triangles: Span; edges?: Span | null; parts?: Part[]; rods?: Part[] }[];
   frames: {
     name: string;
     mesh: number | string;
@@ -49,6 +73,19 @@ interface Told {
     swing: Span | null;
     frequency: number | null;
     ground: number | null;
+  }[];
+  sequences?: {
+    name: string;
+    mesh: string;
+    along: string;
+    unit: string;
+    at: (number | null)[];
+    origins: (number | null)[];
+    points: Span;
+    field: { name: string; unit: string; values: Span } | null;
+    arrows: SceneArrow[];
+    vectors: Span;
+    ground: string | null;
   }[];
 }
 
@@ -62,18 +99,30 @@ export function readScene(buffer: ArrayBuffer): SceneData {
   const meshes = told.meshes.map((mesh) => {
     const triangles = integers(mesh.triangles);
     const parts = mesh.parts?.length ? mesh.parts : [{ name: mesh.name, first: 0, count: triangles.length / 3 }];
-    return { name: mesh.name, points: floats(mesh.points), triangles, edges: integers(mesh.edges), parts };
+    const edges = integers(mesh.edges);
+    const rods = mesh.rods?.length ? mesh.rods : triangles.length ? [] : [{ name: mesh.name, first: 0, count: edges.length / 2 }];
+    return { name: mesh.name, points: floats(mesh.points), triangles, edges, parts, rods };
   });
+  const numberOf = (name: string) => Math.max(meshes.findIndex((mesh) => mesh.name === name), 0);
   const frames = told.frames.map((frame) => ({
     name: frame.name,
-    mesh: typeof frame.mesh === 'number' ? frame.mesh : Math.max(meshes.findIndex((mesh) => mesh.name === frame.mesh), 0),
+    mesh: typeof frame.mesh === 'number' ? frame.mesh : numberOf(frame.mesh),
     points: floats(frame.points),
     field: frame.field && { name: frame.field.name, unit: frame.field.unit, values: floats(frame.field.values) },
     swing: frame.swing && floats(frame.swing),
     frequency: frame.frequency,
     ground: frame.ground,
   }));
-  return { title: told.title, unit: told.unit, meshes, frames };
+  const sequences = (told.sequences ?? []).map((one) => ({
+    ...one,
+    mesh: numberOf(one.mesh),
+    origins: one.origins.map((origin) => origin ?? 0),
+    points: floats(one.points),
+    field: one.field && { name: one.field.name, unit: one.field.unit, values: floats(one.field.values) },
+    vectors: floats(one.vectors),
+    ground: one.ground === null ? null : numberOf(one.ground),
+  }));
+  return { title: told.title, unit: told.unit, meshes, frames, sequences };
 }
 
 export function fieldRange(values: Float32Array): [number, number] {
@@ -83,6 +132,40 @@ export function fieldRange(values: Float32Array): [number, number] {
     if (value > greatest) greatest = value;
   }
   return Number.isFinite(least) ? [least, greatest] : [0, 1];
+}
+
+/** As far to either side of zero as the values go. */
+export function signedRange(values: Float32Array): [number, number] {
+  let most = 0;
+  for (const value of values) if (Math.abs(value) > most) most = Math.abs(value);
+  return [-most, most];
+}
+
+/** A step of a sequence: views of its arrays. */
+export function stepOf(sequence: SceneSequence, step: number): { points: Float32Array; values: Float32Array | null; vectors: Float32Array } {
+  const part = (all: Float32Array) => all.subarray((step * all.length) / sequence.at.length, ((step + 1) * all.length) / sequence.at.length);
+  return { points: part(sequence.points), values: sequence.field && part(sequence.field.values), vectors: part(sequence.vectors) };
+}
+
+/** The step in which forces are largest: what there is to see. */
+export function strongestStep(sequence: SceneSequence): number {
+  let [best, most] = [0, -1];
+  for (let step = 0; step < sequence.at.length; ++step) {
+    const sum = stepOf(sequence, step).vectors.reduce((all, value) => all + value * value, 0);
+    if (sum > most) [best, most] = [step, sum];
+  }
+  return best;
+}
+
+/** The longest arrow of a unit over all steps. */
+export function longestArrow(sequence: SceneSequence, unit: string): number {
+  let most = 0;
+  const count = sequence.arrows.length;
+  for (let k = 0; k < sequence.vectors.length / 3; ++k) {
+    if (sequence.arrows[k % count]!.unit !== unit) continue;
+    most = Math.max(most, Math.hypot(sequence.vectors[3 * k]!, sequence.vectors[3 * k + 1]!, sequence.vectors[3 * k + 2]!));
+  }
+  return most;
 }
 
 /** What the points span along each axis, half its diagonal, and its middle. */

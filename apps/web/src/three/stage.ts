@@ -13,6 +13,7 @@ export interface Label {
 }
 
 export interface Hit {
+  object: Object3D;
   point: Vector3;
   corners: [number, number, number]; // indices of the triangle's points
   nearest: number;
@@ -81,17 +82,19 @@ export class Stage {
     this.request();
   }
 
-  hit(object: Mesh, x: number, y: number): Hit | null {
+  /** The nearest of these below a place of the picture. */
+  hit(objects: readonly Mesh[], x: number, y: number): Hit | null {
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(x, y), this.camera);
-    const found = ray.intersectObject(object, false)[0];
+    const found = ray.intersectObjects([...objects], false)[0];
     if (!found?.face) return null;
+    const object = found.object as Mesh;
     const corners: Hit['corners'] = [found.face.a, found.face.b, found.face.c];
     const places = object.geometry.getAttribute('position');
     const local = object.worldToLocal(found.point.clone());
     const distance = (k: number) => new Vector3().fromBufferAttribute(places, k).distanceToSquared(local);
     const nearest = corners.reduce((best, k) => (distance(k) < distance(best) ? k : best));
-    return { point: found.point, corners, nearest, instance: found.instanceId };
+    return { object, point: found.point, corners, nearest, instance: found.instanceId };
   }
 
   clear(objects: readonly Object3D[]): void {

@@ -9,10 +9,11 @@ import type { Label } from './stage';
 
 const kLength = 0.22; // of the radius
 
-export function triad(mesh: SceneMesh, ink: string): { lines: LineSegments; labels: Label[] } {
+/** `isAhead`: of what is looked at from its front left, at its front right. */
+export function triad(mesh: SceneMesh, ink: string, isAhead = false): { lines: LineSegments; labels: Label[] } {
   const { center, radius, sizes } = extentOf(mesh.points);
   const length = kLength * radius;
-  const corner = center.map((middle, axis) => middle - sizes[axis]! / 2 - (axis < 2 ? 0.6 * length : 0));
+  const corner = center.map((middle, axis) => middle + (axis === 0 && isAhead ? 1 : -1) * (sizes[axis]! / 2 + (axis < 2 ? 0.6 * length : 0)));
   const end = (axis: number, reach: number) => corner.map((x, k) => (k === axis ? x + reach * length : x)) as [number, number, number];
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array([0, 1, 2].flatMap((axis) => [...corner, ...end(axis, 1)])), 3));

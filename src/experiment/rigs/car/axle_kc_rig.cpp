@@ -128,6 +128,15 @@ class AxleOnRig {
     return unit < 0 ? 0.0 : assembly_.extension(unit, rest_.poses);
   }
 
+  void show(const RigWatcher& watch, Eigen::Index state) const {
+    std::array<RigState::Wheel, 2> wheels;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const car::CornerParts& of = corner(static_cast<int>(side));
+      wheels[side] = {side == 0 ? "left" : "right", of.upright, of.wheel_center, of.contact};
+    }
+    watch({mechanism_, assembly_, rest_, loads_, wheels, state});
+  }
+
   /// Of what moves of both wheels in all stiffnesses, columns as in Equilibrium::by_stiffness.
   Result<Eigen::MatrixXd> slopes() {
     if (const std::string trouble = statics_.linearize(rest_, standing()); !trouble.empty())
@@ -256,7 +265,10 @@ std::vector<std::pair<std::string, std::string>> axle_kc_moved(const AxleKcTest&
   return names;
 }
 
-Result<Channels> run(const car::CarMechanism& car, const AxleKcTest& test, const KcSlopes& asked) {
+Result<Channels> run(const car::CarMechanism& car,
+                     const AxleKcTest& test,
+                     const KcSlopes& asked,
+                     const RigWatcher& watch) {
   const std::vector<Stiffnesses>& varied = asked.varied;
   assert((varied.empty() || !test.travel) && "preloads depend on what varies");
   AxleOnRig rig(car, test);
@@ -274,6 +286,7 @@ Result<Channels> run(const car::CarMechanism& car, const AxleKcTest& test, const
   for (std::size_t state = 0; state < states; ++state) {
     if (const auto there = rig.go_to(static_cast<Eigen::Index>(state)); !there)
       return there.failure();
+    if (watch) rig.show(watch, static_cast<Eigen::Index>(state));
     std::size_t channel = 0;
     const auto put = [&](double value) { moved[channel++].values.push_back(value); };
     for (int side = 0; side < 2; ++side) {

@@ -45,7 +45,8 @@ std::vector<std::pair<std::string, std::string>> axle_kc_moved(const AxleKcTest&
 /// the car's mechanism.
 Result<Channels> run(const car::CarMechanism& car,
                      const AxleKcTest& test,
-                     const KcSlopes& asked = {});
+                     const KcSlopes& asked = {},
+                     const RigWatcher& watch = {});
 
 /// 144 channels, dx_L_by_Fx_L ... about_z_R_by_Mz_R, by state: travel and rotation of the upright
 /// at the loads' point; and the classical compliances in and out of phase.

@@ -14,6 +14,7 @@
 //   area_FL ...                            m^2, of contact, where it is asked for and known
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ std::array<std::string, car::kCorners> of_corners(const std::string& name);
 
 /// Names and units of all of them but area, which stands last.
 std::vector<std::pair<std::string, std::string>> car_channels(bool with_area);
+
+/// Looks at a run at every sample.
+using CarWatcher = std::function<void(
+    const car::Car&, const car::CarState&, const road::Road&, double time)>;
 
 class CarRecord {
  public:

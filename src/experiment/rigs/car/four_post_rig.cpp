@@ -48,7 +48,7 @@ FourPostTest sweep_test(const PostSweep& sweep, double sample_step) {
   return test;
 }
 
-Result<Channels> run(car::Car& car, const FourPostTest& test) {
+Result<Channels> run(car::Car& car, const FourPostTest& test, const CarWatcher& watch) {
   road::PostsRoad::Settings settings;
   const auto& corners = car.parts().corners;
   settings.x = 0.5 * (corners[car::kFL].wheel_center.x() + corners[car::kRL].wheel_center.x());
@@ -65,6 +65,7 @@ Result<Channels> run(car::Car& car, const FourPostTest& test) {
   const auto sample = [&] {
     const double time = state->time();
     record.sample(*state, inputs, time);
+    if (watch) watch(car, *state, road, time);
     for (std::size_t i = 0; i < 4; ++i) {
       const Eigen::Vector3d& place = corners[i].wheel_center;
       posts[i].push_back(road.height(place.x(), place.y(), time));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "experiment/rigs/car/car_record.h"
 #include "measurement/channels.h"
 #include "models/car/car.h"
 
@@ -35,6 +36,6 @@ struct PostSweep {
 FourPostTest sweep_test(const PostSweep& sweep, double sample_step);
 
 /// What car_record.h names, and heights of the posts "post_FL" ...
-Result<Channels> run(car::Car& car, const FourPostTest& test);
+Result<Channels> run(car::Car& car, const FourPostTest& test, const CarWatcher& watch = {});
 
 }  // namespace latsch::experiment

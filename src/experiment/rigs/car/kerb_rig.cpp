@@ -100,7 +100,7 @@ Eigen::Vector4d pushrods_at(const KerbTest& test, double time) {
 
 class KerbRun {
  public:
-  KerbRun(car::Car& car, const KerbTest& test, const KerbWatcher& watch)
+  KerbRun(car::Car& car, const KerbTest& test, const CarWatcher& watch)
       : car_(car), test_(test), watch_(watch), road_(road_of(test, car)) {}
 
   Result<Channels> run() {
@@ -120,7 +120,7 @@ class KerbRun {
       if ((i - lead) % every != 0) continue;
       record.sample(state_, inputs_, time);
       speed_.push_back(state_.bodies.rates[6 * car_.parts().chassis]);
-      if (watch_) watch_(car_, state_, time);
+      if (watch_) watch_(car_, state_, *road_, time);
       for (std::size_t k = 0; k < 3; ++k)
         loaders_[k].push_back(downforce_[static_cast<Eigen::Index>(k)]);
       unreachable_.push_back(left_);
@@ -204,7 +204,7 @@ class KerbRun {
 
   car::Car& car_;
   const KerbTest& test_;
-  const KerbWatcher& watch_;
+  const CarWatcher& watch_;
   std::unique_ptr<const road::Road> road_;
   std::optional<car::LoaderSolution> solution_;
   car::CarState state_;
@@ -217,7 +217,7 @@ class KerbRun {
 
 }  // namespace
 
-Result<Channels> run(car::Car& car, const KerbTest& test, const KerbWatcher& watch) {
+Result<Channels> run(car::Car& car, const KerbTest& test, const CarWatcher& watch) {
   return KerbRun(car, test, watch).run();
 }
 

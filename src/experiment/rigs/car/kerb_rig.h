@@ -5,12 +5,12 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/result.h"
+#include "experiment/rigs/car/car_record.h"
 #include "measurement/channels.h"
 #include "models/car/aero_loaders.h"
 #include "models/road/kerb.h"
@@ -63,8 +63,6 @@ struct KerbTest {
   bool follows_pushrods() const { return !pushrods[0].values.empty(); }
 };
 
-/// Looks at a run at every sample.
-using KerbWatcher = std::function<void(const car::Car&, const car::CarState&, double time)>;
 /// The road of a test, whose place 0 is where the front axle is at time 0. A kerb stands on z = 0,
 /// of a file the start of the test is there.
 std::unique_ptr<const road::Road> road_of(const KerbTest& test, const car::Car& car);
@@ -74,6 +72,6 @@ std::unique_ptr<const road::Road> road_of(const KerbTest& test, const car::Car& 
 /// Time 0: the front axle at place 0. With areas also "area_mean_FL" ..., "area_spread_FL" ... and
 /// those of the sum, "area_mean", "area_spread": mean and standard deviation from time 0 on, one
 /// value each.
-Result<Channels> run(car::Car& car, const KerbTest& test, const KerbWatcher& watch = {});
+Result<Channels> run(car::Car& car, const KerbTest& test, const CarWatcher& watch = {});
 
 }  // namespace latsch::experiment

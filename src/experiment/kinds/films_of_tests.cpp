@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/kinds/films_of_tests.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace latsch::experiment {
+
+void add_films(const std::vector<const Test*>& tests, Specimen& specimen, report::Scene& scene) {
+  // A step of a car on its road takes some 7 kB: 1.6 megabytes for all, of a report 0.9.
+  constexpr int kSteps = 240, kMostSteps = 120, kFewestSteps = 9;
+  std::vector<const Test*> shown;
+  for (const Test* test : tests)
+    if (test->has_film() && std::ssize(shown) < kSteps / kFewestSteps) shown.push_back(test);
+  if (shown.empty()) return;
+  const int steps = std::clamp(kSteps / static_cast<int>(shown.size()), kFewestSteps, kMostSteps);
+  for (const Test* test : shown) {
+    try {
+      // A failure is told where the trial is; the body is shown all the same.
+      (void)test->film(specimen, steps, scene);
+    } catch (const InputError&) {  // not with these numbers: a corner without bushings
+    }
+  }
+}
+
+}  // namespace latsch::experiment

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a specimen moves in the tests of a study, for a page.
+#pragma once
+
+#include <vector>
+
+#include "experiment/language/test.h"
+#include "report/scene.h"
+
+namespace latsch::experiment {
+
+/// Of the first tests that have a film, in so many steps that a report stays small; a test in which
+/// the specimen fails, or which it cannot do, has none.
+void add_films(const std::vector<const Test*>& tests, Specimen& specimen, report::Scene& scene);
+
+}  // namespace latsch::experiment
