@@ -4,10 +4,10 @@
 // A node's pressure is a mean weighted by its hat (T.1), of which the share of the surface that it
 // stands for, L long, knows only the force. Spread evenly over that share the force lies too close
 // to the node, spread by the hat, which reaches to the neighbors, too far from it where these do
-// not touch. Between them a trapezoid,
-//   w(s) = mean over b of the share, b = L / sqrt(2):  int w s^2 ds / L = (L^2 + b^2) / 12      (P.1)
-// has a second moment midway between that of the even share, L^2 / 12, and the hat's, L^2 / 6, as
-// half the sag is what counts of a mean in (T.2). Along the road and across.
+// not touch. Between them a trapezoid, the even share averaged over b,
+//   b = L / sqrt(2),   its second moment (L^2 + b^2) / 12,                                    (P.1)
+// is midway between the even share, L^2 / 12, and the hat, L^2 / 6, as half the sag is what counts
+// of a mean in (T.2). Along the road and across.
 #pragma once
 
 #include <vector>
