@@ -6,7 +6,7 @@
 // along the section and, in the first of its zones of sectors, which holds the contact, around;
 // tire A's around alone: split along the section too, Newton's method does not converge in its
 // first millimeter. A mesh shows pressures as means over what a node stands for, a finer one over
-// less: so peaks are compared as sensors of 15 mm see them, on which both have several. Chosen on
+// less: so peaks are compared as sensors of 15 mm see them, wherever they lie (P.1). Chosen on
 // the 205/55R16 and the race tire, which is pressed to 10 mm: beyond, it stands on its tread's
 // edges. B and A were looked at afterwards. Before all that friction, of every shipped tire: asked
 // for every 2.5 mm, as studies do, against steps of a tenth.
@@ -44,30 +44,6 @@ FeTire refined(TireDescription tire, int along_section) {
                 {.element = tire.element, .tolerance = kTolerance});
 }
 
-double overlap(double a, double b, double length) {
-  return std::max(0.0,
-                  std::min(a + 0.5 * kSensor, b + 0.5 * length) -
-                      std::max(a - 0.5 * kSensor, b - 0.5 * length));
-}
-
-/// The highest mean pressure on a sensor wherever it lies; every point is a rectangle.
-double peak_pressure(const ContactPatch& patch) {
-  constexpr double kStep = 2.5e-3;
-  double peak = 0.0;
-  const int n = static_cast<int>(std::ceil(0.5 * std::max(patch.length, patch.width) / kStep)) + 1;
-  for (int i = -n; i <= n; ++i) {
-    for (int j = -n; j <= n; ++j) {
-      double force = 0.0;
-      for (const ContactPatch::Point& point : patch.points) {
-        force += point.pressure * overlap(i * kStep, point.x, point.length) *
-                 overlap(j * kStep, point.y, point.area / point.length);
-      }
-      peak = std::max(peak, force / (kSensor * kSensor));
-    }
-  }
-  return peak;
-}
-
 struct Quantity {
   const char* name;
   double reach;
@@ -80,7 +56,7 @@ const std::vector<Quantity>& quantities() {
       {"length", 0.03, [](const Standing& s) { return s.patch.length; }},
       {"width", 0.03, [](const Standing& s) { return s.patch.width; }},
       {"area", 0.03, [](const Standing& s) { return s.patch.area; }},
-      {"peak pressure", 0.10, [](const Standing& s) { return peak_pressure(s.patch); }}};
+      {"peak pressure", 0.10, [](const Standing& s) { return s.patch.peak_pressure(kSensor); }}};
   return all;
 }
 

@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "models/fe_tire/contact/contact_patch.h"
 #include "models/fe_tire/contact/ground.h"
 #include "models/fe_tire/contact/tread_surface.h"
 #include "numerics/sparse/symmetric_matrix.h"
@@ -27,21 +28,6 @@ struct Anchor {
   bool holds = false;                            // in contact
   bool slid = false;                             // in the step that ended with the last equilibrium
   bool operator==(const Anchor&) const = default;
-};
-
-/// Where tread and ground touch; ground's axes.
-struct ContactPatch {
-  double length = 0.0, width = 0.0;  // m, extent along x and y
-  double area = 0.0;                 // m^2
-  struct Point {
-    double x, y;              // m, from the point below the wheel center
-    double pressure;          // Pa
-    double shear_x, shear_y;  // Pa, on the tire
-    double area;              // m^2 that it stands for
-    double length;            // m of it along the road
-    bool sticks;
-  };
-  std::vector<Point> points;
 };
 
 class TreadContact {

@@ -114,6 +114,25 @@ double covered(const Line& line, const Eigen::VectorXd& area, const Run& run) {
   return sum;
 }
 
+/// Means of the heights along lines of samples, weighted by a hat a face wide to both sides.
+Eigen::VectorXd means(const std::vector<std::vector<int>>& lines, const Eigen::VectorXd& height) {
+  constexpr int kReach = TreadSurface::kSamples;
+  Eigen::VectorXd mean = height;
+  for (const std::vector<int>& line : lines) {
+    const int size = static_cast<int>(line.size());
+    for (int k = 0; k < size; ++k) {
+      double sum = 0.0, weights = 0.0;
+      for (int at = std::max(k - kReach + 1, 0); at < std::min(k + kReach, size); ++at) {
+        const double weight = kReach - std::abs(at - k);
+        sum += weight * height[line[at]];
+        weights += weight;
+      }
+      mean[line[k]] = sum / weights;
+    }
+  }
+  return mean;
+}
+
 struct Extent {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   void add(double at) {
@@ -142,15 +161,21 @@ FootprintSize footprint_size(const TreadSurface& tread,
   Extent along, across;
   const bool halved = tread.multiplicity() > 1.0;
   const double near = std::max(kNear, kBeyondRest * rest);
+  const std::vector<std::vector<int>> lines_across = tread.lines_across();
+  Eigen::Matrix3Xd around = at;
+  if (tread.shape() == TreadShape::smooth) {
+    const Eigen::VectorXd height = at.row(2);
+    around.row(2) = 0.5 * (height + means(lines_across, height)).transpose();  // (F.2)
+  }
   for (const std::vector<int>& samples : tread.lines_around()) {
-    const Line line{samples, at, 0, near};
+    const Line line{samples, around, 0, near};
     for (const Run& run : runs_of(line, halved)) {
       along.add(run);
       if (run.length > 0.0) size.area += covered(line, area, run);
     }
   }
   if (along.length(halved) == 0.0) return {};  // near the ground, but no patch would leave the gap
-  for (const std::vector<int>& samples : tread.lines_across()) {
+  for (const std::vector<int>& samples : lines_across) {
     const Line line{samples, at, 1, near};
     for (const Run& run : runs_of(line, false)) across.add(run);
   }

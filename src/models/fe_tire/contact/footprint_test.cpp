@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "base/document.h"
 #include "models/fe_tire/description/tire_description.h"
@@ -70,6 +71,32 @@ TEST(FootprintSize, FindsTheEdgesOfALineContact) {
     const Above above(tread, line_contact(a));
     const FootprintSize size = footprint_size(tread.surface, above.at, above.area, 0.0);
     EXPECT_NEAR(size.length, 2.0 * a, 2e-4) << a;
+  }
+}
+
+// A wave from column to column, which the ground does not feel of a surface, counts by half: it
+// lengthens the patch as an even dip does that is half as deep as its lowest samples. Where the
+// tread ends, the hat is cut: a mean of 0.054 of the wave is left there, 6 % of that dip.
+TEST(FootprintSize, FeelsHalfOfAWaveAcross) {
+  const Tread tread("race_16x7.5-10.toml");
+  const auto length = [&](const std::function<double(double share)>& more) {
+    Above above(tread, line_contact(0.02));
+    for (const std::vector<int>& line : tread.surface.lines_across()) {
+      for (std::size_t k = 0; k < line.size(); ++k) {
+        above.at(2, line[k]) += more((k % TreadSurface::kSamples + 0.5) / TreadSurface::kSamples);
+      }
+    }
+    return footprint_size(tread.surface, above.at, above.area, 0.0).length;
+  };
+  const double even = length([](double) { return 0.0; });
+  for (const double height : {1e-4, 2e-4}) {
+    const auto wave = [&](double share) {
+      return height * std::cos(2.0 * std::numbers::pi * share);
+    };
+    const double lowest = wave(0.5 + 0.5 / TreadSurface::kSamples);
+    const double dipped = length([&](double) { return 0.5 * lowest; });
+    EXPECT_GT(dipped, even + 1e-3);
+    EXPECT_NEAR(length(wave), dipped, 0.06 * (dipped - even)) << height;
   }
 }
 

@@ -62,6 +62,7 @@ class TreadSurface {
   };
   static constexpr int kSamples = 8;  // of the surface along each side of a face
 
+  TreadShape shape() const { return shape_; }
   bool empty() const { return nodes_.empty(); }
   int nodes() const { return static_cast<int>(nodes_.size()); }
   /// Of every node: its three unknowns are 3 block_row, ...
