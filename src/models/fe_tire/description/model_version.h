@@ -6,6 +6,6 @@
 
 namespace latsch::fe_tire {
 
-inline constexpr int kModelVersion = 10;
+inline constexpr int kModelVersion = 11;
 
 }  // namespace latsch::fe_tire
