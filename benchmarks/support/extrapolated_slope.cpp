@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "extrapolated_slope.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "numerics/dense/orthogonal_factors.h"
 
 namespace latsch::benchmarks {
 namespace {
@@ -14,14 +17,16 @@ struct Difference {
   double step, value, noise;
 };
 
-/// The best of the table that begins with `row` and goes on with powers `power`, 2 `power`, ...
-ExtrapolatedSlope best(const std::vector<Difference>& differences, int power) {
-  ExtrapolatedSlope found{0.0, std::numeric_limits<double>::infinity()};
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
+/// The best of the table of central differences.
+ExtrapolatedSlope extrapolated(const std::vector<Difference>& differences) {
+  ExtrapolatedSlope found{0.0, kUnknown};
   std::vector<Difference> before;
   for (std::size_t k = 0; k < differences.size(); ++k) {
     std::vector<Difference> row = {differences[k]};
     for (std::size_t j = 1; j <= k; ++j) {
-      const double ratio = std::pow(differences[k - j].step / differences[k].step, power);
+      const double ratio = std::pow(differences[k - j].step / differences[k].step, 2);
       const Difference &left = row[j - 1], &above = before[j - 1];
       const double value = left.value + (left.value - above.value) / (ratio - 1.0);
       const double noise = (ratio * left.noise + above.noise) / (ratio - 1.0);
@@ -38,22 +43,86 @@ ExtrapolatedSlope best(const std::vector<Difference>& differences, int power) {
   return found;
 }
 
+/// A value beside the point, less that at it.
+struct Place {
+  double x, change;
+};
+
+/// The slope at zero of the polynomial through places as far as `reach`, and zero, in the sense of
+/// least squares; `error` is the noise in it. Nothing where it has less than two places to spare.
+std::optional<ExtrapolatedSlope> fitted(const std::vector<Place>& all,
+                                        double reach,
+                                        int degree,
+                                        double noise) {
+  std::vector<Place> places;
+  for (const Place& place : all) {
+    if (std::abs(place.x) <= reach) places.push_back(place);
+  }
+  const auto count = static_cast<Eigen::Index>(places.size());
+  if (count < degree + 2) return std::nullopt;
+  Eigen::MatrixXd powers(degree + 1, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    powers(0, i) = 1.0;
+    for (int k = 1; k <= degree; ++k) {
+      powers(k, i) = powers(k - 1, i) * places[static_cast<std::size_t>(i)].x / reach;
+    }
+  }
+  // The shortest weights that give the slope of every power are those of least squares.
+  const Eigen::VectorXd slopes = Eigen::VectorXd::Unit(degree + 1, 1);
+  const Eigen::VectorXd weights = numerics::shortest_solution(powers, slopes) / reach;
+  ExtrapolatedSlope found{0.0, weights.lpNorm<1>() * noise};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    found.value += weights[i] * places[static_cast<std::size_t>(i)].change;
+  }
+  return found;
+}
+
+/// The best of polynomials over places to both sides.
+ExtrapolatedSlope best_fit(const std::vector<Place>& places,
+                           const std::vector<double>& reaches,
+                           double noise) {
+  constexpr int kHighest = 5;
+  ExtrapolatedSlope found{0.0, kUnknown};
+  for (std::size_t r = 0; r + 1 < reaches.size(); ++r) {
+    for (int degree = 1; degree < kHighest; ++degree) {
+      const auto fit = fitted(places, reaches[r], degree, noise);
+      const auto higher = fitted(places, reaches[r], degree + 1, noise);
+      const auto nearer = fitted(places, reaches[r + 1], degree, noise);
+      if (!fit || !higher || !nearer) continue;
+      const double error = std::max(
+          {fit->error, std::abs(fit->value - higher->value), std::abs(fit->value - nearer->value)});
+      if (error < found.error) found = {fit->value, error};
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 std::optional<ExtrapolatedSlope> extrapolated_slope(const std::vector<StepValues>& steps,
                                                     double at,
                                                     double noise) {
-  std::vector<Difference> central, backward, forward;
+  std::vector<Difference> central;
+  std::vector<Place> places = {{0.0, 0.0}};
+  std::vector<double> reaches;
+  std::size_t below_known = 0, above_known = 0;
   for (const auto& [h, below, above] : steps) {
     if (below && above) central.push_back({h, (*above - *below) / (2.0 * h), noise / h});
-    if (below) backward.push_back({h, (at - *below) / h, 2.0 * noise / h});
-    if (above) forward.push_back({h, (*above - at) / h, 2.0 * noise / h});
+    if (below) places.push_back({-h, *below - at});
+    if (above) places.push_back({h, *above - at});
+    if (below || above) reaches.push_back(h);
+    below_known += below.has_value();
+    above_known += above.has_value();
   }
-  if (central.size() >= kFewest) return best(central, 2);
-  auto& side = backward.size() > forward.size() ? backward : forward;
-  if (side.size() < kFewest) return std::nullopt;
-  ExtrapolatedSlope found = best(side, 1);
-  found.one_sided = true;
+  if (std::max(below_known, above_known) < kFewest) return std::nullopt;
+  ExtrapolatedSlope found = best_fit(places, reaches, noise);
+  if (central.size() >= kFewest) {
+    const ExtrapolatedSlope other = extrapolated(central);
+    if (other.error < found.error) found = other;
+  } else {
+    found.one_sided = true;
+  }
+  if (found.error == kUnknown) return std::nullopt;
   return found;
 }
 

@@ -2,10 +2,14 @@
 // A slope from values beside a point, and how far it may be off: differences at several steps,
 // extrapolated to a step of zero.
 //
-// Central differences err by even powers of the step, one-sided ones by all. Each extrapolation
-// removes one of them and enlarges what the values are off; of all of them that one is taken whose
-// estimated error is least: the larger of its distance to its two predecessors and of the noise in
-// it. [Ridders, Accurate computation of F'(x) and F'(x) F''(x), Adv. Eng. Software 4 (1982) 75-76]
+// Central differences err by even powers of the step. Each extrapolation removes one of them and
+// enlarges what the values are off; of all of them that one is taken whose estimated error is
+// least: the larger of its distance to its two predecessors and of the noise in it. [Ridders,
+// Accurate computation of F'(x) and F'(x) F''(x), Adv. Eng. Software 4 (1982) 75-76]
+//   Where one side is known over small steps alone, or not at all, extrapolated differences of the
+// other would enlarge noise by what they remove. There polynomials are fitted to all values there
+// are, over several reaches: their error is the larger of the noise in them, at its worst, and of
+// what one more power and a nearer reach change.
 #pragma once
 
 #include <optional>
@@ -24,8 +28,8 @@ struct StepValues {
   std::optional<double> below, above;
 };
 
-/// `steps` descending; `at`: the value at the point; `noise`: what values may be off. Of both sides
-/// where at least three steps have both, else of that side which has three; else nothing.
+/// `steps` descending; `at`: the value at the point; `noise`: what values may be off. Nothing where
+/// no side has three steps; one-sided where less than three have both.
 std::optional<ExtrapolatedSlope> extrapolated_slope(const std::vector<StepValues>& steps,
                                                     double at,
                                                     double noise);

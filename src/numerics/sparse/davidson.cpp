@@ -38,12 +38,17 @@ struct Space {
   const SymmetricMatrix &K, &M;
   MatrixXd V, KV, MV;
 
-  /// What is new in the directions D.
+  /// What is new in the directions D. Little may be left of them: M times it is made once more, not
+  /// M times what the second pass takes away.
   void extend(MatrixXd D) {
     MatrixXd MD;
     for (int pass = 0; pass < 2; ++pass) {
-      if (V.cols() > 0) add_product<double>(-1.0, V, overlaps<double>(MV, D), 1.0, D);
-      MD = times(M, D);
+      if (V.cols() > 0) {
+        const MatrixXd old = overlaps<double>(MV, D);
+        add_product<double>(-1.0, V, old, 1.0, D);
+        if (pass > 0) add_product<double>(-1.0, MV, old, 1.0, MD);
+      }
+      if (pass == 0) MD = times(M, D);
       const auto [square, U] = self_adjoint_eigen(overlaps<double>(D, MD));
       const double largest = square.size() > 0 ? square[square.size() - 1] : 0.0;
       Eigen::Index first = 0;

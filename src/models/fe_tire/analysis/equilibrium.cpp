@@ -14,8 +14,12 @@ namespace {
 constexpr int kIterationsWorthAFactor = 20;
 // A solve that needed this many is a sign that the next one will be too slow.
 constexpr int kIterationsOfAStaleFactor = 9;
-// Linear equations are solved to this share of the residual at least, and to that at most.
+// Linear equations are solved to this share of the residual: cords that go slack or taut leave as
+// much of it anyway. Where Newton's method goes all the way (kExact), between these.
+constexpr double kLinear = 3e-2;
 constexpr double kCoarsest = 1e-2, kFinest = 1e-4;
+// Of a first step that ended where the tangent is indefinite.
+constexpr double kTakenBack = 0.5;
 // Of the tolerance: nothing to gain below, nor much below the second.
 constexpr double kPolished = 1e-3, kPolishedAgain = 1e-2;
 constexpr int kMostPolishing = 3;
@@ -54,7 +58,7 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
   failed_element_ = -1;
   has_factor_ = has_factor_ && tire_.serves(contact);
   RingState now = state;
-  knows_tangent_ = false;
+  knows_tangent_ = is_first_ = false;
   if (!begin(now, elements, pressure)) return failure(step, "the start is inverted");
   const double close =
       (settings_.tolerance < kExact || slides() ? 1.0 : kClose) * settings_.tolerance * reference_;
@@ -72,19 +76,32 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
     if (iteration > 0 && !has_tangent_ && !is_close && !assemble(now, true)) {
       return failure(step, "its tangent does not exist");
     }
-    // Solve only as exactly as Newton's own convergence deserves (Eisenstat and Walker 1996, choice
-    // 2).
-    if (!find_direction(now, std::clamp(0.5 * ratio * ratio, kFinest, kCoarsest))) {
-      return failure(step, "its tangent does not exist");
+    is_first_ = iteration == 1;
+    if (!find_direction(now, linear_tolerance(ratio))) {
+      if (!is_first_) return failure(step, "its tangent does not exist");
+      now.x = state.x + kTakenBack * (now.x - state.x);
+      now.alpha = state.alpha;
+      has_factor_ = false;
+      if (!assemble(now, true)) return failure(step, "its tangent does not exist");
+      previous_ = 10.0 * f_.norm();
+      continue;
     }
     // Newton's method is of second order: where the residual would be close, no tangent is made.
-    const bool ends = is_close || ratio * ratio * norm <= close;
+    // What the first step leaves, of the ground that moved, says nothing of that.
+    const bool ends = is_close || (is_first_ ? 1.0 : ratio * ratio) * norm <= close;
     previous_ = norm;
     if (!line_search(now, !ends)) {
       return failure(step, "no step along Newton's direction reduces it");
     }
   }
   return failure(step, fmt::format("not converged in {} iterations", settings_.max_iterations));
+}
+
+/// Share of the residual that linear equations leave. All the way only as exactly as Newton's own
+/// convergence deserves (Eisenstat and Walker 1996, choice 2).
+double EquilibriumSolver::linear_tolerance(double ratio) const {
+  if (settings_.tolerance >= kExact) return kLinear;
+  return std::clamp(0.5 * ratio * ratio, kFinest, kCoarsest);
 }
 
 /// Further steps with the last tangent there is, where they help: they take a pass of forces alone,
@@ -95,7 +112,7 @@ void EquilibriumSolver::polish(RingState& state) {
   for (int pass = 0; pass < kMostPolishing; ++pass, enough = kPolishedAgain) {
     const double norm = f_.norm();
     if (norm <= enough * settings_.tolerance * reference_ || !start(state)) return;
-    if (!correct(kOfPolishing, true)) return;
+    correct(kOfPolishing, false);  // of what use it was, forces tell
     trial_.x = state.x - d_;
     trial_.alpha = state.alpha;
     if (!assemble(trial_, false) || !(f_.norm() < norm)) return;
@@ -147,13 +164,14 @@ bool EquilibriumSolver::factorize() {
 }
 
 /// A direction by a new factor. Shifts the tangent along its diagonal until it is positive; false
-/// where that leads nowhere, as with values that are not numbers.
+/// where that leads nowhere, as with values that are not numbers, and where it was the first step
+/// that led here: of that there may be less.
 bool EquilibriumSolver::renew_factor(const RingState& state, double tolerance) {
   const double largest = K_.diagonal().maxCoeff();
   // What the last indefinite tangent of this equilibrium needed is where to begin with the next.
   double shift = std::max(1e-5 * largest, 0.25 * shift_);
   while (!factorize() || !start(state)) {
-    if (!(shift < kLargestShift * largest)) return false;
+    if (is_first_ || !(shift < kLargestShift * largest)) return false;
     K_.add_to_diagonal(shift);
     shift_ = shift;
     ++counts_->shifts;

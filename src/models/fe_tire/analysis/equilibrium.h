@@ -61,6 +61,7 @@ class EquilibriumSolver {
 
  private:
   bool slides() const;
+  double linear_tolerance(double ratio) const;
   void polish(RingState& state);
   bool assemble(RingState& state, bool with_tangent);
   bool begin(RingState& state, const RingElements& elements, double pressure);
@@ -93,6 +94,7 @@ class EquilibriumSolver {
   bool has_factor_ = false;
   bool has_tangent_ = false;    // K_ is that of f_
   bool knows_tangent_ = false;  // K_ is that of a state of this equilibrium's search
+  bool is_first_ = false;       // the state is where the first step led
   int last_cg_iterations_ = 0;
   int failed_element_ = -1;
   Eigen::VectorXd f_, d_, r_, e_;

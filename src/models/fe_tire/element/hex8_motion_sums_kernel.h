@@ -27,6 +27,32 @@ struct MotionStrains {
   } motions[ElementMotion::kMost];
 };
 
+/// Strains at the points of `count` sets of generalized strains g and enhanced ones alpha; numbers
+/// of P are read once for all of them.
+template <int count>
+LATSCH_INLINE void to_points(const SolidShellShape& s,
+                             const V* const (&g)[count],
+                             const V* const (&alpha)[count],
+                             V (*const (&E)[count])[6]) {
+  for (int q = 0; q < kPoints; ++q) {
+    V sum[count][6];
+    for (int r = 0; r < 6; ++r) {
+      for (int k = 0; k < count; ++k) sum[k][r] = s.P[q][r][0] * g[k][0];
+    }
+    const auto add = [&](int column, const V* const(&of)[count], int j) {
+      for (int r = 0; r < 6; ++r) {
+        const V P = s.P[q][r][column + j];
+        for (int k = 0; k < count; ++k) sum[k][r] += P * of[k][j];
+      }
+    };
+    for (int j = 1; j < kStrains; ++j) add(0, g, j);
+    for (int j = 0; j < kEnhanced; ++j) add(kStrains, alpha, j);
+    for (int r = 0; r < 6; ++r) {
+      for (int k = 0; k < count; ++k) E[k][q][r] = sum[k][r];
+    }
+  }
+}
+
 void strains_at(const ElementLaw& law,
                 int first,
                 const ElementBatch& batch,
@@ -41,21 +67,11 @@ void strains_at(const ElementLaw& law,
   Kinematics k;
   modal_vectors(at.x, k.x);
   std::memcpy(at.modal, k.x, sizeof k.x);
-  const auto to_points = [&](const V* g, const V* alpha, V(*E)[6]) {
-    for (int q = 0; q < kPoints; ++q) {
-      for (int r = 0; r < 6; ++r) {
-        V sum = s.P[q][r][0] * g[0];
-        for (int j = 1; j < kStrains; ++j) sum += s.P[q][r][j] * g[j];
-        for (int j = 0; j < kEnhanced; ++j) sum += s.P[q][r][kStrains + j] * alpha[j];
-        E[q][r] = sum;
-      }
-    }
-  };
   if (shell) {
     follow(s, k);
     V g[kStrains];
     generalized_strains(s, k, g);
-    to_points(g, at.alpha, at.E);
+    to_points<1>(s, {g}, {at.alpha}, {at.E});
   } else if (solid) {
     for (int q = 0; q < kPoints; ++q) {
       V F[3][3];
@@ -87,9 +103,11 @@ void strains_at(const ElementLaw& law,
         first_strains(s, k, m, c1, g1);
         second_strains(s, k, m, c1, g2);
         for (int j = 0; j < kStrains; ++j) gz[j] += g2[j];
-        to_points(g1, motion.phi_alpha, motion.first);
+        to_points<2>(
+            s, {g1, gz}, {motion.phi_alpha, motion.zeta_alpha}, {motion.first, motion.second});
+      } else {
+        to_points<1>(s, {gz}, {motion.zeta_alpha}, {motion.second});
       }
-      to_points(gz, motion.zeta_alpha, motion.second);
       continue;
     }
     for (int q = 0; q < kPoints; ++q) {
