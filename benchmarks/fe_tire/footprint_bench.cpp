@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "experiment/rigs/fe_tire/tire_footprint.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
 #include "shipped_tires.h"
@@ -56,7 +57,9 @@ const std::vector<Quantity>& quantities() {
       {"length", 0.03, [](const Standing& s) { return s.patch.length; }},
       {"width", 0.03, [](const Standing& s) { return s.patch.width; }},
       {"area", 0.03, [](const Standing& s) { return s.patch.area; }},
-      {"peak pressure", 0.10, [](const Standing& s) { return s.patch.peak_pressure(kSensor); }}};
+      {"peak pressure", 0.10, [](const Standing& s) {
+         return experiment::footprint_of(s, 0.0).peak_pressure(kSensor);
+       }}};
   return all;
 }
 

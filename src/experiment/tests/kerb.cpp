@@ -90,7 +90,7 @@ class KerbRunTest : public Test {
   std::string in_words() const override {
     std::string words = fmt::format("{:.4g} m/s", test_.speed.at(0.0));
     if (test_.kerb)
-      words += fmt::format(" over a kerb of {:.3g} mm every {:.3g} mm",
+      words += fmt::format(" over a kerb of {:.3g} mm every {:.4g} mm",
                            1e3 * test_.kerb->height,
                            1e3 * test_.kerb->pitch);
     if (test_.filed) words += " on " + test_.filed->file.filename().string();

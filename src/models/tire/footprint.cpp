@@ -7,52 +7,45 @@
 namespace latsch {
 namespace {
 
-/// Of two intervals around their middles.
-double overlap(double a, double a_length, double b, double b_length) {
-  return std::max(0.0,
-                  std::min(a + 0.5 * a_length, b + 0.5 * b_length) -
-                      std::max(a - 0.5 * a_length, b - 0.5 * b_length));
+/// m of an element of this length around `center` that a sensor around `at` has: of its even share,
+/// averaged over the length b on which it fades.
+double on_sensor(double at, double side, double center, double length, double b) {
+  const double z = at - center;
+  if (std::abs(z) >= 0.5 * (side + length + b)) return 0.0;
+  if (!(b > 0.0))
+    return std::min(z + 0.5 * side, 0.5 * length) - std::max(z - 0.5 * side, -0.5 * length);
+  const auto square = [](double s) { return s > 0.0 ? 0.5 * s * s : 0.0; };
+  const auto up_to = [&](double s) {
+    const double outer = 0.5 * (length + b), inner = 0.5 * (length - b);
+    return (square(s + outer) - square(s + inner) - square(s - inner) + square(s - outer)) / b;
+  };
+  return up_to(z + 0.5 * side) - up_to(z - 0.5 * side);
 }
 
 }  // namespace
 
 double Footprint::pressure_at(double x, double y, double side) const {
   double force = 0.0;
-  for (const FootprintElement& at : elements)
-    force += at.pressure * overlap(x, side, at.x, at.length) * overlap(y, side, at.y, at.width);
+  for (const FootprintElement& at : elements) {
+    const double along = on_sensor(x, side, at.x, at.length, at.blur * at.length);
+    if (along > 0.0)
+      force += at.pressure * along * on_sensor(y, side, at.y, at.width, at.blur * at.width);
+  }
   return force / (side * side);
 }
 
-/// The mean is a sum of trapezoids in x and in y, which is largest where one of them stops rising:
-/// an edge of the sensor lies on one of an element then.
 double Footprint::peak_pressure(double side) const {
-  std::vector<double> ys;
-  for (const FootprintElement& at : elements)
-    for (const double edge : {-0.5, 0.5}) ys.push_back(at.y + edge * (at.width - side));
-  std::sort(ys.begin(), ys.end());
-  ys.erase(std::unique(ys.begin(), ys.end()), ys.end());
+  if (elements.empty()) return 0.0;
+  constexpr double kSteps = 6.0;  // in the sensor's side
+  const auto by_x = [](const auto& a, const auto& b) { return a.x < b.x; };
+  const auto by_y = [](const auto& a, const auto& b) { return a.y < b.y; };
+  const auto [back, front] = std::ranges::minmax_element(elements, by_x);
+  const auto [right, left] = std::ranges::minmax_element(elements, by_y);
+  const double step = side / kSteps;
   double peak = 0.0;
-  for (const double y : ys) {
-    struct Rise {
-      double x, slope;  // m, N/m^3 that the mean's slope changes by
-    };
-    std::vector<Rise> rises;
-    for (const FootprintElement& at : elements) {
-      const double force = at.pressure * overlap(y, side, at.y, at.width);
-      if (!(force > 0.0)) continue;
-      const double most = 0.5 * (at.length + side), top = 0.5 * std::abs(at.length - side);
-      rises.insert(
-          rises.end(),
-          {{at.x - most, force}, {at.x - top, -force}, {at.x + top, -force}, {at.x + most, force}});
-    }
-    std::sort(rises.begin(), rises.end(), [](const Rise& a, const Rise& b) { return a.x < b.x; });
-    double sum = 0.0, slope = 0.0, before = 0.0;
-    for (const Rise& rise : rises) {
-      sum += slope * (rise.x - before);
-      slope += rise.slope;
-      before = rise.x;
-      peak = std::max(peak, sum / (side * side));
-    }
+  for (double x = back->x - 0.5 * side; x <= front->x + 0.5 * side; x += step) {
+    for (double y = right->y - 0.5 * side; y <= left->y + 0.5 * side; y += step)
+      peak = std::max(peak, pressure_at(x, y, side));
   }
   return peak;
 }

@@ -1,32 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/rigs/fe_tire/tire_footprint.h"
 
+#include <cmath>
+
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
 
 namespace latsch::experiment {
 
 using fe_tire::TireState;
 
-namespace {
-
-/// Each contact point as the rectangle it stands for.
 Footprint footprint_of(const fe_tire::Standing& standing, double friction) {
   const fe_tire::ContactPatch& patch = standing.patch;
   Footprint print{patch.length, patch.width, patch.area, standing.force.z(), {}};
   for (const auto& at : patch.points) {
-    print.elements.push_back({at.x,
-                              at.y,
-                              at.length,
-                              at.area / at.length,
-                              at.pressure,
-                              at.shear_x,
-                              at.shear_y,
-                              friction});
+    print.elements.push_back({.x = at.x,
+                              .y = at.y,
+                              .length = at.length,
+                              .width = at.area / at.length,
+                              .pressure = at.pressure,
+                              .shear_x = at.shear_x,
+                              .shear_y = at.shear_y,
+                              .friction = friction,
+                              .blur = std::sqrt(0.5)});  // (P.1)
   }
   return print;
 }
-
-}  // namespace
 
 Result<StandingTire> stand_in_states(fe_tire::FeTire& tire,
                                      double pressure,
