@@ -36,16 +36,26 @@ double Footprint::pressure_at(double x, double y, double side) const {
 
 double Footprint::peak_pressure(double side) const {
   if (elements.empty()) return 0.0;
-  constexpr double kSteps = 6.0;  // in the sensor's side
+  constexpr double kSteps = 6.0, kLast = 1e-3;  // in the sensor's side; of it
   const auto by_x = [](const auto& a, const auto& b) { return a.x < b.x; };
   const auto by_y = [](const auto& a, const auto& b) { return a.y < b.y; };
   const auto [back, front] = std::ranges::minmax_element(elements, by_x);
   const auto [right, left] = std::ranges::minmax_element(elements, by_y);
-  const double step = side / kSteps;
-  double peak = 0.0;
+  double step = side / kSteps, peak = 0.0, peak_x = 0.0, peak_y = 0.0;
+  const auto look_at = [&](double x, double y) {
+    const double pressure = pressure_at(x, y, side);
+    if (pressure <= peak) return;
+    peak = pressure;
+    peak_x = x;
+    peak_y = y;
+  };
   for (double x = back->x - 0.5 * side; x <= front->x + 0.5 * side; x += step) {
-    for (double y = right->y - 0.5 * side; y <= left->y + 0.5 * side; y += step)
-      peak = std::max(peak, pressure_at(x, y, side));
+    for (double y = right->y - 0.5 * side; y <= left->y + 0.5 * side; y += step) look_at(x, y);
+  }
+  for (step *= 0.5; step > kLast * side; step *= 0.5) {
+    const double x = peak_x, y = peak_y;
+    for (const double along : {-step, 0.0, step})
+      for (const double across : {-step, 0.0, step}) look_at(x + along, y + across);
   }
   return peak;
 }

@@ -30,7 +30,8 @@ struct Footprint {
   double mean_pressure() const { return area > 0.0 ? load / area : 0.0; }
   /// Pa, what a square sensor of this side (m) measures where its middle is at x, y.
   double pressure_at(double x, double y, double side) const;
-  /// The most that such a sensor measures wherever it lies: searched in steps of a sixth of it.
+  /// The most that such a sensor measures wherever it lies: searched in steps of a sixth
+  /// of it, then around the highest.
   double peak_pressure(double side) const;
   /// How much of the friction is used, of all of the patch: 1 where all of it slides; 0 without
   /// friction.
