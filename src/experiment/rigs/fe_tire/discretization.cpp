@@ -186,17 +186,16 @@ Remainder remainder(const std::vector<int>& refinements,
                     const std::vector<DiscretizationRow>& rows,
                     int refinement) {
   const auto at = std::ranges::find(refinements, refinement) - refinements.begin();
-  std::vector<double> parts;
+  double left = 0.0, of = 0.0;
   for (const DiscretizationRow& row : rows) {
     if (row.unit != "Hz" || !row.asymptotic() || at == std::ssize(refinements)) continue;
-    const double way = row.values[at] - row.values[0];
-    if (way != 0.0) parts.push_back((row.converged - row.values[at]) / way);
+    const double way = (row.values[at] - row.values[0]) / row.converged;
+    left += way * (row.converged - row.values[at]) / row.converged;
+    of += way * way;
   }
   const double first = remainder_of(1.0, refinement), second = remainder_of(2.0, refinement);
-  if (parts.empty()) return {second, false};
-  const auto middle = parts.begin() + std::ssize(parts) / 2;
-  std::ranges::nth_element(parts, middle);
-  return {std::clamp(*middle, second, first), true};
+  if (of == 0.0) return {second, false};
+  return {std::clamp(left / of, second, first), true};
 }
 
 Result<DiscretizationStudy> study_discretization(

@@ -104,9 +104,18 @@ class MeshBuilder {
     e.layer_rows = r_.through * (plan_.inside(row) ? section_.rows_inside
                                                    : rows / r_.through - section_.rows_inside);
     e.tread = k == rows - 1 && std::abs(plan_.middle(column)) < section_.tread_to;
-    if (rows < r_.through * plan_.rows()) e.wall = thickness(i);
+    if (is_wall(column, rows)) e.wall = thickness(i);
     if (tire_.cord_model == CordModel::rebar) e.rebars = rebars(i, k, rows);
     return e;
+  }
+
+  /// Bends as one: a sidewall, no crown with belts under a thick tread.
+  bool is_wall(int column, int rows) const {
+    if (!section_.faces.empty()) return rows < r_.through * plan_.rows();
+    return tire_.cord_model == CordModel::rebar &&
+           std::ranges::all_of(plan_.plies(column), [&](const SectionPlan::PlyHere& here) {
+             return tire_.plies[here.ply].extent.to == 1.0;
+           });
   }
 
   /// Of the wall in the middle of a column, m.

@@ -197,8 +197,8 @@ TEST(TireReader, ComplaintsNameFileLineFoundAndExpected) {
   says(complaint("sectors = 60", "sectors = 61"), {"mesh.sector_zones", "even number", "61"});
   says(complaint("\"belt_1\", \"belt_2\"]", "\"belt_3\"]"), {"mesh.faces", "belt_3"});
   says(complaint("\"belt_1\", \"belt_2\"]", "\"belt_2\", \"belt_1\"]"), {"mesh.faces", "-1.10 mm"});
-  says(complaint("[0.25, 1.3]", "[0.25, 0]"), {"mesh.spacing", "[0.25, 0]"});
-  says(complaint(", [1, 0.2]]", "]"), {"mesh.spacing", "1 (bead)"});
+  says(complaint("[0.2, 1]", "[0.2, 0]"), {"mesh.spacing", "[0.2, 0]"});
+  says(complaint(", [1, 0.25]]", "]"), {"mesh.spacing", "1 (bead)"});
   says(complaint("225/50R16\"", "225-50-16\""), {"size", "225-50-16", "225/50R16"});
   says(complaint("225/50R16\"", "225/50R17\""), {"section.contour", "656"});
   says(complaint("rubber = \"matrix\"", "rubber = \"matrx\""), {"matrx", "matrix"});

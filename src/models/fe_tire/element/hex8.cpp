@@ -40,7 +40,10 @@ ElementLaw element_law(const HexShape& shape, const Materials& materials, const 
   const Solid& solid = materials.solids[element.solid];
   if (const auto* rubber = std::get_if<Hyperelastic>(&solid.law)) {
     law.rubber = *rubber;
-    law.relaxation = 2.0 * (rubber->C10 + rubber->C01);
+    // A thick tread's nodes can swing in turn along the belt where these gradients resist little;
+    // a wall's bend with it and must stay soft.
+    const double G = 2.0 * (rubber->C10 + rubber->C01);
+    law.relaxation = element.wall > 0.0 ? G : 4.0 * G;
     return law;
   }
   const Matrix6& D = std::get<StVenantKirchhoff>(solid.law).D;
