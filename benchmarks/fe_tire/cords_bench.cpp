@@ -31,6 +31,7 @@ constexpr CordFamily kFew{2, 4}, kMany{3, 6};
 TireDescription tire_of(int meridional, int sectors) {
   TireDescription tire = shipped_tire("passenger_205_55R16");
   Section& section = tire.section;
+  section.columns.clear();
   section.meridional = meridional;
   section.sectors = sectors;
   section.sector_zones.clear();

@@ -30,6 +30,7 @@ constexpr double kWeak = 0.05;  // of the mean pressure: a point that just touch
 
 TireDescription passenger_tire(int sectors) {
   TireDescription tire = shipped_tire("passenger_205_55R16");
+  tire.section.columns.clear();
   tire.section.meridional = 24;
   tire.section.sectors = sectors;
   tire.section.sector_zones.clear();

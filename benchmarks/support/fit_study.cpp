@@ -32,7 +32,7 @@ const fs::path& scratch_folder() {
 void coarsen(const fs::path& tires) {
   for (const auto& tire : fs::directory_iterator(tires)) {
     std::string text = read_text_file(tire.path());
-    text = std::regex_replace(text, std::regex("\nmeridional = \\d+"), "\nmeridional = 15");
+    text = std::regex_replace(text, std::regex("\n(meridional|columns) = .*"), "\nmeridional = 15");
     text = std::regex_replace(text, std::regex("\nsectors = \\d+"), "\nsectors = 30");
     text = std::regex_replace(text, std::regex("\n(spacing|sector_zones) = \\[\\[.*"), "");
     write_text_file(tire.path(), text);

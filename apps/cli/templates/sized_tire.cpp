@@ -9,6 +9,9 @@
 
 #include "base/document.h"
 #include "base/text.h"
+#include "cli/templates/placed_tire.h"
+#include "cli/templates/tire_lines.h"
+#include "experiment/rigs/fe_tire/column_placement.h"
 #include "models/fe_tire/description/size_designation.h"
 #include "models/fe_tire/description/tire_description.h"
 
@@ -119,21 +122,9 @@ bool is_position(const std::string& path) {
   if (path == "section.tread_to") return true;
   const bool placed = path.starts_with("region.") || path.starts_with("layer.");
   if (placed && (path.ends_with(".from") || path.ends_with(".to"))) return true;
-  const bool profile = path.starts_with("section.thickness_") ||
-                       path.starts_with("mesh.spacing.") || path.find(".offsets.") != path.npos;
+  const bool profile =
+      path.starts_with("section.thickness_") || path.find(".offsets.") != path.npos;
   return profile && path.ends_with(".0");
-}
-
-/// `text` with each line for which `replaced` gives one in its place.
-template <class Replaced>
-std::string by_lines(std::string_view text, Replaced replaced) {
-  std::string result;
-  while (!text.empty()) {
-    const auto end = std::min(text.find('\n'), text.size() - 1) + 1;
-    result += replaced(std::string(text.substr(0, end)));
-    text.remove_prefix(end);
-  }
-  return result;
 }
 
 /// The template's own opening words are about another tire.
@@ -149,6 +140,11 @@ std::string template_of(const std::string& size) {
   if (!wanted.metric) return "race_16x7.5-10";
   const double height = 0.5 * (wanted.outer_diameter - wanted.rim_diameter);
   return height >= 0.495 * wanted.width ? "passenger_205_55R16" : "passenger_235_45R20";
+}
+
+/// One and a half times those of the meshes of tires B and A in [Hempel & Oertel 2016].
+int most_unknowns(const std::string& size) {
+  return template_of(size) == "passenger_235_45R20" ? 40500 : 23220;
 }
 
 std::string sized_tire(std::string_view text, const std::string& size) {
@@ -181,20 +177,27 @@ std::string sized_tire(std::string_view text, const std::string& size) {
   for (const std::string& path : tire.paths()) {
     if (is_position(path)) tire.set(path, rounded(stretch.position(tire.get(path)), 1e3));
   }
-  // More of the wall may lie below the tread, where columns have more rows.
-  const int most = fe_tire::build_mesh(old).free_dofs();
-  while (fe_tire::build_mesh(fe_tire::read_tire(tire.root())).free_dofs() > most) {
-    tire.set("mesh.meridional", tire.get("mesh.meridional") - 2);
+  if (old.section.columns.empty()) return tire.text();  // a coarse mesh, columns all alike
+  // Walls higher than the template's bend more in the crown, which wants columns more than the ring
+  // wants sectors.
+  if (template_of(size) == "passenger_205_55R16") tire.set("mesh.sectors", 54);
+  std::vector<double> columns = old.section.columns;
+  for (double& q : columns) q = rounded(stretch.position(q), 1e4);
+  const std::string stretched = placed_tire(tire.text(), columns);
+  const auto placement =
+      place_columns(fe_tire::read_tire(Document::parse(stretched, "--size " + size).root()),
+                    {.unknowns = most_unknowns(size), .rounds = 4});
+  if (!placement) {
+    throw InputError("--size " + size + ": no mesh found: " + placement.failure().reason);
   }
-  return tire.text();
+  return placed_tire(stretched, placement->columns);
 }
 
 std::string coarse_tire(const std::string& text) {
   return by_lines(text, [](std::string line) -> std::string {
-    if (line.starts_with("meridional =")) return "meridional = 16\n";
+    if (line.starts_with("columns =")) return "meridional = 16\n";
     if (line.starts_with("sectors =")) return "sectors = 24\n";
-    const bool of_fine_mesh = line.starts_with("spacing = [[") ||
-                              line.starts_with("sector_zones =") ||
+    const bool of_fine_mesh = line.starts_with("sector_zones =") ||
                               line.starts_with("# Narrow at") || line.starts_with("# Short ") ||
                               line.starts_with("faces =") || line.starts_with("# Rows of ");
     return of_fine_mesh ? "" : line;

@@ -16,12 +16,16 @@
 
 namespace latsch::cli {
 
-/// The tire file `text` for the size designation. Throws InputError where it is no size, or one
+/// The tire file `text` for the size designation; columns of elements that are told one by one are
+/// placed anew (column_placement.h). Throws InputError where it is no size, or one
 /// that the templates cannot be stretched to.
 std::string sized_tire(std::string_view text, const std::string& size);
 
 /// The shipped tire from which a tire of that size is drawn: its name.
 std::string template_of(const std::string& size);
+
+/// Unknowns its mesh may have.
+int most_unknowns(const std::string& size);
 
 /// The same tire on a mesh of some hundred elements: a trial takes a fraction of a second, and
 /// forces and frequencies are some percent off.

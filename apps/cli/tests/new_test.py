@@ -6,12 +6,13 @@
 import json
 import pathlib
 import random
+import re
 import shutil
 import subprocess
 import tempfile
 import unittest
 
-from cli_testing import DONE, LATSCH, WRONG_INPUT
+from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT
 
 TIRES = sorted(p.stem for p in (pathlib.Path(__file__).resolve().parents[3] / "studies" / "tires").glob("*.toml"))
 SHIPPED = [name for name in TIRES if not name.startswith("comparison_")]
@@ -82,6 +83,25 @@ class New(unittest.TestCase):
         self.assertIn('size = "275/35R19"', tire)
         self.assertIn("9.5 inches wide", tire)  # the measuring rim of that size
         self.assertNotIn("# A 205/55R16", tire)
+
+    def test_columns_of_elements_are_placed_for_the_size(self):
+        self.latsch("new", self.folder / "tall", "--size", "195/65R15")
+        tire = self.folder / "tall" / "tire.toml"
+        columns = re.search(r"^columns = .*$", tire.read_text(), re.M)[0]
+        self.assertNotIn(columns, self.latsch("new", self.folder / "low", "--size", "205/55R16")
+                         + (self.folder / "low" / "tire.toml").read_text())
+        self.assertLessEqual(json.loads(self.latsch("mesh", tire, "--json"))["result"]["free_degrees_of_freedom"], 23220)
+
+    def test_a_mesh_is_written_with_its_columns_placed(self):
+        study = self.new("--tire", "passenger_205_55R16")
+        placed = self.folder / "placed.toml"
+        said = self.latsch("mesh", study.parent / "tire.toml", "--place-columns", placed, "--modes", "6")
+        self.assertIn("largest error of growth and 6 modes", said)
+        self.assertRegex(placed.read_text(), r"(?m)^columns = \[0, ")
+        self.assertNotIn("meridional", placed.read_text())
+        self.assertIn("expected a tire file", self.latsch("mesh", study, "--place-columns", placed, code=WRONG_INPUT))
+        self.assertIn("allow more", self.latsch("mesh", study.parent / "tire.toml", "--place-columns", placed,
+                                                "--unknowns", "99", code=FAILED))
 
     def test_a_folder_that_cannot_be_made_is_named(self):
         (self.folder / "file").write_text("no folder")

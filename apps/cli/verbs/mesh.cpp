@@ -7,11 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "base/file.h"
 #include "base/units.h"
 #include "cli/console/console.h"
 #include "cli/console/parsed.h"
+#include "cli/run/model_source.h"
 #include "cli/templates/meshed_tire.h"
+#include "cli/templates/placed_tire.h"
 #include "cli/verbs/verbs.h"
+#include "experiment/rigs/fe_tire/column_placement.h"
 #include "experiment/rigs/fe_tire/discretization.h"
 #include "formats/mesh/vtu_file.h"
 #include "models/fe_tire/analysis/fe_tire.h"
@@ -23,10 +27,11 @@ namespace {
 using fe_tire::TireDescription;
 
 struct MeshOptions {
-  std::string file, vtu, deflection;
+  std::string file, vtu, deflection, place_columns;
   int refinement = 1;
   int modes = 20;
   int finest = 4;
+  int unknowns = 0;
   bool convergence = false;
 };
 
@@ -128,12 +133,45 @@ int print_convergence(const TireDescription& tire, const MeshOptions& options) {
   return kDone;
 }
 
+/// Writes the tire with its columns of elements where they matter.
+int place(const TireDescription& tire, const MeshOptions& options) {
+  RunningNote note;
+  long done = 0;
+  const ColumnPlacementSettings settings = {.unknowns = options.unknowns, .modes = options.modes};
+  const auto found = place_columns(tire, settings, [&](const std::string& round) {
+    note.update(done++, settings.rounds + 1, round);
+  });
+  if (!found) {
+    complain(found.failure().reason);
+    return kFailed;
+  }
+  answer()["columns"] = {{"positions", found->columns},
+                         {"free_degrees_of_freedom", found->unknowns},
+                         {"error_before", found->error_before},
+                         {"error", found->error},
+                         {"worst", found->worst}};
+  say("\n{} columns, {} unknowns: largest error of growth and {} modes {:.2f} -> {:.2f} % ({}), "
+      "estimated\n{}\n",
+      2 * (found->columns.size() - 1),
+      found->unknowns,
+      options.modes,
+      100.0 * found->error_before,
+      100.0 * found->error,
+      found->worst,
+      columns_line(found->columns));
+  write_text_file(options.place_columns, placed_tire(read_text_file(options.file), found->columns));
+  say_written(options.place_columns);
+  return kDone;
+}
+
 int mesh(const MeshOptions& options, const experiment::Language& language) {
   const MeshedTire tire = meshed_tire(options.file, language);
-  if (!tire.description && (options.refinement > 1 || options.convergence))
+  const bool changes =
+      options.refinement > 1 || options.convergence || !options.place_columns.empty();
+  if (!tire.description && changes)
     throw InputError({options.file, 0},
                      "has a mesh of its owner, which cannot be refined: expected a tire described "
-                     "by its section for --refinement and --convergence");
+                     "by its section for --refinement, --convergence and --place-columns");
   const fe_tire::Mesh mesh =
       tire.description ? fe_tire::build_mesh(*tire.description, options.refinement) : tire.mesh;
   fe_tire::check(mesh);
@@ -141,6 +179,13 @@ int mesh(const MeshOptions& options, const experiment::Language& language) {
   if (!options.vtu.empty()) {
     formats::write_tire_vtu(std::filesystem::path(options.vtu), mesh, {});
     say_written(options.vtu);
+  }
+  if (!options.place_columns.empty()) {
+    if (is_study(options.file)) {
+      throw InputError({options.file, 0}, "is a study, expected a tire file for --place-columns");
+    }
+    const int code = place(*tire.description, options);
+    if (code != kDone) return code;
   }
   return options.convergence ? print_convergence(*tire.description, options) : kDone;
 }
@@ -155,7 +200,10 @@ void add_mesh(CommandLine& app, Program& program) {
       "  latsch mesh studies/tires/passenger_225_50R16.toml --vtu mesh.vtu\n"
       "  latsch mesh studies/tires/passenger_225_50R16.toml --convergence --deflection \"25 mm\"\n"
       "      the same tire on finer meshes, extrapolated: the error a fit would hide in the "
-      "moduli");
+      "moduli\n"
+      "  latsch mesh tire.toml --place-columns placed.toml\n"
+      "      the same tire and as many unknowns, its columns of elements short where shorter ones "
+      "move the results");
   auto options = std::make_shared<MeshOptions>();
   verb.add_option("file", options->file, "Tire file (TOML, .inp) or study file").required();
   verb.add_option("--refinement", options->refinement, "Splits every element so often each way")
@@ -168,7 +216,16 @@ void add_mesh(CommandLine& app, Program& program) {
                   options->finest,
                   "Compares with meshes refined 2 to so many times, for --convergence")
       .between(3, 8);
-  verb.add_option("--modes", options->modes, "Modes to compare, for --convergence").between(1, 100);
+  verb.add_option("--place-columns",
+                  options->place_columns,
+                  "Tire file to write, with columns of elements where they matter");
+  verb.add_option("--unknowns",
+                  options->unknowns,
+                  "At most so many, for --place-columns; as many as there are where not given")
+      .between(1, 10'000'000);
+  verb.add_option(
+          "--modes", options->modes, "Modes to compare, for --convergence and --place-columns")
+      .between(1, 100);
   verb.callback([=, &program] { program.exit_code = mesh(*options, program.language); });
 }
 

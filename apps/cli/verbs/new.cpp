@@ -47,10 +47,10 @@ std::string_view text_of(const std::string& name) {
 }
 
 std::string tire_of(const NewOptions& options) {
-  const std::string text = options.size.empty()
-                               ? std::string(text_of(options.tire))
-                               : sized_tire(text_of(template_of(options.size)), options.size);
-  return options.coarse ? coarse_tire(text) : text;
+  const std::string name = options.size.empty() ? options.tire : template_of(options.size);
+  const std::string text(text_of(name));
+  const std::string tire = options.coarse ? coarse_tire(text) : text;
+  return options.size.empty() ? tire : sized_tire(tire, options.size);
 }
 
 void write(const fs::path& file, std::string_view text) {

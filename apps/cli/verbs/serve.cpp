@@ -15,14 +15,14 @@
 namespace latsch::cli {
 namespace {
 
-struct Asked {
+struct AskedToServe {
   std::string folder = ".";
   std::string listen = "127.0.0.1";
   int port = 0;
   bool no_browser = false;
 };
 
-void serve(const Asked& asked, const experiment::Language& language) {
+void serve(const AskedToServe& asked, const experiment::Language& language) {
   if (!std::filesystem::exists(asked.folder))
     throw InputError({asked.folder, 0}, "does not exist: expected a folder of studies, or a study");
   catch_interrupts();
@@ -52,7 +52,7 @@ void add_serve(CommandLine& app, Program& program) {
       "Examples:\n  latsch serve                       the studies below this folder\n"
       "  latsch serve my_tire/study.toml    one of them\n  latsch run study.toml --watch      the "
       "same beside a run");
-  auto asked = std::make_shared<Asked>();
+  auto asked = std::make_shared<AskedToServe>();
   verb.add_option(
       "folder", asked->folder, "Folder of studies, or a study; this folder unless given");
   verb.add_option("--port", asked->port, "Port, a free one unless given").between(0, 65535);

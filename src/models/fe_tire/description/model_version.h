@@ -6,6 +6,6 @@
 
 namespace latsch::fe_tire {
 
-inline constexpr int kModelVersion = 11;
+inline constexpr int kModelVersion = 12;
 
 }  // namespace latsch::fe_tire

@@ -39,8 +39,20 @@ double length_at(const SpacingProfile& spacing, double q) {
   return spacing.length[i] + (spacing.length[i + 1] - spacing.length[i]) * (q - a) / (b - a);
 }
 
+/// Linear between y_i at i.
+double interpolate(const std::vector<double>& y, double at) {
+  const double whole = std::clamp(std::floor(at), 0.0, static_cast<double>(y.size() - 2));
+  const auto i = static_cast<std::size_t>(whole);
+  return y[i] + (at - whole) * (y[i + 1] - y[i]);
+}
+
 /// Columns from the crown to position q.
 double columns_before(const Section& section, double q) {
+  if (const std::vector<double>& columns = section.columns; !columns.empty()) {
+    const auto next = std::upper_bound(columns.begin() + 1, columns.end() - 1, q);
+    const double from = *(next - 1);
+    return static_cast<double>(next - 1 - columns.begin()) + (q - from) / (*next - from);
+  }
   const double part = section.spacing.position.empty() ? q
                                                        : elements_before(section.spacing, q) /
                                                              elements_before(section.spacing, 1);
@@ -67,8 +79,6 @@ double moved_to_ends(const Section& section, double count) {
   return count;
 }
 
-/// Of the wall's half length: over which faces go from the plies to their places in the sidewall.
-constexpr double kFaceTransition = 0.08;
 constexpr double kSamePosition = 1e-9;
 
 }  // namespace
@@ -125,6 +135,7 @@ std::vector<double> Section::sector_planes(int refinement) const {
 double Section::station(double column) const {
   const double s = 2.0 * column / meridional - 1.0;
   const double wanted = moved_to_ends(*this, 0.5 * meridional * std::abs(s));
+  if (!columns.empty()) return std::copysign(interpolate(columns, wanted), s);
   if (spacing.position.empty()) return std::copysign(wanted / (0.5 * meridional), s);
   const double before = wanted / (0.5 * meridional) * elements_before(spacing, 1.0);
   double low = 0.0, high = 1.0, q = wanted / (0.5 * meridional);

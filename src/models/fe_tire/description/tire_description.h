@@ -92,6 +92,9 @@ struct Section {
   BeadClamp clamp = BeadClamp::whole;
   int meridional = 29, rows_inside = 1, rows_outside = 1, sectors = 60;  // elements
   SpacingProfile spacing;
+  /// Positions where columns end, from 0 (crown) to 1 (bead), meridional / 2 columns; none: as
+  /// `spacing` has them.
+  std::vector<double> columns;
   /// Offsets of the plies on which rows of elements meet, from inside to outside: rows_inside rows
   /// lie below the first, one between two neighbors, rows_outside above the last. None: rows meet
   /// on the reference line. Behind `faces_to`, where the last of them ends that ends before the
@@ -107,6 +110,8 @@ struct Section {
   /// Positions, ascending, where columns end exactly, the nearest ones moved there: where plies and
   /// rubbers end. None where columns are all alike.
   std::vector<double> ends;
+  /// Of the wall's half length, behind `faces_to`: over which faces go over.
+  static constexpr double kFaceTransition = 0.08;
   int rows() const { return rows_inside + rows_between() + rows_outside; }
   int rows_between() const { return faces.empty() ? 0 : static_cast<int>(faces.size()) - 1; }
   /// Offset at position q of the face below row k (0 to rows(), fractions too), m.

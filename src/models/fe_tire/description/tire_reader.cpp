@@ -75,6 +75,27 @@ SpacingProfile read_spacing(const Node& mesh) {
   return spacing;
 }
 
+/// Positions where columns end, in place of their number and relative lengths; none where not
+/// given.
+std::vector<double> read_columns(const Node& mesh) {
+  constexpr const char* kKey = "columns";
+  if (!mesh.has(kKey)) return {};
+  for (const char* other : {"meridional", "spacing"}) {
+    if (mesh.has(other)) mesh.reject(other, "stands beside columns, expected one of them");
+  }
+  const std::vector<double> columns = mesh.quantities(kKey, "1");
+  const bool ascending =
+      std::ranges::adjacent_find(columns, std::greater_equal<>()) == columns.end();
+  if (columns.size() < 3 || columns.size() > kMostElements / 2 || columns.front() != 0.0 ||
+      columns.back() != 1.0 || !ascending) {
+    mesh.reject(kKey,
+                fmt::format("must be ascending positions from 0 (crown) to 1 (bead), 3 to {} of "
+                            "them",
+                            kMostElements / 2));
+  }
+  return columns;
+}
+
 /// [count, "width"] from the contact upward; the others share what is left of half the ring.
 std::vector<SectorZone> read_sector_zones(const Node& mesh, int sectors) {
   constexpr const char* kKey = "sector_zones";
@@ -146,7 +167,10 @@ Section read_section(const Node& node, const Node& mesh) {
   section.clamp = clamp == "whole"    ? BeadClamp::whole
                   : clamp == "inside" ? BeadClamp::inside
                                       : BeadClamp::outside;
-  section.meridional = static_cast<int>(mesh.integer("meridional", 4, kMostElements));
+  section.columns = read_columns(mesh);
+  section.meridional = section.columns.empty()
+                           ? static_cast<int>(mesh.integer("meridional", 4, kMostElements))
+                           : 2 * (static_cast<int>(section.columns.size()) - 1);
   section.rows_inside = static_cast<int>(mesh.integer("rows_inside", 1, 20, 1));
   section.rows_outside = static_cast<int>(mesh.integer("rows_outside", 1, 20, 1));
   section.spacing = read_spacing(mesh);
@@ -266,7 +290,8 @@ void read_faces(const Node& mesh, TireDescription& tire) {
 
 /// Columns end where plies and rubbers end, unless they are all alike.
 void place_ends(TireDescription& tire) {
-  if (tire.section.faces.empty() && tire.section.spacing.position.empty()) return;
+  const Section& section = tire.section;
+  if (section.faces.empty() && section.spacing.position.empty() && section.columns.empty()) return;
   std::set<double> ends;
   for (const CordPly& ply : tire.plies) ends.insert({ply.extent.from, ply.extent.to});
   for (const RubberRegion& region : tire.regions) {

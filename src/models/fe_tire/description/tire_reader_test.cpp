@@ -132,13 +132,17 @@ std::string edited(const std::string& from, const std::string& to) {
   return text;
 }
 
+/// Tire B with the line of [mesh] that begins with `key` replaced.
+std::string with_line(const std::string& key, const std::string& line) {
+  std::string text = edited(key, key);
+  const auto at = text.find(key);
+  return text.replace(at, text.find('\n', at) - at, line);
+}
+
 /// An element at q takes a share of the wall in proportion to the length the profile has there.
 TEST(TireReader, SpacingGradesTheColumns) {
-  const std::string text = edited("meridional = 32", "meridional = 2000");
-  const std::string graded = "spacing = [[0, 2], [0.4, 2], [0.4001, 1], [1, 3]]";
-  std::string with_spacing = text;
-  const auto at = with_spacing.find("spacing = [[");
-  with_spacing.replace(at, with_spacing.find('\n', at) - at, graded);
+  std::string with_spacing = with_line(
+      "columns = [", "meridional = 2000\nspacing = [[0, 2], [0.4, 2], [0.4001, 1], [1, 3]]");
   const auto faces = with_spacing.find("faces = [");  // ends of columns then move to ends of plies
   with_spacing.replace(faces, with_spacing.find('\n', faces) - faces, "");
   const Section section = read_tire(Document::parse(with_spacing, "t").root()).section;
@@ -152,6 +156,21 @@ TEST(TireReader, SpacingGradesTheColumns) {
       length_at(0.9) / length_at(0.5), (1.0 + 2.0 * 0.5 / 0.6) / (1.0 + 2.0 * 0.1 / 0.6), 0.01);
   EXPECT_NEAR(section.station(0), -1.0, 1e-15);
   EXPECT_NEAR(section.station(section.meridional), 1.0, 1e-15);
+}
+
+TEST(TireReader, ColumnsEndWhereTheyAreToldAndRefinedOnesInBetween) {
+  const std::string text =
+      with_line("columns = [", "columns = [0, 0.2, 0.38, 0.46, 0.6, 0.8, 0.95, 1]");
+  const Section section = read_tire(Document::parse(text, "t").root()).section;
+  EXPECT_EQ(section.meridional, 14);
+  // 0.54, 0.74 and 0.92, where rubbers end, take the nearest end along, and what lies between.
+  const std::vector<double> expected = {0.0, 0.2, 0.38, 0.46, 0.54, 0.74, 0.92, 1.0};
+  for (int i = 0; i <= 7; ++i) {
+    EXPECT_NEAR(section.station(7 + i), expected[i], 1e-14) << i;
+    EXPECT_NEAR(section.station(7 - i), -expected[i], 1e-14) << i;
+  }
+  EXPECT_NEAR(section.station(7.5), 0.1, 1e-14);
+  EXPECT_NEAR(section.station(8.25), 0.2 + 0.25 * 0.18, 1e-14);
 }
 
 TEST(TireReader, AnOffsetMayChangeAlongTheWall) {
@@ -190,15 +209,23 @@ TEST(TireReader, ComplaintsNameFileLineFoundAndExpected) {
        {"layer.belt_1.offset", "outside the wall"});
   says(complaint("offset = \"0.6 mm\"", "offsets = [[0.5, \"-2 mm\"], [0.4, \"0 mm\"]]"),
        {"layer.belt_1.offsets", "0.4 after 0.5"});
-  says(complaint("[[8, \"2 deg\"]", "[[30, \"3 deg\"]"),
-       {"mesh.sector_zones", "[30, 3 deg]", "from 1 to 29"});
-  says(complaint("[[8, \"2 deg\"]", "[[10, \"16 deg\"]"),
-       {"mesh.sector_zones", "leaves -12 of 180 deg", "12 other sectors"});
-  says(complaint("sectors = 60", "sectors = 61"), {"mesh.sector_zones", "even number", "61"});
+  says(complaint("[[6, \"2.4 deg\"]", "[[27, \"3 deg\"]"),
+       {"mesh.sector_zones", "[27, 3 deg]", "from 1 to 26"});
+  says(complaint("[[6, \"2.4 deg\"]", "[[10, \"18 deg\"]"),
+       {"mesh.sector_zones", "leaves -8 of 180 deg", "15 other sectors"});
+  says(complaint("sectors = 54", "sectors = 61"), {"mesh.sector_zones", "even number", "61"});
   says(complaint("\"belt_1\", \"belt_2\"]", "\"belt_3\"]"), {"mesh.faces", "belt_3"});
   says(complaint("\"belt_1\", \"belt_2\"]", "\"belt_2\", \"belt_1\"]"), {"mesh.faces", "-1.10 mm"});
-  says(complaint("[0.2, 1]", "[0.2, 0]"), {"mesh.spacing", "[0.2, 0]"});
-  says(complaint(", [1, 0.25]]", "]"), {"mesh.spacing", "1 (bead)"});
+  says(complaint("columns = [0, ", "columns = [0.01, "), {"mesh.columns", "from 0 (crown)"});
+  says(complaint(", 0.38, ", ", 0.48, "), {"mesh.columns", "ascending"});
+  says(complaint("rows_inside =", "meridional = 30\nrows_inside ="),
+       {"mesh.meridional", "stands beside columns"});
+  const auto spaced = [](const std::string& rows) {
+    return "meridional = 30\nspacing = " + rows + "\n# ";
+  };
+  says(complaint("columns = [", spaced("[[0, 1], [0.2, 0], [1, 1]]")),
+       {"mesh.spacing", "[0.2, 0]"});
+  says(complaint("columns = [", spaced("[[0, 1], [0.2, 1]]")), {"mesh.spacing", "1 (bead)"});
   says(complaint("225/50R16\"", "225-50-16\""), {"size", "225-50-16", "225/50R16"});
   says(complaint("225/50R16\"", "225/50R17\""), {"section.contour", "656"});
   says(complaint("rubber = \"matrix\"", "rubber = \"matrx\""), {"matrx", "matrix"});
@@ -207,7 +234,7 @@ TEST(TireReader, ComplaintsNameFileLineFoundAndExpected) {
   says(complaint("from = 0.74", "from = 0.85"), {"no rubber region covers position"});
   says(complaint("from = 0.74", "from = 0.60"), {"overlap"});
   says(complaint("poisson_ratio = 0.49", "poisson_ratio = 0.5"), {"poisson_ratio", "0.5"});
-  says(complaint("meridional = 32", "meridional = 2"), {"mesh.meridional", "2"});
+  says(complaint("columns = [", "meridional = 2\n# "), {"mesh.meridional", "2"});
   says(complaint("[1.0, \"7 mm\"]", "[1.0, \"150 mm\"]"), {"section.contour", "crosses itself"});
 }
 

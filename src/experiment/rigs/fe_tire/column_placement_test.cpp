@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/fe_tire/column_placement.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/description/reference_tires.h"
+
+namespace latsch {
+namespace {
+
+using fe_tire::FeTire;
+using fe_tire::TireDescription;
+
+/// Columns all alike, which tell no ply's end; those of a belt and of the wall's rubbers are told.
+TireDescription plain_tire() {
+  TireDescription tire = fe_tire::reference_tire_b();
+  tire.section.meridional = 24;
+  tire.section.sectors = 36;
+  tire.section.ends = {0.46};
+  return with_columns(tire, [] {
+    std::vector<double> columns;
+    for (int i = 0; i <= 12; ++i) columns.push_back(i / 12.0);
+    return columns;
+  }());
+}
+
+/// Largest error along the wall of growth and eight frequencies, against columns split in eight.
+double error_along(const TireDescription& description) {
+  const auto quantities = [&](int along) {
+    FeTire tire(build_mesh(description, {1, along, 1}),
+                build_materials(description, {1, along, 1}),
+                {.element = description.element});
+    const auto inflated = tire.inflate(description.pressure);
+    EXPECT_TRUE(inflated.ok());
+    std::vector<double> values = {inflated->growth};
+    const auto modes = tire.modes(*inflated, 8);
+    EXPECT_TRUE(modes.ok());
+    for (const fe_tire::Mode& mode : *modes) values.push_back(mode.frequency);
+    return values;
+  };
+  const std::vector<double> coarse = quantities(1), fine = quantities(8);
+  double error = 0.0;
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    error = std::max(error, std::abs(coarse[i] / fine[i] - 1.0));
+  }
+  return error;
+}
+
+TEST(ColumnPlacement, HalvesTheErrorAlongTheWallWithAsManyUnknowns) {
+  const TireDescription tire = plain_tire();
+  const auto placement = place_columns(tire, {.modes = 8, .rounds = 3});
+  ASSERT_TRUE(placement.ok());
+  const TireDescription placed = with_columns(tire, placement->columns);
+  EXPECT_LE(placement->unknowns, build_mesh(tire).free_dofs());
+  EXPECT_EQ(placement->unknowns, build_mesh(placed).free_dofs());
+  EXPECT_LT(error_along(placed), 0.5 * error_along(tire));
+  EXPECT_LT(placement->error, placement->error_before);
+  EXPECT_FALSE(placement->worst.empty());
+}
+
+TEST(ColumnPlacement, EndsColumnsWherePliesEndAndKeepsThemInOrder) {
+  TireDescription tire = plain_tire();
+  const auto placement = place_columns(tire, {.modes = 4, .rounds = 2});
+  ASSERT_TRUE(placement.ok());
+  const std::vector<double>& columns = placement->columns;
+  EXPECT_EQ(columns.front(), 0.0);
+  EXPECT_EQ(columns.back(), 1.0);
+  EXPECT_TRUE(std::ranges::is_sorted(columns, std::less_equal<>()));
+  EXPECT_TRUE(std::ranges::find(columns, 0.46) != columns.end());
+}
+
+TEST(ColumnPlacement, GivesTheSameColumnsAgain) {
+  const TireDescription tire = plain_tire();
+  const ColumnPlacementSettings settings = {.modes = 4, .rounds = 1};
+  EXPECT_EQ(place_columns(tire, settings)->columns, place_columns(tire, settings)->columns);
+}
+
+TEST(ColumnPlacement, TooFewUnknownsAreAFailureWithTheFewest) {
+  const auto placement = place_columns(plain_tire(), {.unknowns = 500, .modes = 4, .rounds = 1});
+  ASSERT_FALSE(placement.ok());
+  EXPECT_NE(placement.failure().reason.find("more than the 500 allowed"), std::string::npos)
+      << placement.failure().reason;
+}
+
+TEST(ColumnPlacement, ATireThatCannotBeInflatedIsAFailure) {
+  TireDescription tire = plain_tire();
+  tire.pressure = 1e9;
+  const auto placement = place_columns(tire, {.modes = 4, .rounds = 1});
+  ASSERT_FALSE(placement.ok());
+  EXPECT_FALSE(placement.failure().reason.empty());
+}
+
+}  // namespace
+}  // namespace latsch
