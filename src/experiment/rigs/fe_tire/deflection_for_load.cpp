@@ -16,7 +16,7 @@ using fe_tire::FeTire;
 using fe_tire::GroundPose;
 using fe_tire::TireState;
 
-constexpr double kForceTolerance = 1e-5;  // relative; frequencies then move by less than 1e-5
+constexpr double kForceTolerance = 1e-7;  // relative; of slopes within 1e-6
 constexpr int kMaxAttempts = 25;
 constexpr int kFirstSteps = 3;
 constexpr double kLargestChange = 2.0;  // of the deflection from one attempt to the next

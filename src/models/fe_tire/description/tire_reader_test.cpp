@@ -163,8 +163,9 @@ TEST(TireReader, ColumnsEndWhereTheyAreToldAndRefinedOnesInBetween) {
       with_line("columns = [", "columns = [0, 0.2, 0.38, 0.46, 0.6, 0.8, 0.95, 1]");
   const Section section = read_tire(Document::parse(text, "t").root()).section;
   EXPECT_EQ(section.meridional, 14);
-  // 0.54, 0.74 and 0.92, where rubbers end, take the nearest end along, and what lies between.
-  const std::vector<double> expected = {0.0, 0.2, 0.38, 0.46, 0.54, 0.74, 0.92, 1.0};
+  // 0.74 and 0.92, where rubbers end, take the nearest end along, and what lies between: 0.8 goes
+  // to 0.74 by 0.3 of a column, 0.6 by half of that.
+  const std::vector<double> expected = {0.0, 0.2, 0.38, 0.46, 0.46 + 0.85 * 0.14, 0.74, 0.92, 1.0};
   for (int i = 0; i <= 7; ++i) {
     EXPECT_NEAR(section.station(7 + i), expected[i], 1e-14) << i;
     EXPECT_NEAR(section.station(7 - i), -expected[i], 1e-14) << i;
