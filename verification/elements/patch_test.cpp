@@ -149,7 +149,8 @@ TEST_P(Patch, NewtonFindsItQuadratically) {
         for (int c = 0; c < 3; ++c) {
           const int dof = 3 * model.grid().node(i, j, k) + c;
           held[dof] = 0;
-          u[dof] += 2e-5 * (c - 1.0) * (i % 2 ? 1 : -1);
+          // Near: where K = 500 G, undamped steps from twice as far may end elsewhere.
+          u[dof] += 5e-6 * (c - 1.0) * (i % 2 ? 1 : -1);
         }
       }
     }

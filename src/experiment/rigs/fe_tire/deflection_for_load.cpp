@@ -16,7 +16,8 @@ using fe_tire::FeTire;
 using fe_tire::GroundPose;
 using fe_tire::TireState;
 
-constexpr double kForceTolerance = 1e-7;  // relative; of slopes within 1e-6
+constexpr double kForceTolerance = 1e-7;  // relative; slopes are then those of the values to 1e-6
+constexpr double kForceNoise = 1e-5;  // the same, where friction or contact lets no more be found
 constexpr int kMaxAttempts = 25;
 constexpr int kFirstSteps = 3;
 constexpr double kLargestChange = 2.0;  // of the deflection from one attempt to the next
@@ -91,7 +92,9 @@ Result<TireState> load_to_force(FeTire& tire,
     if (force >= Fz) break;
   }
   for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
-    if (std::abs(last->force - Fz) <= kForceTolerance * Fz) return std::move(last->state);
+    const double off = std::abs(last->force - Fz);
+    const bool stays = before && off > 0.5 * std::abs(before->force - Fz);
+    if (off <= (stays ? kForceNoise : kForceTolerance) * Fz) return std::move(last->state);
     const double d = std::max(deflection_for(Fz, *last, before), below.deflection * (1.0 + 1e-9));
     const auto next = tire.advance(below.state, {pose_at(inflated, d, standing.camber)});
     if (!next) return next.failure();

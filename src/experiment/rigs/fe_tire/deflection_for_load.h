@@ -21,11 +21,11 @@ Result<std::vector<fe_tire::TireState>> press_down(fe_tire::FeTire& tire,
                                                    const StandingPose& standing,
                                                    const std::vector<double>& deflections);
 
-/// Equilibrium under Fz (N, > 0) within 1e-7 of it: what is left depends on the way there, and slopes of
-/// the deflection know nothing of it. Tires follow F = c d^p with p a little above 1,
-/// so the deflection is corrected by the secant of log F over log d; every attempt goes on from the
-/// deepest state that carries less: with friction the tire is pressed, never lifted. `guess`:
-/// deflection to begin with, m.
+/// Equilibrium under Fz (N, > 0) within 1e-7 of it, for slopes of the deflection know nothing of
+/// what is left; within 1e-5 where the force comes no nearer, as friction may have it. Tires follow
+/// F = c d^p with p a little above 1, so the deflection is corrected by the secant of log F over
+/// log d; every attempt goes on from the deepest state that carries less: with friction the tire is
+/// pressed, never lifted. `guess`: deflection to begin with, m.
 Result<fe_tire::TireState> load_to_force(fe_tire::FeTire& tire,
                                          const fe_tire::Inflated& inflated,
                                          double Fz,

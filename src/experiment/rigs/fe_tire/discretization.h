@@ -64,8 +64,8 @@ using MeshQuantities = std::vector<std::pair<std::string, double>>;
 
 /// What a mesh refined `refinement` times is still away from the limit, in parts of what it lies
 /// beyond the unrefined one: by least squares over the modes whose order is seen; an order of 2
-/// where there are none. The unloaded and the loaded tire have the same elements, and errors of their modes the
-/// same sources.
+/// where there are none. The unloaded and the loaded tire have the same elements, and errors of
+/// their modes the same sources.
 struct Remainder {
   double part = 0.0;
   bool observed = false;

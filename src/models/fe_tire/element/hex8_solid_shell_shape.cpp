@@ -3,6 +3,7 @@
 // hex8_solid_shell.h.
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "models/fe_tire/element/hex8_solid_shell.h"
@@ -108,7 +109,8 @@ Eigen::Matrix3d set_axes(SolidShellShape& s, const Eigen::Matrix3d& J0, const Ei
 
 double bending_of_shear(double h, double t) {
   // G t h^2 / 12 D with D = E' t^3 / 12; of incompressible rubber E' = E / (1 - nu^2) = 4 G.
-  return t > 0.0 ? 1.0 / (1.0 + 0.25 * (h / t) * (h / t)) : 1.0;
+  constexpr double kMost = 1.0;  // beyond, columns are no mesh of a bend, and a soft wall folds
+  return t > 0.0 ? 1.0 / (1.0 + std::min(0.25 * (h / t) * (h / t), kMost)) : 1.0;
 }
 
 SolidShellShape make_solid_shell_shape(const Matrix38& X, double wall) {
