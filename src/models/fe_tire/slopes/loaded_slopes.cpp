@@ -67,7 +67,7 @@ std::vector<MovedNumber> TireSlopes::Impl::moved_numbers(OfRing of, double press
                        pressure_of(k, below.tire, pressure),
                        pressure_of(k, above.tire, pressure),
                        2.0 * variations[k].step,
-                       &below.parts});
+                       &varied[k]->parts});
   }
   return numbers;
 }
