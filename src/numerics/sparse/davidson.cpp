@@ -24,21 +24,18 @@ constexpr double kNearlyDependent = 1e-6;
 // Of its error, what the next correction of a pair leaves at least. Tires' leave 0.1 to 0.2.
 constexpr double kFastest = 0.1;
 
-MatrixXd product(const MatrixXd& A, const MatrixXd& B) {
+using Columns = Eigen::Ref<const MatrixXd>;
+
+MatrixXd product(const Columns& A, const Columns& B) {
   MatrixXd C(A.rows(), B.cols());
   add_product<double>(1.0, A, B, 0.0, C);
   return C;
 }
 
-MatrixXd times(const SymmetricMatrix& A, const MatrixXd& X) {
+MatrixXd times(const SymmetricMatrix& A, const Columns& X) {
   MatrixXd AX(X.rows(), X.cols());
   A.multiply(X, AX);
   return AX;
-}
-
-void append_columns(const MatrixXd& columns, MatrixXd& to) {
-  to.conservativeResize(columns.rows(), to.cols() + columns.cols());
-  to.rightCols(columns.cols()) = columns;
 }
 
 /// Makes the columns of D orthonormal in M, of which MD is the product, and leaves out what is
@@ -83,10 +80,10 @@ Davidson::Davidson(const SymmetricMatrix& K,
 void Davidson::extend(MatrixXd D) {
   MatrixXd MD;
   for (int pass = 0; pass < 2; ++pass) {
-    if (V_.cols() > 0) {
-      const MatrixXd old = overlaps<double>(MV_, D);
-      add_product<double>(-1.0, V_, old, 1.0, D);
-      if (pass > 0) add_product<double>(-1.0, MV_, old, 1.0, MD);
+    if (size_ > 0) {
+      const MatrixXd old = overlaps<double>(MV(), D);
+      add_product<double>(-1.0, V(), old, 1.0, D);
+      if (pass > 0) add_product<double>(-1.0, MV(), old, 1.0, MD);
     }
     if (pass == 0) MD = times(M_, D);
     make_orthonormal(D, MD);
@@ -98,25 +95,29 @@ void Davidson::extend(MatrixXd D) {
 /// pass does unless they are nearly the same among themselves.
 void Davidson::extend(MatrixXd D, MatrixXd MD) {
   for (int pass = 0; pass < 2; ++pass) {
-    const MatrixXd old = overlaps<double>(MV_, D);
-    add_product<double>(-1.0, V_, old, 1.0, D);
-    add_product<double>(-1.0, MV_, old, 1.0, MD);
+    const MatrixXd old = overlaps<double>(MV(), D);
+    add_product<double>(-1.0, V(), old, 1.0, D);
+    add_product<double>(-1.0, MV(), old, 1.0, MD);
     if (make_orthonormal(D, MD) > kNearlyDependent) break;
   }
   append(D, MD);
 }
 
 void Davidson::append(const MatrixXd& D, const MatrixXd& MD) {
-  append_columns(times(K_, D), KV_);
-  append_columns(MD, MV_);
-  append_columns(D, V_);
+  const Eigen::Index added = D.cols(), size = size_ + added;
+  if (size > V_.cols())
+    for (MatrixXd* of : {&V_, &KV_, &MV_}) of->conservativeResize(D.rows(), 2 * size);
+  V_.middleCols(size_, added) = D;
+  MV_.middleCols(size_, added) = MD;
+  K_.multiply(D, KV_.middleCols(size_, added));
+  size_ = size;
 }
 
 MatrixXd Davidson::corrections(const std::vector<Eigen::Index>& pairs,
                                const Eigen::VectorXd& lambda,
                                const MatrixXd& S) const {
   const MatrixXd own = S(Eigen::all, pairs);
-  MatrixXd D = product(KV_, own) - product(MV_, own) * lambda(pairs).asDiagonal();
+  MatrixXd D = product(KV(), own) - product(MV(), own) * lambda(pairs).asDiagonal();
   solve_(D);
   return D;
 }
@@ -126,7 +127,7 @@ EigenPairs<double> Davidson::find(double tolerance) {
   std::vector<Eigen::Index> erring(static_cast<std::size_t>(count_));
   std::iota(erring.begin(), erring.end(), 0);
   for (int step = 0; step < kMostSteps; ++step) {
-    const auto [lambda, S] = self_adjoint_eigen(overlaps<double>(V_, KV_));
+    const auto [lambda, S] = self_adjoint_eigen(overlaps<double>(V(), KV()));
     if (S.cols() < count_) break;
     const MatrixXd D = corrections(erring, lambda, S);
     pairs.solves += static_cast<int>(D.cols());
@@ -142,7 +143,7 @@ EigenPairs<double> Davidson::find(double tolerance) {
     pairs.values = lambda.head(count_);
     pairs.converged = still.empty();
     if (pairs.converged || step + 1 == kMostSteps) {
-      pairs.vectors = product(V_, S.leftCols(count_));
+      pairs.vectors = product(V(), S.leftCols(count_));
       break;
     }
     extend(D(Eigen::all, columns));
@@ -154,10 +155,11 @@ EigenPairs<double> Davidson::find(double tolerance) {
 /// Leaves the lowest Ritz vectors of the space, half as many again as are sought: others hardly
 /// help any more, and cost as much in every product.
 Eigen::VectorXd Davidson::compress() {
-  const auto [lambda, S] = self_adjoint_eigen(overlaps<double>(V_, KV_));
+  const auto [lambda, S] = self_adjoint_eigen(overlaps<double>(V(), KV()));
   const Eigen::Index kept = std::min(count_ + count_ / 2, lambda.size());
   const MatrixXd lowest = S.leftCols(kept);
-  for (MatrixXd* of : {&V_, &KV_, &MV_}) *of = product(*of, lowest);
+  for (MatrixXd* of : {&V_, &KV_, &MV_}) of->leftCols(kept) = product(of->leftCols(size_), lowest);
+  size_ = kept;
   return lambda.head(kept);
 }
 
@@ -173,7 +175,7 @@ EigenPairs<double> Davidson::sharpen(Eigen::Index wanted, double tolerance) {
     pairs.converged = erring.empty();
     if (pairs.converged) {
       pairs.values = lambda.head(wanted);
-      pairs.vectors = product(V_, S.leftCols(wanted));
+      pairs.vectors = product(V(), S.leftCols(wanted));
       break;
     }
     MatrixXd D = corrections(erring, lambda, S), MD = times(M_, D);
@@ -186,11 +188,11 @@ EigenPairs<double> Davidson::sharpen(Eigen::Index wanted, double tolerance) {
       last[i] = error;
     }
     extend(std::move(D), std::move(MD));
-    const Eigen::Index old = T.cols(), size = V_.cols();
-    const MatrixXd added = overlaps<double>(V_, KV_.rightCols(size - old));
-    T.conservativeResize(size, size);
-    T.rightCols(size - old) = added;
-    T.bottomRows(size - old) = added.transpose();
+    const Eigen::Index old = T.cols();
+    const MatrixXd added = overlaps<double>(V(), KV().rightCols(size_ - old));
+    T.conservativeResize(size_, size_);
+    T.rightCols(size_ - old) = added;
+    T.bottomRows(size_ - old) = added.transpose();
   }
   return pairs;
 }

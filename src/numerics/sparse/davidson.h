@@ -46,6 +46,9 @@ class Davidson {
   Eigen::MatrixXd corrections(const std::vector<Eigen::Index>& pairs,
                               const Eigen::VectorXd& lambda,
                               const Eigen::MatrixXd& S) const;
+  auto V() const { return V_.leftCols(size_); }
+  auto KV() const { return KV_.leftCols(size_); }
+  auto MV() const { return MV_.leftCols(size_); }
   void extend(Eigen::MatrixXd D);
   void extend(Eigen::MatrixXd D, Eigen::MatrixXd MD);
   void append(const Eigen::MatrixXd& D, const Eigen::MatrixXd& MD);
@@ -54,7 +57,9 @@ class Davidson {
   const SymmetricMatrix &K_, &M_;
   Solve solve_;
   Eigen::Index count_;
-  Eigen::MatrixXd V_, KV_, MV_;  // the space that pairs are sought in, orthonormal in M
+  // The space that pairs are sought in, orthonormal in M: the first size_ columns.
+  Eigen::MatrixXd V_, KV_, MV_;
+  Eigen::Index size_ = 0;
 };
 
 }  // namespace latsch::numerics
