@@ -91,18 +91,25 @@ std::pair<Eigen::VectorXd, double> TireSlopes::Impl::by_height(Systems& all,
 
 Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
                                                                 const TireState& state) {
-  if (all.factored && all.factored->pose == state.pose && all.factored->u == state.u)
-    return &all.factor;
+  const auto is_of = [&state](const std::optional<TireState>& other) {
+    return other && other->pose == state.pose && other->u == state.u;
+  };
+  if (is_of(all.factored)) return &all.factor;
   auto own = own_tangents.find(&all);
   if (own == own_tangents.end()) {
     const auto& pattern = *all.solver.assembly().pattern();
     Tangent made{
         numerics::SymmetricMatrix(pattern),
-        numerics::Factorization(pattern, numerics::Precision::refined, all.factor.elimination())};
+        numerics::Factorization(pattern, numerics::Precision::refined, all.factor.elimination()),
+        std::nullopt};
     own = own_tangents.emplace(&all, std::move(made)).first;
   }
-  if (auto failure = base.factorize(all, state, own->second.K, own->second.factor)) return *failure;
-  return &own->second.factor;
+  Tangent& tangent = own->second;
+  if (is_of(tangent.of)) return &tangent.factor;
+  tangent.of.reset();
+  if (auto failure = base.factorize(all, state, tangent.K, tangent.factor)) return *failure;
+  tangent.of = state;
+  return &tangent.factor;
 }
 
 /// Made once for all states.
