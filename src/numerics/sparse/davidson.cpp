@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "numerics/sparse/davidson.h"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include "numerics/dense/dense_products.h"
 #include "numerics/dense/self_adjoint_eigen.h"
+#include "numerics/sparse/columns_together.h"
 
 namespace latsch::numerics {
 namespace {
@@ -15,78 +19,119 @@ using Eigen::MatrixXd;
 
 constexpr int kMostSteps = 30;
 constexpr double kDependent = 1e-8;  // of its length: a direction that is in the space already
+// Of squares of lengths: scaled up from less, columns are no longer orthogonal to the space.
+constexpr double kNearlyDependent = 1e-6;
+// Of its error, what the next correction of a pair leaves at least. Tires' leave 0.1 to 0.2.
+constexpr double kFastest = 0.1;
 
-MatrixXd product(const MatrixXd& A, const MatrixXd& B) {
+using Columns = Eigen::Ref<const MatrixXd>;
+
+MatrixXd product(const Columns& A, const Columns& B) {
   MatrixXd C(A.rows(), B.cols());
   add_product<double>(1.0, A, B, 0.0, C);
   return C;
 }
 
-MatrixXd times(const SymmetricMatrix& A, const MatrixXd& X) {
+MatrixXd times(const SymmetricMatrix& A, const Columns& X) {
   MatrixXd AX(X.rows(), X.cols());
   A.multiply(X, AX);
   return AX;
 }
 
-void append(const MatrixXd& columns, MatrixXd& to) {
-  to.conservativeResize(columns.rows(), to.cols() + columns.cols());
-  to.rightCols(columns.cols()) = columns;
+/// Makes the columns of D orthonormal in M, of which MD is the product, and leaves out what is
+/// hardly more than a sum of the others. The least of their independent lengths, squared, of the
+/// largest.
+double make_orthonormal(MatrixXd& D, MatrixXd& MD) {
+  const auto [square, U] = self_adjoint_eigen(overlaps<double>(D, MD));
+  const double largest = square.size() > 0 ? square[square.size() - 1] : 0.0;
+  Eigen::Index first = 0;
+  while (first < square.size() && !(square[first] > kDependent * kDependent * largest)) ++first;
+  const Eigen::Index kept = square.size() - first;
+  const MatrixXd scaled =
+      U.rightCols(kept) * square.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  D = product(D, scaled);
+  MD = product(MD, scaled);
+  return kept > 0 ? square[first] / largest : 1.0;
 }
 
-/// The space that pairs are sought in, orthonormal in M.
-struct Space {
-  const SymmetricMatrix &K, &M;
-  MatrixXd V, KV, MV;
-
-  /// What is new in the directions D. Little may be left of them: M times it is made once more, not
-  /// M times what the second pass takes away.
-  void extend(MatrixXd D) {
-    MatrixXd MD;
-    for (int pass = 0; pass < 2; ++pass) {
-      if (V.cols() > 0) {
-        const MatrixXd old = overlaps<double>(MV, D);
-        add_product<double>(-1.0, V, old, 1.0, D);
-        if (pass > 0) add_product<double>(-1.0, MV, old, 1.0, MD);
-      }
-      if (pass == 0) MD = times(M, D);
-      const auto [square, U] = self_adjoint_eigen(overlaps<double>(D, MD));
-      const double largest = square.size() > 0 ? square[square.size() - 1] : 0.0;
-      Eigen::Index first = 0;
-      while (first < square.size() && !(square[first] > kDependent * kDependent * largest)) ++first;
-      const Eigen::Index kept = square.size() - first;
-      const MatrixXd scaled =
-          U.rightCols(kept) * square.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
-      D = product(D, scaled);
-      MD = product(MD, scaled);
-    }
-    append(times(K, D), KV);
-    append(MD, MV);
-    append(D, V);
-  }
-};
+/// Which errors are above the tolerance: of more than are solved at the price of one the largest.
+std::vector<Eigen::Index> worst(const Eigen::VectorXd& errors, double tolerance) {
+  std::vector<Eigen::Index> erring;
+  for (Eigen::Index i = 0; i < errors.size(); ++i)
+    if (errors[i] > tolerance) erring.push_back(i);
+  if (std::ssize(erring) <= kSolvedTogether) return erring;
+  std::ranges::stable_sort(erring, std::greater(), [&](Eigen::Index i) { return errors[i]; });
+  erring.resize(kSolvedTogether);
+  return erring;
+}
 
 }  // namespace
 
-EigenPairs<double> davidson(const SymmetricMatrix& K,
-                            const SymmetricMatrix& M,
-                            const std::function<void(Eigen::Ref<MatrixXd> X)>& solve,
-                            const MatrixXd& vectors,
-                            double tolerance) {
+Davidson::Davidson(const SymmetricMatrix& K,
+                   const SymmetricMatrix& M,
+                   Solve solve,
+                   const MatrixXd& vectors)
+    : K_(K), M_(M), solve_(std::move(solve)), count_(vectors.cols()) {
+  extend(vectors);
+}
+
+/// What is new in the directions D. Little may be left of them: M times it is made once more, not M
+/// times what the second pass takes away.
+void Davidson::extend(MatrixXd D) {
+  MatrixXd MD;
+  for (int pass = 0; pass < 2; ++pass) {
+    if (size_ > 0) {
+      const MatrixXd old = overlaps<double>(MV(), D);
+      add_product<double>(-1.0, V(), old, 1.0, D);
+      if (pass > 0) add_product<double>(-1.0, MV(), old, 1.0, MD);
+    }
+    if (pass == 0) MD = times(M_, D);
+    make_orthonormal(D, MD);
+  }
+  append(D, MD);
+}
+
+/// The same where M D is known. Corrections of pairs that err little are new as they are, and one
+/// pass does unless they are nearly the same among themselves.
+void Davidson::extend(MatrixXd D, MatrixXd MD) {
+  for (int pass = 0; pass < 2; ++pass) {
+    const MatrixXd old = overlaps<double>(MV(), D);
+    add_product<double>(-1.0, V(), old, 1.0, D);
+    add_product<double>(-1.0, MV(), old, 1.0, MD);
+    if (make_orthonormal(D, MD) > kNearlyDependent) break;
+  }
+  append(D, MD);
+}
+
+void Davidson::append(const MatrixXd& D, const MatrixXd& MD) {
+  const Eigen::Index added = D.cols(), size = size_ + added;
+  if (size > V_.cols())
+    for (MatrixXd* of : {&V_, &KV_, &MV_}) of->conservativeResize(D.rows(), 2 * size);
+  V_.middleCols(size_, added) = D;
+  MV_.middleCols(size_, added) = MD;
+  K_.multiply(D, KV_.middleCols(size_, added));
+  size_ = size;
+}
+
+MatrixXd Davidson::corrections(const std::vector<Eigen::Index>& pairs,
+                               const Eigen::VectorXd& lambda,
+                               const MatrixXd& S) const {
+  const MatrixXd own = S(Eigen::all, pairs);
+  MatrixXd D = product(KV(), own) - product(MV(), own) * lambda(pairs).asDiagonal();
+  solve_(D);
+  return D;
+}
+
+EigenPairs<double> Davidson::find(double tolerance) {
   EigenPairs<double> pairs;
-  const Eigen::Index count = vectors.cols();
-  Space space{K, M, {}, {}, {}};
-  space.extend(vectors);
-  std::vector<Eigen::Index> erring(static_cast<std::size_t>(count));
+  std::vector<Eigen::Index> erring(static_cast<std::size_t>(count_));
   std::iota(erring.begin(), erring.end(), 0);
   for (int step = 0; step < kMostSteps; ++step) {
-    const auto [lambda, S] = self_adjoint_eigen(overlaps<double>(space.V, space.KV));
-    if (S.cols() < count) break;
-    const MatrixXd of_erring = S(Eigen::all, erring);
-    MatrixXd D =
-        product(space.KV, of_erring) - product(space.MV, of_erring) * lambda(erring).asDiagonal();
-    solve(D);
+    const auto [lambda, S] = self_adjoint_eigen(overlaps<double>(V(), KV()));
+    if (S.cols() < count_) break;
+    const MatrixXd D = corrections(erring, lambda, S);
     pairs.solves += static_cast<int>(D.cols());
-    const Eigen::RowVectorXd errors = D.cwiseProduct(times(M, D)).colwise().sum().cwiseSqrt();
+    const Eigen::RowVectorXd errors = D.cwiseProduct(times(M_, D)).colwise().sum().cwiseSqrt();
     std::vector<Eigen::Index> still, columns;
     // The first corrections are there: where one is needed, all make the others better for nothing.
     const bool takes_all = step == 0 && (errors.array() > tolerance).any();
@@ -95,14 +140,59 @@ EigenPairs<double> davidson(const SymmetricMatrix& K,
       still.push_back(erring[i]);
       columns.push_back(static_cast<Eigen::Index>(i));
     }
-    pairs.values = lambda.head(count);
+    pairs.values = lambda.head(count_);
     pairs.converged = still.empty();
     if (pairs.converged || step + 1 == kMostSteps) {
-      pairs.vectors = product(space.V, S.leftCols(count));
+      pairs.vectors = product(V(), S.leftCols(count_));
       break;
     }
-    space.extend(D(Eigen::all, columns));
+    extend(D(Eigen::all, columns));
     erring = std::move(still);
+  }
+  return pairs;
+}
+
+/// Leaves the lowest Ritz vectors of the space, half as many again as are sought: others hardly
+/// help any more, and cost as much in every product.
+Eigen::VectorXd Davidson::compress() {
+  const auto [lambda, S] = self_adjoint_eigen(overlaps<double>(V(), KV()));
+  const Eigen::Index kept = std::min(count_ + count_ / 2, lambda.size());
+  const MatrixXd lowest = S.leftCols(kept);
+  for (MatrixXd* of : {&V_, &KV_, &MV_}) of->leftCols(kept) = product(of->leftCols(size_), lowest);
+  size_ = kept;
+  return lambda.head(kept);
+}
+
+EigenPairs<double> Davidson::sharpen(Eigen::Index wanted, double tolerance) {
+  EigenPairs<double> pairs;
+  MatrixXd T = compress().asDiagonal();
+  // Of every pair: its last error and the one to come.
+  Eigen::VectorXd last = Eigen::VectorXd::Zero(wanted), next = Eigen::VectorXd::Ones(wanted);
+  for (int step = 0; step < kMostSteps; ++step) {
+    const auto [lambda, S] = self_adjoint_eigen(T);
+    if (S.cols() < wanted) break;
+    const std::vector<Eigen::Index> erring = worst(next, tolerance);
+    pairs.converged = erring.empty();
+    if (pairs.converged) {
+      pairs.values = lambda.head(wanted);
+      pairs.vectors = product(V(), S.leftCols(wanted));
+      break;
+    }
+    MatrixXd D = corrections(erring, lambda, S), MD = times(M_, D);
+    pairs.solves += static_cast<int>(D.cols());
+    for (std::size_t c = 0; c < erring.size(); ++c) {
+      const Eigen::Index i = erring[c], column = static_cast<Eigen::Index>(c);
+      const double error = std::sqrt(D.col(column).dot(MD.col(column)));
+      const double left = last[i] > 0.0 ? std::max(error / last[i], kFastest) : 1.0;
+      next[i] = left * error;
+      last[i] = error;
+    }
+    extend(std::move(D), std::move(MD));
+    const Eigen::Index old = T.cols();
+    const MatrixXd added = overlaps<double>(V(), KV().rightCols(size_ - old));
+    T.conservativeResize(size_, size_);
+    T.rightCols(size_ - old) = added;
+    T.bottomRows(size_ - old) = added.transpose();
   }
   return pairs;
 }

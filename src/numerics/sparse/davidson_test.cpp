@@ -54,7 +54,7 @@ struct Ring {
 TEST(Davidson, FindsTheEigenpairsOfThePencilThoughTheSolverIsRough) {
   const Ring ring(1e-2);
   const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { ring.factor.solve_columns(X); };
-  const auto pairs = davidson(ring.K, ring.M, solve, ring.near, 1e-6);
+  const auto pairs = Davidson(ring.K, ring.M, solve, ring.near).find(1e-6);
   ASSERT_TRUE(pairs.converged);
   EXPECT_LT(ring.largest_error(pairs), 2e-9);
   const Eigen::MatrixXd V = pairs.vectors, M = dense(ring.M);
@@ -65,16 +65,31 @@ TEST(Davidson, ErrsInValuesByTheSquareOfWhatItErrsInVectors) {
   for (double error : {1e-2, 1e-4}) {
     const Ring ring(error);
     const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { ring.factor.solve_columns(X); };
-    const auto pairs = davidson(ring.K, ring.M, solve, ring.near, 1.0);  // as it comes
+    const auto pairs = Davidson(ring.K, ring.M, solve, ring.near).find(1.0);  // as it comes
     EXPECT_LT(ring.largest_error(pairs), 10.0 * error * error);
     EXPECT_GT(ring.largest_error(pairs), 0.01 * error * error);
   }
 }
 
+TEST(Davidson, GoesOnFromWhatItFoundToSharperVectors) {
+  constexpr double kTolerance = 1e-9;
+  const Ring ring(1e-2);
+  const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { ring.factor.solve_columns(X); };
+  Davidson search(ring.K, ring.M, solve, ring.near);
+  ASSERT_TRUE(search.find(1e-3).converged);
+  const auto pairs = search.sharpen(kWanted, kTolerance);
+  ASSERT_TRUE(pairs.converged);
+  ASSERT_EQ(pairs.vectors.cols(), kWanted);
+  const Eigen::MatrixXd V = pairs.vectors, K = dense(ring.K), M = dense(ring.M);
+  const Eigen::MatrixXd d = K.inverse() * (K * V - M * V * pairs.values.asDiagonal());
+  EXPECT_LT((d.transpose() * M * d).diagonal().cwiseSqrt().maxCoeff(), kTolerance);
+  EXPECT_LT((V.transpose() * M * V - Eigen::MatrixXd::Identity(kWanted, kWanted)).norm(), 1e-10);
+}
+
 TEST(Davidson, DoesNotConvergeByASolverThatKnowsNothing) {
   const Ring ring(0.3);
   const auto blind = [](Eigen::Ref<Eigen::MatrixXd> X) { X.setRandom(); };
-  EXPECT_FALSE(davidson(ring.K, ring.M, blind, ring.near, 1e-6).converged);
+  EXPECT_FALSE(Davidson(ring.K, ring.M, blind, ring.near).find(1e-6).converged);
 }
 
 }  // namespace

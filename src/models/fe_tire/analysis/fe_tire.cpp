@@ -237,14 +237,16 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
   Systems& all = systems(state.is_halved, state.window);
   const RingAssembly& even = all.solver.assembly();
   if (auto failure = factorize(all, state)) return *failure;
-  const numerics::SymmetricMatrix mass = even.mass(elements());
-  if (!all.odd) return loaded_ring_modes(even, all.tangent, all.factor, mass, count, settings);
-  const numerics::SymmetricMatrix odd_mass = all.odd->mass(elements());
+  all.find_masses(elements());
+  const auto even_modes = [&](int each) {
+    return loaded_ring_modes(even, all.tangent, all.factor, *all.mass, each, settings, all.search);
+  };
+  if (!all.odd) return even_modes(count);
   for (int each = count / 2 + 3;; each = std::min(count, 2 * each)) {
-    auto modes = loaded_ring_modes(even, all.tangent, all.factor, mass, each, settings);
+    auto modes = even_modes(each);
     if (!modes) return modes;
-    auto odd =
-        loaded_ring_modes(*all.odd, *all.odd_tangent, *all.odd_factor, odd_mass, each, settings);
+    auto odd = loaded_ring_modes(
+        *all.odd, *all.odd_tangent, *all.odd_factor, *all.odd_mass, each, settings, all.odd_search);
     if (!odd) return odd;
     const double sure = std::min(modes->back().frequency, odd->back().frequency);
     modes->insert(modes->end(), odd->begin(), odd->end());
@@ -258,7 +260,7 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
 
 std::optional<Failure> FeTire::Impl::factorize(Systems& all, const TireState& at) {
   if (all.factored && same_tangent(*all.factored, at)) return std::nullopt;
-  all.factored.reset();
+  all.forget_tangents();
   RingState state{all.unknowns.compress(at.u), at.alpha};
   std::vector<RingAssembly::Vibration> tangents{{&all.unknowns, &all.tangent}};
   if (all.odd) tangents.push_back({&*all.odd_unknowns, &*all.odd_tangent});

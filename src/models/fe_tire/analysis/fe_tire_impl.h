@@ -16,6 +16,7 @@
 #include "models/fe_tire/ring/ring.h"
 #include "models/fe_tire/ring/ring_elements.h"
 #include "models/fe_tire/ring/ring_unknowns.h"
+#include "numerics/sparse/davidson.h"
 
 namespace latsch::fe_tire {
 
@@ -36,6 +37,8 @@ struct Systems {
   numerics::Factorization factor;
   std::optional<numerics::Factorization> odd_factor;
   std::optional<TireState> factored;  // none: no state, or one whose tangents are not definite
+  std::optional<numerics::SymmetricMatrix> mass, odd_mass;  // of the materials, where asked for
+  std::optional<numerics::Davidson> search, odd_search;     // how modes about `factored` were found
 
   Systems(const Ring& ring,
           const SolverSettings& settings,
@@ -56,6 +59,16 @@ struct Systems {
     odd_tangent.emplace(*odd->pattern());
     odd_factor.emplace(*odd->pattern(), numerics::Precision::refined, factor.elimination());
   }
+
+  void forget_tangents() {
+    factored.reset();
+    search.reset();
+    odd_search.reset();
+  }
+  void find_masses(const RingElements& elements) {
+    if (!mass) mass = solver.assembly().mass(elements);
+    if (odd && !odd_mass) odd_mass = odd->mass(elements);
+  }
 };
 
 struct FeTire::Impl {
@@ -75,7 +88,9 @@ struct FeTire::Impl {
     if (even) even_elements_.emplace(*even, materials);
     is_symmetry_known_ = false;
     for (auto& [of, systems] : systems_) {
-      systems->factored.reset();
+      systems->forget_tangents();
+      systems->mass.reset();
+      systems->odd_mass.reset();
       systems->solver.forget_forces();
     }
   }

@@ -11,7 +11,6 @@
 
 #include "models/fe_tire/analysis/mode_label.h"
 #include "models/fe_tire/ring/sector.h"
-#include "numerics/sparse/davidson.h"
 #include "numerics/sparse/lanczos.h"
 
 namespace latsch::fe_tire {
@@ -260,13 +259,16 @@ Result<std::vector<Mode>> loaded_ring_modes(const RingAssembly& assembly,
                                             const numerics::Factorization& factor,
                                             const numerics::SymmetricMatrix& M,
                                             int count,
-                                            const SolverSettings& settings) {
-  const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_roughly(X); };
+                                            const SolverSettings& settings,
+                                            std::optional<numerics::Davidson>& search) {
+  search.reset();
+  const auto solve = [&factor](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_roughly(X); };
   const auto near = ring_pairs(solve, M, count, kNear);
   if (near) {
-    const auto pairs =
-        numerics::davidson(K, M, solve, near->vectors, kOfLoaded * settings.mode_tolerance);
+    search.emplace(K, M, solve, near->vectors);
+    const auto pairs = search->find(kOfLoaded * settings.mode_tolerance);
     if (pairs.converged) return modes_of(assembly, pairs);
+    search.reset();
   }
   return ring_modes(assembly, factor, M, count, settings.mode_tolerance);
 }

@@ -2,11 +2,13 @@
 // Vibration modes of the tire: (K - omega^2 M) phi = 0 at an equilibrium, rim clamped.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/analysis/ring_assembly.h"
+#include "numerics/sparse/davidson.h"
 #include "numerics/sparse/factorization.h"
 
 namespace latsch::fe_tire {
@@ -33,13 +35,15 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      double tolerance);
 /// The same of a state on the ground with the tangent K and its factor, a refined one: Lanczos'
 /// method finds the modes with rough solutions, Davidson's makes them those of K; where that does
-/// not succeed, solutions are refined.
+/// not succeed, solutions are refined. `search` receives how Davidson's method found them, for
+/// whoever wants them sharper while K, M and the factor stay as they are.
 Result<std::vector<Mode>> loaded_ring_modes(const RingAssembly& assembly,
                                             const numerics::SymmetricMatrix& K,
                                             const numerics::Factorization& factor,
                                             const numerics::SymmetricMatrix& M,
                                             int count,
-                                            const SolverSettings& settings);
+                                            const SolverSettings& settings,
+                                            std::optional<numerics::Davidson>& search);
 /// Mass of each node of the ring, kg: rows of the mass matrix summed.
 Eigen::VectorXd nodal_masses(const RingElements& elements);
 

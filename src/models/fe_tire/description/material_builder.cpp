@@ -27,12 +27,13 @@ struct Column {
 
 Column column_of(const TireDescription& tire, const Contour& line, int i, int columns) {
   const double refined = double(columns) / tire.section.meridional;
-  const auto end = [&](int j) { return tire.section.station(j / refined); };
-  const MeridianPoint a = line.tangent(end(i)), b = line.tangent(end(i + 1));
+  const double from = tire.section.station(i / refined);
+  const double to = tire.section.station((i + 1) / refined);
+  const MeridianPoint a = line.tangent(from), b = line.tangent(to);
   const WallProfile& inside = tire.section.inside;
   Column column;
-  column.r = line.point(0.5 * (end(i) + end(i + 1))).r;
-  column.thickness = 0.5 * (inside.at(std::abs(end(i))) + inside.at(std::abs(end(i + 1))));
+  column.r = line.point(0.5 * (from + to)).r;
+  column.thickness = 0.5 * (inside.at(std::abs(from)) + inside.at(std::abs(to)));
   column.meridional = Eigen::Vector3d(a.r + b.r, 0.0, -a.y - b.y).normalized();
   return column;
 }

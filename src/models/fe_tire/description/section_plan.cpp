@@ -8,6 +8,9 @@
 namespace latsch::fe_tire {
 
 SectionPlan::SectionPlan(const TireDescription& tire) : tire_(tire), plies_(columns()) {
+  const Section& section = tire.section;
+  for (int column = 0; column < columns(); ++column)
+    middles_.push_back(0.5 * (section.station(column) + section.station(column + 1)));
   for (int column = 0; column < columns(); ++column)
     for (int ply = 0; ply < static_cast<int>(tire.plies.size()); ++ply)
       if (tire.plies[ply].extent.contains(std::abs(middle(column))))

@@ -18,9 +18,7 @@ class SectionPlan {
   int rows() const { return tire_.section.rows(); }
   bool inside(int row) const { return row < tire_.section.rows_inside; }
   /// s in [-1, 1] of the column's middle; |s| is its position along the wall.
-  double middle(int column) const {
-    return 0.5 * (tire_.section.station(column) + tire_.section.station(column + 1));
-  }
+  double middle(int column) const { return middles_[column]; }
 
   /// Index into TireDescription::regions. Throws InputError where no region or two are.
   int region(int column, int row) const;
@@ -39,6 +37,7 @@ class SectionPlan {
 
  private:
   const TireDescription& tire_;
+  std::vector<double> middles_;  // of columns; a station takes Newton's method
   std::vector<std::vector<PlyHere>> plies_;
   int layers_ = 0;
 };

@@ -29,7 +29,10 @@ void curve_solid_shell(const ElementLaw& law,
   const SolidShellShape& s = law.shape->solid_shell;
   V c1[kSquareCount], g1[kStrains], g2[kStrains], t[3][kStrains];
   V e1[ElementLaw::kCordLayers][4], e2[ElementLaw::kCordLayers][4];
-  first_response(s, state, cords, m, c1, g1, e1, alpha1);
+  first_strains(s, state.k, m, c1, g1);
+  first_strains(cords, m, e1);
+  for (int j = 0; j < kEnhanced; ++j) alpha1[j] = 0.0;
+  respond(state, cords, g1, e1, alpha1);
   second_strains(s, state.k, m, c1, g2);
   for (int j = 0; j < kEnhanced; ++j) alpha2[j] = 0.0;
   for (int l = 0; l < cords.count(); ++l) {
@@ -97,6 +100,7 @@ bool curve_register(const ElementLaw& law,
   MotionState state;
   if (!every(set_state(law, first, batch, state, cords))) return false;
   if (law.shape->kind == ElementKind::solid_shell) {
+    set_tangents(law, state);
     for (int l = 0; l < cords.count(); ++l) {  // strains with those of alpha
       for (int q = 0; q < 4; ++q) {
         const double* p = cords.laws[l].points[q].p;
@@ -169,8 +173,12 @@ bool follow_batch(const ElementLaw& law,
       for (int j = 0; j < kEnhanced; ++j) alpha[j] = 0.0;
       Kinematics m;
       motion_of(*law.shape, motion.along, first, zeta, m);
-      if (law.shape->kind == ElementKind::solid_shell)
-        first_response(law.shape->solid_shell, state, cords, m, c1, g, e, alpha);
+      if (law.shape->kind == ElementKind::solid_shell) {
+        first_strains(law.shape->solid_shell, state.k, m, c1, g);
+        first_strains(cords, m, e);
+        couple(law.shape->solid_shell, state.inner, g, alpha);
+        respond(state.inner, cords, e, alpha);
+      }
       for (int j = 0; j < kEnhanced; ++j) {
         if (motion.has_mode) alpha[j] += load(motion.second_alpha[j] + first);
         alpha[j].save(motion.along_alpha[j] + first);

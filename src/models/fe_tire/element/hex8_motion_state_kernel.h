@@ -19,13 +19,14 @@ namespace latsch::fe_tire::LATSCH_KERNELS {
 /// An element's state, and what all motions about it share.
 struct MotionState {
   Kinematics k;
-  V x[24], alpha[kEnhanced], E[kPoints][6];
+  V x[24], alpha[kEnhanced], g[kStrains], E[kPoints][6];
   V t[kStrains], D[kStrains][kStrains], Da[kEnhanced][kStrains];
   Inner inner;
   RubberPoint rubber[kPoints];
 };
 
-/// False where the element has no state. `cords` receive theirs.
+/// False where the element has no state. `cords` receive theirs. All but t, D, Da, E and rubber,
+/// which second derivatives take.
 Mask set_state(
     const ElementLaw& law, int first, const ElementBatch& batch, MotionState& state, Cords& cords) {
   const HexShape& shape = *law.shape;
@@ -43,11 +44,18 @@ Mask set_state(
   generalized_strains(s, state.k, g);
   valid = valid & solve_alpha(law, g, cords, state.alpha, state.inner);
   stretch(cords, state.alpha[0], state.alpha[1]);
+  for (int j = 0; j < kStrains; ++j) state.g[j] = g[j];
+  return valid;
+}
+
+/// The rest of it.
+void set_tangents(const ElementLaw& law, MotionState& state) {
+  const SolidShellShape& s = law.shape->solid_shell;
   for (int j = 0; j < kStrains; ++j) state.t[j] = 0.0;
   for (int q = 0; q < kPoints; ++q) {
     for (int r = 0; r < 6; ++r) {
-      V sum = s.P[q][r][0] * g[0];
-      for (int j = 1; j < kStrains; ++j) sum += s.P[q][r][j] * g[j];
+      V sum = s.P[q][r][0] * state.g[0];
+      for (int j = 1; j < kStrains; ++j) sum += s.P[q][r][j] * state.g[j];
       for (int j = 0; j < kEnhanced; ++j) sum += s.P[q][r][kStrains + j] * state.alpha[j];
       state.E[q][r] = sum;
       for (int j = 0; j < kStrains; ++j) state.t[j] += s.P[q][r][j] * state.inner.S[q][r];
@@ -55,16 +63,30 @@ Mask set_state(
     if (!law.linear) prepare(law.rubber, state.E[q], state.rubber[q]);
   }
   tangents(s, state.inner, state.D, state.Da);
-  return valid;
 }
 
-/// Response of alpha to derivatives g of the generalized strains and e of the cords' (M.1): the
-/// terms that stand in `response` already are moved with it.
-LATSCH_INLINE void respond(
-    const MotionState& state, const Cords& cords, const V* g, const V (*e)[4], V* response) {
-  for (int j = 0; j < kEnhanced; ++j) {
-    for (int n = 0; n < kStrains; ++n) response[j] += state.Da[j][n] * g[n];
+/// W_au times derivatives g of the generalized strains, point by point: of a few motions less than
+/// Da is.
+LATSCH_INLINE void couple(const SolidShellShape& s, const Inner& inner, const V* g, V* sums) {
+  for (int j = 0; j < kEnhanced; ++j) sums[j] = 0.0;
+  for (int q = 0; q < kPoints; ++q) {
+    V E[6];
+    for (int r = 0; r < 6; ++r) {
+      V sum = s.P[q][r][0] * g[0];
+      for (int j = 1; j < kStrains; ++j) sum += s.P[q][r][j] * g[j];
+      E[r] = sum;
+    }
+    for (int r = 0; r < 6; ++r) {
+      V S = inner.D[q][r][0] * E[0];
+      for (int c = 1; c < 6; ++c) S += inner.D[q][r][c] * E[c];
+      for (int j = 0; j < kEnhanced; ++j) sums[j] += s.P[q][r][kStrains + j] * S;
+    }
   }
+}
+
+/// Response of alpha (M.1): `response` holds W_au times derivatives of the generalized strains; e
+/// are those of the cords'.
+LATSCH_INLINE void respond(const Inner& inner, const Cords& cords, const V (*e)[4], V* response) {
   for (int l = 0; l < cords.count(); ++l) {
     for (int q = 0; q < 4; ++q) {
       const CordSheet::Point& point = cords.laws[l].points[q];
@@ -73,28 +95,27 @@ LATSCH_INLINE void respond(
       response[1] += point.p[1] * S;
     }
   }
-  solve(state.inner.A, response);
+  solve(inner.A, response);
   for (int j = 0; j < kEnhanced; ++j) response[j] = -response[j];
 }
 
-/// First derivatives along a motion: of generalized strains, cords' strains, alpha.
-LATSCH_INLINE void first_response(const SolidShellShape& s,
-                                  const MotionState& state,
-                                  const Cords& cords,
-                                  const Kinematics& m,
-                                  V* c1,
-                                  V* g,
-                                  V (*e)[4],
-                                  V* alpha) {
-  first_strains(s, state.k, m, c1, g);
+/// The same with Da.
+LATSCH_INLINE void respond(
+    const MotionState& state, const Cords& cords, const V* g, const V (*e)[4], V* response) {
+  for (int j = 0; j < kEnhanced; ++j) {
+    for (int n = 0; n < kStrains; ++n) response[j] += state.Da[j][n] * g[n];
+  }
+  respond(state.inner, cords, e, response);
+}
+
+/// First derivatives of the cords' strains along a motion.
+LATSCH_INLINE void first_strains(const Cords& cords, const Kinematics& m, V (*e)[4]) {
   for (int l = 0; l < cords.count(); ++l) {
     V y[3][3], G[6];
     vectors_of(m.x, cords.laws[l].zeta, y);
     gram(y, cords.sheets[l].y, G);
     for (int q = 0; q < 4; ++q) e[l][q] = times_gram(cords.laws[l].points[q], G);
   }
-  for (int j = 0; j < kEnhanced; ++j) alpha[j] = 0.0;
-  respond(state, cords, g, e, alpha);
 }
 
 LATSCH_INLINE void motion_of(const HexShape& shape,

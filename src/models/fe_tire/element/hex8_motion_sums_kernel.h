@@ -157,10 +157,13 @@ void sum_solid(const ElementLaw& law,
 }
 
 void sum_cords(const ElementLaw& law,
+               unsigned layers,
                std::span<const ElementMotion> motions,
                const MotionStrains& at,
                V* sums) {
-  for (const CordSheet& sheet : law.cords) {
+  for (std::size_t k = 0; k < law.cords.size(); ++k) {
+    if (!(layers >> k & 1u)) continue;
+    const CordSheet& sheet = law.cords[k];
     V y[3][3], G0[6], S[4], tangent[4];
     vectors_of(at.modal, sheet.zeta, y);
     gram(y, y, G0);
@@ -249,7 +252,7 @@ void sum_motions_of_batch(std::span<const VariedElement> varied,
       V sums[ElementMotion::kMost];
       for (std::size_t i = 0; i < count; ++i) sums[i] = 0.0;
       if (of.solid) sum_solid(*of.law, motions, at, sums);
-      if (of.cords) sum_cords(*of.law, motions, at, sums);
+      if (of.cords != 0) sum_cords(*of.law, of.cords, motions, at, sums);
       if (of.gas && of.pressure != 0.0)
         sum_gas(*of.law, of.pressure, open_edges, motions, at, sums);
       for (std::size_t i = 0; i < count; ++i) sums[i].save(result[v * count + i] + first);

@@ -45,9 +45,12 @@ bool follow_along(const ElementLaw& law, ElementBatch& batch, std::span<ElementM
 
 /// An element with other numbers, and which parts of its energy are wanted.
 struct VariedElement {
+  static constexpr unsigned kAllCords = ~0u;
+
   const ElementLaw* law;
   double pressure = 0.0;  // Pa on the inner face
-  bool solid = true, cords = true, gas = true;
+  bool solid = true, gas = true;
+  unsigned cords = kAllCords;  // bit k: of its layer k
 };
 
 /// L of every varied element (all of one section element) and motion,

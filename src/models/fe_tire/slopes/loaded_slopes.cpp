@@ -67,7 +67,7 @@ std::vector<MovedNumber> TireSlopes::Impl::moved_numbers(OfRing of, double press
                        pressure_of(k, below.tire, pressure),
                        pressure_of(k, above.tire, pressure),
                        2.0 * variations[k].step,
-                       &below.parts});
+                       &varied[k]->parts});
   }
   return numbers;
 }
@@ -91,18 +91,25 @@ std::pair<Eigen::VectorXd, double> TireSlopes::Impl::by_height(Systems& all,
 
 Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
                                                                 const TireState& state) {
-  if (all.factored && all.factored->pose == state.pose && all.factored->u == state.u)
-    return &all.factor;
+  const auto is_of = [&state](const std::optional<TireState>& other) {
+    return other && other->pose == state.pose && other->u == state.u;
+  };
+  if (is_of(all.factored)) return &all.factor;
   auto own = own_tangents.find(&all);
   if (own == own_tangents.end()) {
     const auto& pattern = *all.solver.assembly().pattern();
     Tangent made{
         numerics::SymmetricMatrix(pattern),
-        numerics::Factorization(pattern, numerics::Precision::refined, all.factor.elimination())};
+        numerics::Factorization(pattern, numerics::Precision::refined, all.factor.elimination()),
+        std::nullopt};
     own = own_tangents.emplace(&all, std::move(made)).first;
   }
-  if (auto failure = base.factorize(all, state, own->second.K, own->second.factor)) return *failure;
-  return &own->second.factor;
+  Tangent& tangent = own->second;
+  if (is_of(tangent.of)) return &tangent.factor;
+  tangent.of.reset();
+  if (auto failure = base.factorize(all, state, tangent.K, tangent.factor)) return *failure;
+  tangent.of = state;
+  return &tangent.factor;
 }
 
 /// Made once for all states.
@@ -185,8 +192,9 @@ namespace {
 /// stays as it was.
 std::optional<Failure> sharpen(const RingAssembly& assembly,
                                const numerics::SymmetricMatrix& tangent,
+                               const numerics::SymmetricMatrix& M,
                                const numerics::Factorization& factor,
-                               const RingElements& elements,
+                               std::optional<numerics::Davidson> search,
                                std::vector<Mode>& modes) {
   constexpr double kHalf = 0.5, kSame = 0.99;
   const RingUnknowns& unknowns = assembly.unknowns();
@@ -201,9 +209,12 @@ std::optional<Failure> sharpen(const RingAssembly& assembly,
   }
   if (own.empty()) return std::nullopt;
   vectors.conservativeResize(Eigen::NoChange, std::ssize(own));
-  const numerics::SymmetricMatrix M = assembly.mass(elements);
-  const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_roughly(X); };
-  const auto pairs = numerics::davidson(tangent, M, solve, vectors, kSharp);
+  const bool goes_on = search && search->count() >= vectors.cols();
+  if (!goes_on) {
+    const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_roughly(X); };
+    search.emplace(tangent, M, solve, vectors);
+  }
+  const auto pairs = goes_on ? search->sharpen(vectors.cols(), kSharp) : search->find(kSharp);
   if (!pairs.converged) return Failure{"slopes: shapes of modes do not converge"};
   const Eigen::MatrixXd& sharp = pairs.vectors;
   Eigen::MatrixXd M_sharp(sharp.rows(), sharp.cols());
@@ -224,11 +235,21 @@ Result<std::vector<Mode>> TireSlopes::Impl::sharpened_modes(const TireState& sta
   if (base.settings.mode_tolerance <= kSharp) return modes;
   Systems& all = base.systems(state.is_halved, state.window);
   if (auto failure = base.factorize(all, state)) return *failure;
-  if (auto failure =
-          sharpen(all.solver.assembly(), all.tangent, all.factor, base.elements(), modes))
+  all.find_masses(base.elements());
+  if (auto failure = sharpen(all.solver.assembly(),
+                             all.tangent,
+                             *all.mass,
+                             all.factor,
+                             std::exchange(all.search, std::nullopt),
+                             modes))
     return *failure;
   if (!all.odd) return modes;
-  if (auto failure = sharpen(*all.odd, *all.odd_tangent, *all.odd_factor, base.elements(), modes))
+  if (auto failure = sharpen(*all.odd,
+                             *all.odd_tangent,
+                             *all.odd_mass,
+                             *all.odd_factor,
+                             std::exchange(all.odd_search, std::nullopt),
+                             modes))
     return *failure;
   return modes;
 }

@@ -35,8 +35,8 @@ void FeltNumbers::find(int sector, int element, const std::vector<MovedNumber>& 
       elements.push_back({&other.law(sector, element),
                           inner ? pressure : 0.0,
                           parts.solid,
-                          parts.cords,
-                          parts.gas && inner});
+                          parts.gas && inner,
+                          parts.cords});
     };
     add(*number.below, number.pressure_below);
     add(*number.above, number.pressure_above);

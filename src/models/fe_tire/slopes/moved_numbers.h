@@ -19,8 +19,15 @@ struct MovedNumber {
   double way;                             // in the number's unit
   /// Parts of a section's elements in which it is felt.
   struct Parts {
-    bool solid, cords, gas, mass;
-    bool any() const { return solid || cords || gas; }
+    bool solid, gas, mass;
+    unsigned cords;  // VariedElement::cords
+    bool any() const { return solid || cords != 0 || gas; }
+    void add(const Parts& other) {
+      solid = solid || other.solid;
+      gas = gas || other.gas;
+      mass = mass || other.mass;
+      cords |= other.cords;
+    }
   };
   const std::vector<Parts>* parts;
 };

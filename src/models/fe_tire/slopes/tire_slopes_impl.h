@@ -34,6 +34,7 @@ struct TireSlopes::Impl {
   struct Tangent {
     numerics::SymmetricMatrix K;
     numerics::Factorization factor;
+    std::optional<TireState> of;  // none: not definite
   };
   std::map<const Systems*, Tangent> own_tangents;  // of the last state that needed one
   std::map<std::pair<const Varied*, const Systems*>, std::unique_ptr<VariedTread>> varied_treads;

@@ -13,6 +13,16 @@ bool same_rebars(const Element& a, const Element& b) {
   });
 }
 
+/// Of an element of one topology: whether shape, walls and places of cords are the same.
+bool same_element(const Mesh& mesh, const Mesh& base, std::size_t e) {
+  const Element &a = mesh.elements[e], &b = base.elements[e];
+  const int n = base.nodes_per_sector();
+  return mesh.theta == base.theta && same_rebars(a, b) && a.tie == b.tie && a.wall == b.wall &&
+         a.layer_rows == b.layer_rows && std::ranges::all_of(b.node, [&](int node) {
+           return mesh.X.col(node % n) == base.X.col(node % n);
+         });
+}
+
 bool same_law(const Solid& a, const Solid& b) {
   if (a.law.index() != b.law.index()) return false;
   if (const auto* rubber = std::get_if<Hyperelastic>(&a.law)) {
@@ -34,11 +44,13 @@ MovedNumber::Parts parts_that_differ(const Element& element,
   MovedNumber::Parts parts{};
   const Solid &solid = varied.solids[element.solid], &other = base.solids[element.solid];
   parts.solid = !same_shape || !same_law(solid, other);
-  parts.cords = parts.gas = !same_shape;
+  parts.cords = same_shape ? 0u : VariedElement::kAllCords;
+  parts.gas = !same_shape;
   parts.mass = !same_shape || solid.density != other.density;
-  for (const RebarPlacement& rebar : element.rebars) {
-    const CordLayer &cords = varied.layers[rebar.layer], &others = base.layers[rebar.layer];
-    parts.cords = parts.cords || !same_cords(cords, others);
+  for (std::size_t k = 0; k < element.rebars.size(); ++k) {
+    const int layer = element.rebars[k].layer;
+    const CordLayer &cords = varied.layers[layer], &others = base.layers[layer];
+    if (!same_cords(cords, others)) parts.cords |= 1u << k;
     parts.mass = parts.mass || cords.density * cords.thickness != others.density * others.thickness;
   }
   return parts;
@@ -57,16 +69,18 @@ bool same_topology(const Mesh& a, const Mesh& b) {
 Varied::Varied(const VariedTire& varied, const Base& base) : tire(varied) {
   const Mesh& mesh = base.ring.mesh();
   const Materials& materials = base.elements().materials();
-  same_shape = varied.mesh.X == mesh.X && varied.mesh.theta == mesh.theta &&
-               std::ranges::equal(varied.mesh.elements, mesh.elements, same_rebars);
+  same_shape = true;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const bool same = same_element(varied.mesh, mesh, e);
+    parts.push_back(parts_that_differ(mesh.elements[e], varied.materials, materials, same));
+    same_shape = same_shape && same;
+  }
   if (!same_shape) {
     own_ring.emplace(varied.mesh, base.settings.element);
     if (base.even) own_even.emplace(varied.mesh.evenly_divided(), base.settings.element);
   }
   elements.emplace(same_shape ? base.ring : *own_ring, varied.materials);
   if (base.even) even_elements.emplace(same_shape ? *base.even : *own_even, varied.materials);
-  for (const Element& element : mesh.elements)
-    parts.push_back(parts_that_differ(element, varied.materials, materials, same_shape));
 }
 
 VariedTread::VariedTread(const Varied& varied,
@@ -79,10 +93,11 @@ VariedTread::VariedTread(const Varied& varied,
       surface(unknowns, base.settings.tread_shape(), all.half_angle) {}
 
 VariedPair::VariedPair(const Variation& variation, const Varied::Base& base)
-    : below(variation.below, base), above(variation.above, base) {
-  if (!variation.moves_pressure) return;
-  for (std::size_t e = 0; e < below.parts.size(); ++e)
-    below.parts[e].gas = base.ring.mesh().elements[e].inner;
+    : below(variation.below, base), above(variation.above, base), parts(below.parts) {
+  for (std::size_t e = 0; e < parts.size(); ++e) {
+    parts[e].add(above.parts[e]);
+    if (variation.moves_pressure) parts[e].gas = base.ring.mesh().elements[e].inner;
+  }
 }
 
 }  // namespace latsch::fe_tire

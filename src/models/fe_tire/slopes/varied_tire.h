@@ -40,6 +40,7 @@ struct VariedTread {
 /// A number moved to both sides.
 struct VariedPair {
   Varied below, above;
+  std::vector<MovedNumber::Parts> parts;  // that differ on either side
   VariedPair(const Variation& variation, const Varied::Base& base);
 };
 
