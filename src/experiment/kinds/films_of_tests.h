@@ -10,8 +10,8 @@
 namespace latsch::experiment {
 
 /// Of the first tests that have a film, in so many steps that a report stays small; the scene's
-/// remarks say how many others there are. A test in which the specimen fails, or which it cannot do,
-/// has none.
+/// remarks say how many others there are. A test in which the specimen fails, or which it cannot
+/// do, has none.
 void add_films(const std::vector<const Test*>& tests, Specimen& specimen, report::Scene& scene);
 
 }  // namespace latsch::experiment
