@@ -3,10 +3,11 @@
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { defineConfig } from 'vite';
 
+import { drawnByProcessor } from './tools/drawn_by_processor.mjs';
 import { leanThree } from './tools/lean_three.mjs';
 
 export default defineConfig({
-  plugins: [leanThree(), svelte()],
+  plugins: [drawnByProcessor(), leanThree(), svelte()],
   base: '/',
   build: {
     outDir: process.env.LATSCH_WEB_OUT ?? 'dist',

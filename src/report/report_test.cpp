@@ -118,7 +118,9 @@ StudyReport full_report() {
                {0.0, 0.3},
                {0.0, 3e-3},
                {0.0, 0.3},
-               {0.0, 4e-3}}};
+               {0.0, 4e-3},
+               false,
+               {}}};
   r.values = {{kHostile, kHostile, "mm", true, 1.0, 2e-3, 1.98e-3, 4e-3, 1.9e-3, 2.1e-3}};
   r.modes = {{kHostile,
               kHostile,
@@ -240,7 +242,9 @@ TEST(Report, IsDrawnFromAnyNumbers) {  // what a failed or odd trial may leave b
                  some(),
                  some(),
                  some(),
-                 some()}};
+                 some(),
+                 false,
+                 {}}};
     r.modes = {
         {"m", "c", true, {{"a", any(), any(), any(), any()}, {"b", any(), any(), {}, {}}}, {}, {}}};
     r.convergence = Convergence{some()};
@@ -364,8 +368,9 @@ TEST(CurvePlot, ShadesTheBandOfWhatIsComputed) {
 }
 
 TEST(FrequencyPlot, HasALineForTheBandOfEveryModeWhereItIsKnown) {
-  ModalComparison modes{.experiment = "modes",
-                        .pairs = {{"radial", 100.0, 101.0}, {"lateral", 50.0, 49.0}}};
+  ModalComparison modes;
+  modes.experiment = "modes";
+  modes.pairs = {{"radial", 100.0, 101.0, {}, {}}, {"lateral", 50.0, 49.0, {}, {}}};
   const std::size_t before = count_of(frequency_plot(modes), "class=\"ink\"");
   modes.band = {.lower = {99.0, std::nan("")}, .upper = {103.0, std::nan("")}};
   EXPECT_EQ(count_of(frequency_plot(modes), "class=\"ink\""), before + 1);

@@ -54,17 +54,18 @@ struct Scene {
   };
   /// What a test does, step by step.
   struct Sequence {
-    std::string name;         // of the test
-    std::string mesh;         // which one moves
-    std::string along, unit;  // what its steps are told by: "time", "s"; "Fy", "N"
-    std::string field_name, field_unit;
-    std::vector<Arrow> arrows;
-    std::vector<Step> steps;
+    std::string name = {};              // of the test
+    std::string mesh = {};              // which one moves
+    std::string along = {}, unit = {};  // what its steps are told by: "time", "s"; "Fy", "N"
+    std::string field_name = {}, field_unit = {};
+    std::vector<Arrow> arrows = {};
+    std::vector<Step> steps = {};
     std::string ground = {};  // a mesh that stands still: the road; empty: none
   };
   std::vector<Mesh> meshes;
   std::vector<Frame> frames;
   std::vector<Sequence> sequences = {};
+  std::vector<std::string> remarks = {};  // what is not shown, a sentence each
 };
 
 /// The tire as built, inflated, on the ground with the pressure in its contact, and its modes.

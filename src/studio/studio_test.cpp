@@ -184,7 +184,11 @@ TEST_F(Asked, MeasuredAndSimulatedStandBesideEachOther) {
   EXPECT_TRUE(get("/api/target")["scatter"]["target"].size() > 0);
   EXPECT_FALSE(get("/api/identifiability")["why_not"].get<std::string>().empty());
   EXPECT_FALSE(get("/api/model")["numbers"].empty());
-  EXPECT_EQ(get("/api/compare", {{"other", "study.toml"}})["studies"].size(), 2u);
+  const Json both = get("/api/compare", {{"other", "study.toml"}});
+  ASSERT_EQ(both["studies"].size(), 2u);
+  EXPECT_EQ(both["studies"][1]["no_intervals"], get("/api/identifiability")["why_not"]);
+  EXPECT_EQ(view["no_bands"], both["studies"][0]["no_intervals"]);
+  EXPECT_EQ(both["variables"][0]["missing"], Json({"", ""}));
 }
 
 TEST_F(Asked, TheFileIsChangedWhereThePageHasSeenIt) {

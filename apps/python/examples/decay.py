@@ -24,7 +24,7 @@ space = latsch.DesignSpace([
 optimizer = latsch.optimizer(space, residuals=True)
 print(f"{optimizer.method}: {optimizer.reason}")
 
-best, least = None, np.inf
+best, least = space.initial, np.inf
 while not optimizer.converged:
     point = optimizer.propose()[0]  # propose(8) for eight workers
     score = latsch.Score(residuals=residuals(point))

@@ -31,9 +31,10 @@ least = np.inf
 while not optimizer.converged:
     point = optimizer.propose()[0]
     try:
-        outcome = study.score(point)
-        least = min(least, outcome.value)
+        score = study.score(point)
     except latsch.Failure as failure:
-        outcome = failure
-    optimizer.observe(point, outcome)
+        optimizer.observe(point, failure)
+        continue
+    optimizer.observe(point, score)
+    least = min(least, score.value)
 print(f"by the loop here: target {least:.2e}")

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 Path = Union[str, "os.PathLike[str]"]
 
+__all__: list[str]
 __version__: str
 
 
@@ -259,7 +260,7 @@ class Trials:
     seconds: Array
     asked: NDArray[np.bool_]
     failures: list[Failure | None]
-    channels: dict[str, Array | list[Array | None]]
+    channels: dict[str, Array | Any]  # a list of arrays, None where failed, where trials differ in their samples
     units: dict[str, str]
     def __len__(self) -> int: ...
 

@@ -84,6 +84,7 @@ export const claims = {
     const page = await open(browser, address, '#/model?study=compliance/study.toml');
     const slider = page.getByLabel('State of the rig');
     await slider.waitFor();
+    await page.getByText('Of 28 tests the first 2 are shown step by step.').waitFor();
     assert.equal(await slider.inputValue(), '9'); // where forces are largest
     await slider.press('ArrowLeft');
     await page.getByText('Fy 3200 N, state 9 of 10').waitFor();
@@ -178,6 +179,9 @@ export const claims = {
     await page.getByRole('link', { name: 'Compare the two' }).click();
     await page.getByRole('heading', { name: 'Two studies' }).waitFor();
     await page.getByRole('heading', { name: 'Errors of the experiments' }).waitFor();
+    await page.getByText('No intervals of the second: the trials around the best point are missing').waitFor();
+    await page.getByRole('row', { name: 'cleat_60' }).getByText('not in this study').waitFor();
+    await page.getByRole('table').first().getByText('not varied').waitFor();
     await page.context().close();
   },
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "correlation/search/study_method.h"
 #include "correlation/search/study_search.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/target/estimated_noise.h"
@@ -44,6 +45,13 @@ Study with_estimated_noise(const Study& study, const Journal& journal) {
   Study weighted = study;
   recorded_fit(study, journal, &weighted);
   return weighted;
+}
+
+std::optional<DesignPoint> first_point(const Study& study) {
+  const Study first = weighted_stage(study, 0, std::nullopt);
+  if (first.start.from != StartSettings::From::values) return std::nullopt;
+  const auto wanted = HopelessStart(first.space, make_optimizer(first)).propose(1);
+  return wanted.empty() ? std::nullopt : std::optional(wanted.front());
 }
 
 std::vector<Fit> recorded_fit(const Study& study, const Journal& journal, Study* weighted) {

@@ -38,6 +38,10 @@ Study weighted_stage(const Study& study, int k, const std::optional<StageEnd>& b
 /// estimated. For whoever looks at trials.
 Study with_estimated_noise(const Study& study, const Journal& journal);
 
+/// What the search of a study asks for first; nullopt where a journal decides that. One that has no
+/// such trial knows no step of the search, which costs no reading of its channels to say.
+std::optional<DesignPoint> first_point(const Study& study);
+
 /// The stages as far as their journals know them, without evaluating.
 /// `weighted`, where given, gets the noise of the last of them.
 std::vector<Fit> recorded_fit(const Study& study,

@@ -55,6 +55,20 @@ TEST_F(StudyStart, TheBestTrialOfTheJournalIsTheFirstStepAndItsNeighborsAreKnown
   EXPECT_LT(evaluated_, alone);
 }
 
+TEST_F(StudyStart, TheFirstPointIsThatOfTheFirstStepUnlessAJournalDecides) {
+  const Study study = read(kDesign);
+  EXPECT_EQ(first_point(study), fit_all(study)[0].run.steps.front().point);
+  EXPECT_EQ(first_point(read("[optimizer]\nstart = \"journal\"\n" + kDesign)), std::nullopt);
+}
+
+TEST_F(StudyStart, AJournalWithoutTheFirstPointKnowsNoStep) {
+  const Study study = read(kDesign);
+  evaluate_design(study);
+  const Journal journal = Journal::read(study.run.journal);
+  for (const Trial& trial : journal.trials()) EXPECT_NE(trial.point, first_point(study));
+  EXPECT_TRUE(recorded_fit(study, journal).empty());
+}
+
 TEST_F(StudyStart, WhatWasKnownAtTheStartIsKnownAfterAKillToo) {
   const std::string text = "[optimizer]\nstart = \"journal\"\n" + kDesign;
   const Study study = read(text);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/kinds/films_of_tests.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/error.h"
@@ -12,8 +14,18 @@ void add_films(const std::vector<const Test*>& tests, Specimen& specimen, report
   constexpr int kSteps = 240, kMostSteps = 120, kFewestSteps = 9;
   std::vector<const Test*> shown;
   for (const Test* test : tests)
-    if (test->has_film() && std::ssize(shown) < kSteps / kFewestSteps) shown.push_back(test);
+    if (test->has_film()) shown.push_back(test);
   if (shown.empty()) return;
+  constexpr std::size_t kMostTests = kSteps / kFewestSteps;
+  if (const std::size_t all = shown.size(); all > kMostTests) {
+    shown.resize(kMostTests);
+    scene.remarks.push_back(
+        fmt::format("Of {} tests the first {} are shown step by step; of the other {} the page has "
+                    "what was measured and simulated, not how the model moves.",
+                    all,
+                    kMostTests,
+                    all - kMostTests));
+  }
   const int steps = std::clamp(kSteps / static_cast<int>(shown.size()), kFewestSteps, kMostSteps);
   for (const Test* test : shown) {
     try {

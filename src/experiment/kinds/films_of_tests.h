@@ -9,8 +9,9 @@
 
 namespace latsch::experiment {
 
-/// Of the first tests that have a film, in so many steps that a report stays small; a test in which
-/// the specimen fails, or which it cannot do, has none.
+/// Of the first tests that have a film, in so many steps that a report stays small; the scene's
+/// remarks say how many others there are. A test in which the specimen fails, or which it cannot
+/// do, has none.
 void add_films(const std::vector<const Test*>& tests, Specimen& specimen, report::Scene& scene);
 
 }  // namespace latsch::experiment

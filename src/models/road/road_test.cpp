@@ -386,7 +386,8 @@ TEST(Road, MeanHeightIsTheIntegralOverTheWay) {
 }
 
 CrgGrid bumpy_grid(RandomStream& random, double du) {
-  CrgGrid grid{.u_begin = 0.0, .u_increment = du};
+  CrgGrid grid;
+  grid.u_increment = du;
   for (int i = 0; i < 60; ++i) {
     grid.line.emplace_back(-0.3 + du * i, 0.01 * i * du);
     grid.line_height.push_back(0.001 * i * i * du);

@@ -75,6 +75,20 @@ std::string journal_fault(const Study& study) {
   }
 }
 
+/// Whether the search of a study without stages has a step in its journal; a large design of
+/// experiments takes a second to read anew, to find out that it has none.
+bool may_be_begun(const Study& study, const std::vector<TableRow>& rows) {
+  if (!study.stages.empty() || correlation::estimates_noise(study)) return true;
+  try {
+    const auto first = correlation::first_point(study);
+    return !first || std::any_of(rows.begin(), rows.end(), [&](const TableRow& row) {
+      return row.point == *first;
+    });
+  } catch (const std::exception&) {
+    return true;  // whoever replays it says why not
+  }
+}
+
 /// Of the experiments whose noise the fit tells.
 bool have_same_noise(const Study& a, const Study& b) {
   for (std::size_t e = 0; e < a.experiments.size(); ++e) {
@@ -200,6 +214,7 @@ bool ShelvedStudy::has_more() const {
 ShelvedStudy::Changes ShelvedStudy::find_ending() {
   std::shared_ptr<const Study> whole;
   Ending found;
+  bool is_begun = true;
   {
     const std::lock_guard lock(mutex_);
     if (!whole_ || holder_ || !error().empty() || table_->rows().empty()) return {};
@@ -208,11 +223,13 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
     whole = whole_;
     found.rows = table_->rows().size();
     found.edition = table_->edition();
+    is_begun = may_be_begun(*whole, table_->rows());
   }
   Study weighted = *whole;  // with the noise its stages found
   try {
-    const auto fits =
-        correlation::recorded_fit(*whole, Journal::read(whole->run.journal), &weighted);
+    std::vector<correlation::Fit> fits;
+    if (is_begun)
+      fits = correlation::recorded_fit(*whole, Journal::read(whole->run.journal), &weighted);
     if (fits.empty()) {  // no search was begun: a design of experiments
       found.has_ended = true;
     } else {

@@ -11,6 +11,8 @@
 namespace latsch::studio {
 namespace {
 
+constexpr const char* kNoTrial = "no trial has succeeded yet";
+
 struct Side {
   std::string id, title;
   std::shared_ptr<const correlation::Study> study;
@@ -18,6 +20,8 @@ struct Side {
   Json target = nullptr;
   std::map<std::string, double> errors;  // mean, by experiment
   Json convergence;
+  KeptIdentifiability kept;
+  std::string no_intervals;  // why none is told
 };
 
 Side side_of(const ShelvedStudy& shelved) {
@@ -39,7 +43,19 @@ Side side_of(const ShelvedStudy& shelved) {
     for (std::size_t e = 0; e < names.size(); ++e)
       side.errors[names[e]] = row.parts->mean_errors[e];
   });
+  side.kept = kept_identifiability(shelved);
+  side.no_intervals = side.best ? side.kept.why_not_at(*side.best) : kNoTrial;
   return side;
+}
+
+bool has(const auto& named, const std::string& name) {
+  return std::any_of(named.begin(), named.end(), [&](const auto& one) { return one.name == name; });
+}
+
+/// Why a study has no value of a variable, or no error of an experiment; empty where it has.
+std::string lack(const Side& side, const auto& named, const std::string& name, const char* words) {
+  if (!has(named, name)) return words;
+  return side.best ? "" : kNoTrial;
 }
 
 Json value_of(const Side& side, const std::string& name, const std::string& unit) {
@@ -50,13 +66,12 @@ Json value_of(const Side& side, const std::string& name, const std::string& unit
   return nullptr;
 }
 
-Json interval_of(const ShelvedStudy& shelved, const Side& side, const std::string& name) {
-  const KeptIdentifiability kept = kept_identifiability(shelved);
-  if (!kept.what || !side.best || kept.what->best != *side.best) return "";
+Json interval_of(const Side& side, const std::string& name) {
+  if (!side.no_intervals.empty()) return "";
   for (int i = 0; i < side.study->space.size(); ++i)
     if (side.study->space[i].name == name)
       return correlation::interval_text(
-          side.study->space, i, correlation::reported_interval(*side.study, *kept.what, i));
+          side.study->space, i, correlation::reported_interval(*side.study, *side.kept.what, i));
   return "";
 }
 
@@ -86,22 +101,38 @@ Json comparing_view(const ShelvedStudy& first, const ShelvedStudy& second) {
             {"experiments", Json::array()},
             {"convergence", {a.convergence, b.convergence}}};
   for (const Side* side : {&a, &b})
-    view["studies"].push_back(
-        {{"study", side->id}, {"title", side->title}, {"target", side->target}});
+    view["studies"].push_back({{"study", side->id},
+                               {"title", side->title},
+                               {"target", side->target},
+                               {"no_intervals", side->no_intervals}});
+  const auto lacks = [&](const std::string& name, const char* words, const auto& named_of) {
+    return Json{lack(a, named_of(a), name, words), lack(b, named_of(b), name, words)};
+  };
   for (const std::string& name : names_of(a.study->space.variables(), b.study->space.variables())) {
     const std::string unit = unit_of(a, b, name);
-    view["variables"].push_back(
-        {{"name", name},
-         {"unit", unit},
-         {"values", {value_of(a, name, unit), value_of(b, name, unit)}},
-         {"intervals", {interval_of(first, a, name), interval_of(second, b, name)}}});
+    view["variables"].push_back({{"name", name},
+                                 {"unit", unit},
+                                 {"values", {value_of(a, name, unit), value_of(b, name, unit)}},
+                                 {"intervals", {interval_of(a, name), interval_of(b, name)}},
+                                 {"missing",
+                                  lacks(
+                                      name, "not varied", [](const Side& side) -> const auto& {
+                                        return side.study->space.variables();
+                                      })}});
   }
   for (const std::string& name : names_of(a.study->experiments, b.study->experiments)) {
     const auto error = [&](const Side& side) {
       const auto found = side.errors.find(name);
       return found == side.errors.end() ? Json(nullptr) : finite(found->second);
     };
-    view["experiments"].push_back({{"name", name}, {"errors", {error(a), error(b)}}});
+    view["experiments"].push_back(
+        {{"name", name},
+         {"errors", {error(a), error(b)}},
+         {"missing",
+          lacks(
+              name, "not in this study", [](const Side& side) -> const auto& {
+                return side.study->experiments;
+              })}});
   }
   return view;
 }

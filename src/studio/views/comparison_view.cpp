@@ -218,7 +218,8 @@ Json comparison_view(const ShelvedStudy& shelved, const std::string& trial) {
             {"curves", Json::array()},
             {"modes", Json::array()},
             {"values", Json::array()},
-            {"absent", Json::array()}};
+            {"absent", Json::array()},
+            {"no_bands", kept.why_not_at(recorded.point)}};
   for (const auto& curve : drawn.page.forces) view["curves"].push_back(curve_of(curve));
   for (const auto& curve : drawn.page.curves) view["curves"].push_back(curve_of(curve));
   for (const auto& modes : drawn.page.modes) view["modes"].push_back(modes_of(modes));

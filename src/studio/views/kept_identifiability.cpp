@@ -63,6 +63,11 @@ std::shared_ptr<Kept> kept_of(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::string KeptIdentifiability::why_not_at(const DesignPoint& point) const {
+  if (!what) return why_not;
+  return what->best == point ? "" : "they are known at another point than this one";
+}
+
 std::string state_of_predictions(const correlation::Study& study) {
   if (!correlation::has_predictions(study)) return "";
   const std::string journal = correlation::with_predictions(study).run.journal.string();

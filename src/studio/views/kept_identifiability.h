@@ -15,6 +15,9 @@ struct KeptIdentifiability {
   std::shared_ptr<const correlation::Study> study;
   std::shared_ptr<const correlation::Identifiability> what;  // nullptr: `why_not`
   std::string why_not;
+
+  /// Why nothing of it holds at a point; empty where it does.
+  std::string why_not_at(const DesignPoint& point) const;
 };
 
 /// Changes where trials of what is only predicted have come, which are in a journal of their own.

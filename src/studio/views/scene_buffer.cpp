@@ -92,7 +92,8 @@ std::string scene_buffer(const report::Scene& scene, const std::string& title) {
             {"unit", "mm"},
             {"meshes", Json::array()},
             {"frames", Json::array()},
-            {"sequences", Json::array()}};
+            {"sequences", Json::array()},
+            {"remarks", scene.remarks}};
   for (const auto& mesh : scene.meshes)
     head["meshes"].push_back({{"name", mesh.name},
                               {"points", buffer.add(millimeters(mesh.points))},

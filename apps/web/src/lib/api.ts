@@ -19,10 +19,15 @@ function addressOf(path: string, query: Query): string {
   return `/api/${path}${words ? `?${words}` : ''}`;
 }
 
+const early = new Map<string, Promise<Response>>();
+const kKept = 5000; // ms; what nobody asks for until then is old
+
 async function send(what: string, address: string, options: RequestInit): Promise<Response> {
   const end = pending.begin(what);
+  const begun = early.get(address);
+  early.delete(address);
   try {
-    const response = await fetch(address, { credentials: 'same-origin', ...options });
+    const response = await (begun ?? fetch(address, { credentials: 'same-origin', ...options }));
     if (!response.ok) throw await problemOf(response, what);
     return response;
   } catch (error) {
@@ -55,6 +60,16 @@ async function tell<T>(what: string, path: string, body: unknown): Promise<T> {
     body: JSON.stringify(body),
   });
   return (await response.json()) as T;
+}
+
+/** Sends a question that is going to be asked, so that its answer is under way while the page gets ready to show it. */
+export function askEarly(path: string, query: Query): void {
+  if (isReport) return;
+  const address = addressOf(path, query);
+  const answer = fetch(address, { credentials: 'same-origin' });
+  answer.catch(() => {}); // who asks is told
+  early.set(address, answer);
+  setTimeout(() => early.delete(address), kKept);
 }
 
 export interface Stretch {

@@ -204,6 +204,7 @@ export interface Comparison {
   modes: ModeSet[];
   values: ComparedValue[];
   absent: { experiment: string; reason: string }[];
+  no_bands?: string; // why there are none
 }
 
 export interface SurfaceAxis {
@@ -356,9 +357,9 @@ export interface Edit {
 }
 
 export interface Compared {
-  studies: { study: string; title: string; target: Value }[];
-  variables: { name: string; unit: string; values: Value[]; intervals: Told[] }[];
-  experiments: { name: string; errors: Value[] }[];
+  studies: { study: string; title: string; target: Value; no_intervals: string }[]; // why there are none
+  variables: { name: string; unit: string; values: Value[]; intervals: Told[]; missing: string[] }[]; // why there is no value
+  experiments: { name: string; errors: Value[]; missing: string[] }[];
   convergence: { trial: number[]; best: Value[] }[];
 }
 

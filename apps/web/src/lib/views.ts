@@ -10,15 +10,16 @@ export interface View {
   title: string;
   load: () => Promise<{ default: Component<{ open: OpenStudy }> }>;
   needsServer?: boolean;
+  asks?: string; // what it asks of the server first, of the study with its weights
 }
 
 export const views: readonly View[] = [
   { name: 'study', title: 'Overview', load: () => import('../views/StudyView.svelte') },
   { name: 'setup', title: 'Set-up', load: () => import('../views/setup/SetupView.svelte'), needsServer: true },
   { name: 'model', title: 'Model', load: () => import('../views/model/ModelView.svelte') },
-  { name: 'convergence', title: 'Convergence', load: () => import('../views/ConvergenceView.svelte') },
-  { name: 'target', title: 'Target function', load: () => import('../views/target/TargetView.svelte') },
+  { name: 'convergence', asks: 'convergence', title: 'Convergence', load: () => import('../views/ConvergenceView.svelte') },
+  { name: 'target', asks: 'target', title: 'Target function', load: () => import('../views/target/TargetView.svelte') },
   { name: 'comparison', title: 'Measured and simulated', load: () => import('../views/comparison/ComparisonView.svelte') },
-  { name: 'kpis', title: 'KPI table', load: () => import('../views/KpiView.svelte') },
+  { name: 'kpis', asks: 'kpis', title: 'KPI table', load: () => import('../views/KpiView.svelte') },
   { name: 'identifiability', title: 'Identifiability', load: () => import('../views/identifiability/IdentifiabilityView.svelte') },
 ];

@@ -61,6 +61,7 @@ export class Chart {
 
   /** Other marks in the same axes: drawn, with what is zoomed left as it is. */
   draw(marks: readonly Mark[]): void {
+    if (marks === this.#options.marks) return;
     this.#options.marks = marks;
     this.probe(null);
     this.#range();

@@ -37,13 +37,8 @@ export interface Place {
 
 type Draw = (context: CanvasRenderingContext2D, mark: Mark, place: Place) => void;
 
-const line: Draw = (context, mark, place) => {
-  context.lineWidth = (mark.width ?? 1.75) * place.ratio;
-  context.lineJoin = 'round';
-  context.setLineDash((mark.dash ?? []).map((part) => part * place.ratio));
-  context.beginPath();
+function trace(context: CanvasRenderingContext2D, mark: Mark, place: Place): void {
   let isDown = false;
-  let before = NaN;
   for (let k = 0; k < mark.x.length; ++k) {
     const x = place.x(mark.x[k]);
     const y = place.y(mark.y[k]);
@@ -51,14 +46,35 @@ const line: Draw = (context, mark, place) => {
       isDown = false;
       continue;
     }
-    if (!isDown) context.moveTo(x, y);
-    else {
-      if (mark.kind === 'steps') context.lineTo(x, before);
-      context.lineTo(x, y);
-    }
-    before = y;
+    if (isDown) context.lineTo(x, y);
+    else context.moveTo(x, y);
     isDown = true;
   }
+}
+
+/** A corner where the value changes: the best of thousands of trials changes some ten times. */
+function traceSteps(context: CanvasRenderingContext2D, mark: Mark, place: Place): void {
+  let [end, level] = [NaN, NaN];
+  for (let k = 0; k <= mark.x.length; ++k) {
+    const x = place.x(mark.x[k]);
+    const y = place.y(mark.y[k]);
+    const isThere = !Number.isNaN(x) && !Number.isNaN(y);
+    if (y !== level) {
+      if (!Number.isNaN(level)) context.lineTo(isThere ? x : end, level);
+      if (isThere && Number.isNaN(level)) context.moveTo(x, y);
+      else if (isThere) context.lineTo(x, y);
+    }
+    [end, level] = isThere ? [x, y] : [NaN, NaN];
+  }
+}
+
+const line: Draw = (context, mark, place) => {
+  context.lineWidth = (mark.width ?? 1.75) * place.ratio;
+  context.lineJoin = 'round';
+  context.setLineDash((mark.dash ?? []).map((part) => part * place.ratio));
+  context.beginPath();
+  if (mark.kind === 'steps') traceSteps(context, mark, place);
+  else trace(context, mark, place);
   context.stroke();
   context.setLineDash([]);
 };
@@ -69,10 +85,11 @@ const points: Draw = (context, mark, place) => {
     drawShapes(context, mark, place, size);
     return;
   }
+  const side = Math.max(Math.round(size), 1); // whole pixels: crisp, and nothing to blend
   for (let k = 0; k < mark.x.length; ++k) {
     const x = place.x(mark.x[k]);
     const y = place.y(mark.y[k]);
-    if (x >= place.left && y >= place.top - size) context.fillRect(x - size / 2, y - size / 2, size, size);
+    if (x >= place.left && y >= place.top - size) context.fillRect(Math.round(x - side / 2), Math.round(y - side / 2), side, side);
   }
 };
 

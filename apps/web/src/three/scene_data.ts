@@ -59,6 +59,7 @@ export interface SceneData {
   meshes: SceneMesh[];
   frames: SceneFrame[];
   sequences: SceneSequence[];
+  remarks: string[]; // what is not shown
 }
 
 interface Told {
@@ -87,6 +88,7 @@ interface Told {
     vectors: Span;
     ground: string | null;
   }[];
+  remarks?: string[];
 }
 
 export function readScene(buffer: ArrayBuffer): SceneData {
@@ -122,7 +124,7 @@ export function readScene(buffer: ArrayBuffer): SceneData {
     vectors: floats(one.vectors),
     ground: one.ground === null ? null : numberOf(one.ground),
   }));
-  return { title: told.title, unit: told.unit, meshes, frames, sequences };
+  return { title: told.title, unit: told.unit, meshes, frames, sequences, remarks: told.remarks ?? [] };
 }
 
 export function fieldRange(values: Float32Array): [number, number] {

@@ -70,9 +70,13 @@ TEST_F(AxleOnKcRig, SlopesInStiffnessesAreThoseOfDifferences) {
       // on 1e8 N/m, over a step of 1e-2; of a slope over loads of some kN.
       const double left = n == 1 ? 1e-15 : 1e-12;
       EXPECT_LE(apart, 1e-6 * size + 1e-9 * value + left) << channel.name << " " << asked.paths[p];
-      if (p == 3) EXPECT_EQ(size, 0.0) << "the other axle moves " << channel.name;
+      if (p == 3) {
+        EXPECT_EQ(size, 0.0) << "the other axle moves " << channel.name;
+      }
     }
-    if (p == 0) EXPECT_GT(std::abs(exact.find("toe_L")->slopes[0]), 0.0);
+    if (p == 0) {
+      EXPECT_GT(std::abs(exact.find("toe_L")->slopes[0]), 0.0);
+    }
   }
 }
 

@@ -111,7 +111,7 @@ TEST(SlipLag, SlopesAreThoseOfTheAnswers) {
   const std::vector<std::string> channels = {"Fx", "Fy", "Mz"};
   const Channels found =
       lagging_answers(MagicFormula(truth), one.states, one.times, channels, names);
-  for (const std::string& channel : {"Fx", "Fy"}) {
+  for (const char* channel : {"Fx", "Fy"}) {
     const auto& slopes = found.find(channel)->slopes;
     ASSERT_EQ(slopes.size(), 50 * names.size());
     for (std::size_t k = 0; k < names.size(); ++k) {

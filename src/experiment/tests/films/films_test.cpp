@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiment/kinds/films_of_tests.h"
 #include "experiment/language.h"
 #include "experiment/tests/films/car_film.h"
 #include "experiment/tests/films/rig_film.h"
@@ -166,6 +167,24 @@ TEST(RigFilm, KeepsStatesEvenlyWithFirstAndLast) {
   ASSERT_EQ(film.sequence().steps.size(), 9u);
   EXPECT_EQ(film.sequence().steps.front().at, 0.0);
   EXPECT_EQ(film.sequence().steps.back().at, 3900.0);
+  EXPECT_EQ(film.sequence().name, "test (9 of them shown, evenly spaced)");
+}
+
+TEST(Films, SayHowManyTestsHaveNone) {
+  const SpecimenKind& kind = *language().find_kind("car");
+  const auto specimen = kind.build(kind.read(kStudies / "kerb/baseline.toml"));
+  const auto test = language().read_test(
+      Document::parse("kind = \"axle_kc\"\naxle = \"rear\"\nFz = \"1.5 kN\"\nmode = \"parallel\"\n",
+                      "test.toml")
+          .root(),
+      {});
+  Scene scene;
+  add_films(std::vector<const experiment::Test*>(26, test.get()), *specimen, scene);
+  EXPECT_EQ(scene.sequences.size(), 26u);
+  EXPECT_TRUE(scene.remarks.empty());
+  add_films(std::vector<const experiment::Test*>(40, test.get()), *specimen, scene);
+  ASSERT_EQ(scene.remarks.size(), 1u);
+  EXPECT_NE(scene.remarks[0].find("Of 40 tests the first 26"), std::string::npos);
 }
 
 Scene scene_of_test(const std::string& car, const std::string& keys, int most_steps) {

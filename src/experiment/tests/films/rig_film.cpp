@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/tests/films/rig_film.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -63,6 +65,8 @@ void RigFilm::add_to(report::Scene& scene, const std::string& name) {
   if (sequence_.steps.empty()) return;
   mesh_.name = "rig of " + name;
   sequence_.name = name;
+  if (std::ssize(told_.values) > most_)
+    sequence_.name += fmt::format(" ({} of them shown, evenly spaced)", sequence_.steps.size());
   sequence_.mesh = mesh_.name;
   sequence_.along = told_.name;
   sequence_.unit = told_.unit == "m" ? "mm" : told_.unit;

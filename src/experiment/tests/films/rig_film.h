@@ -19,7 +19,7 @@ class RigFilm {
 
   /// Has to be outlived by this.
   RigWatcher watcher();
-  /// A mesh and a sequence of that name.
+  /// A mesh and a sequence of that name, which says where some of its states are left out.
   void add_to(report::Scene& scene, const std::string& name);
 
  private:
