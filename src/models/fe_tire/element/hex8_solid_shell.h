@@ -13,8 +13,8 @@ SolidShellOperators<float> rounded(const SolidShellOperators<double>& operators)
 
 /// What is left of the shear stiffness along eta in an element of length h of a rubber wall of
 /// thickness t: a straight element has one curvature, a wall under a shear force one that changes
-/// along it, which is as much flexibility as h^2 / 12 D in shear [MacNeal 1978, Comput. Struct. 8]. At least
-/// half.
+/// along it, which is as much flexibility as h^2 / 12 D in shear [MacNeal 1978, Comput. Struct. 8].
+/// At least half.
 double bending_of_shear(double h, double t);
 
 /// D of a composite wall layer with its transverse shear stiffness as one of `layer_rows` elements
