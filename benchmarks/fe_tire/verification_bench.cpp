@@ -201,7 +201,6 @@ TireDescription smeared(TireDescription tire, const TireDescription& as, int unk
   // edge, a singularity that spoils the convergence of any element. Held by the inner half it has
   // as many unknowns and no such edge.
   if (tire.section.clamp == BeadClamp::outside) tire.section.clamp = BeadClamp::inside;
-  tire.section.sectors = as.section.sectors;
   tire.section.ends = as.section.ends;
   const auto placed = value_of(place_columns(tire, {.unknowns = unknowns}));
   return with_columns(std::move(tire), placed.columns);
