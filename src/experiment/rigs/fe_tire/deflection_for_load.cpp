@@ -17,7 +17,8 @@ using fe_tire::GroundPose;
 using fe_tire::TireState;
 
 constexpr double kForceTolerance = 1e-7;  // relative; slopes are then those of the values to 1e-6
-constexpr double kForceNoise = 1e-5;  // the same, where friction or contact lets no more be found
+constexpr double kForceNoise = 1e-5;      // the same, where friction lets no more be found
+constexpr int kPatience = 8;  // attempts before that is believed: the secant needs four or five
 constexpr int kMaxAttempts = 25;
 constexpr int kFirstSteps = 3;
 constexpr double kLargestChange = 2.0;  // of the deflection from one attempt to the next
@@ -93,8 +94,8 @@ Result<TireState> load_to_force(FeTire& tire,
   }
   for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
     const double off = std::abs(last->force - Fz);
-    const bool stays = before && off > 0.5 * std::abs(before->force - Fz);
-    if (off <= (stays ? kForceNoise : kForceTolerance) * Fz) return std::move(last->state);
+    const double allowed = attempt < kPatience ? kForceTolerance : kForceNoise;
+    if (off <= allowed * Fz) return std::move(last->state);
     const double d = std::max(deflection_for(Fz, *last, before), below.deflection * (1.0 + 1e-9));
     const auto next = tire.advance(below.state, {pose_at(inflated, d, standing.camber)});
     if (!next) return next.failure();
