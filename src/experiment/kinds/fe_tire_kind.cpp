@@ -2,10 +2,14 @@
 // The finite-element tire as a kind of specimen.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <list>
+
 #include "experiment/kinds/fe_tire_pictures.h"
 #include "experiment/kinds/fe_tire_specimen.h"
 #include "experiment/kinds/fe_variations.h"
 #include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/description/fine_tread.h"
 #include "models/fe_tire/description/model_version.h"
 #include "models/fe_tire/description/tire_description.h"
 
@@ -15,7 +19,7 @@ namespace {
 using fe_tire::FeTire;
 using fe_tire::TireDescription;
 
-class DescribedTire : public FeTireSpecimen {
+class DescribedTire : public FeTireSpecimen, public HasTreadElements {
  public:
   DescribedTire(const TireDescription& description, const Document& numbers)
       : FeTireSpecimen(FeTire(description), description.pressure, numbers, described_tires()),
@@ -26,12 +30,42 @@ class DescribedTire : public FeTireSpecimen {
   bool becomes(const TireDescription& description, const Document& numbers) {
     if (!fe_tire::same_mesh(description_, description)) return false;
     set(fe_tire::build_materials(description), description.pressure, numbers);
+    for (FineTire& fine : fine_) {
+      fine.tire.set(fe_tire::build_materials(with_split_tread(description, fine.split)));
+    }
     description_ = description;
     return true;
   }
 
+ protected:
+  /// Comparison elements stay on the mesh that others have computed. On friction every millimeter
+  /// of the way is a step of its own, in three directions: only who asks waits for short elements.
+  SlopedTire& for_footprint(const FootprintTest& test) override {
+    const bool is_compared = description_.element != fe_tire::ElementKind::solid_shell;
+    if (is_compared || (!test.elements && test.friction.value_or(0.0) > 0.0))
+      return FeTireSpecimen::for_footprint(test);
+    fe_tire::TreadElements largest;
+    if (test.elements) largest = {test.elements->around, test.elements->across};
+    const fe_tire::TreadSplit split = split_of(description_, largest);
+    const auto is_whole = [](int parts) { return parts == 1; };
+    if (std::ranges::all_of(split.columns, is_whole) &&
+        std::ranges::all_of(split.sectors, is_whole))
+      return FeTireSpecimen::for_footprint(test);
+    for (FineTire& fine : fine_)
+      if (fine.split == split) return fine.tire;
+    fine_.push_back(
+        {split, {FeTire(with_split_tread(description_, split)), described_tires(split)}});
+    return fine_.back().tire;
+  }
+
  private:
+  struct FineTire {
+    fe_tire::TreadSplit split;
+    SlopedTire tire;
+  };
+
   TireDescription description_;
+  std::list<FineTire> fine_;  // that footprints have asked for
 };
 
 class FeTireKind : public SpecimenKind {

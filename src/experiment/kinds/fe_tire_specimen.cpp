@@ -32,15 +32,29 @@ Channels held_at_pressure(const Channels& channels, const std::vector<std::strin
 
 }  // namespace
 
+void SlopedTire::set(fe_tire::Materials materials) {
+  slopes_.reset();
+  tire_->set(std::move(materials));
+}
+
+Result<fe_tire::TireSlopes*> SlopedTire::slopes_in(const std::vector<std::string>& paths,
+                                                   const Document& numbers) {
+  if (slopes_ && paths_ == paths) return slopes_.get();
+  auto variations = fe_variations(numbers, paths, varied_);
+  if (!variations) return variations.failure();
+  slopes_ = std::make_unique<fe_tire::TireSlopes>(*tire_, std::move(*variations));
+  paths_ = paths;
+  return slopes_.get();
+}
+
 FeTireSpecimen::FeTireSpecimen(fe_tire::FeTire tire,
                                double pressure,
                                Document numbers,
                                Varied varied)
-    : tire_(std::move(tire)),
+    : own_(std::move(tire), std::move(varied)),
       pressure_(pressure),
       numbers_(std::move(numbers)),
-      varied_(std::move(varied)),
-      rig_(std::make_unique<TireRig>(tire_, pressure)) {}
+      rig_(std::make_unique<TireRig>(own_.tire(), pressure)) {}
 
 Result<Channels> FeTireSpecimen::press(const LoadDeflection& test, const Asked& asked) {
   return run(test, asked);
@@ -50,10 +64,10 @@ Result<Channels> FeTireSpecimen::vibrate(const ModalTest& test, const Asked& ask
 }
 Result<Channels> FeTireSpecimen::stand(const StandingTest& test, const Asked& asked) {
   if (asked.paths.empty() || asked.channels.empty())
-    return experiment::stand(tire_, pressure_, test);
-  const auto slopes = slopes_in(asked.paths);
+    return experiment::stand(own_.tire(), pressure_, test);
+  const auto slopes = own_.slopes_in(asked.paths, numbers_);
   if (!slopes) return slopes.failure();
-  const auto channels = experiment::stand(tire_, pressure_, test, *slopes);
+  const auto channels = experiment::stand(own_.tire(), pressure_, test, *slopes);
   if (!channels || !states_pressure(test)) return channels;
   return held_at_pressure(*channels, asked.paths);
 }
@@ -67,50 +81,42 @@ Result<Channels> FeTireSpecimen::weigh(const MassTest& test, const Asked& asked)
 template <class Test>
 Result<Channels> FeTireSpecimen::run(const Test& test, const Asked& asked) {
   if (asked.paths.empty() || asked.channels.empty()) return rig_->run(test);
-  const auto slopes = slopes_in(asked.paths);
+  const auto slopes = own_.slopes_in(asked.paths, numbers_);
   if (!slopes) return slopes.failure();
   const auto channels = rig_->run(test, **slopes, asked.channels);
   if (!channels || !states_pressure(test)) return channels;
   return held_at_pressure(*channels, asked.paths);
 }
 
-/// Made once for all tests of a trial.
-Result<fe_tire::TireSlopes*> FeTireSpecimen::slopes_in(const std::vector<std::string>& paths) {
-  if (slopes_ && paths_ == paths) return slopes_.get();
-  auto variations = fe_variations(numbers_, paths, varied_);
-  if (!variations) return variations.failure();
-  slopes_ = std::make_unique<fe_tire::TireSlopes>(tire_, std::move(*variations));
-  paths_ = paths;
-  return slopes_.get();
-}
-
 void FeTireSpecimen::set(fe_tire::Materials materials, double pressure, Document numbers) {
-  slopes_.reset();
-  tire_.set(std::move(materials));
+  own_.set(std::move(materials));
   pressure_ = pressure;
   numbers_ = std::move(numbers);
-  rig_ = std::make_unique<TireRig>(tire_, pressure);
+  rig_ = std::make_unique<TireRig>(own_.tire(), pressure);
 }
 
-Result<StandingTire> FeTireSpecimen::standing(const FootprintTest& test) {
+Result<StandingTire> FeTireSpecimen::standing(fe_tire::FeTire& tire,
+                                              const FootprintTest& test) const {
   fe_tire::Ground ground;
   ground.mu = test.friction.value_or(0.0);
-  return stand_in_states(tire_, test.pressure.value_or(pressure_), ground, test);
+  return stand_in_states(tire, test.pressure.value_or(pressure_), ground, test);
 }
 
 Result<std::vector<StandingFootprint>> FeTireSpecimen::footprints(const FootprintTest& test) {
-  const auto standing = this->standing(test);
+  SlopedTire& on = for_footprint(test);
+  const auto standing = this->standing(on.tire(), test);
   if (!standing) return standing.failure();
-  return experiment::footprints(tire_, *standing);
+  return experiment::footprints(on.tire(), *standing);
 }
 
 Result<Channels> FeTireSpecimen::print(const FootprintTest& test, const Asked& asked) {
-  const auto standing = this->standing(test);
+  SlopedTire& on = for_footprint(test);
+  const auto standing = this->standing(on.tire(), test);
   if (!standing) return standing.failure();
-  const auto prints = experiment::footprints(tire_, *standing);
+  const auto prints = experiment::footprints(on.tire(), *standing);
   const Channels channels = to_channels(test, prints);
   if (asked.paths.empty() || asked.channels.empty()) return channels;
-  const auto slopes = slopes_in(asked.paths);
+  const auto slopes = on.slopes_in(asked.paths, numbers_);
   if (!slopes) return slopes.failure();
   const auto found = footprint_slopes(test, *standing, prints, **slopes);
   if (!found) return found.failure();

@@ -23,11 +23,13 @@ double size_of(double value, const std::string& unit) {
 
 }  // namespace
 
-std::function<fe_tire::VariedTire(const Document&)> described_tires() {
+std::function<fe_tire::VariedTire(const Document&)> described_tires(
+    const fe_tire::TreadSplit& split) {
   using fe_tire::TireDescription;
-  return [built = std::optional<std::pair<TireDescription, fe_tire::Mesh>>()](
+  return [split, built = std::optional<std::pair<TireDescription, fe_tire::Mesh>>()](
              const Document& numbers) mutable -> fe_tire::VariedTire {
-    const TireDescription tire = fe_tire::read_tire(numbers.root());
+    TireDescription tire = fe_tire::read_tire(numbers.root());
+    if (split != fe_tire::TreadSplit{}) tire = with_split_tread(std::move(tire), split);
     if (!built) built.emplace(tire, fe_tire::build_mesh(tire));
     return {fe_tire::same_mesh(tire, built->first) ? built->second : fe_tire::build_mesh(tire),
             fe_tire::build_materials(tire),

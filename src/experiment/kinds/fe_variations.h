@@ -9,12 +9,15 @@
 
 #include "base/document.h"
 #include "base/result.h"
+#include "models/fe_tire/description/fine_tread.h"
 #include "models/fe_tire/slopes/tire_slopes.h"
 
 namespace latsch::experiment {
 
-/// What makes the tire of a file of sections and plies; a mesh is built once for all that have it.
-std::function<fe_tire::VariedTire(const Document&)> described_tires();
+/// What makes the tire of a file of sections and plies, its tread split; a mesh is built once for
+/// all that have it.
+std::function<fe_tire::VariedTire(const Document&)> described_tires(
+    const fe_tire::TreadSplit& split = {});
 
 /// Of the numbers at these paths, each by a small share of itself; `tire` makes the tire of a file.
 /// A Failure names the path by which the mesh becomes another one.

@@ -83,6 +83,12 @@ struct HasFootprint {
   }
 };
 
+/// Leaves its footprint with elements of a size that the test states.
+struct HasTreadElements {
+  static constexpr const char* kName = "has a section to divide into elements";
+  virtual ~HasTreadElements() = default;
+};
+
 /// Rolls on a road, a step of time after the other.
 struct Rolls {
   static constexpr const char* kName = "rolls";
@@ -171,6 +177,7 @@ std::vector<std::string> abilities_of() {
   add(static_cast<IsInflated*>(nullptr));
   add(static_cast<IsWeighed*>(nullptr));
   add(static_cast<HasFootprint*>(nullptr));
+  add(static_cast<HasTreadElements*>(nullptr));
   add(static_cast<Rolls*>(nullptr));
   add(static_cast<HasSteadyStates*>(nullptr));
   add(static_cast<IsLoaded*>(nullptr));

@@ -40,6 +40,14 @@ FootprintTest read_footprint_test(const Node& root, const MeasuredConditions& me
     for (const std::vector<double>& at : root.rows("sensors", {"m", "m"}))
       test.sensors.emplace_back(at[0], at[1]);
   }
+  if (root.has("elements")) {
+    constexpr double kShortest = 1e-3, kLongest = 1.0;  // m: memory holds no more of shorter ones
+    const std::vector<double> elements =
+        root.quantities("elements", "m", Range::between(kShortest, kLongest));
+    if (elements.size() != 2)
+      root.reject("elements", "has to be two lengths: around and across, as [\"7 mm\", \"7 mm\"]");
+    test.elements = {elements[0], elements[1]};
+  }
   root.close();
   return test;
 }

@@ -11,6 +11,10 @@
 //   sensor = "15 mm"                 # side of the squares in which pressure is measured; default
 //   sensors = [["0 mm", "0 mm"]]     # where the middles of some are, x forward, y left of what is
 //                                    # below the wheel center; {from = "measurement.mat"}: its x, y
+//   elements = ["7 mm", "7 mm"]      # of a finite-element tire: the longest below its tread around
+//                                    # and across, half of that around in the patch of the first
+//                                    # millimeters; default. ["1 m", "1 m"] is its own mesh, four
+//                                    # times as fast and less exact: default with friction
 //
 // Channels, one value a state in their order: "load" (N), "deflection", "length", "width" (m, the
 // longest and the widest), "area" (m^2, grooves included), "mean_pressure" (Pa, load over area),
@@ -40,6 +44,10 @@ struct FootprintTest {
   std::optional<double> friction = {};        // 1; none: the tire's own
   double sensor = 15e-3;                      // m, side
   std::vector<Eigen::Vector2d> sensors = {};  // m
+  struct Elements {
+    double around, across;  // m
+  };
+  std::optional<Elements> elements = {};  // largest; none: the tire's usual ones
 };
 
 /// Throws InputError naming the place; unknown keys too.

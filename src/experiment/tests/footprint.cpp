@@ -35,14 +35,19 @@ class StandingFootprintTest : public Test {
     std::string sensors;
     for (const Eigen::Vector2d& at : test_.sensors)
       sensors += fmt::format(" {} {}", at.x(), at.y());
-    return fmt::format("footprint loads {} deflections {} camber {}{}{} sensor {} at{}",
+    const auto elements =
+        test_.elements
+            ? fmt::format(" elements {} {}", test_.elements->around, test_.elements->across)
+            : "";
+    return fmt::format("footprint loads {} deflections {} camber {}{}{} sensor {} at{}{}",
                        fmt::join(test_.loads, " "),
                        fmt::join(test_.deflections, " "),
                        test_.camber,
                        stated("pressure", test_.pressure),
                        stated("friction", test_.friction),
                        test_.sensor,
-                       sensors);
+                       sensors,
+                       elements);
   }
 
   std::vector<ChannelInfo> channels() const override {
@@ -53,6 +58,7 @@ class StandingFootprintTest : public Test {
   }
 
   std::vector<std::string> needs() const override {
+    if (test_.elements) return {HasTreadElements::kName};
     if (test_.friction) return {TakesConditions::kName};
     return kFootprint.needs;
   }

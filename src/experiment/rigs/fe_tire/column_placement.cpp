@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/description/section_columns.h"
 
 namespace latsch {
 
@@ -37,16 +38,6 @@ Result<Quantities> quantities(const TireDescription& description,
   Quantities values = {{"growth", inflated->growth}};
   for (const fe_tire::Mode& mode : *found) values.emplace(mode.label(), mode.frequency);
   return values;
-}
-
-std::vector<double> columns_of(const Section& section) {
-  const double half = 0.5 * section.meridional;
-  std::vector<double> columns = {0.0};
-  for (double i = half - std::floor(half); i < half; i += 1.0) {
-    if (i > 0.0) columns.push_back(section.station(half + i));
-  }
-  columns.push_back(1.0);
-  return columns;
 }
 
 /// Positions at which a column must end: where plies and rubbers end, and where the rows go over
@@ -219,13 +210,6 @@ std::vector<double> rounded(std::vector<double> columns) {
 }
 
 }  // namespace
-
-TireDescription with_columns(TireDescription tire, std::vector<double> columns) {
-  tire.section.meridional = 2 * (static_cast<int>(columns.size()) - 1);
-  tire.section.spacing = {};
-  tire.section.columns = std::move(columns);
-  return tire;
-}
 
 Result<ColumnPlacement> place_columns(const TireDescription& tire,
                                       const ColumnPlacementSettings& settings,

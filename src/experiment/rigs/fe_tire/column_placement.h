@@ -37,7 +37,4 @@ Result<ColumnPlacement> place_columns(const fe_tire::TireDescription& tire,
                                       const ColumnPlacementSettings& settings,
                                       const std::function<void(const std::string&)>& progress = {});
 
-/// The tire with columns that end there.
-fe_tire::TireDescription with_columns(fe_tire::TireDescription tire, std::vector<double> columns);
-
 }  // namespace latsch

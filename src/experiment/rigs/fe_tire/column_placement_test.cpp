@@ -8,6 +8,7 @@
 
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/reference_tires.h"
+#include "models/fe_tire/description/section_columns.h"
 
 namespace latsch {
 namespace {

@@ -6,6 +6,6 @@
 
 namespace latsch::fe_tire {
 
-inline constexpr int kModelVersion = 12;
+inline constexpr int kModelVersion = 13;
 
 }  // namespace latsch::fe_tire
