@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <limits>
+#include <utility>
 
 #include "numerics/sparse/elimination.h"
 #include "numerics/sparse/front_algebra.h"
@@ -53,31 +54,59 @@ void add_heights(const TreadSurface& tread,
   }
 }
 
-/// The same by the nodes' unknowns.
-void add_points(const TreadSurface& tread,
-                const TreadContact::Touch& touch,
-                Eigen::VectorXd& c,
-                Eigen::MatrixXd* stiffness,
-                Eigen::MatrixXd* coupling) {
+/// Rows of what the touches act on, by the nodes' unknowns: ascending, and where a node's stand
+/// among them (-1: nowhere).
+std::pair<std::vector<int>, std::vector<int>> touched(
+    const TreadSurface& tread, const std::vector<TreadContact::Touch>& touches) {
+  std::vector<int> rows, first(tread.nodes(), -1);
+  for (const TreadContact::Touch& touch : touches) {
+    const TreadSurface::Point& point = tread.points()[touch.point];
+    for (int i = 0; i < point.weights; ++i) {
+      const int node = tread.places()[tread.weights(point)[i].place].node;
+      if (node >= 0) first[node] = 0;
+    }
+  }
+  for (int node = 0; node < tread.nodes(); ++node) {
+    if (first[node] < 0) continue;
+    first[node] = static_cast<int>(rows.size());
+    for (int k = 0; k < 3; ++k) rows.push_back(3 * node + k);
+  }
+  return {rows, first};
+}
+
+/// Adds a point in contact to forces by the nodes' unknowns.
+void add_force(const TreadSurface& tread, const TreadContact::Touch& touch, Eigen::VectorXd& c) {
   const TreadSurface::Point& point = tread.points()[touch.point];
   const TreadSurface::Weight* weights = tread.weights(point);
-  const bool slides = coupling && !touch.coupling.isZero(0.0);
-  if (slides && coupling->size() == 0) coupling->setZero(c.size(), c.size());
   for (int j = 0; j < point.weights; ++j) {
     const TreadSurface::Place& place = tread.places()[weights[j].place];
     if (place.node < 0) continue;
     c.segment<3>(3 * place.node) -= weights[j].w * (place.T.transpose() * touch.force);
-    if (!stiffness) continue;
+  }
+}
+
+/// The same to their tangent; `first`: rows of the nodes in it.
+void add_tangent(const TreadSurface& tread,
+                 const TreadContact::Touch& touch,
+                 const std::vector<int>& first,
+                 GroundTangent& tangent) {
+  const TreadSurface::Point& point = tread.points()[touch.point];
+  const TreadSurface::Weight* weights = tread.weights(point);
+  const bool slides = !touch.coupling.isZero(0.0);
+  if (slides && tangent.coupling.size() == 0)
+    tangent.coupling.setZero(tangent.stiffness.rows(), tangent.stiffness.cols());
+  for (int j = 0; j < point.weights; ++j) {
+    const TreadSurface::Place& place = tread.places()[weights[j].place];
+    if (place.node < 0) continue;
     const Eigen::Matrix3d turned = weights[j].w * touch.stiffness * place.T;
     const Eigen::Matrix3d slid = weights[j].w * touch.coupling * place.T;
     for (int i = 0; i < point.weights; ++i) {
       const TreadSurface::Place& other = tread.places()[weights[i].place];
       if (other.node < 0) continue;
-      stiffness->block<3, 3>(3 * other.node, 3 * place.node) +=
-          weights[i].w * (other.T.transpose() * turned);
+      const int row = first[other.node], column = first[place.node];
+      tangent.stiffness.block<3, 3>(row, column) += weights[i].w * (other.T.transpose() * turned);
       if (slides) {
-        coupling->block<3, 3>(3 * other.node, 3 * place.node) +=
-            weights[i].w * (other.T.transpose() * slid);
+        tangent.coupling.block<3, 3>(row, column) += weights[i].w * (other.T.transpose() * slid);
       }
     }
   }
@@ -101,7 +130,7 @@ bool LinearTire::factorize(const numerics::SymmetricMatrix& K, const TreadContac
   if (!factor_.condense(K).definite()) return false;
   kept_ = contact->is_by_height() ? 1 : 3;
   if (kept_ == 1) return condense_to_heights();
-  S_ = factor_.condensed();
+  by_nodes_.set(factor_.condensed());
   return true;
 }
 
@@ -198,12 +227,8 @@ void LinearTire::add_at_nodes(double factor, const Eigen::VectorXd& w, Eigen::Ve
   }
 }
 
-/// c(u - w), N, and its tangents by what is kept: the symmetric part, and the rest, empty where
-/// nothing slides.
-Eigen::VectorXd LinearTire::forces(const TreadContact& contact,
-                                   const Eigen::VectorXd& w,
-                                   Eigen::MatrixXd* stiffness,
-                                   Eigen::MatrixXd* coupling) const {
+/// u - w
+Eigen::Matrix3Xd LinearTire::moved_back(const Eigen::VectorXd& w) const {
   Eigen::Matrix3Xd u = u_;
   for (int a = 0; a < n_; ++a) {
     if (kept_ == 1) {
@@ -212,16 +237,32 @@ Eigen::VectorXd LinearTire::forces(const TreadContact& contact,
       u.col(a) -= w.segment<3>(3 * a);
     }
   }
-  Eigen::VectorXd c = Eigen::VectorXd::Zero(kept_ * n_);
-  if (stiffness) stiffness->setZero(kept_ * n_, kept_ * n_);
-  if (coupling) coupling->resize(0, 0);
-  for (const TreadContact::Touch& touch : contact.touches(u)) {
-    if (kept_ == 1) {
-      add_heights(tread_, touch, c, stiffness);
-      continue;
-    }
-    add_points(tread_, touch, c, stiffness, coupling);
-  }
+  return u;
+}
+
+/// c(u - w), N, and its tangent by what is kept.
+Eigen::VectorXd LinearTire::forces_by_heights(const TreadContact& contact,
+                                              const Eigen::VectorXd& w,
+                                              Eigen::MatrixXd* stiffness) const {
+  Eigen::VectorXd c = Eigen::VectorXd::Zero(n_);
+  if (stiffness) stiffness->setZero(n_, n_);
+  for (const TreadContact::Touch& touch : contact.touches(moved_back(w)))
+    add_heights(tread_, touch, c, stiffness);
+  return c;
+}
+
+Eigen::VectorXd LinearTire::forces_by_nodes(const TreadContact& contact,
+                                            const Eigen::VectorXd& w,
+                                            GroundTangent* tangent) const {
+  Eigen::VectorXd c = Eigen::VectorXd::Zero(3 * n_);
+  const auto touches = contact.touches(moved_back(w));
+  for (const TreadContact::Touch& touch : touches) add_force(tread_, touch, c);
+  if (!tangent) return c;
+  auto [rows, first] = touched(tread_, touches);
+  tangent->rows = std::move(rows);
+  tangent->stiffness.setZero(std::ssize(tangent->rows), std::ssize(tangent->rows));
+  tangent->coupling.resize(0, 0);
+  for (const TreadContact::Touch& touch : touches) add_tangent(tread_, touch, first, *tangent);
   return c;
 }
 
@@ -230,7 +271,7 @@ bool LinearTire::touch_by_heights(const TreadContact& contact, const Eigen::Vect
   w_.setZero(g.size());
   for (int change = 0; change < kMostContactChanges; ++change) {
     Eigen::MatrixXd stiffness;
-    c_ = forces(contact, w_, &stiffness, nullptr);
+    c_ = forces_by_heights(contact, w_, &stiffness);
     Eigen::VectorXd left = g + c_ - S_ * w_;
     const bool same = change > 0 && stiffness == C_;
     if (same && left.norm() <= kExact * (g.norm() + c_.norm())) return true;
@@ -238,7 +279,7 @@ bool LinearTire::touch_by_heights(const TreadContact& contact, const Eigen::Vect
     solve_contact(left);
     w_ += left;
   }
-  c_ = forces(contact, w_, nullptr, nullptr);
+  c_ = forces_by_heights(contact, w_, nullptr);
   return true;  // the residual of the elements' forces judges it
 }
 
@@ -246,29 +287,18 @@ bool LinearTire::touch_by_heights(const TreadContact& contact, const Eigen::Vect
 /// halved where they leave more than they found.
 bool LinearTire::touch_by_nodes(const TreadContact& contact, const Eigen::VectorXd& g) {
   w_.setZero(g.size());
-  numerics::Lu lu;
-  Eigen::MatrixXd stiffness, coupling;
+  GroundTangent tangent;
   for (int change = 0; change < kMostContactChanges; ++change) {
-    c_ = forces(contact, w_, &stiffness, &coupling);
-    const Eigen::VectorXd left = g + c_ - S_ * w_;
+    c_ = forces_by_nodes(contact, w_, &tangent);
+    const Eigen::VectorXd left = g + c_ - by_nodes_.multiply(w_);
     const double norm = left.norm();
     if (change > 0 && norm <= kExact * (g.norm() + c_.norm())) break;
-    Eigen::MatrixXd step = left;
-    if (coupling.size() > 0) {
-      lu.factorize(S_ + stiffness + coupling);
-      lu.solve(step);
-    } else {
-      if (!factorize_contact(stiffness)) return false;
-      Eigen::VectorXd column = left;
-      solve_contact(column);
-      step = column;
-    }
-    const Eigen::VectorXd start = w_;
-    Eigen::VectorXd best = start + step.col(0);
+    const Eigen::VectorXd start = w_, step = by_nodes_.newton_step(tangent, left);
+    Eigen::VectorXd best = start + step;
     double least = std::numeric_limits<double>::infinity();
     for (double share = 1.0; share > kSmallestShare; share *= 0.5) {
-      const Eigen::VectorXd w = start + share * step.col(0);
-      const double now = (g + forces(contact, w, nullptr, nullptr) - S_ * w).norm();
+      const Eigen::VectorXd w = start + share * step;
+      const double now = (g + forces_by_nodes(contact, w, nullptr) - by_nodes_.multiply(w)).norm();
       if (now < least) {
         least = now;
         best = w;
@@ -277,8 +307,8 @@ bool LinearTire::touch_by_nodes(const TreadContact& contact, const Eigen::Vector
     }
     w_ = best;
   }
-  c_ = forces(contact, w_, &stiffness, nullptr);
-  return factorize_contact(stiffness);  // the residual of the elements' forces judges it
+  c_ = forces_by_nodes(contact, w_, &tangent);
+  return by_nodes_.take(tangent);  // the residual of the elements' forces judges it
 }
 
 /// Takes the tangent of the ground: L_ is the factor of the tire on it.
@@ -290,6 +320,10 @@ bool LinearTire::factorize_contact(const Eigen::MatrixXd& stiffness) {
 }
 
 void LinearTire::solve_contact(Eigen::VectorXd& v) const {
+  if (kept_ == 3) {
+    by_nodes_.solve(v);
+    return;
+  }
   const int size = static_cast<int>(L_.rows());
   numerics::solve_lower(size, 1, L_.data(), size, v.data(), size);
   numerics::solve_lower_transposed(size, 1, L_.data(), size, v.data(), size);
@@ -306,7 +340,10 @@ bool LinearTire::step(const TreadContact* contact,
   }
   u_ = tread_.displacements(x);
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(kept_ * n_);
-  add_at_nodes(-1.0, forces(*contact, none, nullptr, nullptr), d);
+  add_at_nodes(-1.0,
+               kept_ == 1 ? forces_by_heights(*contact, none, nullptr)
+                          : forces_by_nodes(*contact, none, nullptr),
+               d);
   g_ = d;
   const Eigen::VectorXd reduced = reduce(d);
   if (!(kept_ == 1 ? touch_by_heights(*contact, reduced) : touch_by_nodes(*contact, reduced)))
@@ -328,7 +365,9 @@ void LinearTire::multiply(const numerics::SymmetricMatrix& K,
                           const Eigen::VectorXd& v,
                           Eigen::VectorXd& Kv) const {
   K.multiply(v.data(), Kv.data());
-  if (on_ground_) add_at_nodes(1.0, C_ * at_nodes(v), Kv);
+  if (!on_ground_) return;
+  const Eigen::VectorXd kept = at_nodes(v);
+  add_at_nodes(1.0, kept_ == 1 ? Eigen::VectorXd(C_ * kept) : by_nodes_.multiply_ground(kept), Kv);
 }
 
 void LinearTire::precondition(Eigen::VectorXd& v) const {

@@ -9,9 +9,9 @@
 //   solve    g - K d + c(u(x - d)) = 0                                                        (L.1)
 //
 // exactly, points that come down, lift off, stick or slide included. Everything but these nodes is
-// eliminated once a factor:  S w = g' + c(u - w),  S dense. Newton's method on it costs a small
-// dense factor an iteration and no pass over the elements: an equilibrium needs as many of those as
-// the elements need. Where forces depend on heights over flat ground alone, the nodes' two other
+// eliminated once a factor:  S w = g' + c(u - w),  S dense (condensed_tire.h). Newton's method on it
+// costs a small dense factor an iteration and no pass over the elements: an equilibrium needs as
+// many of those as the elements need. Where forces depend on heights over flat ground alone, the nodes' two other
 // directions are eliminated too and (L.1) is piecewise linear: it ends after finitely many
 // iterations.
 #pragma once
@@ -19,8 +19,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "models/fe_tire/analysis/condensed_tire.h"
 #include "models/fe_tire/contact/contact.h"
-#include "numerics/dense/lu.h"
 #include "numerics/sparse/factorization.h"
 
 namespace latsch::fe_tire {
@@ -63,10 +63,13 @@ class LinearTire {
   bool condense_to_heights();
   Eigen::VectorXd reduce(Eigen::VectorXd& v) const;
   void expand(const Eigen::VectorXd& w, Eigen::VectorXd& v) const;
-  Eigen::VectorXd forces(const TreadContact& contact,
-                         const Eigen::VectorXd& w,
-                         Eigen::MatrixXd* stiffness,
-                         Eigen::MatrixXd* coupling) const;
+  Eigen::Matrix3Xd moved_back(const Eigen::VectorXd& w) const;
+  Eigen::VectorXd forces_by_heights(const TreadContact& contact,
+                                    const Eigen::VectorXd& w,
+                                    Eigen::MatrixXd* stiffness) const;
+  Eigen::VectorXd forces_by_nodes(const TreadContact& contact,
+                                  const Eigen::VectorXd& w,
+                                  GroundTangent* tangent) const;
   bool touch_by_heights(const TreadContact& contact, const Eigen::VectorXd& g);
   bool touch_by_nodes(const TreadContact& contact, const Eigen::VectorXd& g);
   bool factorize_contact(const Eigen::MatrixXd& stiffness);
@@ -82,11 +85,12 @@ class LinearTire {
   std::vector<Eigen::Matrix3d> Q_;  // of every node: two directions across the vertical, then it
   Eigen::MatrixXd A_;  // of its unknowns, two across the vertical a node, then the heights: factor
                        // of the former, and what couples them with the latter
-  Eigen::MatrixXd S_;  // of what is kept
-  Eigen::MatrixXd C_, L_;  // symmetric dc/dw of the last step, factor of S + C
-  Eigen::Matrix3Xd u_;     // where nodes were at the last step
-  Eigen::VectorXd w_, g_;  // how far it moved them back, g
-  Eigen::VectorXd c_;      // of the ground at its end
+  CondensedTire by_nodes_;  // S of all directions, and dc/dw of the last step
+  Eigen::MatrixXd S_;       // of heights
+  Eigen::MatrixXd C_, L_;   // dc/dw of the last step by heights, factor of S + C
+  Eigen::Matrix3Xd u_;      // where nodes were at the last step
+  Eigen::VectorXd w_, g_;   // how far it moved them back, g
+  Eigen::VectorXd c_;       // of the ground at its end
 };
 
 }  // namespace latsch::fe_tire
