@@ -26,6 +26,9 @@ constexpr int kMostPolishing = 3;
 // Of what is left, solved so far: soft motions of the tire, on which its load stands, err by more.
 constexpr double kOfPolishing = 1e-3;
 constexpr double kLargestShift = 1e3;  // relative to the diagonal
+// On friction a factor serves while a step by it leaves no more than this share of the residual, and
+// what is left at the end is as small a share of the tolerance: passes of forces cost little.
+constexpr double kOfUse = 0.3, kSlid = 1e-3;
 // From this many times the tolerance on the last tangent there is leads to the end, if the residual
 // falls so fast: cords that go slack or taut hold it up earlier.
 constexpr double kClose = 100.0, kSlow = 0.1;
@@ -64,16 +67,18 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
       (settings_.tolerance < kExact || slides() ? 1.0 : kClose) * settings_.tolerance * reference_;
   previous_ = 10.0 * f_.norm();
   for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
-    const double norm = f_.norm();
-    if (norm <= settings_.tolerance * reference_) {
+    const double norm = f_.norm(), ratio = norm / previous_;
+    is_factor_of_use_ = slides() && has_factor_ && ratio < kOfUse;
+    const bool is_slid = !is_factor_of_use_ || norm <= kSlid * settings_.tolerance * reference_;
+    if (norm <= settings_.tolerance * reference_ && (!slides() || is_slid)) {
       if (iteration > 0) polish(now);
       state = std::move(now);
       return std::nullopt;
     }
-    const double ratio = norm / previous_;
     const bool is_close = knows_tangent_ && !slides() && ratio < kSlow && norm <= close &&
                           settings_.tolerance >= kExact;
-    if (iteration > 0 && !has_tangent_ && !is_close && !assemble(now, true)) {
+    const bool needs_tangent = !has_tangent_ && !is_close && !is_factor_of_use_;
+    if (iteration > 0 && needs_tangent && !assemble(now, true)) {
       return failure(step, "its tangent does not exist");
     }
     is_first_ = iteration == 1;
@@ -90,9 +95,11 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
     // What the first step leaves, of the ground that moved, says nothing of that.
     const bool ends = is_close || (is_first_ ? 1.0 : ratio * ratio) * norm <= close;
     previous_ = norm;
-    if (!line_search(now, !ends)) {
-      return failure(step, "no step along Newton's direction reduces it");
-    }
+    if (line_search(now, !ends && !slides())) continue;
+    if (!is_factor_of_use_) return failure(step, "no step along Newton's direction reduces it");
+    has_factor_ = false;
+    if (!assemble(now, true)) return failure(step, "its tangent does not exist");
+    previous_ = 10.0 * f_.norm();
   }
   return failure(step, fmt::format("not converged in {} iterations", settings_.max_iterations));
 }
@@ -190,7 +197,8 @@ bool EquilibriumSolver::start(const RingState& state) {
 /// False where the tangent does not exist or has no factor.
 bool EquilibriumSolver::find_direction(RingState& state, double tolerance) {
   // Where points slide the tangent is not symmetric: conjugate gradients do not know that part, and
-  // a step by an old factor would be corrected without it.
+  // a step by an old factor would be corrected without it. It is taken as it is.
+  if (is_factor_of_use_ && start(state)) return true;
   const bool is_factor_of_use = has_factor_ && !slides() &&
                                 (!has_tangent_ || last_cg_iterations_ <= kIterationsOfAStaleFactor);
   if (is_factor_of_use && start(state) && (!knows_tangent_ || correct(tolerance, true)))

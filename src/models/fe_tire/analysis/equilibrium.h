@@ -92,9 +92,10 @@ class EquilibriumSolver {
   double shift_ = 0.0;     // on the diagonal of its last indefinite tangent, N/m
   double previous_ = 0.0;  // norm of the residual one iteration before
   bool has_factor_ = false;
-  bool has_tangent_ = false;    // K_ is that of f_
-  bool knows_tangent_ = false;  // K_ is that of a state of this equilibrium's search
-  bool is_first_ = false;       // the state is where the first step led
+  bool has_tangent_ = false;       // K_ is that of f_
+  bool knows_tangent_ = false;     // K_ is that of a state of this equilibrium's search
+  bool is_factor_of_use_ = false;  // as it is, where points slide
+  bool is_first_ = false;          // the state is where the first step led
   int last_cg_iterations_ = 0;
   int failed_element_ = -1;
   Eigen::VectorXd f_, d_, r_, e_;
