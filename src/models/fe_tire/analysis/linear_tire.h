@@ -9,11 +9,11 @@
 //   solve    g - K d + c(u(x - d)) = 0                                                        (L.1)
 //
 // exactly, points that come down, lift off, stick or slide included. Everything but these nodes is
-// eliminated once a factor:  S w = g' + c(u - w),  S dense (condensed_tire.h). Newton's method on it
-// costs a small dense factor an iteration and no pass over the elements: an equilibrium needs as
-// many of those as the elements need. Where forces depend on heights over flat ground alone, the nodes' two other
-// directions are eliminated too and (L.1) is piecewise linear: it ends after finitely many
-// iterations.
+// eliminated once a factor:  S w = g' + c(u - w),  S dense (condensed_tire.h). Newton's method on
+// it costs a small dense factor an iteration and no pass over the elements: an equilibrium needs
+// as many of those as the elements need. Where forces depend on heights over flat ground alone,
+// the nodes' two other directions are eliminated too and (L.1) is piecewise linear: it ends after
+// finitely many iterations.
 #pragma once
 
 #include <Eigen/Core>
