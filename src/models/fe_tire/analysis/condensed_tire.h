@@ -2,7 +2,7 @@
 // The tire as the nodes of its tread's surface feel it, S dense, on ground that acts on few of them.
 //
 // The ground's tangent C has rows and columns for what it touches alone, and P picks them. So
-//   (S + P C P')^-1 = F - F P C (1 + P' F P C)^-1 P' F,    F = S^-1                             (S.1)
+//   (S + P C P')^-1 = F - F P C (1 + P' F P C)^-1 P' F,    F = S^-1                           (D.1)
 // takes a small matrix, once S is factorized: it serves all iterations of Newton's method, in which
 // points come down, stick and slide, and columns of F are kept. Where S is not positive definite
 // but for the ground, S + P C P' is factorized as it is.
@@ -43,7 +43,7 @@ class CondensedTire {
   Eigen::MatrixXd S_, L_;             // and its factor, or that of S + P C P'
   bool is_positive_ = false;          // S
   std::map<int, Eigen::VectorXd> F_;  // columns of S^-1 that were asked for
-  // Of (S.1) with the tangent that was taken: 1 + P' F P C = 1 + R R' C.
+  // Of (D.1) with the tangent that was taken: 1 + P' F P C = 1 + R R' C.
   std::vector<int> rows_;
   Eigen::MatrixXd C_, FP_, R_, M_;  // M_: factor of 1 + R' C R
 };

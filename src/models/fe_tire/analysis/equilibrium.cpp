@@ -26,8 +26,8 @@ constexpr int kMostPolishing = 3;
 // Of what is left, solved so far: soft motions of the tire, on which its load stands, err by more.
 constexpr double kOfPolishing = 1e-3;
 constexpr double kLargestShift = 1e3;  // relative to the diagonal
-// On friction a factor serves while a step by it leaves no more than this share of the residual, and
-// what is left at the end is as small a share of the tolerance: passes of forces cost little.
+// On friction a factor serves while a step by it leaves no more than this share of the residual,
+// and what is left at the end is as small a share of the tolerance: passes of forces cost little.
 constexpr double kOfUse = 0.3, kSlid = 1e-3;
 // From this many times the tolerance on the last tangent there is leads to the end, if the residual
 // falls so fast: cords that go slack or taut hold it up earlier.
