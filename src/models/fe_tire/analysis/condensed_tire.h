@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tire as the nodes of its tread's surface feel it, S dense, on ground that acts on few of them.
+// The tire as its tread's nodes feel it, S dense, on ground that acts on few of them.
 //
 // The ground's tangent C has rows and columns for what it touches alone, and P picks them. So
 //   (S + P C P')^-1 = F - F P C (1 + P' F P C)^-1 P' F,    F = S^-1                           (D.1)
