@@ -27,10 +27,10 @@ struct DiscretizationSettings {
   std::vector<int> refinements = {
       1, 2, 3, 4};  // of inflation and unloaded modes: cheap, one sector
   /// The loaded ring: on the mesh and on one refined twice, extrapolated by what the unloaded
-  /// meshes leave, which where errors cancel is little known (its +- then says so). Thoroughly, in some five times the time: also refined four times around and
-  /// along, the three extrapolated, and what a refinement through the wall changes of the second,
-  /// of second order. (Three meshes refined in all directions would have patches that end
-  /// anywhere in their few sectors.)
+  /// meshes leave, which where errors cancel is little known (its +- then says so). Thoroughly, in
+  /// some five times the time: also refined four times around and along, the three extrapolated,
+  /// and what a refinement through the wall changes of the second, of second order. (Three meshes
+  /// refined in all directions would have patches that end anywhere in their few sectors.)
   bool loaded_thoroughly = false;
 };
 
