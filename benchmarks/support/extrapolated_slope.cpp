@@ -13,30 +13,44 @@ namespace {
 
 constexpr std::size_t kFewest = 3;  // steps
 
-struct Difference {
+/// A central difference.
+struct Central {
   double step, value, noise;
+};
+
+/// An entry of the table.
+struct Difference {
+  double value;
+  std::vector<double> weights;  // of the plain differences it is made of
 };
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
-/// The best of the table of central differences.
-ExtrapolatedSlope extrapolated(const std::vector<Difference>& differences) {
+/// The best of the table of central differences, each of a step and with the noise in it.
+ExtrapolatedSlope extrapolated(const std::vector<Central>& differences) {
   ExtrapolatedSlope found{0.0, kUnknown};
   std::vector<Difference> before;
   for (std::size_t k = 0; k < differences.size(); ++k) {
-    std::vector<Difference> row = {differences[k]};
+    Difference plain{differences[k].value, std::vector<double>(differences.size(), 0.0)};
+    plain.weights[k] = 1.0;
+    std::vector<Difference> row = {std::move(plain)};
     for (std::size_t j = 1; j <= k; ++j) {
       const double ratio = std::pow(differences[k - j].step / differences[k].step, 2);
       const Difference &left = row[j - 1], &above = before[j - 1];
-      const double value = left.value + (left.value - above.value) / (ratio - 1.0);
-      const double noise = (ratio * left.noise + above.noise) / (ratio - 1.0);
-      const double distance = std::max(std::abs(value - left.value), std::abs(value - above.value));
-      const double error = std::max(distance, noise);
+      Difference next{left.value + (left.value - above.value) / (ratio - 1.0), left.weights};
+      double squares = 0.0;
+      for (std::size_t i = 0; i <= k; ++i) {
+        next.weights[i] += (left.weights[i] - above.weights[i]) / (ratio - 1.0);
+        squares += std::pow(next.weights[i] * differences[i].noise, 2);
+      }
+      const double distance =
+          std::max(std::abs(next.value - left.value), std::abs(next.value - above.value));
+      const double error = std::max(distance, std::sqrt(squares));
       if (error < found.error) {
-        found.value = value;
+        found.value = next.value;
         found.error = error;
       }
-      row.push_back({differences[k].step, value, noise});
+      row.push_back(std::move(next));
     }
     before = std::move(row);
   }
@@ -102,12 +116,13 @@ ExtrapolatedSlope best_fit(const std::vector<Place>& places,
 std::optional<ExtrapolatedSlope> extrapolated_slope(const std::vector<StepValues>& steps,
                                                     double at,
                                                     double noise) {
-  std::vector<Difference> central;
+  std::vector<Central> central;
   std::vector<Place> places = {{0.0, 0.0}};
   std::vector<double> reaches;
   std::size_t below_known = 0, above_known = 0;
   for (const auto& [h, below, above] : steps) {
-    if (below && above) central.push_back({h, (*above - *below) / (2.0 * h), noise / h});
+    if (below && above)
+      central.push_back({h, (*above - *below) / (2.0 * h), noise / (std::sqrt(2.0) * h)});
     if (below) places.push_back({-h, *below - at});
     if (above) places.push_back({h, *above - at});
     if (below || above) reaches.push_back(h);

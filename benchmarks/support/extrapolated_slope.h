@@ -4,7 +4,9 @@
 //
 // Central differences err by even powers of the step. Each extrapolation removes one of them and
 // enlarges what the values are off; of all of them that one is taken whose estimated error is
-// least: the larger of its distance to its two predecessors and of the noise in it. [Ridders,
+// least: the larger of its distance to its two predecessors and of the noise in it, which adds by
+// squares, for values err each for itself. (In the polynomials below it may not: their changes say
+// less of what powers leave, and of 300 slopes half were then farther off than said.) [Ridders,
 // Accurate computation of F'(x) and F'(x) F''(x), Adv. Eng. Software 4 (1982) 75-76]
 //   Where one side is known over small steps alone, or not at all, extrapolated differences of the
 // other would enlarge noise by what they remove. There polynomials are fitted to all values there

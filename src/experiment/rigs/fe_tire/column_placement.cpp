@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <thread>
 #include <utility>
 
@@ -61,9 +62,32 @@ std::vector<double> fixed_ends(const Section& section) {
 struct Changes {
   std::vector<std::string> names;
   Eigen::ArrayXXd column;  // [quantities x columns], each column halved
-  Eigen::ArrayXd other;    // all sectors and all rows halved
-  Eigen::ArrayXd all;      // all elements halved
+  Eigen::ArrayXd around;   // all sectors halved
+  Eigen::ArrayXd through;  // all rows halved
 };
+
+/// What halved sectors change on the ground, in parts of what they change of the unloaded tire: an
+/// error of second order of the widest ones, for a mode bends most where it is free to, far from
+/// the contact, and there sectors are widest.
+double loaded_part(const Section& section) {
+  const std::vector<double> planes = section.sector_planes(1);
+  double widest = 0.0;
+  for (std::size_t s = 1; s < planes.size(); ++s) {
+    widest = std::max(widest, planes[s] - planes[s - 1]);
+  }
+  const double alike = 2.0 * std::numbers::pi / section.sectors;
+  return std::max(1.0, std::pow(widest / alike, 2));
+}
+
+/// What elements halved everywhere change, the largest of the unloaded tire, on the ground and by
+/// columns alone: what rows and sectors cancel of theirs on this mesh they may not on a finer one.
+Eigen::ArrayXd together(const Eigen::ArrayXd& along,
+                        const Eigen::ArrayXd& around,
+                        const Eigen::ArrayXd& through,
+                        double loaded) {
+  const Eigen::ArrayXd unloaded = (along + around + through).abs();
+  return unloaded.max((along + loaded * around + through).abs()).max(along.abs());
+}
 
 Eigen::ArrayXd change(const Quantities& from, const Quantities& to) {
   Eigen::ArrayXd changed = Eigen::ArrayXd::Zero(std::ssize(from));
@@ -115,18 +139,20 @@ Result<Changes> changes(const TireDescription& tire, int modes) {
   if (!finer) return finer.failure();
   found.column.resize(std::ssize(*base), count);
   for (Eigen::Index j = 0; j < count; ++j) found.column.col(j) = change(*base, (*finer)[j]);
-  found.other = change(*base, (*finer)[count]) + change(*base, (*finer)[count + 1]);
+  found.around = change(*base, (*finer)[count]);
+  found.through = change(*base, (*finer)[count + 1]);
   // Halved together, columns change more than one by one where neighbors share a bend.
-  const Eigen::ArrayXd together = change(*base, (*finer)[count + 2]);
-  found.column.colwise() *= (together / found.column.rowwise().sum()).max(0.5).min(2.0);
-  found.all = together + found.other;
+  const Eigen::ArrayXd all = change(*base, (*finer)[count + 2]);
+  found.column.colwise() *= (all / found.column.rowwise().sum()).max(0.5).min(2.0);
   return found;
 }
 
 /// Columns per position, constant in each column, for which the largest change of a quantity is
 /// least: at a density rho column j of length h_j leaves c_kj h_j / rho_j^2. A quantity counts by
-/// the sixth power of what the density leaves of it, which is found by repetition.
+/// a high power of what the density leaves of it, which is found by repetition; the sixth still
+/// gave much to those that did not matter (race tire: 1.05 in place of 0.96 %).
 std::vector<double> density(const TireDescription& tire, const Changes& changes) {
+  constexpr double kPower = 20.0;
   const std::vector<double>& columns = tire.section.columns;
   const auto count = changes.column.cols();
   const auto crown = tire.section.crown_columns();
@@ -138,13 +164,14 @@ std::vector<double> density(const TireDescription& tire, const Changes& changes)
   }
   const Eigen::ArrayXXd c = changes.column.rowwise() / h.cube().transpose();
   Eigen::ArrayXd rho = 1.0 / h;
+  const double loaded = loaded_part(tire.section);
   for (int repeated = 0; repeated < 200; ++repeated) {
     // The same unknowns each time, or errors would not compare.
     rho *= cost.sum() / (rho * h * cost).sum();
     const Eigen::ArrayXd columns_change =
         (c.rowwise() * (h / rho.square()).transpose()).rowwise().sum();
-    const Eigen::ArrayXd error = (columns_change + changes.other).abs();
-    const Eigen::ArrayXd weight = (error / error.maxCoeff()).pow(6.0);
+    const Eigen::ArrayXd error = together(columns_change, changes.around, changes.through, loaded);
+    const Eigen::ArrayXd weight = (error / error.maxCoeff()).pow(kPower);
     const Eigen::ArrayXd worth = (c.abs().colwise() * weight).colwise().sum().transpose() / cost;
     const Eigen::ArrayXd wanted = worth.max(1e-6 * worth.maxCoeff()).pow(1.0 / 3.0);
     rho = (rho * wanted / wanted.mean() * rho.mean()).sqrt();
@@ -230,7 +257,11 @@ Result<ColumnPlacement> place_columns(const TireDescription& tire,
     const auto changed = changes(now, settings.modes);
     if (!changed) return changed.failure();
     Eigen::Index worst = 0;
-    const double error = kLeft * changed->all.abs().maxCoeff(&worst);
+    const double error = kLeft * together(changed->column.rowwise().sum(),
+                                          changed->around,
+                                          changed->through,
+                                          loaded_part(now.section))
+                                     .maxCoeff(&worst);
     if (round == 0) best.error_before = error;
     if (unknowns <= most && (best.columns.empty() || error < best.error)) {
       best = {now.section.columns, unknowns, best.error_before, error, changed->names[worst]};

@@ -148,11 +148,32 @@ void extrapolate(int refinement, const Remainder& left, DiscretizationRow& row) 
   const double way = row.values[1] - row.values[0];
   row.converged = row.values[1] + left.part * way;
   row.order = left.observed ? std::log1p(1.0 / left.part) / std::log(refinement) : 0.0;
-  row.uncertainty = std::abs(way) * std::max(remainder_of(1.0, refinement) - left.part,
-                                             left.part - remainder_of(2.0, refinement));
+  const double order = std::abs(way) * std::max(remainder_of(1.0, refinement) - left.part,
+                                                left.part - remainder_of(2.0, refinement));
+  row.uncertainty = std::max(order, left.part * left.apart_of(row.name) * std::abs(row.converged));
+}
+
+/// By label: of the mesh, of its sectors and columns halved, then its rows too.
+std::map<std::string, double> changes_apart(std::vector<MeshQuantities> meshes) {
+  std::map<std::string, double> apart;
+  for (const DiscretizationRow& row : discretization_rows({1, 2, 4}, std::move(meshes))) {
+    if (row.unit != "Hz" || !row.paired) continue;
+    const std::vector<double>& v = row.values;
+    apart[row.name] = (std::abs(v[1] - v[0]) + std::abs(v[2] - v[1])) / v[0];
+  }
+  return apart;
 }
 
 }  // namespace
+
+double Remainder::apart_of(const std::string& row) const {
+  std::string label = row.substr(0, row.find(" #"));
+  if (label.ends_with(" s") || label.ends_with(" a")) label.resize(label.size() - 2);
+  if (const auto found = apart.find(label); found != apart.end()) return found->second;
+  double squares = 0.0;
+  for (const auto& [name, changed] : apart) squares += changed * changed;
+  return apart.empty() ? 0.0 : std::sqrt(squares / static_cast<double>(apart.size()));
+}
 
 std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refinements,
                                                    std::vector<MeshQuantities> meshes,
@@ -234,18 +255,22 @@ Result<DiscretizationStudy> study_discretization(
                          "unloaded",
                          progress);
   if (!unloaded) return unloaded.failure();
-  study.unloaded = discretization_rows(settings.refinements, std::move(*unloaded));
+  study.unloaded = discretization_rows(settings.refinements, *unloaded);
   if (settings.deflection <= 0.0) return study;
   using Meshes = std::vector<fe_tire::Refinement>;
   const Meshes meshes =
       settings.loaded_thoroughly ? Meshes{1, {2, 2, 1}, {4, 4, 1}, {2, 2, 2}} : Meshes{1, 2};
   auto loaded = refine(tire, settings, meshes, loaded_quantities, "loaded", progress);
   if (!loaded) return loaded.failure();
-  study.loaded =
-      settings.loaded_thoroughly
-          ? thorough_rows(std::move(*loaded))
-          : discretization_rows(
-                {1, 2}, std::move(*loaded), remainder(settings.refinements, study.unloaded, 2));
+  if (settings.loaded_thoroughly) {
+    study.loaded = thorough_rows(std::move(*loaded));
+    return study;
+  }
+  auto halves = refine(tire, settings, {1, {2, 2, 1}, 2}, unloaded_quantities, "unloaded", {});
+  if (!halves) return halves.failure();
+  Remainder left = remainder(settings.refinements, study.unloaded, 2);
+  left.apart = changes_apart(std::move(*halves));
+  study.loaded = discretization_rows({1, 2}, std::move(*loaded), left);
   return study;
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,10 +27,10 @@ struct DiscretizationSettings {
   std::vector<int> refinements = {
       1, 2, 3, 4};  // of inflation and unloaded modes: cheap, one sector
   /// The loaded ring: on the mesh and on one refined twice, extrapolated by what the unloaded
-  /// meshes leave. Thoroughly, in some five times the time: also refined four times around and
-  /// along, the three extrapolated, and what a refinement through the wall changes of the second,
-  /// of second order. (Three meshes refined in all directions would have patches that end
-  /// anywhere in their few sectors.)
+  /// meshes leave, which where errors cancel is little known (its +- then says so). Thoroughly, in
+  /// some five times the time: also refined four times around and along, the three extrapolated,
+  /// and what a refinement through the wall changes of the second, of second order. (Three meshes
+  /// refined in all directions would have patches that end anywhere in their few sectors.)
   bool loaded_thoroughly = false;
 };
 
@@ -69,6 +70,13 @@ using MeshQuantities = std::vector<std::pair<std::string, double>>;
 struct Remainder {
   double part = 0.0;
   bool observed = false;
+  /// What sectors and columns halved without the rows, and then the rows, change in modes of the
+  /// unloaded tire, sums of magnitudes, relative, by label. Where the two cancel on the mesh
+  /// refined twice, less is seen of them than may be left.
+  std::map<std::string, double> apart = {};
+  /// Of the mode a row is named by, on the ground or not; of any other quantity their mean square's
+  /// root.
+  double apart_of(const std::string& row) const;
 };
 Remainder remainder(const std::vector<int>& refinements,
                     const std::vector<DiscretizationRow>& rows,
@@ -79,7 +87,7 @@ Remainder remainder(const std::vector<int>& refinements,
 /// meshes: a mode without a namesake is the nearest in frequency of those nothing is named by, if
 /// one is within 2.5 %. At least three meshes, or the unrefined and another one with the remainder
 /// of that; the limit is then between those of first and second order, and uncertain by the
-/// farther one.
+/// farther one, or by that remainder of what changes apart where it is more.
 std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refinements,
                                                    std::vector<MeshQuantities> meshes,
                                                    const Remainder& left = {});

@@ -136,5 +136,29 @@ TEST(Discretization, WhereNoOrderIsSeenTwoMeshesAreExtrapolatedWithTheSecondAndS
   EXPECT_NEAR(rows[0].uncertainty, 2.0, 1e-9);  // order 1: 98
 }
 
+// v = v0 + c (a^2 - t), a and t the element's lengths along and through: nothing is left of the
+// first mesh's error, and of the second's less than half is seen between the two.
+TEST(Discretization, WhereErrorsCancelTheUncertaintyCoversWhatIsNotSeen) {
+  const auto at = [](double a, double t) { return 100.0 + 2.0 * (a * a - t); };
+  const double changed = (at(1.0, 1.0) - at(0.5, 1.0) + at(0.5, 0.5) - at(0.5, 1.0)) / at(1.0, 1.0);
+  Remainder left = remainder({1, 2, 3}, {}, 2);
+  const std::vector<MeshQuantities> meshes = {{{"radial n=2 s", at(1.0, 1.0)}},
+                                              {{"radial n=2 s", at(0.5, 0.5)}}};
+  const auto unaware = discretization_rows({1, 2}, meshes, left);
+  EXPECT_GT(std::abs(unaware[0].converged - 100.0), unaware[0].uncertainty);
+  left.apart = {{"radial n=2", changed}};
+  const auto rows = discretization_rows({1, 2}, meshes, left);
+  EXPECT_EQ(rows[0].converged, unaware[0].converged);
+  EXPECT_LT(std::abs(rows[0].converged - 100.0), rows[0].uncertainty);
+}
+
+TEST(Discretization, ChangesApartAreThoseOfTheModeOrTheRootOfTheirMeanSquare) {
+  const Remainder left{.part = 1.0 / 3.0, .apart = {{"lateral n=0", 0.03}, {"radial n=2", 0.04}}};
+  EXPECT_EQ(left.apart_of("radial n=2 a #2"), 0.04);
+  EXPECT_EQ(left.apart_of("lateral n=0"), 0.03);
+  EXPECT_NEAR(left.apart_of("Fz at 25 mm"), std::sqrt(0.5 * (0.03 * 0.03 + 0.04 * 0.04)), 1e-12);
+  EXPECT_EQ(Remainder{}.apart_of("Fz at 25 mm"), 0.0);
+}
+
 }  // namespace
 }  // namespace latsch

@@ -96,6 +96,18 @@ std::vector<double> read_columns(const Node& mesh) {
   return columns;
 }
 
+/// How many columns of elements there are is told by one of two keys.
+void expect_columns(const Node& mesh) {
+  if (mesh.has("columns") || mesh.has("meridional")) return;
+  for (const std::string& key : mesh.keys()) {
+    const std::string meant = did_you_mean(key, {"columns", "meridional"});
+    if (!meant.empty()) mesh.reject(key, "is not known" + meant);
+  }
+  mesh.reject("meridional",
+              "is missing, expected the number of columns of elements, or columns, the positions "
+              "where they end");
+}
+
 /// [count, "width"] from the contact upward; the others share what is left of half the ring.
 std::vector<SectorZone> read_sector_zones(const Node& mesh, int sectors) {
   constexpr const char* kKey = "sector_zones";
@@ -167,6 +179,7 @@ Section read_section(const Node& node, const Node& mesh) {
   section.clamp = clamp == "whole"    ? BeadClamp::whole
                   : clamp == "inside" ? BeadClamp::inside
                                       : BeadClamp::outside;
+  expect_columns(mesh);
   section.columns = read_columns(mesh);
   section.meridional = section.columns.empty()
                            ? static_cast<int>(mesh.integer("meridional", 4, kMostElements))

@@ -218,6 +218,8 @@ TEST(TireReader, ComplaintsNameFileLineFoundAndExpected) {
   says(complaint("\"belt_1\", \"belt_2\"]", "\"belt_3\"]"), {"mesh.faces", "belt_3"});
   says(complaint("\"belt_1\", \"belt_2\"]", "\"belt_2\", \"belt_1\"]"), {"mesh.faces", "-1.10 mm"});
   says(complaint("columns = [0, ", "columns = [0.01, "), {"mesh.columns", "from 0 (crown)"});
+  says(complaint("columns = [0, ", "colums = [0, "), {"mesh.colums", "did you mean \"columns\"?"});
+  says(complaint("columns = [0, ", "ends = [0, "), {"mesh.meridional is missing", "or columns"});
   says(complaint(", 0.38, ", ", 0.48, "), {"mesh.columns", "ascending"});
   says(complaint("rows_inside =", "meridional = 30\nrows_inside ="),
        {"mesh.meridional", "stands beside columns"});

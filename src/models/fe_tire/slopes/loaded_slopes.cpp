@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Slopes of loads and modes of states on the ground, (S.2) and (S.3) of tire_slopes.h.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -53,6 +55,13 @@ double ground_stiffness(const TreadSurface& tread,
   return sum;
 }
 
+Failure on_friction(double mu) {
+  return Failure{fmt::format(
+      "slopes: the tire stands with friction of {:.3g}, where the way it came is part of "
+      "the answer: expected a state on ground without friction, or differences of trials",
+      mu)};
+}
+
 }  // namespace
 
 std::vector<MovedNumber> TireSlopes::Impl::moved_numbers(OfRing of, double pressure) const {
@@ -91,6 +100,7 @@ std::pair<Eigen::VectorXd, double> TireSlopes::Impl::by_height(Systems& all,
 
 Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
                                                                 const TireState& state) {
+  if (state.ground.mu > 0.0) return on_friction(state.ground.mu);
   const auto is_of = [&state](const std::optional<TireState>& other) {
     return other && other->pose == state.pose && other->u == state.u;
   };
@@ -172,6 +182,7 @@ Result<TireSlopes::OfState> TireSlopes::of_state(const TireState& state) {
 Result<Eigen::MatrixXd> TireSlopes::of_modes(const TireState& state,
                                              const std::vector<Mode>& modes,
                                              const Eigen::VectorXd& height) {
+  if (state.ground.mu > 0.0) return on_friction(state.ground.mu);
   const auto sharp = impl_->sharpened_modes(state, modes);
   if (!sharp) return sharp.failure();
   Eigen::MatrixXd slopes(std::ssize(modes), impl_->count());

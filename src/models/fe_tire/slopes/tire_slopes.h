@@ -74,7 +74,7 @@ class TireSlopes {
   /// Hz/unit [modes x variables] of modes of the inflated tire.
   Result<Eigen::MatrixXd> of_modes(const Inflated& inflated, const std::vector<Mode>& modes);
 
-  /// Of a state on flat ground without friction.
+  /// Of a state on flat ground without friction; one with friction is refused, with a Failure.
   struct OfState {
     Eigen::VectorXd force;   // N/unit, at a height that is held
     double by_height = 0.0;  // N/m

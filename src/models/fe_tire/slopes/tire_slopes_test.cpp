@@ -229,5 +229,23 @@ TEST(TireSlopes, OfDeflectionAndPatchUnderALoadAreThoseOfWholeTrials) {
   }
 }
 
+TEST(TireSlopes, OfAStateWithFrictionAreRefused) {
+  FeTire tire(small_tire());
+  const auto inflated = tire.inflate(kInflation);
+  ASSERT_TRUE(inflated.ok());
+  const auto states = tire.press(*inflated, Ground{.mu = 0.8}, {0.008});
+  ASSERT_TRUE(states.ok());
+  const auto modes = tire.modes(states->back(), 2);
+  ASSERT_TRUE(modes.ok());
+  TireSlopes slopes(tire, variations());
+  const Eigen::VectorXd height = Eigen::VectorXd::Zero(slopes.variables());
+  const auto refused = [](const auto& result) {
+    return !result.ok() && result.failure().reason.find("friction of 0.8") != std::string::npos;
+  };
+  EXPECT_TRUE(refused(slopes.of_state(states->back())));
+  EXPECT_TRUE(refused(slopes.of_patch(states->back(), height)));
+  EXPECT_TRUE(refused(slopes.of_modes(states->back(), *modes, height)));
+}
+
 }  // namespace
 }  // namespace latsch::fe_tire
