@@ -47,8 +47,9 @@ constexpr double kRise = 2.0;    // times the target, from the floor to the wall
 constexpr double kWider = 4.0;   // times the factor an interval with modes spans
 constexpr double kFall = 2.0;    // times, of tire A's error [Hempel & Oertel 2016: 15 to 7.4 %]
 
-// Of the moduli. What the mesh leaves falls with order 1.5 or faster (`latsch mesh --convergence`).
-constexpr double kMeshReach = 0.03, kRefinedReach = 0.01;
+// Of the moduli, on the shipped mesh and on a twofold one. The deck's own mesh is worth 1 % of the
+// rubber and 3 % of the carcass (studies/foreign_truth/README.md).
+constexpr double kMeshReach = 0.03;
 
 /// A copy of studies/, journals left out.
 class Studies {
@@ -330,7 +331,7 @@ void compare_truth(const Studies& studies,
               fmt::format("within {:g} %", 100.0 * reach),
               std::abs(error) <= reach);
     if (!covered) continue;
-    table.row(fmt::format("foreign truth, {}: {}, interval with the mesh's error", name, variable),
+    table.row(fmt::format("foreign truth, {}: {}, its interval", name, variable),
               value.text(),
               fmt::format("holds {:.5g}", truth),
               value.is_inside(truth));
@@ -346,6 +347,7 @@ int run(const std::string& only) {
   if (asks("foreign_truth")) {
     compare_truth(
         studies, "same mesh and element", "foreign_truth/same_mesh.toml", 1e-3, false, table);
+    // Intervals with what [refined] says of the mesh, then without.
     compare_truth(studies,
                   "shipped element, quadratic deck",
                   "foreign_truth/shipped_element.toml",
@@ -356,8 +358,8 @@ int run(const std::string& only) {
                   "the same, refined twice",
                   studies.on_refined_mesh("foreign_truth/shipped_element.toml",
                                           "foreign_truth/shipped_tire.toml"),
-                  kRefinedReach,
-                  false,
+                  kMeshReach,
+                  true,
                   table);
   }
   if (asks("tire_a")) compare_tire_a(studies, table);
