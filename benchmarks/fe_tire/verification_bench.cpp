@@ -24,6 +24,7 @@
 #include "experiment/rigs/fe_tire/discretization.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/reference_tires.h"
+#include "models/fe_tire/description/section_columns.h"
 #include "models/fe_tire/description/tire_description.h"
 #include "shipped_tires.h"
 #include "table.h"
@@ -131,10 +132,11 @@ struct Case {
 /// How far limits of two loaded meshes are from those found thoroughly, relative, the farthest, and
 /// how many farther than both say of themselves.
 void compare_limits(const std::string& name, const TireDescription& tire, Table& table) {
-  DiscretizationSettings settings{.element = tire.element,
-                                  .pressure = tire.pressure,
-                                  .deflection = kSmearedTravel,
-                                  .modes = kModes};
+  DiscretizationSettings settings;
+  settings.element = tire.element;
+  settings.pressure = tire.pressure;
+  settings.deflection = kSmearedTravel;
+  settings.modes = kModes;
   const DiscretizationStudy soon = value_of(study_discretization(tire, settings));
   settings.loaded_thoroughly = true;
   const DiscretizationStudy thorough = value_of(study_discretization(tire, settings));

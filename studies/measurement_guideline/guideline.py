@@ -5,7 +5,7 @@ from them how uncertain a modulus is with one set of measurements or another. Wr
     python3 studies/measurement_guideline/guideline.py build/release/bin/latsch
     python3 studies/measurement_guideline/guideline.py      # the table alone, of the sensitivities.csv there is
 
-J = d(value / noise) / d ln E by central differences over +-25 %, 10 trials of six seconds; C = (J'J + P)^-1, P a prior of a factor of
+J = d(value / noise) / d ln E by central differences over +-25 %, 10 trials of twenty seconds; C = (J'J + P)^-1, P a prior of a factor of
 three on each modulus (one standard deviation): what is known before anything is measured. 95 % of a modulus lie within a factor of
 exp(1.96 sqrt(C_ii)); the smallest singular value of J is that of the least known direction.
 """
@@ -19,8 +19,8 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 STUDY = HERE / "study.toml"
 INITIAL = {"crown": 22.3, "upper_sidewall": 22.3, "lower_sidewall": 22.3, "carcass": 356.0, "belt": 5088.0}  # N/mm^2
-# Shares of the value. Footprint: 1.5 % of the measurement, and the computed patch is rough by more than that on this mesh.
-NOISE = {"force": 0.005, "modes": 0.003, "footprint": 0.03, "lateral": 0.02, "longitudinal": 0.02, "torsional": 0.02}
+# Shares of the value. Footprint: 1.5 % of the measurement and 1 % that the mesh of the computed patch leaves.
+NOISE = {"force": 0.005, "modes": 0.003, "footprint": 0.018, "lateral": 0.02, "longitudinal": 0.02, "torsional": 0.02}
 STEP, PRIOR = 0.25, math.log(3.0)
 FOOT = ["footprint_length", "footprint_width", "footprint_area"]
 GROUPS = {"force": ["force"], "modes": ["modes"], "footprint": FOOT, "lateral": ["lateral"],
