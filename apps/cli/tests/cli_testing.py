@@ -41,7 +41,7 @@ class Coarse(unittest.TestCase):
         cls.base = pathlib.Path(tempfile.mkdtemp(prefix="latsch_cli_"))
         folder = cls.base / "template"
         subprocess.run([LATSCH, "new", folder, "--coarse"], check=True, stdout=subprocess.DEVNULL)
-        edit(folder / "tire.toml", ("(meridional|columns) = .*", "meridional = 14"), ("sectors = .*", "sectors = 18"),
+        edit(folder / "tire.toml", (r"\n(meridional|columns) = .*", "\nmeridional = 14"), ("sectors = .*", "sectors = 18"),
              ('young_modulus = "4 MPa"', 'young_modulus = "5 MPa"'))  # both sidewalls alike, as the variable has them
         edit(folder / "study.toml",
              (r"values = \[.*\]}", "values = [6, 12]}"),

@@ -96,6 +96,17 @@ std::vector<double> read_columns(const Node& mesh) {
   return columns;
 }
 
+/// Each in `parts` of equal width.
+std::vector<double> split(const std::vector<double>& columns, int parts) {
+  std::vector<double> ends;
+  for (std::size_t j = 0; j + 1 < columns.size(); ++j) {
+    for (int k = 0; k < parts; ++k)
+      ends.push_back(columns[j] + (columns[j + 1] - columns[j]) * k / parts);
+  }
+  if (!columns.empty()) ends.push_back(columns.back());
+  return ends;
+}
+
 /// How many columns of elements there are is told by one of two keys.
 void expect_columns(const Node& mesh) {
   if (mesh.has("columns") || mesh.has("meridional")) return;
@@ -180,9 +191,10 @@ Section read_section(const Node& node, const Node& mesh) {
                   : clamp == "inside" ? BeadClamp::inside
                                       : BeadClamp::outside;
   expect_columns(mesh);
-  section.columns = read_columns(mesh);
+  const int parts = static_cast<int>(mesh.integer("split_columns", 1, 8, 1));
+  section.columns = split(read_columns(mesh), parts);
   section.meridional = section.columns.empty()
-                           ? static_cast<int>(mesh.integer("meridional", 4, kMostElements))
+                           ? parts * static_cast<int>(mesh.integer("meridional", 4, kMostElements))
                            : 2 * (static_cast<int>(section.columns.size()) - 1);
   section.rows_inside = static_cast<int>(mesh.integer("rows_inside", 1, 20, 1));
   section.rows_outside = static_cast<int>(mesh.integer("rows_outside", 1, 20, 1));

@@ -158,6 +158,20 @@ TEST(TireReader, SpacingGradesTheColumns) {
   EXPECT_NEAR(section.station(section.meridional), 1.0, 1e-15);
 }
 
+// What [refined] of a study asks for: a number of the shipped file.
+TEST(TireReader, ColumnsAreSplitInEqualParts) {
+  Document document = Document::parse(edited("", ""), "t");
+  const Section whole = read_tire(document.root()).section;
+  document.set("mesh.split_columns", 3);
+  const Section split = read_tire(document.root()).section;
+  EXPECT_EQ(split.meridional, 3 * whole.meridional);
+  for (int i = 0; i < whole.meridional; ++i) {
+    const double from = whole.station(i), to = whole.station(i + 1);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(split.station(3 * i + k), from + (to - from) * k / 3, 1e-12) << i;
+  }
+}
+
 TEST(TireReader, ColumnsEndWhereTheyAreToldAndRefinedOnesInBetween) {
   const std::string text =
       with_line("columns = [", "columns = [0, 0.2, 0.38, 0.46, 0.6, 0.8, 0.95, 1]");
