@@ -65,6 +65,21 @@ Cubic hermite(std::optional<double> h0, double h, std::optional<double> h2, doub
   return cubic;
 }
 
+/// (T.3) of the node between the second and the third of four faces beside each other, those that
+/// are there, by their lengths.
+double share_of_uniform(const std::array<std::optional<double>, 4>& h) {
+  // What a slope at a node adds: its faces' lengths squared over 12.
+  const auto weight = [&h](int left) {
+    return (*h[left + 1] * *h[left + 1] - *h[left] * *h[left]) / 12.0;
+  };
+  double more = 0.0;
+  for (const int left : {0, 1, 2}) {  // face before a node whose slope this one tells
+    if (!h[left] || !h[left + 1]) continue;
+    more += weight(left) * middle_slope(*h[left], *h[left + 1])[2 - left];
+  }
+  return 1.0 - more / (0.5 * (h[1].value_or(0.0) + h[2].value_or(0.0)));
+}
+
 Cubic linear(double u) {
   return {{0.0, 0.5 * (1.0 - u), 0.5 * (1.0 + u), 0.0}, {0.0, -0.5, 0.5, 0.0}};
 }
@@ -351,11 +366,18 @@ void TreadSurface::add_mean_point(int plane, int node, const Strip& strip) {
   Eigen::Vector3d undeformed = Eigen::Vector3d::Zero();
   for (const auto& [place, weight] : mean) undeformed += weight / area * places_[place].X;
   const double radius = std::hypot(undeformed.x(), undeformed.z());
+  const auto width_at = [&](int sector) { return width((plane + sector + S) % S); };
+  const double around = share_of_uniform({width_at(-2), width_at(-1), width_at(0), width_at(1)});
+  const double across = share_of_uniform({strip.span_at(node - 2),
+                                          strip.span_at(node - 1),
+                                          strip.span_at(node),
+                                          strip.span_at(node + 1)});
+  const double share = (is_own_image ? 0.5 : 1.0) * around * across;
   const Point point{static_cast<int>(weights_.size()),
                     static_cast<int>(mean.size()),
                     0.0,
-                    is_own_image ? 0.5 * area : area,
-                    0.5 * radius * (width((plane - 1 + S) % S) + width(plane)),
+                    share * area,
+                    0.5 * radius * around * (width_at(-1) + width_at(0)),
                     offset_of(plane, node, strip, undeformed),
                     is_own_image};
   for (const auto& [place, weight] : mean) {

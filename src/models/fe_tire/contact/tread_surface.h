@@ -15,7 +15,12 @@
 // (undeformed, n_a its normal, X_a the node), that of a part the ground has made flat does not: at
 // the edge of a patch, where it matters, it is something between, of which c_a / 2 errs least.
 // Across, it counts up to as much as around: at shoulders faces are too long to know their arc.
-// Forces go to the nodes by the same weights, so they are the gradient of an energy.
+// Forces go to the nodes by the same weights, so they are the gradient of an energy. Under a
+// uniform pressure a node would get int W_a dA so, elements want int N_a dA. Where faces of other
+// lengths begin the two differ, by a sixth at the last face before one of twice its length, and
+// the node's pressure would: a mean stands for
+//   dA_a = int N_a dA (2 - int W_a dA / int N_a dA),                                          (T.3)
+// around and across, what gives a uniform pressure back to first order.
 //   [Wriggers, Computational Contact Mechanics, Springer 2006: smoothing, mortar methods;
 //   Puso & Laursen 2004, CMAME 193: a mortar segment-to-segment contact method]
 // Facets, each with 12x12 points, are there for comparison with programs that see them, and for
