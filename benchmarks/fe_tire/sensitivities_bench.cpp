@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -226,20 +227,23 @@ class Judge {
     return largest;
   }
 
-  /// Of every answer. Steps are halved until all are known well enough, or no further.
+  /// Of every answer. Steps are halved until all are known well enough, or no further; then some
+  /// between those follow, for beside other branches few may be left.
   std::vector<std::optional<ExtrapolatedSlope>> slopes(const std::string& path) const {
     constexpr double kFirst = 8e-3, kEnough = 3e-7;
-    constexpr int kFewest = 4, kMost = 9;
+    constexpr int kFewest = 4, kMost = 9, kBetween = 8;
     const double number = numbers_.get(path);
     std::vector<std::vector<StepValues>> steps(kLoads + kModes);
     std::vector<std::optional<ExtrapolatedSlope>> found(steps.size());
-    for (int k = 0; k < kMost; ++k) {
-      const double share = std::ldexp(kFirst, -k), h = share * std::abs(number);
+    for (int k = 0; k < kMost + kBetween; ++k) {
+      const double halvings = k < kMost ? k : k - kMost + 0.5;
+      const double share = kFirst * std::exp2(-halvings), h = share * std::abs(number);
       const Exact below = moved(path, -share), above = moved(path, share);
       bool enough = true;
       for (int i = 0; i < kLoads + kModes; ++i) {
         auto& of_answer = steps[static_cast<std::size_t>(i)];
         of_answer.push_back({h, answer(below, i), answer(above, i)});
+        std::ranges::sort(of_answer, std::greater{}, &StepValues::step);
         auto& slope = found[static_cast<std::size_t>(i)];
         slope = extrapolated_slope(of_answer, value(i), noise_[i]);
         enough = enough && slope && slope->error <= kEnough * size(i, slope->value, number);

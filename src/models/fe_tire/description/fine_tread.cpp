@@ -45,6 +45,10 @@ TreadSplit split_of(const TireDescription& tire, const TreadElements& largest) {
   for (std::size_t j = 0; columns[j] < section.tread_to; ++j) {
     split.columns.push_back(parts((columns[j + 1] - columns[j]) * half_length, largest.across));
   }
+  // Short columns are so because the wall bends there: where any is split, all of them are.
+  if (std::ranges::max(split.columns) > 1) {
+    for (int& of_column : split.columns) of_column = std::max(of_column, 2);
+  }
   const double radius = section.contour.front().r + section.outside.at(0.0);
   double from = 0.0;
   for (const double width : sector_widths(section)) {

@@ -27,7 +27,7 @@ struct TreadSplit {
 };
 
 /// Columns below the tread and sectors that touch on flat ground are split until none is longer,
-/// in the first millimeters' patch half of that around.
+/// in the first millimeters' patch half of that around. Where any column is split, all are.
 TreadSplit split_of(const TireDescription& tire, const TreadElements& largest);
 
 /// The same tire, split.
