@@ -43,10 +43,6 @@ std::optional<std::string> reason_without_slopes(const Study& study) {
       return fmt::format("a {} does not know its slopes in {}", kind->in_words(), in_quotes(path));
   for (const StudyExperiment& experiment : study.experiments) {
     if (!experiment.fitted) continue;
-    if (experiment.objective.exponent != 2.0)
-      return fmt::format("experiment {} has the exponent {:g}, and slopes are of a sum of squares",
-                         experiment.name,
-                         experiment.objective.exponent);
     if (!experiment.observable->passes_slopes())
       return fmt::format("experiment {} compares {}, whose slopes are not known",
                          experiment.name,

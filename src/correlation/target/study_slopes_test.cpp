@@ -17,7 +17,6 @@ namespace {
 
 class StudySlopes : public FittedStudy {
  protected:
-  /// The head's experiment counts squares, which slopes are of.
   Study read_squares(const std::string& more) { return read("exponent = 2\n" + more); }
 };
 
@@ -57,6 +56,16 @@ void expect_exact(const Study& study) {
 }
 
 TEST_F(StudySlopes, AreThoseOfTheResiduals) { expect_exact(read_squares("")); }
+
+// A search by them makes squares least, whatever the exponent of the target it reports.
+TEST_F(StudySlopes, AreOfResidualsOfAnyExponent) {
+  for (const char* exponent : {"1", "1.5", "4"}) {
+    const Study study = read(std::string("exponent = ") + exponent + "\n");
+    expect_exact(study);
+    EXPECT_EQ(method_of(study).method, Method::levenberg_marquardt);
+    EXPECT_TRUE(study.asks_slopes);
+  }
+}
 
 TEST_F(StudySlopes, OfACurveAboutItsMean) {
   expect_exact(read_squares("compare = \"about_mean\"\n"));
@@ -120,7 +129,6 @@ TEST_F(StudySlopes, WhereTheyEndIsSaidByName) {
     EXPECT_NE(method_of(study).method, Method::levenberg_marquardt);
     EXPECT_FALSE(objective(study)(*evaluator(study)(study.space.initial()))->jacobian.size());
   };
-  without("exponent = 1\n", "exponent 1");
   write("sweep.toml",
         "kind = \"slip_sweep\"\nspeed = \"60 km/h\"\nload = \"4 kN\"\n"
         "alpha = [\"-5 deg\", \"5 deg\"]\nduration = \"0.1 s\"\n");
@@ -130,10 +138,13 @@ TEST_F(StudySlopes, WhereTheyEndIsSaidByName) {
       "x = \"sweep/time\"\ny = \"sweep/Fy\"\nmeasurement = \"swept.csv\"\nexponent = 2\n",
       "sweep/");
   try {
-    read("exponent = 1\n[optimizer]\nmethod = \"levenberg_marquardt\"\n");
+    read(
+        "exponent = 2\n[test.sweep]\nfile = \"sweep.toml\"\n[experiment.sweep]\nkind = \"curve\"\n"
+        "x = \"sweep/time\"\ny = \"sweep/Fy\"\nmeasurement = \"swept.csv\"\nexponent = 2\n"
+        "[optimizer]\nmethod = \"levenberg_marquardt\"\n");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("exponent 1"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("sweep/"), std::string::npos) << error.what();
     EXPECT_GT(error.place().line, 0);
   }
 }

@@ -17,17 +17,20 @@ constexpr double kTolerance =
 constexpr double kOnTheWay = 1e-3;  // of pressures on the way, which are a start for the next
 constexpr double kRoundOff =
     1e-7;  // below this a residual that no longer falls is round-off of stiff walls
-constexpr int kFirstSteps = 4;  // cords go taut in the first step, while the tire is still soft
-constexpr int kMaxHalvings = 6;
+constexpr int kRingSteps = 4;
+constexpr int kMaxHalvings = 8;
 constexpr int kMaxBacktracks = 8;
 
 struct SectorState {
   Eigen::VectorXd x, alpha;
+  bool held = true;  // by a tangent that is positive, as the last iteration had it
 };
 
 /// d = K(0)^-1 f; K(0) is shifted until it is positive where it is not (taut cords under a poor
 /// predictor).
-Eigen::VectorXd newton_direction(const SectorBlocks& tangent, const Eigen::VectorXd& f) {
+Eigen::VectorXd newton_direction(const SectorBlocks& tangent,
+                                 const Eigen::VectorXd& f,
+                                 bool& shifted) {
   numerics::BandedHermitian K = tangent.harmonic(0);
   double shift = 0.0, largest = 0.0;
   for (int i = 0; i < K.size(); ++i) largest = std::max(largest, K(i, i).real());
@@ -37,6 +40,7 @@ Eigen::VectorXd newton_direction(const SectorBlocks& tangent, const Eigen::Vecto
     for (int i = 0; i < K.size(); ++i) K(i, i) += next - shift;
     shift = next;
   }
+  shifted = shift > 0.0;
   Eigen::MatrixXcd d = f.cast<std::complex<double>>();
   cholesky.solve(d);
   return d.real();
@@ -67,12 +71,13 @@ bool newton(const RingElements& elements,
       return true;
     }
     last = f.norm();
-    const Eigen::VectorXd d = newton_direction(tangent, f);
+    bool shifted = false;
+    const Eigen::VectorXd d = newton_direction(tangent, f, shifted);
     const double slope = std::abs(d.dot(f)), norm = f.norm();
     double s = 1.0;
     SectorState trial;
     for (int back = 0;; ++back, s *= 0.5) {
-      trial = {now.x - s * d, now.alpha};
+      trial = {now.x - s * d, now.alpha, !shifted};
       const bool valid =
           assemble_sector(elements, trial.x, pressure, trial.alpha, f, &tangent, &worst);
       if (valid && (f.norm() < norm || std::abs(d.dot(f)) < 0.9 * slope)) break;
@@ -133,14 +138,21 @@ Result<Inflated> inflate_sector(const RingElements& elements,
   }
   const double reference = f.norm();
 
-  double reached = 0.0, step = pressure / kFirstSteps;
+  // All of the pressure at once: cords go taut on the way of Newton's method as well as on that of
+  // the pressure, in half as many iterations. What it may have jumped to, a tangent tells that is
+  // not positive.
+  double reached = 0.0, step = pressure;
   int halvings = 0;
   while (reached != pressure) {
     const double next =
         std::abs(pressure - reached) < 1.001 * std::abs(step) ? pressure : reached + step;
     std::string why;
     const double tolerance = next == pressure ? kTolerance : kOnTheWay;
-    if (newton(elements, next, tolerance, reference, settings.max_iterations, state, why)) {
+    SectorState found = state;
+    const bool is_jump = reached == 0.0 && next == pressure;
+    if (newton(elements, next, tolerance, reference, settings.max_iterations, found, why) &&
+        (found.held || !is_jump)) {
+      state = std::move(found);
       reached = next;
     } else if (++halvings > kMaxHalvings) {
       return Failure{
@@ -169,8 +181,8 @@ Result<Inflated> inflate_ring(EquilibriumSolver& solver,
   RingState state = solver.assembly().zero_state();
   solver.set_reference(reference);
   solver.forget_factor();
-  for (int k = 1; k <= kFirstSteps; ++k) {
-    const double p = pressure * k / kFirstSteps;
+  for (int k = 1; k <= kRingSteps; ++k) {
+    const double p = pressure * k / kRingSteps;
     const std::string step = fmt::format("inflation to {:.4g} bar", p / 1e5);
     if (auto failure = solver.solve(elements, state, p, nullptr, step)) return *failure;
   }
