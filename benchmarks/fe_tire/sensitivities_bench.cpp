@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -227,28 +227,16 @@ class Judge {
     return largest;
   }
 
-  /// Of every answer. Steps are halved until all are known well enough, or no further; then some
-  /// between those follow, for beside other branches few may be left.
+  /// Of every answer. Steps are halved until all are known well enough, or no further; then others
+  /// between those, for beside other branches few may be left. (Together they would seem to agree:
+  /// neighbors err alike.)
   std::vector<std::optional<ExtrapolatedSlope>> slopes(const std::string& path) const {
-    constexpr double kFirst = 8e-3, kEnough = 3e-7;
-    constexpr int kFewest = 4, kMost = 9, kBetween = 8;
-    const double number = numbers_.get(path);
-    std::vector<std::vector<StepValues>> steps(kLoads + kModes);
-    std::vector<std::optional<ExtrapolatedSlope>> found(steps.size());
-    for (int k = 0; k < kMost + kBetween; ++k) {
-      const double halvings = k < kMost ? k : k - kMost + 0.5;
-      const double share = kFirst * std::exp2(-halvings), h = share * std::abs(number);
-      const Exact below = moved(path, -share), above = moved(path, share);
-      bool enough = true;
-      for (int i = 0; i < kLoads + kModes; ++i) {
-        auto& of_answer = steps[static_cast<std::size_t>(i)];
-        of_answer.push_back({h, answer(below, i), answer(above, i)});
-        std::ranges::sort(of_answer, std::greater{}, &StepValues::step);
-        auto& slope = found[static_cast<std::size_t>(i)];
-        slope = extrapolated_slope(of_answer, value(i), noise_[i]);
-        enough = enough && slope && slope->error <= kEnough * size(i, slope->value, number);
-      }
-      if (enough && k + 1 >= kFewest) break;
+    constexpr double kFirst = 8e-3;
+    auto found = slopes(path, kFirst);
+    if (is_known(found, path)) return found;
+    const auto others = slopes(path, kFirst / std::numbers::sqrt2);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (others[i] && (!found[i] || others[i]->error < found[i]->error)) found[i] = others[i];
     }
     return found;
   }
@@ -262,6 +250,36 @@ class Judge {
  private:
   static constexpr double kSafety = 2.0;      // of noise that is seen some times
   static constexpr double kRounding = 1e-13;  // of the answer, at least
+
+  using Slopes = std::vector<std::optional<ExtrapolatedSlope>>;
+
+  bool is_known(const Slopes& slopes, const std::string& path) const {
+    constexpr double kEnough = 3e-7;
+    const double number = numbers_.get(path);
+    for (int i = 0; i < kLoads + kModes; ++i) {
+      const auto& slope = slopes[static_cast<std::size_t>(i)];
+      if (!slope || slope->error > kEnough * size(i, slope->value, number)) return false;
+    }
+    return true;
+  }
+
+  Slopes slopes(const std::string& path, double first) const {
+    constexpr int kFewest = 4, kMost = 9;
+    const double number = numbers_.get(path);
+    std::vector<std::vector<StepValues>> steps(kLoads + kModes);
+    Slopes found(steps.size());
+    for (int k = 0; k < kMost; ++k) {
+      const double share = std::ldexp(first, -k), h = share * std::abs(number);
+      const Exact below = moved(path, -share), above = moved(path, share);
+      for (int i = 0; i < kLoads + kModes; ++i) {
+        auto& of_answer = steps[static_cast<std::size_t>(i)];
+        of_answer.push_back({h, answer(below, i), answer(above, i)});
+        found[static_cast<std::size_t>(i)] = extrapolated_slope(of_answer, value(i), noise_[i]);
+      }
+      if (k + 1 >= kFewest && is_known(found, path)) break;
+    }
+    return found;
+  }
 
   /// With the number moved by a share of its size.
   Exact moved(const std::string& path, double share) const {

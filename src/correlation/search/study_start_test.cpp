@@ -17,6 +17,8 @@ class StudyStart : public FittedStudy {
 design = "latin_hypercube"
 points = 30
 )";
+  /// One without slopes: it takes enough trials to be killed in and to run ahead of.
+  static inline const std::string kSearch = "[optimizer]\nmethod = \"residual_trust_region\"\n";
 
   void evaluate_design(const Study& study, int workers = 1) {
     Journal journal = Journal::open(study.run.journal, identity(study));
@@ -45,7 +47,7 @@ TEST_F(StudyStart, TheBestTrialOfTheJournalIsTheFirstStepAndItsNeighborsAreKnown
   const Study blind = read(kDesign + "[run]\njournal = \"blind.latsch\"\n");
   const auto from_values = fit_all(blind);
   const long alone = evaluated_;
-  const Study study = read("[optimizer]\nstart = \"journal\"\n" + kDesign);
+  const Study study = read(kSearch + "start = \"journal\"\n" + kDesign);
   evaluate_design(study);
   const double best = best_of_journal(study);
   evaluated_ = 0;
@@ -58,7 +60,7 @@ TEST_F(StudyStart, TheBestTrialOfTheJournalIsTheFirstStepAndItsNeighborsAreKnown
 TEST_F(StudyStart, TheFirstPointIsThatOfTheFirstStepUnlessAJournalDecides) {
   const Study study = read(kDesign);
   EXPECT_EQ(first_point(study), fit_all(study)[0].run.steps.front().point);
-  EXPECT_EQ(first_point(read("[optimizer]\nstart = \"journal\"\n" + kDesign)), std::nullopt);
+  EXPECT_EQ(first_point(read(kSearch + "start = \"journal\"\n" + kDesign)), std::nullopt);
 }
 
 TEST_F(StudyStart, AJournalWithoutTheFirstPointKnowsNoStep) {
@@ -70,7 +72,7 @@ TEST_F(StudyStart, AJournalWithoutTheFirstPointKnowsNoStep) {
 }
 
 TEST_F(StudyStart, WhatWasKnownAtTheStartIsKnownAfterAKillToo) {
-  const std::string text = "[optimizer]\nstart = \"journal\"\n" + kDesign;
+  const std::string text = kSearch + "start = \"journal\"\n" + kDesign;
   const Study study = read(text);
   evaluate_design(study);
   const auto whole = fit_all(study);
@@ -90,7 +92,7 @@ TEST_F(StudyStart, WhatWasKnownAtTheStartIsKnownAfterAKillToo) {
 TEST_F(StudyStart, NeitherTheWorkersOfTheDesignNorThoseOfTheSearchChangeABit) {
   for (const char* start : {"journal", "basins"}) {
     const Study study =
-        read("[optimizer]\nstart = \"" + std::string(start) + "\"\nstarts = 2\n" + kDesign);
+        read(kSearch + "start = \"" + std::string(start) + "\"\nstarts = 2\n" + kDesign);
     std::vector<Fit> first;
     for (const int workers : {1, 3}) {
       std::filesystem::remove(study.run.journal);
@@ -107,8 +109,8 @@ TEST_F(StudyStart, NeitherTheWorkersOfTheDesignNorThoseOfTheSearchChangeABit) {
 // What runs ahead of a search may be better than all that it asks for, and is no result: how much
 // of it there is depends on the workers.
 TEST_F(StudyStart, NeitherResultsNorTheNextSearchSeeWhatNobodyAskedFor) {
-  const std::string few = "[optimizer]\nmax_steps = 6\n";
-  const std::string next = "[optimizer]\nstart = \"journal\"\nmax_steps = 20\n";
+  const std::string few = kSearch + "max_steps = 6\n";
+  const std::string next = kSearch + "start = \"journal\"\nmax_steps = 20\n";
   std::set<std::string> first_points;
   std::vector<Fit> first_next;
   for (const int workers : {1, 3, 5}) {
@@ -135,7 +137,7 @@ TEST_F(StudyStart, NeitherResultsNorTheNextSearchSeeWhatNobodyAskedFor) {
 }
 
 TEST_F(StudyStart, ThePointsOfBasinsAreEvaluatedWhereTheyAreMissing) {
-  const Study study = read("[optimizer]\nstart = \"basins\"\n" + kDesign);
+  const Study study = read(kSearch + "start = \"basins\"\n" + kDesign);
   const auto fits = fit_all(study);
   EXPECT_GE(evaluated_, 30);
   EXPECT_LT(fits[0].run.best()->outcome->value, 1e-5);
@@ -153,7 +155,7 @@ TEST_F(StudyStart, AnotherJournalOfTheSameModelIsTakenOver) {
   const Study old = read(kDesign + "[run]\njournal = \"old.latsch\"\n");
   evaluate_design(old);
   const Study study =
-      read("[optimizer]\nstart = \"journal\"\nstart_journal = \"old.latsch\"\n", "new.toml");
+      read(kSearch + "start = \"journal\"\nstart_journal = \"old.latsch\"\n", "new.toml");
   const auto whole = fit_all(study);
   EXPECT_EQ(whole[0].run.steps.front().outcome->value, best_of_journal(old));
   std::filesystem::remove(old.run.journal);  // needed once
@@ -164,7 +166,7 @@ TEST_F(StudyStart, AJournalOfAnotherModelIsRefusedByName) {
   const Study old = read(kDesign + "[run]\njournal = \"old.latsch\"\n");
   evaluate_design(old);
   write("tire.tir", experiment::sparse_tir(experiment::kSideForce) + "PKY4 = 2.1\n");
-  const Study study = read("[optimizer]\nstart = \"journal\"\nstart_journal = \"old.latsch\"\n");
+  const Study study = read(kSearch + "start = \"journal\"\nstart_journal = \"old.latsch\"\n");
   try {
     fit_all(study);
     FAIL();
@@ -186,16 +188,16 @@ TEST_F(StudyStart, FailedAndForeignPointsOfAJournalDoNotDisturb) {
          {.result = evaluator(wide)({{1.9, -22.0}}).ok() ? evaluator(wide)({{1.9, -22.0}})
                                                          : Failure{""}}});  // outside of the bounds
   }
-  const auto fits = fit_all(read("[optimizer]\nstart = \"journal\"\n"));
+  const auto fits = fit_all(read(kSearch + "start = \"journal\"\n"));
   EXPECT_LT(fits[0].run.best()->outcome->value, 1e-5);
 }
 
 TEST_F(StudyStart, ComplaintsSayWhatIsMissing) {
-  EXPECT_THAT(complaint("[optimizer]\nstart = \"basins\"\n"), testing::HasSubstr("no [doe]"));
-  EXPECT_THAT(complaint("[optimizer]\nstarts = 2\n"), testing::HasSubstr("starts stands without"));
-  EXPECT_THAT(complaint("[optimizer]\nstart = \"journal\"\nstart_journal = \"none.latsch\"\n"),
+  EXPECT_THAT(complaint(kSearch + "start = \"basins\"\n"), testing::HasSubstr("no [doe]"));
+  EXPECT_THAT(complaint(kSearch + "starts = 2\n"), testing::HasSubstr("starts stands without"));
+  EXPECT_THAT(complaint(kSearch + "start = \"journal\"\nstart_journal = \"none.latsch\"\n"),
               testing::HasSubstr("does not exist"));
-  EXPECT_THAT(complaint("[optimizer]\nstart = \"jurnal\"\n"), testing::HasSubstr("journal"));
+  EXPECT_THAT(complaint(kSearch + "start = \"jurnal\"\n"), testing::HasSubstr("journal"));
 }
 
 }  // namespace
