@@ -47,6 +47,22 @@ std::string in_words(const GroundPose& pose, const Inflated& inflated) {
   return text;
 }
 
+/// Where what the rim holds would lie in the ground.
+std::optional<Failure> in_the_rim(const Mesh& mesh,
+                                  const GroundPose& pose,
+                                  const std::string& name) {
+  double rim = 0.0;
+  for (const int node : mesh.clamped)
+    rim = std::max(rim, std::hypot(mesh.X(0, node), mesh.X(2, node)));
+  if (pose.height > rim) return std::nullopt;
+  return Failure{
+      fmt::format("{}: the ground would be {:.4g} mm from the wheel center and the rim holds the "
+                  "tire up to {:.4g} mm from it",
+                  name,
+                  1e3 * pose.height,
+                  1e3 * rim)};
+}
+
 Failure of_other_materials() {
   return Failure{
       "the state is that of a tire of other materials, which the half turn left as it was; load it "
@@ -113,6 +129,9 @@ Result<std::vector<TireState>> FeTire::advance(const TireState& from,
                                                const std::vector<GroundPose>& poses) {
   Impl& tire = *impl_;
   std::vector<TireState> states;
+  for (const GroundPose& pose : poses) {
+    if (auto failure = in_the_rim(mesh(), pose, in_words(pose, *from.inflated))) return *failure;
+  }
   for (std::size_t k = 0; k < poses.size(); ++k) {
     // A factor is taken along the way, not from whatever was solved before it.
     const TireState& last = states.empty() ? from : states.back();

@@ -493,11 +493,19 @@ TEST(FeTire, TooMuchDeflectionEndsAsAFailureNamingStepResidualAndElement) {
   FeTire tire(build_mesh(small_tire()), build_materials(small_tire()), impatient);
   const auto inflated = tire.inflate(kPressure);
   ASSERT_TRUE(inflated);
-  const auto crushed = tire.press(*inflated, Ground{}, {0.01, 0.3});
+  double rim = 0.0;
+  for (const int node : tire.mesh().clamped)
+    rim = std::max(rim, std::hypot(tire.mesh().X(0, node), tire.mesh().X(2, node)));
+  constexpr double kFromIt = 1e-3;
+  const auto crushed = tire.press(*inflated, Ground{}, {0.01, inflated->radius - rim - kFromIt});
   ASSERT_FALSE(crushed);
   EXPECT_NE(crushed.failure().reason.find("load step 2 of 2"), std::string::npos)
       << crushed.failure().reason;
   EXPECT_NE(crushed.failure().reason.find("element"), std::string::npos);
+  const auto inside = tire.press(*inflated, Ground{}, {0.01, inflated->radius - rim + kFromIt});
+  ASSERT_FALSE(inside);
+  EXPECT_NE(inside.failure().reason.find("the rim holds the tire up to"), std::string::npos)
+      << inside.failure().reason;
 }
 
 }  // namespace
