@@ -122,7 +122,8 @@ void measure_growth(const Mesh& mesh, Inflated& inflated) {
 
 Result<Inflated> inflate_sector(const RingElements& elements,
                                 double pressure,
-                                const SolverSettings& settings) {
+                                const SolverSettings& settings,
+                                const Eigen::Matrix3Xd* near) {
   const Ring& ring = elements.ring();
   SectorState state{Eigen::VectorXd::Zero(ring.sector_unknowns()),
                     Eigen::VectorXd::Zero(ring.alphas_per_element() * ring.elements_per_sector())};
@@ -134,6 +135,14 @@ Result<Inflated> inflate_sector(const RingElements& elements,
   const double reference = f.norm();
 
   double reached = 0.0, step = pressure / kFirstSteps;
+  if (near) {
+    SectorState from{ring.compress(*near), state.alpha};
+    std::string why;
+    if (newton(elements, pressure, kTolerance, reference, settings.max_iterations, from, why)) {
+      state = std::move(from);
+      reached = pressure;
+    }
+  }
   int halvings = 0;
   while (reached != pressure) {
     const double next =
