@@ -82,6 +82,19 @@ TEST(ColumnPlacement, GivesTheSameColumnsAgain) {
   EXPECT_EQ(place_columns(tire, settings)->columns, place_columns(tire, settings)->columns);
 }
 
+TEST(ColumnPlacement, ChoosesAnEvenNumberOfSectorsWithinTheUnknowns) {
+  TireDescription tire = plain_tire();
+  tire.section.sectors = 60;  // too many for its few columns
+  const int unknowns = build_mesh(tire).free_dofs();
+  const auto alone = place_columns(tire, {.modes = 8, .rounds = 3});
+  const auto both = place_columns(tire, {.modes = 8, .rounds = 3, .choose_sectors = true});
+  ASSERT_TRUE(alone.ok() && both.ok());
+  EXPECT_EQ(alone->sectors, 60);
+  EXPECT_EQ(both->sectors % 2, 0);
+  EXPECT_LE(both->unknowns, unknowns);
+  EXPECT_LE(both->error, alone->error);
+}
+
 TEST(ColumnPlacement, TooFewUnknownsAreAFailureWithTheFewest) {
   const auto placement = place_columns(plain_tire(), {.unknowns = 500, .modes = 4, .rounds = 1});
   ASSERT_FALSE(placement.ok());

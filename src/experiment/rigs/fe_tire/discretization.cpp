@@ -9,7 +9,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
+#include "models/fe_tire/description/section_grid.h"
 #include "numerics/richardson.h"
 
 namespace latsch {
@@ -32,25 +34,23 @@ void add_modes(const std::vector<Mode>& modes, MeshQuantities& quantities) {
 }
 
 Result<MeshQuantities> unloaded_quantities(FeTire& tire,
-                                           const DiscretizationSettings& settings,
+                                           const Inflated& inflated,
+                                           const DiscretizationSettings&,
                                            int count) {
-  const Result<Inflated> inflated = tire.inflate(settings.pressure);
-  if (!inflated) return inflated.failure();
-  const Result<std::vector<Mode>> modes = tire.modes(*inflated, count);
+  const Result<std::vector<Mode>> modes = tire.modes(inflated, count);
   if (!modes) return modes.failure();
-  MeshQuantities quantities = {{"growth", inflated->growth}};
+  MeshQuantities quantities = {{"growth", inflated.growth}};
   add_modes(*modes, quantities);
   return quantities;
 }
 
 Result<MeshQuantities> loaded_quantities(FeTire& tire,
+                                         const Inflated& inflated,
                                          const DiscretizationSettings& settings,
                                          int count) {
-  const Result<Inflated> inflated = tire.inflate(settings.pressure);
-  if (!inflated) return inflated.failure();
   // At once: without friction an equilibrium knows no way to it, and steps that are asked for cost
   // several times as much as those the loading finds necessary.
-  const auto pressed = tire.press(*inflated, settings.ground, {settings.deflection});
+  const auto pressed = tire.press(inflated, settings.ground, {settings.deflection});
   if (!pressed) return pressed.failure();
   const Result<std::vector<Mode>> modes = tire.modes(pressed->back(), count);
   if (!modes) return modes.failure();
@@ -89,7 +89,10 @@ void rename_as_first(std::vector<MeshQuantities>& meshes) {
   }
 }
 
-using Measure = Result<MeshQuantities> (*)(FeTire&, const DiscretizationSettings&, int);
+using Measure = Result<MeshQuantities> (*)(FeTire&,
+                                           const Inflated&,
+                                           const DiscretizationSettings&,
+                                           int);
 
 Result<std::vector<MeshQuantities>> refine(
     const fe_tire::TireDescription& tire,
@@ -99,6 +102,8 @@ Result<std::vector<MeshQuantities>> refine(
     const std::string& what,
     const std::function<void(const std::string&)>& progress) {
   std::vector<MeshQuantities> meshes;
+  fe_tire::SectionGrid grid;  // of the mesh before, inflated: a start on the next one
+  std::optional<Inflated> inflated;
   for (const fe_tire::Refinement& r : refinements) {
     FeTire model(fe_tire::build_mesh(tire, r),
                  fe_tire::build_materials(tire, r),
@@ -115,7 +120,13 @@ Result<std::vector<MeshQuantities>> refine(
     // The order of neighboring modes may change from mesh to mesh: look a little further on the
     // finer ones.
     const int modes = meshes.empty() ? settings.modes : settings.modes + 6;
-    Result<MeshQuantities> quantities = measure(model, settings, modes);
+    fe_tire::SectionGrid finer = section_grid(tire, r);
+    auto next = inflated ? model.inflate(settings.pressure, on_grid(finer, grid, inflated->u))
+                         : model.inflate(settings.pressure);
+    if (!next) return next.failure();
+    grid = std::move(finer);
+    inflated = *std::move(next);
+    Result<MeshQuantities> quantities = measure(model, *inflated, settings, modes);
     if (!quantities) return quantities.failure();
     meshes.push_back(std::move(*quantities));
   }

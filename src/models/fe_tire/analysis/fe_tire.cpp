@@ -111,6 +111,12 @@ Result<Inflated> FeTire::inflate(double pressure) {
                       pressure_force(tire.elements(), pressure));
 }
 
+Result<Inflated> FeTire::inflate(double pressure, const Eigen::Matrix3Xd& near) {
+  Impl& tire = *impl_;
+  if (tire.ring.sectors() == 1) return inflate(pressure);
+  return inflate_sector(tire.even_elements(), pressure, tire.settings, &near);
+}
+
 TireState FeTire::over(const Inflated& inflated, const Ground& ground, Poses poses) {
   Impl& tire = *impl_;
   const int S = tire.ring.sectors();

@@ -100,6 +100,8 @@ class FeTire {
   void set(Materials materials);
 
   Result<Inflated> inflate(double pressure);
+  /// The same, searched near displacements known of another mesh (section_grid.h).
+  Result<Inflated> inflate(double pressure, const Eigen::Matrix3Xd& near);
 
   /// The inflated tire over this ground, just touching it. `poses`: whether the ground will stay
   /// below the wheel center; then half the ring stands for all of it where its symmetry allows.

@@ -127,7 +127,8 @@ void measure_growth(const Mesh& mesh, Inflated& inflated) {
 
 Result<Inflated> inflate_sector(const RingElements& elements,
                                 double pressure,
-                                const SolverSettings& settings) {
+                                const SolverSettings& settings,
+                                const Eigen::Matrix3Xd* near) {
   const Ring& ring = elements.ring();
   SectorState state{Eigen::VectorXd::Zero(ring.sector_unknowns()),
                     Eigen::VectorXd::Zero(ring.alphas_per_element() * ring.elements_per_sector())};
@@ -142,6 +143,15 @@ Result<Inflated> inflate_sector(const RingElements& elements,
   // the pressure, in half as many iterations. What it may have jumped to, a tangent tells that is
   // not positive.
   double reached = 0.0, step = pressure;
+  if (near) {
+    SectorState from{ring.compress(*near), state.alpha};
+    std::string why;
+    if (newton(elements, pressure, kTolerance, reference, settings.max_iterations, from, why) &&
+        from.held) {
+      state = std::move(from);
+      reached = pressure;
+    }
+  }
   int halvings = 0;
   while (reached != pressure) {
     const double next =

@@ -10,10 +10,12 @@
 namespace latsch::fe_tire {
 
 /// Newton's method on the axisymmetric equilibrium f(x; p) = 0, the pressure raised in steps that
-/// halve where a step does not converge. Failure names pressure, residual and worst element.
+/// halve where a step does not converge. Failure names pressure, residual and worst element. From
+/// displacements `near` the equilibrium, where there are any, at once if it can be.
 Result<Inflated> inflate_sector(const RingElements& elements,
                                 double pressure,
-                                const SolverSettings& settings);
+                                const SolverSettings& settings,
+                                const Eigen::Matrix3Xd* near = nullptr);
 
 /// The same on a mesh without symmetry; `reference` is the force norm of the pressure, N.
 Result<Inflated> inflate_ring(EquilibriumSolver& solver,

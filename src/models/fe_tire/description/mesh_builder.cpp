@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "models/fe_tire/description/section_grid.h"
 #include "models/fe_tire/description/section_plan.h"
 
 namespace latsch::fe_tire {
@@ -32,6 +33,16 @@ class MeshBuilder {
     clamp(mesh);
     choose_sensors(mesh);
     return mesh;
+  }
+
+  SectionGrid grid() const {
+    SectionGrid grid;
+    for (int i = 0; i <= columns(); ++i) {
+      grid.stations.push_back(s(i));
+      grid.rows.emplace_back();
+      for (int k = 0; k <= rows_at(i); ++k) grid.rows.back().push_back(parent_row(k, rows_at(i)));
+    }
+    return grid;
   }
 
  private:
@@ -184,6 +195,10 @@ Mesh build_mesh(const TireDescription& tire, Refinement refinement) {
     throw InputError(tire.place, error.what());
   }
   return mesh;
+}
+
+SectionGrid section_grid(const TireDescription& tire, Refinement refinement) {
+  return MeshBuilder(tire, refinement).grid();
 }
 
 bool same_mesh(const TireDescription& a, const TireDescription& b) {
