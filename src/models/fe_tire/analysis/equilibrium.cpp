@@ -129,7 +129,7 @@ bool EquilibriumSolver::follow(const RingElements& elements,
   elements_ = &elements;
   pressure_ = pressure;
   RingState now = state;
-  has_factor_ = assemble(now, true) && factorize() && tire_.follow(contact, now.x, g_, poses);
+  has_factor_ = assemble(now, true) && factorize() && tire_.follow(K_, contact, now.x, g_, poses);
   known_ = state;
   return has_factor_;
 }

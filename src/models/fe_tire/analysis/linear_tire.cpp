@@ -444,25 +444,36 @@ bool LinearTire::step(const TreadContact* contact,
   return true;
 }
 
-bool LinearTire::follow(TreadContact& contact,
+bool LinearTire::follow(const numerics::SymmetricMatrix& K,
+                        TreadContact& contact,
                         const Eigen::VectorXd& x,
                         const Eigen::VectorXd& g,
                         const std::vector<GroundPose>& poses) {
   assert(kept_ == 3);
   u_ = tread_.displacements(x);
-  Eigen::VectorXd v = g, w = Eigen::VectorXd::Zero(3 * n_), before = w;
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(3 * n_), w_before = w;
   if (!reach_likely(contact, w)) return false;
-  const Eigen::VectorXd reduced = reduce(v);
-  for (const GroundPose& pose : poses) {
-    contact.move(pose);
-    const Eigen::VectorXd last = w;
-    w += w - before;
-    before = last;
-    if (!touch_by_nodes(contact, reduced, w)) return false;
+  // What (L.1) by the factor has to be told beside g for the solution by K, and how it grows.
+  Eigen::VectorXd beside = Eigen::VectorXd::Zero(g.size()), beside_before = beside;
+  for (std::size_t part = 0; part < poses.size(); ++part) {
+    contact.move(poses[part]);
+    const Eigen::VectorXd w_last = w, beside_last = beside;
+    w += w - w_before;
+    beside += beside - beside_before;
+    w_before = w_last;
+    beside_before = beside_last;
+    for (int round = part == 0 ? 0 : 1; round < 2; ++round) {
+      Eigen::VectorXd d = g + beside, Kd(g.size());
+      if (!touch_by_nodes(contact, reduce(d), w)) return false;
+      expand(w, d);
+      K.multiply(d.data(), Kd.data());
+      beside += g - Kd;
+      add_at_nodes(1.0, forces_by_nodes(contact, w), beside);
+    }
     const Eigen::Matrix3Xd there = moved_back(w);
-    contact.start(pose, there, contact.anchors(there));
+    contact.start(poses[part], there, contact.anchors(there));
   }
-  ahead_ = w + (w - before);
+  ahead_ = w + (w - w_before);
   return true;
 }
 

@@ -49,7 +49,9 @@ class LinearTire {
   /// Follows the ground from an equilibrium x with the elements' forces g to where it is, through
   /// `poses`, each by (L.1): the contact then starts from the last of them, with the anchors of the
   /// way there. False where tire and ground together are not positive definite.
-  bool follow(TreadContact& contact,
+  /// The factor, in single precision, is of K; what it is off by is made up for on the way.
+  bool follow(const numerics::SymmetricMatrix& K,
+              TreadContact& contact,
               const Eigen::VectorXd& x,
               const Eigen::VectorXd& g,
               const std::vector<GroundPose>& poses);
