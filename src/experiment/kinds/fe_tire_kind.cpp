@@ -38,11 +38,9 @@ class DescribedTire : public FeTireSpecimen, public HasTreadElements {
   }
 
  protected:
-  /// Comparison elements stay on the mesh that others have computed. On friction every millimeter
-  /// of the way is a step of its own, in three directions: only who asks waits for short elements.
+  /// Comparison elements stay on the mesh that others have computed.
   SlopedTire& for_footprint(const FootprintTest& test) override {
-    const bool is_compared = description_.element != fe_tire::ElementKind::solid_shell;
-    if (is_compared || (!test.elements && test.friction.value_or(0.0) > 0.0))
+    if (description_.element != fe_tire::ElementKind::solid_shell)
       return FeTireSpecimen::for_footprint(test);
     fe_tire::TreadElements largest;
     if (test.elements) largest = {test.elements->around, test.elements->across};

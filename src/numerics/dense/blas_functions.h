@@ -15,6 +15,10 @@ using Length = std::size_t;
 template <class Real>
 using Potrf = void(Text, Int, Real*, Int, int*, Length);
 template <class Real>
+using Getrf = void(Int, Int, Real*, Int, int*, int*);
+template <class Real>
+using Getrs = void(Text, Int, Int, const Real*, Int, Int, Real*, Int, int*, Length);
+template <class Real>
 using Trsm = void(Text,
                   Text,
                   Text,
@@ -70,6 +74,8 @@ using Gemv = void(Text,
 extern "C" {
 latsch::numerics::blas::Potrf<float> spotrf_;
 latsch::numerics::blas::Potrf<double> dpotrf_;
+latsch::numerics::blas::Getrf<float> sgetrf_;
+latsch::numerics::blas::Getrs<float> sgetrs_;
 latsch::numerics::blas::Trsm<float> strsm_;
 latsch::numerics::blas::Trsm<double> dtrsm_;
 latsch::numerics::blas::Syrk<float> ssyrk_;

@@ -30,6 +30,19 @@ bool cholesky(int n, Real* A, int ld) {
   return info == 0;
 }
 
+void factorize_lu(int n, float* A, int* rows) {
+  const BlasTurn turn;
+  int info = 0;
+  sgetrf_(&n, &n, A, &n, rows, &info);
+}
+
+void solve_lu(int n, const float* LU, const int* rows, float* x) {
+  const BlasTurn turn;
+  const int one = 1;
+  int info = 0;
+  sgetrs_("N", &n, &one, LU, &n, rows, x, &n, &info, 1);
+}
+
 template <class Real>
 void solve_right_transposed(int rows, int n, const Real* L, int ld, Real* B) {
   const BlasTurn turn;

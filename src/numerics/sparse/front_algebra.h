@@ -10,6 +10,10 @@ namespace latsch::numerics {
 template <class Real>
 bool cholesky(int n, Real* A, int ld);
 
+/// P A = L U in place [n x n] by partial pivoting, and x <- A^-1 x by it; `rows`: n of them, P.
+void factorize_lu(int n, float* A, int* rows);
+void solve_lu(int n, const float* LU, const int* rows, float* x);
+
 /// B <- B L^-T, B [rows x n] with the same ld.
 template <class Real>
 void solve_right_transposed(int rows, int n, const Real* L, int ld, Real* B);

@@ -1,115 +1,125 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/fe_tire/analysis/condensed_tire.h"
 
-#include <utility>
+#include <algorithm>
 
-#include "numerics/dense/lu.h"
 #include "numerics/sparse/front_algebra.h"
 
 namespace latsch::fe_tire {
 namespace {
 
-int size_of(const Eigen::MatrixXd& square) { return static_cast<int>(square.rows()); }
+/// The same in single precision, in the middle of its exponents; `scale`: by how much.
+Eigen::VectorXf single(const Eigen::VectorXd& v, double scale) { return (v / scale).cast<float>(); }
 
-bool cholesky(Eigen::MatrixXd& A) { return numerics::cholesky(size_of(A), A.data(), size_of(A)); }
-
-/// X <- A^-1 X of the factor L of A.
-template <class Columns>
-void solve(const Eigen::MatrixXd& L, Columns& X) {
-  const int n = size_of(L), columns = static_cast<int>(X.cols());
-  numerics::solve_lower(n, columns, L.data(), n, X.data(), n);
-  numerics::solve_lower_transposed(n, columns, L.data(), n, X.data(), n);
-}
-
-void solve_with_lu(const Eigen::MatrixXd& A, Eigen::VectorXd& b) {
-  numerics::Lu lu;
-  lu.factorize(A);
-  Eigen::MatrixXd column = b;
-  lu.solve(column);
-  b = column.col(0);
+double scale_of(const Eigen::VectorXd& v) {
+  const double largest = v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0;
+  return largest > 0.0 ? largest : 1.0;
 }
 
 }  // namespace
 
-void CondensedTire::set(Eigen::MatrixXd S) {
-  S_ = std::move(S);
-  L_ = S_;
-  is_positive_ = cholesky(L_);
-  F_.clear();
-  rows_.clear();
-}
-
-/// F P, [n x m].
-Eigen::MatrixXd CondensedTire::columns(const std::vector<int>& rows) {
-  std::vector<int> missing;
-  for (const int row : rows)
-    if (!F_.contains(row)) missing.push_back(row);
-  Eigen::MatrixXd found = Eigen::MatrixXd::Zero(S_.rows(), std::ssize(missing));
-  for (Eigen::Index k = 0; k < found.cols(); ++k) found(missing[k], k) = 1.0;
-  fe_tire::solve(L_, found);
-  for (Eigen::Index k = 0; k < found.cols(); ++k) F_.emplace(missing[k], found.col(k));
-  Eigen::MatrixXd all(S_.rows(), std::ssize(rows));
-  for (Eigen::Index k = 0; k < all.cols(); ++k) all.col(k) = F_.at(rows[k]);
-  return all;
-}
-
-Eigen::MatrixXd CondensedTire::whole(const GroundTangent& tangent) const {
-  Eigen::MatrixXd sum = S_;
-  sum(tangent.rows, tangent.rows) += tangent.stiffness;
-  return sum;
-}
-
-Eigen::VectorXd CondensedTire::newton_step(const GroundTangent& tangent, const Eigen::VectorXd& r) {
-  Eigen::VectorXd step = r;
-  Eigen::MatrixXd by_rows = tangent.stiffness;
-  if (tangent.coupling.size() > 0) by_rows += tangent.coupling;
-  if (!is_positive_) {
-    Eigen::MatrixXd sum = S_;
-    sum(tangent.rows, tangent.rows) += by_rows;
-    solve_with_lu(sum, step);
-    return step;
+bool CondensedTire::set(const Eigen::MatrixXd& S, const std::vector<int>& reached) {
+  reached_ = reached;
+  beyond_.clear();
+  factor_ = Factor::none;
+  std::size_t next = 0;
+  for (int row = 0; row < S.rows(); ++row) {
+    if (next < reached.size() && reached[next] == row)
+      ++next;
+    else
+      beyond_.push_back(row);
   }
-  fe_tire::solve(L_, step);
-  if (tangent.rows.empty()) return step;
-  const Eigen::MatrixXd FP = columns(tangent.rows);
-  Eigen::MatrixXd small = FP(tangent.rows, Eigen::all) * by_rows;
-  small.diagonal().array() += 1.0;
-  Eigen::VectorXd at_rows = step(tangent.rows);
-  solve_with_lu(small, at_rows);
-  step -= FP * (by_rows * at_rows);
-  return step;
+  std::vector<int> order = beyond_;
+  order.insert(order.end(), reached.begin(), reached.end());
+  A_ = S(order, beyond_).cast<float>();
+  T_ = S(reached, reached);
+  const int n = static_cast<int>(order.size()), k = static_cast<int>(beyond_.size()), m = n - k;
+  if (k == 0) return true;
+  if (!numerics::cholesky(k, A_.data(), n)) return false;
+  if (m == 0) return true;
+  numerics::solve_right_transposed(m, k, A_.data(), n, A_.data() + k);
+  Eigen::MatrixXf taken(m, m);
+  numerics::negative_square(m, k, A_.data() + k, n, taken.data());
+  T_.triangularView<Eigen::Lower>() += taken.cast<double>();
+  T_.triangularView<Eigen::StrictlyUpper>() = T_.transpose();
+  return true;
 }
 
-bool CondensedTire::take(const GroundTangent& tangent) {
-  rows_ = tangent.rows;
-  C_ = tangent.stiffness;
-  if (!is_positive_) {
-    L_ = whole(tangent);
-    return cholesky(L_);
+Eigen::VectorXd CondensedTire::reduce(Eigen::VectorXd& v) const {
+  Eigen::VectorXd within = v(reached_);
+  const int k = static_cast<int>(beyond_.size()), m = static_cast<int>(reached_.size());
+  if (k == 0) return within;
+  const Eigen::VectorXd outside = v(beyond_);
+  const double scale = scale_of(outside);
+  Eigen::VectorXf eliminated = single(outside, scale);
+  numerics::solve_lower(k, 1, A_.data(), k + m, eliminated.data(), k);
+  v(beyond_) = scale * eliminated.cast<double>();
+  if (m == 0) return within;
+  Eigen::VectorXf coupled(m);
+  numerics::multiply(m, 1, k, A_.data() + k, k + m, eliminated.data(), k, coupled.data());
+  return within - scale * coupled.cast<double>();
+}
+
+void CondensedTire::expand(const Eigen::VectorXd& within, Eigen::VectorXd& v) const {
+  v(reached_) = within;
+  const int k = static_cast<int>(beyond_.size()), m = static_cast<int>(reached_.size());
+  if (k == 0) return;
+  const Eigen::VectorXd eliminated = v(beyond_);
+  const double scale = std::max(scale_of(eliminated), scale_of(within));
+  Eigen::VectorXf found = single(eliminated, scale);
+  if (m > 0) {
+    const Eigen::VectorXf known = single(within, scale);
+    numerics::subtract_transposed(k, 1, m, A_.data() + k, k + m, known.data(), found.data(), k);
   }
-  if (rows_.empty()) return true;
-  FP_ = columns(rows_);
-  R_ = FP_(rows_, Eigen::all);
-  if (!cholesky(R_)) return false;
-  R_ = R_.triangularView<Eigen::Lower>().toDenseMatrix();
-  M_ = R_.transpose() * C_ * R_;
-  M_.diagonal().array() += 1.0;
-  return cholesky(M_);
+  numerics::solve_lower_transposed(k, 1, A_.data(), k + m, found.data(), k);
+  v(beyond_) = scale * found.cast<double>();
+}
+
+void CondensedTire::factorize(const GroundTangent& tangent) {
+  const int m = static_cast<int>(T_.rows());
+  const auto add = [&](const Eigen::MatrixXd& C) {
+    L_(tangent.rows, tangent.rows) += C.cast<float>();
+  };
+  L_ = T_.cast<float>();
+  add(tangent.stiffness);
+  factor_ = Factor::cholesky;
+  is_positive_ = true;
+  if (m == 0) return;
+  if (tangent.is_symmetric()) {
+    if (numerics::cholesky(m, L_.data(), m)) return;
+    is_positive_ = false;
+    L_ = T_.cast<float>();
+    add(tangent.stiffness);
+  } else {
+    add(tangent.coupling);
+  }
+  rows_.resize(m);
+  numerics::factorize_lu(m, L_.data(), rows_.data());
+  factor_ = Factor::lu;
 }
 
 void CondensedTire::solve(Eigen::VectorXd& v) const {
-  fe_tire::solve(L_, v);
-  if (!is_positive_ || rows_.empty()) return;
-  const Eigen::VectorXd z = C_ * v(rows_);
-  Eigen::VectorXd q = R_.transpose() * z;
-  fe_tire::solve(M_, q);
-  v -= FP_ * (z - C_ * (R_ * q));
+  const int m = static_cast<int>(L_.rows());
+  if (m == 0) return;
+  const double scale = scale_of(v);
+  Eigen::VectorXf x = single(v, scale);
+  if (factor_ == Factor::lu) {
+    numerics::solve_lu(m, L_.data(), rows_.data(), x.data());
+  } else {
+    numerics::solve_lower(m, 1, L_.data(), m, x.data(), m);
+    numerics::solve_lower_transposed(m, 1, L_.data(), m, x.data(), m);
+  }
+  v = scale * x.cast<double>();
 }
 
-Eigen::VectorXd CondensedTire::multiply_ground(const Eigen::VectorXd& v) const {
-  Eigen::VectorXd product = Eigen::VectorXd::Zero(v.size());
-  if (!rows_.empty()) product(rows_) = C_ * v(rows_);
-  return product;
+Eigen::VectorXd product(const GroundTangent& tangent, const Eigen::VectorXd& v) {
+  Eigen::VectorXd Cv = Eigen::VectorXd::Zero(v.size());
+  if (tangent.rows.empty()) return Cv;
+  const Eigen::VectorXd at_rows = v(tangent.rows);
+  Eigen::VectorXd found = tangent.stiffness * at_rows;
+  if (!tangent.is_symmetric()) found += tangent.coupling * at_rows;
+  Cv(tangent.rows) = found;
+  return Cv;
 }
 
 }  // namespace latsch::fe_tire

@@ -1,51 +1,64 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tire as its tread's nodes feel it, S dense, on ground that acts on few of them.
+// The tire as its tread's nodes feel it, on ground that acts on few of them.
 //
-// The ground's tangent C has rows and columns for what it touches alone, and P picks them. So
-//   (S + P C P')^-1 = F - F P C (1 + P' F P C)^-1 P' F,    F = S^-1                           (D.1)
-// takes a small matrix, once S is factorized: it serves all iterations of Newton's method, in which
-// points come down, stick and slide, and columns of F are kept. Where S is not positive definite
-// but for the ground, S + P C P' is factorized as it is.
+// S of all nodes that may ever touch is dense. Of these the ground reaches some: what it cannot
+// reach is eliminated too, once a factor,
+//   S = [ L 0 ] [ L' B' ]          T = S_22 - B B'                                            (D.1)
+//       [ B I ] [ 0  T  ]
+// and T is what iterations of Newton's method on the ground work with, in which points come down,
+// stick and slide. Its sum with the ground's tangent C is factorized anew where an old factor of it
+// has become slow: by Cholesky's method where C is symmetric, where something slides as L U. All
+// but T, which tells how good a solution is, is in single precision, as what S comes from.
 #pragma once
 
 #include <Eigen/Core>
-#include <map>
 #include <vector>
 
 namespace latsch::fe_tire {
 
-/// Tangent of the ground's forces, [m x m]: of `rows`, ascending, of what the tire keeps.
+/// Tangent of the ground's forces, [m x m]: of `rows`, ascending, of what is within reach.
 struct GroundTangent {
   std::vector<int> rows;
   Eigen::MatrixXd stiffness;  // its symmetric part
   Eigen::MatrixXd coupling;   // the rest; empty where nothing slides
+  bool is_symmetric() const { return coupling.size() == 0; }
 };
 
 class CondensedTire {
  public:
-  /// [n x n], symmetric.
-  void set(Eigen::MatrixXd S);
+  /// S [n x n], symmetric, and which of its rows are within reach, ascending. False where S of the
+  /// others is not positive definite.
+  bool set(const Eigen::MatrixXd& S, const std::vector<int>& reached);
+  const std::vector<int>& reached() const { return reached_; }
 
-  Eigen::VectorXd multiply(const Eigen::VectorXd& w) const { return S_ * w; }
-  /// (S + dc/dw)^-1 r, with all of the tangent.
-  Eigen::VectorXd newton_step(const GroundTangent& tangent, const Eigen::VectorXd& r);
-  /// Takes the symmetric part C of the tangent. False where S + P C P' is not positive definite.
-  bool take(const GroundTangent& tangent);
-  /// v <- (S + P C P')^-1 v
+  /// Forward elimination of a right-hand side [n]: what is left of it within reach.
+  Eigen::VectorXd reduce(Eigen::VectorXd& v) const;
+  /// Back substitution: from what is within reach to all, of a `v` that was reduced.
+  void expand(const Eigen::VectorXd& within, Eigen::VectorXd& v) const;
+
+  /// T w
+  Eigen::VectorXd multiply(const Eigen::VectorXd& w) const { return T_ * w; }
+  /// Takes T + C.
+  void factorize(const GroundTangent& tangent);
+  bool has_factor() const { return factor_ != Factor::none; }
+  /// False where C was symmetric, its sum with T not positive definite.
+  bool is_positive() const { return is_positive_; }
+  /// v <- (T + C)^-1 v of the factor.
   void solve(Eigen::VectorXd& v) const;
-  /// P C P' v
-  Eigen::VectorXd multiply_ground(const Eigen::VectorXd& v) const;
 
  private:
-  Eigen::MatrixXd whole(const GroundTangent& tangent) const;
-  Eigen::MatrixXd columns(const std::vector<int>& rows);
+  enum class Factor { none, cholesky, lu };
 
-  Eigen::MatrixXd S_, L_;             // and its factor, or that of S + P C P'
-  bool is_positive_ = false;          // S
-  std::map<int, Eigen::VectorXd> F_;  // columns of S^-1 that were asked for
-  // Of (D.1) with the tangent that was taken: 1 + P' F P C = 1 + R R' C.
-  std::vector<int> rows_;
-  Eigen::MatrixXd C_, FP_, R_, M_;  // M_: factor of 1 + R' C R
+  std::vector<int> reached_, beyond_;
+  Eigen::MatrixXf A_;  // L, and B below it: of what is beyond reach, then what is within
+  Eigen::MatrixXd T_;
+  Factor factor_ = Factor::none;
+  bool is_positive_ = true;
+  Eigen::MatrixXf L_;      // of T + C
+  std::vector<int> rows_;  // of L U
 };
+
+/// C v, of what is within reach.
+Eigen::VectorXd product(const GroundTangent& tangent, const Eigen::VectorXd& v);
 
 }  // namespace latsch::fe_tire

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/sparse/gmres.h"
+
 namespace latsch::fe_tire {
 namespace {
 
@@ -26,9 +28,6 @@ constexpr int kMostPolishing = 3;
 // Of what is left, solved so far: soft motions of the tire, on which its load stands, err by more.
 constexpr double kOfPolishing = 1e-3;
 constexpr double kLargestShift = 1e3;  // relative to the diagonal
-// On friction a factor serves while a step by it leaves no more than this share of the residual,
-// and what is left at the end is as small a share of the tolerance: passes of forces cost little.
-constexpr double kOfUse = 0.3, kSlid = 1e-3;
 // From this many times the tolerance on the last tangent there is leads to the end, if the residual
 // falls so fast: cords that go slack or taut hold it up earlier.
 constexpr double kClose = 100.0, kSlow = 0.1;
@@ -64,21 +63,18 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
   knows_tangent_ = is_first_ = false;
   if (!begin(now, elements, pressure)) return failure(step, "the start is inverted");
   const double close =
-      (settings_.tolerance < kExact || slides() ? 1.0 : kClose) * settings_.tolerance * reference_;
+      (settings_.tolerance < kExact ? 1.0 : kClose) * settings_.tolerance * reference_;
   previous_ = 10.0 * f_.norm();
   for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
     const double norm = f_.norm(), ratio = norm / previous_;
-    is_factor_of_use_ = slides() && has_factor_ && ratio < kOfUse;
-    const bool is_slid = !is_factor_of_use_ || norm <= kSlid * settings_.tolerance * reference_;
-    if (norm <= settings_.tolerance * reference_ && (!slides() || is_slid)) {
+    if (norm <= settings_.tolerance * reference_) {
       if (iteration > 0) polish(now);
       state = std::move(now);
       return std::nullopt;
     }
-    const bool is_close = knows_tangent_ && !slides() && ratio < kSlow && norm <= close &&
-                          settings_.tolerance >= kExact;
-    const bool needs_tangent = !has_tangent_ && !is_close && !is_factor_of_use_;
-    if (iteration > 0 && needs_tangent && !assemble(now, true)) {
+    const bool is_close =
+        knows_tangent_ && ratio < kSlow && norm <= close && settings_.tolerance >= kExact;
+    if (iteration > 0 && !has_tangent_ && !is_close && !assemble(now, true)) {
       return failure(step, "its tangent does not exist");
     }
     is_first_ = iteration == 1;
@@ -95,11 +91,8 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
     // What the first step leaves, of the ground that moved, says nothing of that.
     const bool ends = is_close || (is_first_ ? 1.0 : ratio * ratio) * norm <= close;
     previous_ = norm;
-    if (line_search(now, !ends && !slides())) continue;
-    if (!is_factor_of_use_) return failure(step, "no step along Newton's direction reduces it");
-    has_factor_ = false;
-    if (!assemble(now, true)) return failure(step, "its tangent does not exist");
-    previous_ = 10.0 * f_.norm();
+    if (!line_search(now, !ends))
+      return failure(step, "no step along Newton's direction reduces it");
   }
   return failure(step, fmt::format("not converged in {} iterations", settings_.max_iterations));
 }
@@ -114,7 +107,7 @@ double EquilibriumSolver::linear_tolerance(double ratio) const {
 /// Further steps with the last tangent there is, where they help: they take a pass of forces alone,
 /// and processors whose sums differ then agree in the digits results show.
 void EquilibriumSolver::polish(RingState& state) {
-  if (!has_factor_ || slides()) return;
+  if (!has_factor_) return;
   double enough = kPolished;
   for (int pass = 0; pass < kMostPolishing; ++pass, enough = kPolishedAgain) {
     const double norm = f_.norm();
@@ -127,7 +120,19 @@ void EquilibriumSolver::polish(RingState& state) {
   }
 }
 
-bool EquilibriumSolver::slides() const { return contact_ && contact_->has_friction(); }
+bool EquilibriumSolver::follow(const RingElements& elements,
+                               const RingState& state,
+                               double pressure,
+                               TreadContact& contact,
+                               const std::vector<GroundPose>& poses) {
+  contact_ = &contact;
+  elements_ = &elements;
+  pressure_ = pressure;
+  RingState now = state;
+  has_factor_ = assemble(now, true) && factorize() && tire_.follow(K_, contact, now.x, g_, poses);
+  known_ = state;
+  return has_factor_;
+}
 
 /// What the ground has moved by, the factor of the last equilibrium answers as well as a new one;
 /// and where that is the state last seen, its elements' forces are known.
@@ -196,19 +201,16 @@ bool EquilibriumSolver::start(const RingState& state) {
 
 /// False where the tangent does not exist or has no factor.
 bool EquilibriumSolver::find_direction(RingState& state, double tolerance) {
-  // Where points slide the tangent is not symmetric: conjugate gradients do not know that part, and
-  // a step by an old factor would be corrected without it. It is taken as it is.
-  if (is_factor_of_use_ && start(state)) return true;
-  const bool is_factor_of_use = has_factor_ && !slides() &&
-                                (!has_tangent_ || last_cg_iterations_ <= kIterationsOfAStaleFactor);
+  const bool is_factor_of_use =
+      has_factor_ && (!has_tangent_ || last_cg_iterations_ <= kIterationsOfAStaleFactor);
   if (is_factor_of_use && start(state) && (!knows_tangent_ || correct(tolerance, true)))
     return true;
   if (!has_tangent_ && !assemble(state, true)) return false;
   return renew_factor(state, tolerance);
 }
 
-/// Brings the direction to the tolerance with the current tangent, by conjugate gradients on what
-/// is left.
+/// Brings the direction to the tolerance with the current tangent, on what is left by conjugate
+/// gradients, or by minimal residuals where something slides: that tangent is not symmetric.
 bool EquilibriumSolver::correct(double tolerance, bool may_give_up) {
   r_ = tire_.residual(K_, d_);
   const double wanted = tolerance * f_.norm(), norm = r_.norm();
@@ -223,8 +225,12 @@ bool EquilibriumSolver::correct(double tolerance, bool may_give_up) {
     ++counts_->solves;
     tire_.precondition(v);
   };
-  const numerics::CgOutcome cg =
-      cg_.solve(multiply, precondition, r_, wanted / norm, kIterationsWorthAFactor, e_);
+  const auto solve = [&](auto&& method) {
+    return method(multiply, precondition, r_, wanted / norm, kIterationsWorthAFactor, e_);
+  };
+  const numerics::CgOutcome cg = tire_.is_symmetric()
+                                     ? solve([this](auto&&... all) { return cg_.solve(all...); })
+                                     : solve([](auto&&... all) { return numerics::gmres(all...); });
   counts_->cg_iterations += cg.iterations;
   last_cg_iterations_ = cg.iterations;
   const bool converged = cg.end == numerics::CgOutcome::End::converged;

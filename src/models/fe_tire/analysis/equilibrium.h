@@ -17,6 +17,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "models/fe_tire/analysis/linear_tire.h"
@@ -41,6 +42,14 @@ class EquilibriumSolver {
                                const TreadContact* contact,
                                const std::string& step);
 
+  /// Follows the ground from the equilibrium `state` on the linear tire, pose by pose: `contact`
+  /// then starts from the last of them. False where it does not hold there.
+  bool follow(const RingElements& elements,
+              const RingState& state,
+              double pressure,
+              TreadContact& contact,
+              const std::vector<GroundPose>& poses);
+
   /// Force norm that `tolerance` is relative to: that of the pressure on the undeformed tire, N.
   void set_reference(double force) { reference_ = force; }
   /// The values of the tire changed: the factor is of another matrix (still a preconditioner, but a
@@ -60,7 +69,6 @@ class EquilibriumSolver {
   void count_in(SolverCounts& counts) { counts_ = &counts; }
 
  private:
-  bool slides() const;
   double linear_tolerance(double ratio) const;
   void polish(RingState& state);
   bool assemble(RingState& state, bool with_tangent);
@@ -92,10 +100,9 @@ class EquilibriumSolver {
   double shift_ = 0.0;     // on the diagonal of its last indefinite tangent, N/m
   double previous_ = 0.0;  // norm of the residual one iteration before
   bool has_factor_ = false;
-  bool has_tangent_ = false;       // K_ is that of f_
-  bool knows_tangent_ = false;     // K_ is that of a state of this equilibrium's search
-  bool is_factor_of_use_ = false;  // as it is, where points slide
-  bool is_first_ = false;          // the state is where the first step led
+  bool has_tangent_ = false;    // K_ is that of f_
+  bool knows_tangent_ = false;  // K_ is that of a state of this equilibrium's search
+  bool is_first_ = false;       // the state is where the first step led
   int last_cg_iterations_ = 0;
   int failed_element_ = -1;
   Eigen::VectorXd f_, d_, r_, e_;

@@ -2,6 +2,8 @@
 #include "models/fe_tire/analysis/linear_tire.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
 #include <limits>
 #include <utility>
 
@@ -14,6 +16,12 @@ namespace {
 // Points come down or lift off between iterations; where they repeat the solution is exact.
 constexpr int kMostContactChanges = 30;
 constexpr double kExact = 1e-8;  // relative to g: single precision is behind S
+// What the ground reaches on its way: points this share of the deepest one's way in it, for a patch
+// grows less than the ground cuts. A condensed tire is made for more of them than are asked for.
+constexpr double kWithin = 0.35, kWithinReach = 0.2;
+constexpr double kNear = 0.2e-3;  // m
+// An old factor of the ground's tangent serves while it leaves no more than this share.
+constexpr double kOfUse = 0.3;
 // Of a step by nodes: how small a share of it is tried, and what it has to gain.
 constexpr double kSmallestShare = 1.0 / 300.0, kDecrease = 0.1;
 
@@ -54,24 +62,19 @@ void add_heights(const TreadSurface& tread,
   }
 }
 
-/// Rows of what the touches act on, by the nodes' unknowns: ascending, and where a node's stand
-/// among them (-1: nowhere).
-std::pair<std::vector<int>, std::vector<int>> touched(
-    const TreadSurface& tread, const std::vector<TreadContact::Touch>& touches) {
-  std::vector<int> rows, first(tread.nodes(), -1);
+/// Rows of what the touches act on, ascending: `first_row` of every node.
+std::vector<int> touched(const TreadSurface& tread,
+                         const std::vector<int>& first_row,
+                         const std::vector<TreadContact::Touch>& touches) {
+  std::vector<int> rows;
+  std::vector<bool> is_touched(tread.nodes());
   for (const TreadContact::Touch& touch : touches) {
-    const TreadSurface::Point& point = tread.points()[touch.point];
-    for (int i = 0; i < point.weights; ++i) {
-      const int node = tread.places()[tread.weights(point)[i].place].node;
-      if (node >= 0) first[node] = 0;
-    }
+    for (const int node : tread.nodes_of(tread.points()[touch.point])) is_touched[node] = true;
   }
   for (int node = 0; node < tread.nodes(); ++node) {
-    if (first[node] < 0) continue;
-    first[node] = static_cast<int>(rows.size());
-    for (int k = 0; k < 3; ++k) rows.push_back(3 * node + k);
+    for (int k = 0; is_touched[node] && k < 3; ++k) rows.push_back(first_row[node] + k);
   }
-  return {rows, first};
+  return rows;
 }
 
 /// Adds a point in contact to forces by the nodes' unknowns.
@@ -85,7 +88,7 @@ void add_force(const TreadSurface& tread, const TreadContact::Touch& touch, Eige
   }
 }
 
-/// The same to their tangent; `first`: rows of the nodes in it.
+/// The same to their tangent; `first`: rows of the nodes among its own.
 void add_tangent(const TreadSurface& tread,
                  const TreadContact::Touch& touch,
                  const std::vector<int>& first,
@@ -126,11 +129,12 @@ LinearTire::LinearTire(const numerics::SymmetricPattern& pattern, const TreadSur
 
 bool LinearTire::factorize(const numerics::SymmetricMatrix& K, const TreadContact* contact) {
   on_ground_ = contact != nullptr && n_ > 0;
+  ahead_.resize(0);
   if (!on_ground_) return factor_.factorize(K).definite();
   if (!factor_.condense(K).definite()) return false;
   kept_ = contact->is_by_height() ? 1 : 3;
   if (kept_ == 1) return condense_to_heights();
-  by_nodes_.set(factor_.condensed());
+  is_reached_.clear();
   return true;
 }
 
@@ -252,18 +256,42 @@ Eigen::VectorXd LinearTire::forces_by_heights(const TreadContact& contact,
 }
 
 Eigen::VectorXd LinearTire::forces_by_nodes(const TreadContact& contact,
-                                            const Eigen::VectorXd& w,
-                                            GroundTangent* tangent) const {
+                                            const Eigen::VectorXd& w) const {
   Eigen::VectorXd c = Eigen::VectorXd::Zero(3 * n_);
-  const auto touches = contact.touches(moved_back(w));
-  for (const TreadContact::Touch& touch : touches) add_force(tread_, touch, c);
-  if (!tangent) return c;
-  auto [rows, first] = touched(tread_, touches);
-  tangent->rows = std::move(rows);
-  tangent->stiffness.setZero(std::ssize(tangent->rows), std::ssize(tangent->rows));
-  tangent->coupling.resize(0, 0);
-  for (const TreadContact::Touch& touch : touches) add_tangent(tread_, touch, first, *tangent);
+  for (const TreadContact::Touch& touch : contact.touches(moved_back(w)))
+    add_force(tread_, touch, c);
   return c;
+}
+
+/// Of points within reach alone, which nodes within reach move.
+Eigen::VectorXd LinearTire::forces_within_reach(const TreadContact& contact,
+                                                const Eigen::VectorXd& w,
+                                                GroundTangent* tangent) const {
+  Eigen::VectorXd c = Eigen::VectorXd::Zero(3 * n_);
+  auto touches = contact.touches(moved_back(beyond_reach_too(w)));
+  std::erase_if(touches, [this](const TreadContact::Touch& t) { return !is_reached_[t.point]; });
+  for (const TreadContact::Touch& touch : touches) add_force(tread_, touch, c);
+  if (tangent) {
+    tangent->rows = touched(tread_, first_row_, touches);
+    std::vector<int> first(n_, -1);
+    for (int node = 0, k = 0; node < n_; ++node) {
+      if (k < std::ssize(tangent->rows) && tangent->rows[k] == first_row_[node]) {
+        first[node] = k;
+        k += 3;
+      }
+    }
+    tangent->stiffness.setZero(std::ssize(tangent->rows), std::ssize(tangent->rows));
+    tangent->coupling.resize(0, 0);
+    for (const TreadContact::Touch& touch : touches) add_tangent(tread_, touch, first, *tangent);
+  }
+  return c(by_nodes_.reached());
+}
+
+/// By all nodes: those beyond reach stay.
+Eigen::VectorXd LinearTire::beyond_reach_too(const Eigen::VectorXd& w) const {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(3 * n_);
+  all(by_nodes_.reached()) = w;
+  return all;
 }
 
 /// w with S w = g + c(u - w) by heights: C_ and L_ are those of its points in contact.
@@ -283,32 +311,93 @@ bool LinearTire::touch_by_heights(const TreadContact& contact, const Eigen::Vect
   return true;  // the residual of the elements' forces judges it
 }
 
-/// The same by all directions. A point that slides may overshoot to the other side, so steps are
-/// halved where they leave more than they found.
-bool LinearTire::touch_by_nodes(const TreadContact& contact, const Eigen::VectorXd& g) {
-  w_.setZero(g.size());
-  GroundTangent tangent;
+/// Takes points within reach too. False where the tire beyond them is not positive definite.
+bool LinearTire::reach(const std::vector<int>& points) {
+  is_reached_.resize(tread_.points().size(), 0);
+  for (const int point : points) is_reached_[point] = 1;
+  first_row_.assign(n_, -1);
+  for (std::size_t point = 0; point < is_reached_.size(); ++point) {
+    if (!is_reached_[point]) continue;
+    for (const int node : tread_.nodes_of(tread_.points()[point])) first_row_[node] = 0;
+  }
+  std::vector<int> rows;
+  for (int node = 0; node < n_; ++node) {
+    if (first_row_[node] < 0) continue;
+    first_row_[node] = static_cast<int>(rows.size());
+    for (int k = 0; k < 3; ++k) rows.push_back(3 * node + k);
+  }
+  return by_nodes_.set(factor_.condensed(), rows);
+}
+
+bool LinearTire::reaches(const std::vector<int>& points) const {
+  return !is_reached_.empty() &&
+         std::ranges::all_of(points, [this](int point) { return is_reached_[point] != 0; });
+}
+
+/// What the ground in its pose is likely to reach of the tire moved back by w.
+bool LinearTire::reach_likely(const TreadContact& contact, const Eigen::VectorXd& w) {
+  const Eigen::Matrix3Xd u = moved_back(w);
+  const double deepest = contact.deepest(u);
+  if (reaches(contact.within(-kWithin * deepest, u))) return true;
+  return reach(contact.within(kNear - kWithinReach * deepest, u));
+}
+
+/// w with S w = g + c(u - w) by all directions, from the w there is: what is within reach, until
+/// nothing else touches.
+bool LinearTire::touch_by_nodes(const TreadContact& contact,
+                                const Eigen::VectorXd& g,
+                                Eigen::VectorXd& w) {
+  if (!reach_likely(contact, w)) return false;
+  for (;;) {
+    Eigen::VectorXd all = g, within = by_nodes_.reduce(all);
+    Eigen::VectorXd moved = w(by_nodes_.reached());
+    if (!touch_within_reach(contact, within, moved)) return false;
+    by_nodes_.expand(moved, all);
+    if (reaches(contact.within(0.0, moved_back(all)))) {
+      w = std::move(all);
+      return true;
+    }
+    if (!reach(contact.within(kNear, moved_back(all)))) return false;
+  }
+}
+
+/// An old factor serves while it leaves little. A point that slides may overshoot to the other
+/// side, so steps by a new one are halved where they leave more than they found.
+bool LinearTire::touch_within_reach(const TreadContact& contact,
+                                    const Eigen::VectorXd& g,
+                                    Eigen::VectorXd& w) {
+  Eigen::VectorXd c = forces_within_reach(contact, w, nullptr);
+  Eigen::VectorXd left = g + c - by_nodes_.multiply(w);
+  bool is_slow = !by_nodes_.has_factor();
   for (int change = 0; change < kMostContactChanges; ++change) {
-    c_ = forces_by_nodes(contact, w_, &tangent);
-    const Eigen::VectorXd left = g + c_ - by_nodes_.multiply(w_);
     const double norm = left.norm();
-    if (change > 0 && norm <= kExact * (g.norm() + c_.norm())) break;
-    const Eigen::VectorXd start = w_, step = by_nodes_.newton_step(tangent, left);
-    Eigen::VectorXd best = start + step;
+    if (change > 0 && norm <= kExact * (g.norm() + c.norm())) break;
+    if (is_slow) {
+      forces_within_reach(contact, w, &tangent_);
+      by_nodes_.factorize(tangent_);
+    }
+    Eigen::VectorXd step = left;
+    by_nodes_.solve(step);
+    const Eigen::VectorXd start = w;
     double least = std::numeric_limits<double>::infinity();
     for (double share = 1.0; share > kSmallestShare; share *= 0.5) {
-      const Eigen::VectorXd w = start + share * step;
-      const double now = (g + forces_by_nodes(contact, w, nullptr) - by_nodes_.multiply(w)).norm();
+      const Eigen::VectorXd there = start + share * step;
+      const Eigen::VectorXd c_there = forces_within_reach(contact, there, nullptr);
+      const Eigen::VectorXd left_there = g + c_there - by_nodes_.multiply(there);
+      const double now = left_there.norm();
+      if (!is_slow && !(now < kOfUse * norm)) break;
       if (now < least) {
         least = now;
-        best = w;
+        w = there;
+        c = c_there;
+        left = left_there;
       }
       if (now < (1.0 - kDecrease * share) * norm) break;
     }
-    w_ = best;
+    is_slow = !(least < kOfUse * norm);
   }
-  c_ = forces_by_nodes(contact, w_, &tangent);
-  return by_nodes_.take(tangent);  // the residual of the elements' forces judges it
+  forces_within_reach(contact, w, &tangent_);
+  return by_nodes_.is_positive();  // the residual of the elements' forces judges it
 }
 
 /// Takes the tangent of the ground: L_ is the factor of the tire on it.
@@ -320,10 +409,6 @@ bool LinearTire::factorize_contact(const Eigen::MatrixXd& stiffness) {
 }
 
 void LinearTire::solve_contact(Eigen::VectorXd& v) const {
-  if (kept_ == 3) {
-    by_nodes_.solve(v);
-    return;
-  }
   const int size = static_cast<int>(L_.rows());
   numerics::solve_lower(size, 1, L_.data(), size, v.data(), size);
   numerics::solve_lower_transposed(size, 1, L_.data(), size, v.data(), size);
@@ -340,15 +425,55 @@ bool LinearTire::step(const TreadContact* contact,
   }
   u_ = tread_.displacements(x);
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(kept_ * n_);
-  add_at_nodes(-1.0,
-               kept_ == 1 ? forces_by_heights(*contact, none, nullptr)
-                          : forces_by_nodes(*contact, none, nullptr),
-               d);
+  add_at_nodes(
+      -1.0,
+      kept_ == 1 ? forces_by_heights(*contact, none, nullptr) : forces_by_nodes(*contact, none),
+      d);
   g_ = d;
   const Eigen::VectorXd reduced = reduce(d);
-  if (!(kept_ == 1 ? touch_by_heights(*contact, reduced) : touch_by_nodes(*contact, reduced)))
-    return false;
+  if (kept_ == 1) {
+    if (!touch_by_heights(*contact, reduced)) return false;
+  } else {
+    // From where a way was followed to, the ground goes on as far again.
+    w_ = ahead_.size() > 0 ? ahead_ : none;
+    ahead_.resize(0);
+    if (!touch_by_nodes(*contact, reduced, w_)) return false;
+    c_ = forces_by_nodes(*contact, w_);
+  }
   expand(w_, d);
+  return true;
+}
+
+bool LinearTire::follow(const numerics::SymmetricMatrix& K,
+                        TreadContact& contact,
+                        const Eigen::VectorXd& x,
+                        const Eigen::VectorXd& g,
+                        const std::vector<GroundPose>& poses) {
+  assert(kept_ == 3);
+  u_ = tread_.displacements(x);
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(3 * n_), w_before = w;
+  if (!reach_likely(contact, w)) return false;
+  // What (L.1) by the factor has to be told beside g for the solution by K, and how it grows.
+  Eigen::VectorXd beside = Eigen::VectorXd::Zero(g.size()), beside_before = beside;
+  for (std::size_t part = 0; part < poses.size(); ++part) {
+    contact.move(poses[part]);
+    const Eigen::VectorXd w_last = w, beside_last = beside;
+    w += w - w_before;
+    beside += beside - beside_before;
+    w_before = w_last;
+    beside_before = beside_last;
+    for (int round = part == 0 ? 0 : 1; round < 2; ++round) {
+      Eigen::VectorXd d = g + beside, Kd(g.size());
+      if (!touch_by_nodes(contact, reduce(d), w)) return false;
+      expand(w, d);
+      K.multiply(d.data(), Kd.data());
+      beside += g - Kd;
+      add_at_nodes(1.0, forces_by_nodes(contact, w), beside);
+    }
+    const Eigen::Matrix3Xd there = moved_back(w);
+    contact.start(poses[part], there, contact.anchors(there));
+  }
+  ahead_ = w + (w - w_before);
   return true;
 }
 
@@ -367,7 +492,13 @@ void LinearTire::multiply(const numerics::SymmetricMatrix& K,
   K.multiply(v.data(), Kv.data());
   if (!on_ground_) return;
   const Eigen::VectorXd kept = at_nodes(v);
-  add_at_nodes(1.0, kept_ == 1 ? Eigen::VectorXd(C_ * kept) : by_nodes_.multiply_ground(kept), Kv);
+  if (kept_ == 1) {
+    add_at_nodes(1.0, C_ * kept, Kv);
+    return;
+  }
+  Eigen::VectorXd by_ground = Eigen::VectorXd::Zero(3 * n_);
+  by_ground(by_nodes_.reached()) = product(tangent_, kept(by_nodes_.reached()));
+  add_at_nodes(1.0, by_ground, Kv);
 }
 
 void LinearTire::precondition(Eigen::VectorXd& v) const {
@@ -376,7 +507,13 @@ void LinearTire::precondition(Eigen::VectorXd& v) const {
     return;
   }
   Eigen::VectorXd w = reduce(v);
-  solve_contact(w);
+  if (kept_ == 1) {
+    solve_contact(w);
+  } else {
+    Eigen::VectorXd within = by_nodes_.reduce(w);
+    by_nodes_.solve(within);
+    by_nodes_.expand(within, w);
+  }
   expand(w, v);
 }
 

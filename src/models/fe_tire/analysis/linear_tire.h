@@ -46,15 +46,27 @@ class LinearTire {
             const Eigen::VectorXd& f,
             Eigen::VectorXd& d);
 
+  /// Follows the ground from an equilibrium x with the elements' forces g to where it is, through
+  /// `poses`, each by (L.1): the contact then starts from the last of them, with the anchors of the
+  /// way there. False where tire and ground together are not positive definite.
+  /// The factor, in single precision, is of K; what it is off by is made up for on the way.
+  bool follow(const numerics::SymmetricMatrix& K,
+              TreadContact& contact,
+              const Eigen::VectorXd& x,
+              const Eigen::VectorXd& g,
+              const std::vector<GroundPose>& poses);
+
   /// What is left of (L.1) at the last step's d with another K, and the linear equations of its
-  /// correction, (K + dc/dx) e = r: contact is that of the last step, its tangent the symmetric
-  /// part.
+  /// correction, (K + dc/dx) e = r: contact is that of the last step.
   Eigen::VectorXd residual(const numerics::SymmetricMatrix& K, const Eigen::VectorXd& d) const;
   void multiply(const numerics::SymmetricMatrix& K,
                 const Eigen::VectorXd& v,
                 Eigen::VectorXd& Kv) const;
   /// v <- (K + dc/dx)^-1 v of the factor's K
   void precondition(Eigen::VectorXd& v) const;
+
+  /// Whether the ground's tangent at the last step is symmetric.
+  bool is_symmetric() const { return kept_ == 1 || tangent_.is_symmetric(); }
 
   /// Order of elimination.
   const numerics::Factorization& factor() const { return factor_; }
@@ -67,11 +79,19 @@ class LinearTire {
   Eigen::VectorXd forces_by_heights(const TreadContact& contact,
                                     const Eigen::VectorXd& w,
                                     Eigen::MatrixXd* stiffness) const;
-  Eigen::VectorXd forces_by_nodes(const TreadContact& contact,
-                                  const Eigen::VectorXd& w,
-                                  GroundTangent* tangent) const;
+  Eigen::VectorXd forces_by_nodes(const TreadContact& contact, const Eigen::VectorXd& w) const;
+  Eigen::VectorXd forces_within_reach(const TreadContact& contact,
+                                      const Eigen::VectorXd& w,
+                                      GroundTangent* tangent) const;
+  Eigen::VectorXd beyond_reach_too(const Eigen::VectorXd& w) const;
   bool touch_by_heights(const TreadContact& contact, const Eigen::VectorXd& g);
-  bool touch_by_nodes(const TreadContact& contact, const Eigen::VectorXd& g);
+  bool reach(const std::vector<int>& points);
+  bool reaches(const std::vector<int>& points) const;
+  bool reach_likely(const TreadContact& contact, const Eigen::VectorXd& w);
+  bool touch_by_nodes(const TreadContact& contact, const Eigen::VectorXd& g, Eigen::VectorXd& w);
+  bool touch_within_reach(const TreadContact& contact,
+                          const Eigen::VectorXd& g,
+                          Eigen::VectorXd& w);
   bool factorize_contact(const Eigen::MatrixXd& stiffness);
   void solve_contact(Eigen::VectorXd& v) const;
   void add_at_nodes(double factor, const Eigen::VectorXd& w, Eigen::VectorXd& v) const;
@@ -85,12 +105,16 @@ class LinearTire {
   std::vector<Eigen::Matrix3d> Q_;  // of every node: two directions across the vertical, then it
   Eigen::MatrixXd A_;  // of its unknowns, two across the vertical a node, then the heights: factor
                        // of the former, and what couples them with the latter
-  CondensedTire by_nodes_;  // S of all directions, and dc/dw of the last step
-  Eigen::MatrixXd S_;       // of heights
-  Eigen::MatrixXd C_, L_;   // dc/dw of the last step by heights, factor of S + C
-  Eigen::Matrix3Xd u_;      // where nodes were at the last step
-  Eigen::VectorXd w_, g_;   // how far it moved them back, g
-  Eigen::VectorXd c_;       // of the ground at its end
+  CondensedTire by_nodes_;        // of all directions: what the ground may reach
+  std::vector<char> is_reached_;  // every point of the tread
+  std::vector<int> first_row_;    // of every node within reach, -1: it is beyond
+  GroundTangent tangent_;         // dc/dw of the last step, all directions
+  Eigen::MatrixXd S_;             // of heights
+  Eigen::MatrixXd C_, L_;         // dc/dw of the last step by heights, factor of S + C
+  Eigen::Matrix3Xd u_;            // where nodes were at the last step
+  Eigen::VectorXd ahead_;  // where to look for w first, of the step after a way that was followed
+  Eigen::VectorXd w_, g_;  // how far it moved them back, g
+  Eigen::VectorXd c_;      // of the ground at its end
 };
 
 }  // namespace latsch::fe_tire

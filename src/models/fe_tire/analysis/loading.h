@@ -17,9 +17,10 @@ struct Placed {
   std::vector<Anchor> anchors;
 };
 
-/// Goes on from `placed` to the equilibrium at `pose`. With friction in steps: a point's way along
-/// the ground is straight in each of them. A step that does not converge is halved; the Failure
-/// names the pose where that did not help either, and `placed` then is as it was.
+/// Goes on from `placed` to the equilibrium at `pose`. With friction in steps, each followed in
+/// parts on the linear tire (EquilibriumSolver::follow): a point's way along the ground is straight
+/// in a part. A step that does not converge is halved; the Failure names the pose where that did
+/// not help either, and `placed` then is as it was.
 std::optional<Failure> move_ground(EquilibriumSolver& solver,
                                    const RingElements& elements,
                                    double pressure,

@@ -21,13 +21,19 @@ TreadContact::TreadContact(const TreadSurface& tread, const Ground& ground)
 void TreadContact::start(const GroundPose& pose,
                          const Eigen::VectorXd& x,
                          std::vector<Anchor> anchors) {
+  start(pose, tread_.displacements(x), std::move(anchors));
+}
+
+void TreadContact::start(const GroundPose& pose,
+                         const Eigen::Matrix3Xd& u,
+                         std::vector<Anchor> anchors) {
   move(pose);
   anchors_ = std::move(anchors);
   if (!has_friction()) return;
   anchors_.resize(tread_.points().size());
   start_.resize(3, tread_.points().size());
   start_g_.resize(tread_.points().size());
-  const Eigen::Matrix3Xd positions = tread_.positions(tread_.displacements(x));
+  const Eigen::Matrix3Xd positions = tread_.positions(u);
   for (std::size_t k = 0; k < tread_.points().size(); ++k) {
     start_.col(k) = posed_.in_ground(tread_.at(tread_.points()[k], positions));
     start_g_[k] = posed_.distance(start_.col(k)).g;
@@ -119,10 +125,32 @@ std::vector<TreadContact::Touch> TreadContact::stuck(const Eigen::VectorXd& x) c
   return touches;
 }
 
+double TreadContact::deepest(const Eigen::Matrix3Xd& u) const {
+  const Eigen::Matrix3Xd positions = tread_.positions(u);
+  double depth = 0.0;
+  for (const TreadSurface::Point& point : tread_.points())
+    depth = std::max(depth, -posed_.distance(posed_.in_ground(tread_.at(point, positions))).g);
+  return depth;
+}
+
+std::vector<int> TreadContact::within(double distance, const Eigen::Matrix3Xd& u) const {
+  const Eigen::Matrix3Xd positions = tread_.positions(u);
+  std::vector<int> near;
+  for (int k = 0; k < static_cast<int>(tread_.points().size()); ++k) {
+    const Eigen::Vector3d q = posed_.in_ground(tread_.at(tread_.points()[k], positions));
+    if (posed_.distance(q).g < distance) near.push_back(k);
+  }
+  return near;
+}
+
 std::vector<Anchor> TreadContact::anchors(const Eigen::VectorXd& x) const {
+  return anchors(tread_.displacements(x));
+}
+
+std::vector<Anchor> TreadContact::anchors(const Eigen::Matrix3Xd& u) const {
   if (!has_friction()) return {};
   const double stiffness = kTangentialShare * ground_.stiffness;
-  const Eigen::Matrix3Xd positions = tread_.positions(tread_.displacements(x));
+  const Eigen::Matrix3Xd positions = tread_.positions(u);
   std::vector<Anchor> anchors(tread_.points().size());
   for (int k = 0; k < static_cast<int>(anchors.size()); ++k) {
     const Eigen::Vector3d q = posed_.in_ground(tread_.at(tread_.points()[k], positions));

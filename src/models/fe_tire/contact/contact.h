@@ -9,7 +9,7 @@
 // in the ground's axes: the ground carries the anchors along. A point that comes down within a step
 // is anchored where it touched, on the straight way from where it was at the step's start,
 //   a = x_0 + s (x - x_0),   s = g_0 / (g_0 - g),                                           (C.4)
-// so that how a way is divided into steps matters to second order only.
+// which holds it near where the step began: loading.h divides ways into short ones.
 #pragma once
 
 #include <Eigen/Core>
@@ -50,6 +50,8 @@ class TreadContact {
 
   /// The equilibrium that the next steps start from.
   void start(const GroundPose& pose, const Eigen::VectorXd& x, std::vector<Anchor> anchors);
+  /// The same of displacements of the tread's nodes (TreadSurface::displacements).
+  void start(const GroundPose& pose, const Eigen::Matrix3Xd& u, std::vector<Anchor> anchors);
   /// The ground moves on; anchors stay those of the start.
   void move(const GroundPose& pose);
   const GroundPose& pose() const { return pose_; }
@@ -58,8 +60,13 @@ class TreadContact {
   std::vector<Touch> touches(const Eigen::Matrix3Xd& u) const;
   /// The same points, all of them sticking where there is friction: for small motions about x.
   std::vector<Touch> stuck(const Eigen::VectorXd& x) const;
-  /// Anchors of the equilibrium x that the step has ended with.
+  /// Anchors of the equilibrium x, or of displacements u, that the step has ended with.
   std::vector<Anchor> anchors(const Eigen::VectorXd& x) const;
+  std::vector<Anchor> anchors(const Eigen::Matrix3Xd& u) const;
+  /// How deep in the ground the deepest point is, m; 0 where none is.
+  double deepest(const Eigen::Matrix3Xd& u) const;
+  /// Points that are no farther from the ground than `distance`, m, ascending.
+  std::vector<int> within(double distance, const Eigen::Matrix3Xd& u) const;
 
   /// The contact patch (of the whole ring) in the state x, an equilibrium whose anchors are those
   /// of the start.

@@ -6,6 +6,6 @@
 
 namespace latsch::fe_tire {
 
-inline constexpr int kModelVersion = 13;
+inline constexpr int kModelVersion = 14;
 
 }  // namespace latsch::fe_tire

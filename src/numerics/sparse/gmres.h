@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Generalized minimal residuals for A x = b, A not symmetric, C near A, without restart.
+// [Saad, Iterative Methods for Sparse Linear Systems, 2nd ed., SIAM 2003, algorithm 9.5: right
+// preconditioning, so that what is minimal is the residual itself]
+#pragma once
+
+#include "numerics/sparse/conjugate_gradients.h"
+
+namespace latsch::numerics {
+
+/// Starts from x = 0 and stops at |b - A x| <= tolerance |b|, or with the least residual of
+/// `max_iterations` products with A.
+CgOutcome gmres(const ConjugateGradients::Operator& A,
+                const ConjugateGradients::Preconditioner& C,
+                const Eigen::VectorXd& b,
+                double tolerance,
+                int max_iterations,
+                Eigen::VectorXd& x);
+
+}  // namespace latsch::numerics
