@@ -204,20 +204,14 @@ void study_random_sizes(std::uint64_t seed, Table& table) {
   }
 }
 
-/// The comparison tire with rows, sectors and columns where they matter: its own, all alike, are
-/// CalculiX'. One row for belts and carcass smeared over the inner half of the wall left 0.5 to
-/// 0.8 % of every mode, two leave 0.2.
+/// The comparison tire with columns where they matter: its own, all alike, are CalculiX'.
 TireDescription smeared(TireDescription tire, const TireDescription& as, int unknowns) {
   // The deck of tire B holds the outer half of the bead: its stiff inner half then hangs on an
   // edge, a singularity that spoils the convergence of any element. Held by the inner half it has
   // as many unknowns and no such edge.
   if (tire.section.clamp == BeadClamp::outside) tire.section.clamp = BeadClamp::inside;
-  tire.section.rows_inside = 2;
-  tire.section.sector_zones = as.section.sector_zones;
   tire.section.ends = as.section.ends;
-  const auto placed =
-      value_of(place_columns(tire, {.unknowns = unknowns, .rounds = 4, .choose_sectors = true}));
-  tire.section.sectors = placed.sectors;
+  const auto placed = value_of(place_columns(tire, {.unknowns = unknowns}));
   return with_columns(std::move(tire), placed.columns);
 }
 

@@ -79,6 +79,7 @@ struct Judged {
   TireDescription tire;
   int unknowns = 0;
   Quantities values;
+  Eigen::ArrayXd along;   // all columns halved
   Eigen::ArrayXd around;  // all sectors halved
   Eigen::ArrayXd all;     // all elements halved in all three directions
   double error = 0.0;     // of the quantity that errs most
@@ -87,7 +88,6 @@ struct Judged {
 
 /// What columns of it do, relative.
 struct ColumnChanges {
-  Eigen::ArrayXd along;    // all of them halved
   Eigen::ArrayXXd column;  // [quantities x columns], each halved: magnitudes that make up all
 };
 
@@ -104,9 +104,13 @@ double loaded_part(const Section& section) {
   return std::max(1.0, std::pow(widest / alike, 2));
 }
 
-/// What elements halved everywhere change, the larger of the unloaded tire and on the ground.
-Eigen::ArrayXd together(const Eigen::ArrayXd& all, const Eigen::ArrayXd& around, double loaded) {
-  return all.abs().max((all + (loaded - 1.0) * around).abs());
+/// What elements halved everywhere change, the largest of the unloaded tire, on the ground and by
+/// columns alone.
+Eigen::ArrayXd together(const Eigen::ArrayXd& all,
+                        const Eigen::ArrayXd& along,
+                        const Eigen::ArrayXd& around,
+                        double loaded) {
+  return all.abs().max((all + (loaded - 1.0) * around).abs()).max(along.abs());
 }
 
 Eigen::ArrayXd change(const Quantities& from, const Quantities& to) {
@@ -148,7 +152,7 @@ Result<std::vector<Judged>> judge(const std::vector<TireDescription>& meshes,
                                   const Start& start,
                                   int modes) {
   constexpr double kLeft = 4.0 / 3.0;  // of the first change, of an error of second order
-  const std::vector<fe_tire::Refinement> finer = {2, {2, 1, 1}, 1};  // the longest first
+  const std::vector<fe_tire::Refinement> finer = {2, {1, 2, 1}, {2, 1, 1}, 1};  // the longest first
   const auto each = std::ssize(finer);
   const auto found = at_once(std::ssize(meshes) * each, [&](Eigen::Index i) {
     const bool refined = i % each + 1 < each;
@@ -161,12 +165,14 @@ Result<std::vector<Judged>> judge(const std::vector<TireDescription>& meshes,
     Judged one;
     one.tire = meshes[m];
     one.unknowns = build_mesh(one.tire).free_dofs();
-    one.values = of_mesh[2];
+    one.values = of_mesh[3];
     one.all = change(one.values, of_mesh[0]);
-    one.around = change(one.values, of_mesh[1]);
+    one.along = change(one.values, of_mesh[1]);
+    one.around = change(one.values, of_mesh[2]);
     Eigen::Index worst = 0;
     one.error =
-        kLeft * together(one.all, one.around, loaded_part(one.tire.section)).maxCoeff(&worst);
+        kLeft *
+        together(one.all, one.along, one.around, loaded_part(one.tire.section)).maxCoeff(&worst);
     one.worst = std::next(one.values.begin(), worst)->first;
     judged.push_back(std::move(one));
   }
@@ -176,15 +182,13 @@ Result<std::vector<Judged>> judge(const std::vector<TireDescription>& meshes,
 Result<ColumnChanges> changes(const Judged& mesh, const Start& start, int modes) {
   const std::vector<double>& columns = mesh.tire.section.columns;
   const auto count = std::ssize(columns) - 1;
-  const auto finer = at_once(count + 1, [&](Eigen::Index j) {
-    if (j == count) return quantities(mesh.tire, start, modes + kMore, {1, 2, 1});
+  const auto finer = at_once(count, [&](Eigen::Index j) {
     std::vector<double> halved = columns;
     halved.insert(halved.begin() + j + 1, 0.5 * (columns[j] + columns[j + 1]));
     return quantities(with_columns(mesh.tire, std::move(halved)), start, modes + kMore);
   });
   if (!finer) return finer.failure();
   ColumnChanges found;
-  found.along = change(mesh.values, finer->back());
   found.column.resize(std::ssize(mesh.values), count);
   for (Eigen::Index j = 0; j < count; ++j) {
     found.column.col(j) = change(mesh.values, (*finer)[j]).abs();
@@ -192,7 +196,7 @@ Result<ColumnChanges> changes(const Judged& mesh, const Start& start, int modes)
   // Halved together, columns change more than one by one where neighbors share a bend, and less
   // where some err to either side. What cancels on this mesh may not on the next: half of it stays.
   const Eigen::ArrayXd sum = found.column.rowwise().sum().max(1e-12);
-  found.column.colwise() *= (found.along.abs() / sum).max(0.5).min(2.0);
+  found.column.colwise() *= (mesh.along.abs() / sum).max(0.5).min(2.0);
   return found;
 }
 
@@ -217,9 +221,9 @@ std::vector<double> density(const Judged& mesh,
     cost[j] = (sidewall ? section.rows_inside + 1 : section.rows()) + 1.0;
   }
   const Eigen::ArrayXXd c = changes.column.rowwise() / h.cube().transpose();
-  const Eigen::ArrayXd sign = changes.along.sign();
+  const Eigen::ArrayXd sign = mesh.along.sign();
   const Eigen::ArrayXd around = mesh.around * std::pow(double(section.sectors) / sectors, 2);
-  const Eigen::ArrayXd rest = mesh.all - mesh.around - changes.along;
+  const Eigen::ArrayXd rest = mesh.all - mesh.around - mesh.along;
   section.sectors = sectors;
   const double loaded = loaded_part(section);
   Eigen::ArrayXd rho = 1.0 / h;
@@ -228,7 +232,7 @@ std::vector<double> density(const Judged& mesh,
     rho *= unknowns * cost.sum() / (rho * h * cost).sum();
     const Eigen::ArrayXd along =
         sign * (c.rowwise() * (h / rho.square()).transpose()).rowwise().sum();
-    const Eigen::ArrayXd error = together(along + around + rest, around, loaded);
+    const Eigen::ArrayXd error = together(along + around + rest, along, around, loaded);
     const Eigen::ArrayXd weight = (error / error.maxCoeff()).pow(kPower);
     const Eigen::ArrayXd worth = (c.colwise() * weight).colwise().sum().transpose() / cost;
     const Eigen::ArrayXd wanted = worth.max(1e-6 * worth.maxCoeff()).pow(1.0 / 3.0);
@@ -253,11 +257,11 @@ class Expected {
            int sectors,
            const std::vector<double>& fixed,
            const std::vector<double>& rho)
-      : sectors_(sectors), sign_(changes.along.sign()) {
+      : sectors_(sectors), sign_(mesh.along.sign()) {
     Section section = mesh.tire.section;
     const std::vector<double>& columns = section.columns;
     around_ = mesh.around * std::pow(static_cast<double>(section.sectors) / sectors, 2);
-    rest_ = mesh.all - mesh.around - changes.along;
+    rest_ = mesh.all - mesh.around - mesh.along;
     const auto crown = section.crown_columns();
     const double crown_to = crown ? columns[static_cast<std::size_t>(*crown)] : 1.0;
     const auto nodes = [&](double q) {
@@ -298,17 +302,18 @@ class Expected {
     for (std::size_t s = 0; s < number.size(); ++s) {
       along += one_.col(static_cast<Eigen::Index>(s)) / (number[s] * number[s]);
     }
-    const Eigen::ArrayXd left = together(sign_ * along + around_ + rest_, around_, loaded_);
+    const Eigen::ArrayXd left = together(sign_ * along + around_ + rest_, along, around_, loaded_);
     const double largest = left.maxCoeff();
     return largest * std::pow((left / largest).pow(kPower).sum(), 1.0 / kPower);
   }
 
   /// The numbers for which that is least: columns are added where they help most, then exchanged.
+  /// None is spared, though fewer may err by what cancels errors of sectors.
   std::vector<int> best(int most) const {
     std::vector<int> number(nodes_.size(), 1);
-    while (improve(number, most, {{1, 0}})) {
+    while (improve(number, most, {{1, 0}}, std::numeric_limits<double>::infinity())) {
     }
-    while (improve(number, most, {{1, 0}, {1, -1}, {1, -2}, {2, -1}, {0, -1}})) {
+    while (improve(number, most, {{1, 0}, {1, -1}, {1, -2}, {2, -1}}, error(number))) {
     }
     return number;
   }
@@ -317,9 +322,10 @@ class Expected {
   /// The best of all exchanges {more in one place, fewer in another}; false where none helps.
   bool improve(std::vector<int>& number,
                int most,
-               const std::vector<std::pair<int, int>>& exchanges) const {
+               const std::vector<std::pair<int, int>>& exchanges,
+               double now) const {
     std::vector<int> best = number;
-    double least = error(number) * (1.0 - 1e-6);
+    double least = now * (1.0 - 1e-6);
     for (const auto& [more, fewer] : exchanges) {
       for (std::size_t a = 0; a < number.size(); ++a) {
         for (std::size_t b = 0; b < number.size(); ++b) {
