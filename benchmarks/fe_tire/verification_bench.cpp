@@ -204,13 +204,15 @@ void study_random_sizes(std::uint64_t seed, Table& table) {
   }
 }
 
-/// The comparison tire with columns where they matter: its own, all alike, are CalculiX'.
+/// The comparison tire with columns where they matter and the zones of sectors of the tire as
+/// shipped: its own columns, all alike, are CalculiX'.
 TireDescription smeared(TireDescription tire, const TireDescription& as, int unknowns) {
   // The deck of tire B holds the outer half of the bead: its stiff inner half then hangs on an
   // edge, a singularity that spoils the convergence of any element. Held by the inner half it has
   // as many unknowns and no such edge.
   if (tire.section.clamp == BeadClamp::outside) tire.section.clamp = BeadClamp::inside;
   tire.section.ends = as.section.ends;
+  tire.section.sector_zones = as.section.sector_zones;
   const auto placed = value_of(place_columns(tire, {.unknowns = unknowns}));
   return with_columns(std::move(tire), placed.columns);
 }

@@ -154,7 +154,7 @@ int most_unknowns(const std::string& size) {
   return template_of(size) == "passenger_235_45R20" ? 40500 : 23220;
 }
 
-std::string sized_tire(std::string_view text, const std::string& size) {
+std::string stretched_tire(std::string_view text, const std::string& size) {
   const SizeDesignation wanted = size_of(size);
   const TireDescription old = fe_tire::read_tire(Document::parse(text, "template").root());
   const Stretch stretch(old, wanted);
@@ -193,14 +193,26 @@ std::string sized_tire(std::string_view text, const std::string& size) {
   if (template_of(size) == "passenger_205_55R16") {
     stretched = with_line(stretched, "sector_zones", "[[4, \"3.2 deg\"], [2, \"5 deg\"]]");
   }
-  const auto placement =
-      place_columns(fe_tire::read_tire(Document::parse(stretched, "--size " + size).root()),
-                    {.unknowns = most_unknowns(size), .rounds = 4, .choose_sectors = true});
+  return stretched;
+}
+
+std::string with_placed_mesh(const std::string& stretched,
+                             const std::string& size,
+                             const std::function<void(const std::string&)>& progress) {
+  const TireDescription tire =
+      fe_tire::read_tire(Document::parse(stretched, "--size " + size).root());
+  if (tire.section.columns.empty()) return stretched;
+  const auto placement = place_columns(
+      tire, {.unknowns = most_unknowns(size), .rounds = 4, .choose_sectors = true}, progress);
   if (!placement) {
     throw InputError("--size " + size + ": no mesh found: " + placement.failure().reason);
   }
   return placed_tire(with_line(stretched, "sectors", std::to_string(placement->sectors)),
                      placement->columns);
+}
+
+std::string sized_tire(std::string_view text, const std::string& size) {
+  return with_placed_mesh(stretched_tire(text, size), size);
 }
 
 std::string coarse_tire(const std::string& text) {

@@ -11,14 +11,23 @@
 // first guess of a tire of its kind, nothing a maker has published.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace latsch::cli {
 
-/// The tire file `text` for the size designation; columns of elements that are told one by one are
-/// placed anew (column_placement.h). Throws InputError where it is no size, or one
-/// that the templates cannot be stretched to.
+/// The tire file `text` stretched to the size designation. Throws InputError where it is no size,
+/// or one that the templates cannot be stretched to.
+std::string stretched_tire(std::string_view text, const std::string& size);
+
+/// Columns of elements that are told one by one, and the sectors beside them, placed anew
+/// (column_placement.h), in seconds; `progress` is told each round.
+std::string with_placed_mesh(const std::string& stretched,
+                             const std::string& size,
+                             const std::function<void(const std::string&)>& progress = {});
+
+/// Both.
 std::string sized_tire(std::string_view text, const std::string& size);
 
 /// The shipped tire from which a tire of that size is drawn: its name.

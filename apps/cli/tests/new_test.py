@@ -72,6 +72,7 @@ class New(unittest.TestCase):
                 bounds = {v["name"]: v for v in json.loads(subprocess.run(
                     [LATSCH, "check", study, "--json"], capture_output=True, text=True).stdout)["result"]["variables"]}
                 self.assertLess(found["target"], 0.01)
+                self.assertLessEqual(found["trials"], 10)  # slopes travel with every trial
                 for variable in found["variables"]:
                     limits = bounds[variable["name"]]
                     self.assertEqual(variable["unit"], limits["unit"])

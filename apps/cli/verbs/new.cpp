@@ -50,7 +50,16 @@ std::string tire_of(const NewOptions& options) {
   const std::string name = options.size.empty() ? options.tire : template_of(options.size);
   const std::string text(text_of(name));
   const std::string tire = options.coarse ? coarse_tire(text) : text;
-  return options.size.empty() ? tire : sized_tire(tire, options.size);
+  return options.size.empty() ? tire : stretched_tire(tire, options.size);
+}
+
+/// With the mesh for its size.
+std::string meshed(const std::string& tire, const NewOptions& options) {
+  if (options.size.empty()) return tire;
+  RunningNote note;
+  long done = 0;
+  return with_placed_mesh(
+      tire, options.size, [&](const std::string& round) { note.update(done++, 0, round); });
 }
 
 void write(const fs::path& file, std::string_view text) {
@@ -201,9 +210,10 @@ void start_car(const NewOptions& options, const experiment::Language& language) 
 
 void start_study(const NewOptions& options, const experiment::Language& language) {
   const fs::path folder = options.folder, study = new_study(folder);
-  const Document tire = Document::parse(tire_of(options), (folder / "tire.toml").string());
+  const std::string shape = tire_of(options);
+  fs::create_directories(folder);  // before the mesh, which takes seconds
+  const Document tire = Document::parse(meshed(shape, options), (folder / "tire.toml").string());
   const std::string text = study_template(tire);
-  fs::create_directories(folder);
   write(folder / "tire.toml", tire.text());
   write(study, text);
   write_example(study, language);
