@@ -120,8 +120,9 @@ TEST(FootprintSize, DoesNotMindSamplesInOnePlace) {
 }
 
 // On the crown of the race tire, flat to 1 % across, a sector of h = 3 deg has the sag R h^2 / 12:
-// the mean of a parabola weighted by hats over two sectors. Half of it is left.
-TEST(TreadSurface, PointsOfAnArcLieHalfItsSagBehindIt) {
+// the mean of a parabola weighted by hats over two sectors, around nodes and middles alike. Of it
+// 0.4 are left.
+TEST(TreadSurface, PointsOfAnArcLieAShareOfItsSagBehindIt) {
   const Tread tread("race_16x7.5-10.toml");
   const Eigen::Matrix3Xd positions = tread.undeformed();
   const double h = tread.mesh.angle(1) - tread.mesh.angle(0);
@@ -129,16 +130,16 @@ TEST(TreadSurface, PointsOfAnArcLieHalfItsSagBehindIt) {
   for (const TreadSurface::Point& point : tread.surface.points()) {
     const Eigen::Vector3d x = tread.surface.at(point, positions);
     if (std::abs(x.y()) > 1e-3 || std::abs(std::atan2(x.x(), -x.z())) > 5.0 * h) continue;
-    double radius = 0.0;  // of the node
+    double radius = 0.0;  // of the crown
     for (int k = 0; k < point.weights; ++k) {
       const auto& place = tread.surface.places()[tread.surface.weights(point)[k].place];
-      if ((place.X - x).norm() < 1e-3) radius = std::hypot(place.X.x(), place.X.z());
+      if (std::abs(place.X.y()) < 1e-3) radius = std::hypot(place.X.x(), place.X.z());
     }
     const double behind = radius - std::hypot(x.x(), x.z());
-    EXPECT_NEAR(behind, 0.5 * radius * h * h / 12.0, 0.1 * radius * h * h / 12.0);
+    EXPECT_NEAR(behind, 0.4 * radius * h * h / 12.0, 0.1 * radius * h * h / 12.0);
     ++found;
   }
-  EXPECT_GE(found, 4);
+  EXPECT_GE(found, 8);
 }
 
 }  // namespace

@@ -20,6 +20,9 @@ constexpr double kThreeWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
 /// that of sixteen, with twelve not 0.1 %; with two, at Gauss' places, 24 %.
 constexpr int kFacetPoints = 12;
 
+/// Of the sag (T.2), what counts.
+constexpr double kOfSag = 0.6;
+
 /// Weights of four neighbors, the second and third being the ends of a face, and their derivatives
 /// by u in [-1, 1].
 struct Cubic {
@@ -78,6 +81,39 @@ double share_of_uniform(const std::array<std::optional<double>, 4>& h) {
     more += weight(left) * middle_slope(*h[left], *h[left + 1])[2 - left];
   }
   return 1.0 - more / (0.5 * (h[1].value_or(0.0) + h[2].value_or(0.0)));
+}
+
+int floor_half(int twice) { return twice >= 0 ? twice / 2 : (twice - 1) / 2; }
+
+/// Integrals over the hat N that is 1 at a node or in the middle of a face (`place`, in half faces)
+/// and 0 a face before and behind it, in one direction of the surface.
+struct HatMean {
+  int first = 0;  // node of the first weight
+  std::array<double, 6> weight{};
+  double size = 0.0;
+};
+
+/// `cubic` and `measure` (per u) of a face at u. Of the `last` node on nothing is, nor before node 0,
+/// where there are ends: the hats of the middles beside them take what is left.
+template <class CubicAt, class MeasureAt>
+HatMean hat_mean(int place, std::optional<int> last, CubicAt cubic_at, MeasureAt measure_at) {
+  HatMean mean;
+  mean.first = floor_half(place - 2) - 1;
+  for (int half = place - 2; half < place + 2; ++half) {
+    const int face = floor_half(half);
+    if (last && (face < 0 || face >= *last)) continue;
+    for (int q = 0; q < 3; ++q) {
+      const double t = 0.5 * (half - 2 * face) + 0.25 * (1.0 + kThree[q]);
+      const bool is_beside =
+          last && ((place == 1 && half == 0) || (place == 2 * *last - 1 && half == 2 * *last - 1));
+      const double N = is_beside ? 1.0 : 1.0 - std::abs(face + t - 0.5 * place);
+      const Cubic cubic = cubic_at(face, 2.0 * t - 1.0);
+      const double d = 0.5 * kThreeWeight[q] * N * measure_at(face, t, cubic);
+      mean.size += d;
+      for (int k = 0; k < 4; ++k) mean.weight[face - 1 + k - mean.first] += d * cubic.value[k];
+    }
+  }
+  return mean;
 }
 
 Cubic linear(double u) {
@@ -166,14 +202,17 @@ TreadSurface::TreadSurface(const RingUnknowns& unknowns, TreadShape shape, doubl
     add_facet(corner);
     for (const auto& [plane, node] : corner) is_here[plane][node] = true;
   }
-  const int planes = unknowns.multiplicity() > 1.0 ? unknowns.sectors() + 1 : mesh.sectors;
-  for (int plane = 0; plane < planes && shape_ == TreadShape::smooth; ++plane) {
-    if (!is_near(mesh.angle(plane))) continue;
+  const bool is_halved = unknowns.multiplicity() > 1.0;
+  const int planes = is_halved ? unknowns.sectors() + 1 : mesh.sectors;
+  const auto is_plane_near = [&](int plane) { return is_near(mesh.angle(plane % mesh.sectors)); };
+  for (int along = 0; along < 2 * planes - (is_halved ? 1 : 0); ++along) {
+    if (shape_ != TreadShape::smooth || !is_plane_near(along / 2) ||
+        !is_plane_near((along + 1) / 2))
+      continue;
     for (const Strip& strip : strips) {
-      for (int j = 0; j < static_cast<int>(strip.nodes.size()); ++j) {
-        add_mean_point(plane, j, strip);
-        is_here[plane][strip.nodes[j]] = true;
-      }
+      for (int across = 0; across < 2 * std::ssize(strip.nodes) - 1; ++across)
+        add_mean_point(along, across, strip);
+      for (const int node : strip.nodes) is_here[along / 2][node] = true;
     }
   }
   for (const Element& element : mesh.elements) {
@@ -270,7 +309,7 @@ std::pair<TreadSurface::Grid, TreadSurface::Weights> TreadSurface::smooth_face(i
   Grid grid;
   for (int i = 0; i < 4; ++i) {
     const int plane = sector - 1 + i, wrapped = (plane + S) % S;
-    theta[i] = mesh.angle(wrapped) + (plane < 0 ? -1 : plane >= S ? 1 : 0) * 2.0 * std::numbers::pi;
+    theta[i] = angle(plane);
     for (int j = 0; j < 4; ++j) {
       const int at = face - 1 + j;
       const bool is_there = at >= 0 && at < static_cast<int>(strip.nodes.size());
@@ -295,94 +334,91 @@ std::pair<TreadSurface::Grid, TreadSurface::Weights> TreadSurface::smooth_face(i
           }};
 }
 
-/// rad
-double TreadSurface::width(int sector) const {
+/// rad, of any plane, counted on around the ring.
+double TreadSurface::angle(int plane) const {
   const Mesh& mesh = unknowns_.ring().mesh();
-  if (sector + 1 == mesh.sectors) return 2.0 * std::numbers::pi - mesh.angle(sector);
-  return mesh.angle(sector + 1) - mesh.angle(sector);
+  const int turns = static_cast<int>(std::floor(static_cast<double>(plane) / mesh.sectors));
+  return mesh.angle(plane - turns * mesh.sectors) + 2.0 * std::numbers::pi * turns;
 }
 
-/// What (T.1) adds at a node whose undeformed mean it has, by (T.2).
-Eigen::Vector3d TreadSurface::offset_of(int plane,
-                                        int node,
-                                        const Strip& strip,
-                                        const Eigen::Vector3d& mean) {
-  const int S = unknowns_.ring().mesh().sectors, before = (plane - 1 + S) % S;
-  Eigen::Vector3d along = Eigen::Vector3d::Zero(), across = along;
-  for (const int sector : {before, plane}) {
-    for (const int face : {node - 1, node}) {
-      if (face < 0 || face >= static_cast<int>(strip.span.size())) continue;
-      const auto [grid, weights_at] = smooth_face(sector, face, strip);
-      const Tangents at = weights_at(sector == plane ? -1.0 : 1.0, face == node ? -1.0 : 1.0);
-      for (std::size_t k = 0; k < grid.size(); ++k) {
-        if (grid[k] < 0) continue;
-        along += at.by_u[k] * places_[grid[k]].X;
-        across += at.by_v[k] * places_[grid[k]].X;
-      }
-    }
-  }
-  const Eigen::Vector3d n = along.cross(across).normalized();
-  const Eigen::Vector3d X = places_[place_of(plane, strip.nodes[node])].X;
-  const double h0 = width(before), h1 = width(plane);
-  const Eigen::Vector3d radial(X.x(), 0.0, X.z());
-  const double around = n.dot(radial) * (h0 * h0 * h0 + h1 * h1 * h1) / (12.0 * (h0 + h1));
-  const double all = n.dot(X - mean);
-  const double most = std::abs(around);  // below the widest place n points to the axis
-  return 0.5 * n * (around + std::clamp(all - around, -most, most));
-}
+/// (T.1) at a node or a middle of a strip, in half faces around and across. Planes being alike, its
+/// weights are products of those around and those across. Where half the ring stands for all of it,
+/// half of what lies on its own image's plane belongs to the image.
+void TreadSurface::add_mean_point(int along, int across, const Strip& strip) {
+  const Mesh& mesh = unknowns_.ring().mesh();
+  const int S = mesh.sectors, faces = static_cast<int>(strip.span.size());
+  const auto width = [this](int sector) { return angle(sector + 1) - angle(sector); };
+  const double theta = 0.5 * (angle(floor_half(along)) + angle(floor_half(along + 1)));
+  const auto cubic_around = [&](int s, double u) {
+    return hermite(width(s - 1), width(s), width(s + 1), u);
+  };
+  const HatMean around =
+      hat_mean(along, std::nullopt, cubic_around, [&](int s, double, const Cubic&) {
+        return 0.5 * width(s);
+      });
+  const double moment =  // second one of the hat, rad^3
+      hat_mean(along, std::nullopt, cubic_around, [&](int s, double t, const Cubic&) {
+        const double from = angle(s) + t * width(s) - theta;
+        return 0.5 * width(s) * from * from;
+      }).size;
 
-/// (T.1) of a node of a strip, by three Gauss points along each side of the faces around it. Where
-/// half the ring stands for all of it, half of a node on its own image's plane belongs to the
-/// image.
-void TreadSurface::add_mean_point(int plane, int node, const Strip& strip) {
-  const int S = unknowns_.ring().mesh().sectors;
-  std::map<int, double> mean;  // by place
-  double area = 0.0;
-  for (const int side : {-1, 0}) {
-    for (const int face : {node - 1, node}) {
-      if (face < 0 || face >= static_cast<int>(strip.span.size())) continue;
-      const auto [grid, weights_at] = smooth_face((plane + side + S) % S, face, strip);
-      for (int q = 0; q < 9; ++q) {
-        const double u = kThree[q % 3], v = kThree[q / 3];
-        const Tangents at = weights_at(u, v);
-        Eigen::Vector3d along = Eigen::Vector3d::Zero(), across = along;
-        for (std::size_t k = 0; k < grid.size(); ++k) {
-          if (grid[k] < 0) continue;
-          along += at.by_u[k] * places_[grid[k]].X;
-          across += at.by_v[k] * places_[grid[k]].X;
-        }
-        const double N = 0.25 * (side < 0 ? 1.0 + u : 1.0 - u) * (face < node ? 1.0 + v : 1.0 - v);
-        const double dA =
-            along.cross(across).norm() * kThreeWeight[q % 3] * kThreeWeight[q / 3] * N;
-        area += dA;
-        for (std::size_t k = 0; k < grid.size(); ++k) {
-          if (grid[k] >= 0) mean[grid[k]] += dA * at.value[k];
-        }
-      }
+  using Vector = Eigen::Vector3d;
+  const auto cubic_across = [&](int face, double v) {
+    return hermite(strip.span_at(face - 1), strip.span[face], strip.span_at(face + 1), v);
+  };
+  const auto sum = [&](int face, const Eigen::Vector4d& weights) {
+    Vector x = Vector::Zero();
+    for (int k = 0; k < 4; ++k) {
+      const int node = face - 1 + k;
+      if (node >= 0 && node <= faces) x += weights[k] * mesh.X.col(strip.nodes[node]);
     }
-  }
+    return x;
+  };
+  const HatMean over =
+      hat_mean(across, faces, cubic_across, [&](int f, double, const Cubic& cubic) {
+        return -sum(f, cubic.value).z() * sum(f, cubic.slope).norm();
+      });
+
   const bool is_own_image =
-      unknowns_.multiplicity() > 1.0 && (plane == 0 || plane == unknowns_.sectors());
-  Eigen::Vector3d undeformed = Eigen::Vector3d::Zero();
-  for (const auto& [place, weight] : mean) undeformed += weight / area * places_[place].X;
-  const double radius = std::hypot(undeformed.x(), undeformed.z());
-  const auto width_at = [&](int sector) { return width((plane + sector + S) % S); };
-  const double around = share_of_uniform({width_at(-2), width_at(-1), width_at(0), width_at(1)});
-  const double across = share_of_uniform({strip.span_at(node - 2),
-                                          strip.span_at(node - 1),
-                                          strip.span_at(node),
-                                          strip.span_at(node + 1)});
-  const double share = (is_own_image ? 0.5 : 1.0) * around * across;
-  const Point point{static_cast<int>(weights_.size()),
-                    static_cast<int>(mean.size()),
-                    0.0,
-                    share * area,
-                    0.5 * radius * around * (width_at(-1) + width_at(0)),
-                    offset_of(plane, node, strip, undeformed),
-                    is_own_image};
-  for (const auto& [place, weight] : mean) {
-    weights_.push_back({place, weight / area, 0.0, 0.0});
+      unknowns_.multiplicity() > 1.0 && (along == 0 || along == 2 * unknowns_.sectors());
+  // Of two places beside each other the one at a node makes up for both.
+  const auto share = [](int place, auto share_at) {
+    return place % 2 == 0 ? 2.0 * share_at(place / 2) - 1.0 : 1.0;
+  };
+  const double share_around = share(along, [&](int s) {
+    return share_of_uniform({width(s - 2), width(s - 1), width(s), width(s + 1)});
+  });
+  const double share_across = share(across, [&](int n) {
+    return share_of_uniform(
+        {strip.span_at(n - 2), strip.span_at(n - 1), strip.span_at(n), strip.span_at(n + 1)});
+  });
+  Point point{static_cast<int>(weights_.size()), 0, 0.0, 0.0, 0.0};
+  point.is_own_image = is_own_image;
+  point.dA =
+      0.25 * (is_own_image ? 0.5 : 1.0) * share_around * share_across * around.size * over.size;
+  Vector mean = Vector::Zero();
+  for (std::size_t i = 0; i < around.weight.size(); ++i) {
+    for (std::size_t j = 0; j < over.weight.size(); ++j) {
+      const double w = around.weight[i] * over.weight[j] / (around.size * over.size);
+      if (w == 0.0) continue;
+      const int plane = ((around.first + static_cast<int>(i)) % S + S) % S;
+      const int place = place_of(plane, strip.nodes[over.first + static_cast<int>(j)]);
+      weights_.push_back({place, w, 0.0, 0.0});
+      mean += w * places_[place].X;
+      ++point.weights;
+    }
   }
+  point.around = 0.5 * std::hypot(mean.x(), mean.z()) * share_around * around.size;
+
+  const int face = std::min(across / 2, faces - 1);
+  const Cubic there = cubic_across(face, across - 2 * face - 1.0);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(-theta, Vector::UnitY()).toRotationMatrix();
+  const Vector X = turn * sum(face, there.value);
+  const Vector n = turn * Vector::UnitX().cross(sum(face, there.slope)).normalized();
+  const double sag_around = n.dot(Vector(X.x(), 0.0, X.z())) * moment / (2.0 * around.size);
+  const double sag = n.dot(X - mean);
+  const double most = std::abs(sag_around);  // below the widest place n points to the axis
+  point.offset = kOfSag * n * (sag_around + std::clamp(sag - sag_around, -most, most));
   points_.push_back(point);
 }
 

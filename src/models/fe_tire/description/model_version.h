@@ -6,6 +6,6 @@
 
 namespace latsch::fe_tire {
 
-inline constexpr int kModelVersion = 14;
+inline constexpr int kModelVersion = 15;
 
 }  // namespace latsch::fe_tire
