@@ -9,7 +9,7 @@
 // edges): continuous tangents, exact on circles to fourth order in the sectors' width, flat where
 // the ground has made it flat. The ground sees its means over hats N_a, bilinear, around the nodes
 // and, as wide, around the middles between them, of edges and faces,
-//   x_a = int N_a x dA / int N_a dA + n_a s c_a,   s = 0.6                                      (T.1)
+//   x_a = int N_a x dA / int N_a dA + n_a s c_a,   s = 0.6                                    (T.1)
 // each standing for a quarter of the surface, as in mortar methods: pressures no shorter than nodes
 // can answer, where others would fight each other. What the edge of a patch cuts off is wrong by
 // turns as it passes a place and the middle between two; of both together most of that cancels:
