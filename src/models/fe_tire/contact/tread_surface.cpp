@@ -93,8 +93,8 @@ struct HatMean {
   double size = 0.0;
 };
 
-/// `cubic` and `measure` (per u) of a face at u. Of the `last` node on nothing is, nor before node 0,
-/// where there are ends: the hats of the middles beside them take what is left.
+/// `cubic` and `measure` (per u) of a face at u. Where there are ends, nothing is before node 0 nor
+/// behind the `last` one: the hats of the middles beside them take what is left.
 template <class CubicAt, class MeasureAt>
 HatMean hat_mean(int place, std::optional<int> last, CubicAt cubic_at, MeasureAt measure_at) {
   HatMean mean;
