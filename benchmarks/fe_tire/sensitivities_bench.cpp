@@ -228,14 +228,20 @@ class Judge {
   }
 
   /// Of every answer. Steps are halved until all are known well enough, or no further; then others
-  /// between those, for a slope of their own. (In one table they would seem to agree: neighbors
-  /// err alike.)
+  /// between those, each for a slope of its own, and the mean of all. (In one table they would seem
+  /// to agree: neighbors err alike.)
   std::vector<std::optional<ExtrapolatedSlope>> slopes(const std::string& path) const {
     constexpr double kFirst = 8e-3;
-    auto found = slopes(path, kFirst);
-    if (is_known(found, path)) return found;
-    const auto others = slopes(path, kFirst / std::numbers::sqrt2);
-    for (std::size_t i = 0; i < found.size(); ++i) found[i] = mean(found[i], others[i]);
+    std::vector<std::vector<ExtrapolatedSlope>> tables(kLoads + kModes);
+    Slopes found(tables.size());
+    for (const int between : {0, 2, 1, 3}) {
+      const auto slopes = this->slopes(path, kFirst * std::exp2(-0.25 * between));
+      for (std::size_t i = 0; i < tables.size(); ++i) {
+        if (slopes[i]) tables[i].push_back(*slopes[i]);
+        if (!tables[i].empty()) found[i] = mean_of(tables[i]);
+      }
+      if (is_known(found, path)) break;
+    }
     return found;
   }
 
@@ -248,19 +254,6 @@ class Judge {
  private:
   static constexpr double kSafety = 2.0;      // of noise that is seen some times
   static constexpr double kRounding = 1e-13;  // of the answer, at least
-
-  /// Each counts by the square of its error, as what noise leaves does; half of what they differ by
-  /// remains.
-  static std::optional<ExtrapolatedSlope> mean(const std::optional<ExtrapolatedSlope>& a,
-                                               const std::optional<ExtrapolatedSlope>& b) {
-    if (!a || !b) return a ? a : b;
-    const double of_a = a->error * a->error, of_b = b->error * b->error, both = of_a + of_b;
-    if (both == 0.0) return a;
-    return ExtrapolatedSlope{
-        (of_b * a->value + of_a * b->value) / both,
-        std::max(std::sqrt(of_a * of_b / both), 0.5 * std::abs(a->value - b->value)),
-        a->one_sided || b->one_sided};
-  }
 
   using Slopes = std::vector<std::optional<ExtrapolatedSlope>>;
 

@@ -141,4 +141,24 @@ std::optional<ExtrapolatedSlope> extrapolated_slope(const std::vector<StepValues
   return found;
 }
 
+ExtrapolatedSlope mean_of(const std::vector<ExtrapolatedSlope>& slopes) {
+  const auto exact = std::ranges::find(slopes, 0.0, &ExtrapolatedSlope::error);
+  if (exact != slopes.end()) return *exact;
+  double weight = 0.0, of_values = 0.0;
+  ExtrapolatedSlope mean;
+  for (const auto& [value, error, one_sided] : slopes) {
+    weight += 1.0 / (error * error);
+    of_values += value / (error * error);
+    mean.one_sided = mean.one_sided || one_sided;
+  }
+  mean.value = of_values / weight;
+  double squares = 0.0;
+  for (const auto& [value, error, one_sided] : slopes)
+    squares += std::pow((value - mean.value) / error, 2);
+  const double spare = static_cast<double>(slopes.size()) - 1.0;
+  const double ratio = spare > 0.0 ? std::sqrt(squares / spare) : 1.0;
+  mean.error = std::max(1.0, ratio) / std::sqrt(weight);
+  return mean;
+}
+
 }  // namespace latsch::benchmarks

@@ -36,4 +36,9 @@ std::optional<ExtrapolatedSlope> extrapolated_slope(const std::vector<StepValues
                                                     double at,
                                                     double noise);
 
+/// Of slopes from other steps each. They count by the inverse squares of their errors; where they
+/// differ by more than those say, the mean's error is larger by as much (Birge's ratio: R. T.
+/// Birge, Phys. Rev. 40 (1932) 207-227). One-sided where any of them is. At least one.
+ExtrapolatedSlope mean_of(const std::vector<ExtrapolatedSlope>& slopes);
+
 }  // namespace latsch::benchmarks

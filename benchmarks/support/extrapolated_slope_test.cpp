@@ -89,6 +89,43 @@ TEST(ExtrapolatedSlope, ErrorsThatAddBySquaresCoverNoiseOfTheTrials) {
   EXPECT_GE(covered, kFunctions * 99 / 100);
 }
 
+// Four tables of steps between each other's know the slope of the same functions better. (Twice as
+// well they would with errors known exactly; estimated ones make the mean somewhat worse.)
+TEST(ExtrapolatedSlope, TheMeanOfFourIsAThirdBetterWithinItsError) {
+  constexpr int kFunctions = 300, kTables = 4;
+  constexpr double kBound = 1e-10;
+  RandomStream random(8, 0);
+  int covered = 0;
+  double one = 0.0, four = 0.0;
+  for (int i = 0; i < kFunctions; ++i) {
+    const auto f = [&](double h) {
+      const double smooth = 0.1 + h + 30.0 * h * h - 2000.0 * std::sin(h) * h * h;
+      return smooth + 0.5 * kBound * (2.0 * random.uniform() - 1.0);
+    };
+    const double at = f(0.0);
+    std::vector<ExtrapolatedSlope> slopes;
+    for (int table = 0; table < kTables; ++table) {
+      const double first = 5e-3 * std::exp2(-static_cast<double>(table) / kTables);
+      slopes.push_back(extrapolated_slope(values(f, first, 9), at, kBound).value());
+    }
+    const ExtrapolatedSlope mean = mean_of(slopes);
+    covered += std::abs(mean.value - 1.0) <= mean.error;
+    one += std::abs(slopes.front().value - 1.0);
+    four += std::abs(mean.value - 1.0);
+  }
+  EXPECT_GE(covered, kFunctions * 99 / 100);
+  EXPECT_LT(four, one * 2.0 / 3.0);
+}
+
+// 1 and 3, each known to 0.1: a mean of 2, known to 1.
+TEST(ExtrapolatedSlope, TheMeanOfSlopesThatDisagreeKnowsLess) {
+  const ExtrapolatedSlope mean = mean_of({{1.0, 0.1}, {3.0, 0.1, true}});
+  EXPECT_DOUBLE_EQ(mean.value, 2.0);
+  EXPECT_NEAR(mean.error, 1.0, 1e-12);
+  EXPECT_TRUE(mean.one_sided);
+  EXPECT_DOUBLE_EQ(mean_of({{1.0, 0.1}}).error, 0.1);
+}
+
 TEST(ExtrapolatedSlope, NeedsThreeSteps) {
   EXPECT_FALSE(extrapolated_slope(values([](double h) { return h; }, 1e-2, 2), 0.0, 0.0));
 }
