@@ -227,20 +227,25 @@ class Judge {
     return largest;
   }
 
-  /// Of every answer. Steps are halved until all are known well enough, or no further; then others
-  /// between those, each for a slope of its own, and the mean of all. (In one table they would seem
-  /// to agree: neighbors err alike.)
+  /// Of every answer. Steps are halved until all are known well enough, or no further; then
+  /// polynomials fitted to many trials within the widest step are tried, where they know more.
   std::vector<std::optional<ExtrapolatedSlope>> slopes(const std::string& path) const {
-    constexpr double kFirst = 8e-3;
-    std::vector<std::vector<ExtrapolatedSlope>> tables(kLoads + kModes);
-    Slopes found(tables.size());
-    for (const int between : {0, 2, 1, 3}) {
-      const auto slopes = this->slopes(path, kFirst * std::exp2(-0.25 * between));
-      for (std::size_t i = 0; i < tables.size(); ++i) {
-        if (slopes[i]) tables[i].push_back(*slopes[i]);
-        if (!tables[i].empty()) found[i] = mean_of(tables[i]);
+    constexpr int kFits = 40;
+    auto [found, widest] = by_steps(path);
+    if (widest == 0.0 || is_known(found, path)) return found;
+    const double number = numbers_.get(path);
+    std::vector<std::vector<PlacedValue>> values(found.size());
+    for (int k = 0; k < kFits; ++k) {
+      const double share = widest * (2.0 * (k + 0.5) / kFits - 1.0);
+      const Exact trial = moved(path, share);
+      for (int i = 0; i < kLoads + kModes; ++i) {
+        if (const auto value = answer(trial, i))
+          values[static_cast<std::size_t>(i)].push_back({share * std::abs(number), *value});
       }
-      if (is_known(found, path)) break;
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (!found[i] || values[i].size() < kFits) continue;
+      if (const auto fit = fitted_slope(values[i]); fit.error < found[i]->error) found[i] = fit;
     }
     return found;
   }
@@ -267,20 +272,30 @@ class Judge {
     return true;
   }
 
-  Slopes slopes(const std::string& path, double first) const {
-    constexpr int kFewest = 4, kMost = 9;
+  struct BySteps {
+    Slopes slopes;
+    double widest = 0.0;  // step to both sides of which all answers are of the same branch
+  };
+
+  BySteps by_steps(const std::string& path) const {
+    constexpr double kFirst = 6.4e-2;
+    constexpr int kFewest = 4, kMost = 12;
     const double number = numbers_.get(path);
     std::vector<std::vector<StepValues>> steps(kLoads + kModes);
-    Slopes found(steps.size());
+    BySteps found{Slopes(steps.size())};
     for (int k = 0; k < kMost; ++k) {
-      const double share = std::ldexp(first, -k), h = share * std::abs(number);
+      const double share = std::ldexp(kFirst, -k), h = share * std::abs(number);
       const Exact below = moved(path, -share), above = moved(path, share);
+      bool all = true;
       for (int i = 0; i < kLoads + kModes; ++i) {
         auto& of_answer = steps[static_cast<std::size_t>(i)];
         of_answer.push_back({h, answer(below, i), answer(above, i)});
-        found[static_cast<std::size_t>(i)] = extrapolated_slope(of_answer, value(i), noise_[i]);
+        all = all && of_answer.back().below && of_answer.back().above;
+        found.slopes[static_cast<std::size_t>(i)] =
+            extrapolated_slope(of_answer, value(i), noise_[i]);
       }
-      if (k + 1 >= kFewest && is_known(found, path)) break;
+      if (all) found.widest = std::max(found.widest, share);
+      if (k + 1 >= kFewest && is_known(found.slopes, path)) break;
     }
     return found;
   }

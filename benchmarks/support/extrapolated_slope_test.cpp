@@ -89,41 +89,46 @@ TEST(ExtrapolatedSlope, ErrorsThatAddBySquaresCoverNoiseOfTheTrials) {
   EXPECT_GE(covered, kFunctions * 99 / 100);
 }
 
-// Four tables of steps between each other's know the slope of the same functions better. (Twice as
-// well they would with errors known exactly; estimated ones make the mean somewhat worse.)
-TEST(ExtrapolatedSlope, TheMeanOfFourIsAThirdBetterWithinItsError) {
-  constexpr int kFunctions = 300, kTables = 4;
-  constexpr double kBound = 1e-10;
+// Of the same functions, from 32 values as near as the table's widest step.
+TEST(FittedSlope, ScatterTellsTheNoiseAndTheErrorCoversIt) {
+  constexpr int kFunctions = 300, kValues = 32;
+  constexpr double kBound = 1e-10, kReach = 5e-3;
   RandomStream random(8, 0);
   int covered = 0;
-  double one = 0.0, four = 0.0;
+  double by_fit = 0.0, by_table = 0.0, said = 0.0, said_by_table = 0.0;
   for (int i = 0; i < kFunctions; ++i) {
     const auto f = [&](double h) {
       const double smooth = 0.1 + h + 30.0 * h * h - 2000.0 * std::sin(h) * h * h;
       return smooth + 0.5 * kBound * (2.0 * random.uniform() - 1.0);
     };
-    const double at = f(0.0);
-    std::vector<ExtrapolatedSlope> slopes;
-    for (int table = 0; table < kTables; ++table) {
-      const double first = 5e-3 * std::exp2(-static_cast<double>(table) / kTables);
-      slopes.push_back(extrapolated_slope(values(f, first, 9), at, kBound).value());
+    std::vector<PlacedValue> placed;
+    for (int k = 0; k < kValues; ++k) {
+      const double x = kReach * (2.0 * (k + 0.5) / kValues - 1.0);
+      placed.push_back({x, f(x)});
     }
-    const ExtrapolatedSlope mean = mean_of(slopes);
-    covered += std::abs(mean.value - 1.0) <= mean.error;
-    one += std::abs(slopes.front().value - 1.0);
-    four += std::abs(mean.value - 1.0);
+    const ExtrapolatedSlope slope = fitted_slope(placed);
+    covered += std::abs(slope.value - 1.0) <= slope.error;
+    by_fit += std::abs(slope.value - 1.0);
+    said += slope.error;
+    const auto table = extrapolated_slope(values(f, kReach, 9), f(0.0), kBound);
+    by_table += std::abs(table.value().value - 1.0);
+    said_by_table += table->error;
   }
   EXPECT_GE(covered, kFunctions * 99 / 100);
-  EXPECT_LT(four, one * 2.0 / 3.0);
+  EXPECT_LT(by_fit, by_table);
+  EXPECT_LT(said, said_by_table);
 }
 
-// 1 and 3, each known to 0.1: a mean of 2, known to 1.
-TEST(ExtrapolatedSlope, TheMeanOfSlopesThatDisagreeKnowsLess) {
-  const ExtrapolatedSlope mean = mean_of({{1.0, 0.1}, {3.0, 0.1, true}});
-  EXPECT_DOUBLE_EQ(mean.value, 2.0);
-  EXPECT_NEAR(mean.error, 1.0, 1e-12);
-  EXPECT_TRUE(mean.one_sided);
-  EXPECT_DOUBLE_EQ(mean_of({{1.0, 0.1}}).error, 0.1);
+// With no noise what is left are the powers that no fit has: sin'(0) = 1.
+TEST(FittedSlope, OfASmoothFunctionIsWithinItsError) {
+  std::vector<PlacedValue> placed;
+  for (int k = 0; k < 20; ++k) {
+    const double x = 0.05 * (k - 9.5);
+    placed.push_back({x, std::sin(x) + x * x});
+  }
+  const ExtrapolatedSlope slope = fitted_slope(placed);
+  EXPECT_LE(std::abs(slope.value - 1.0), slope.error);
+  EXPECT_LT(slope.error, 1e-8);
 }
 
 TEST(ExtrapolatedSlope, NeedsThreeSteps) {
