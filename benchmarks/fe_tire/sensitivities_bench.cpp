@@ -267,7 +267,8 @@ class Judge {
     const double number = numbers_.get(path);
     for (int i = 0; i < kLoads + kModes; ++i) {
       const auto& slope = slopes[static_cast<std::size_t>(i)];
-      if (!slope || slope->error > kEnough * size(i, slope->value, number)) return false;
+      if (!slope || slope->one_sided || slope->error > kEnough * size(i, slope->value, number))
+        return false;
     }
     return true;
   }
