@@ -6,7 +6,8 @@
 // B, pressed. Every mesh is refined in all three directions with nodes on the true contour and the
 // same physical boundary. Inflation and unloaded modes are one sector's: refined 2, 3 and 4 times
 // and extrapolated; the loaded ring is judged as users see it by default, of three tires thoroughly
-// (loaded_limits.h), which shows how right the default is. `--sizes` judges others, on the ground too.
+// (loaded_limits.h), which shows how right the default is. `--sizes` judges others, on the ground
+// too.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -216,8 +217,8 @@ int run_sizes(const std::string& sizes) {
   return table.exit_code();
 }
 
-/// The comparison tire with columns where they matter and the zones of sectors of the tire as
-/// shipped: its own columns, all alike, are CalculiX'.
+/// The comparison tire with columns and as many sectors as matter, in the zones of the tire as
+/// shipped: its own, all alike, are CalculiX'.
 TireDescription smeared(TireDescription tire, const TireDescription& as, int unknowns) {
   // The deck of tire B holds the outer half of the bead: its stiff inner half then hangs on an
   // edge, a singularity that spoils the convergence of any element. Held by the inner half it has
@@ -225,7 +226,8 @@ TireDescription smeared(TireDescription tire, const TireDescription& as, int unk
   if (tire.section.clamp == BeadClamp::outside) tire.section.clamp = BeadClamp::inside;
   tire.section.ends = as.section.ends;
   tire.section.sector_zones = as.section.sector_zones;
-  const auto placed = value_of(place_columns(tire, {.unknowns = unknowns}));
+  const auto placed = value_of(place_columns(tire, {.unknowns = unknowns, .choose_sectors = true}));
+  tire.section.sectors = placed.sectors;
   return with_columns(std::move(tire), placed.columns);
 }
 

@@ -26,8 +26,8 @@ struct DiscretizationSettings {
   int modes = 20;
   std::vector<int> refinements = {
       1, 2, 3, 4};  // of inflation and unloaded modes: cheap, one sector
-  /// The loaded ring, extrapolated from few meshes (loaded_limits.h): from three of up to eight times
-  /// the unknowns or, thoroughly, from four of up to sixteen, in some four times the time.
+  /// The loaded ring, extrapolated from few meshes (loaded_limits.h): from three of up to eight
+  /// times the unknowns or, thoroughly, from five of up to sixteen, in some four times the time.
   bool loaded_thoroughly = false;
 };
 

@@ -3,10 +3,10 @@
 //
 // Elements err on the ground much as they do off it. So the pressed tire is extrapolated from few
 // meshes, and what the same meshes of the unloaded one miss of its limit, which many show, is added
-// by the name of the mode. Orders need not be known: rows of a smeared section go to the far side of
-// the limit, and come back slowly. The vertical force has no such name. It gets the part of what the
-// section's refinement changes that modes have left, by least squares. How far sectors are off is
-// the pressed tire's own: they are narrow at the contact alone.
+// by the name of the mode. Orders need not be known: rows of a smeared section go to the far side
+// of the limit, and come back slowly. The vertical force has no such name. It gets the part of what
+// the section's refinement changes that modes have left, by least squares. How far sectors are off
+// is the pressed tire's own: they are narrow at the contact alone.
 #pragma once
 
 #include <map>
@@ -35,9 +35,9 @@ struct FewMeshes {
 /// halving them changed is left.
 const FewMeshes& few_meshes();
 
-/// Also columns halved with the sectors, and both halved twice, these extrapolated together, in some
-/// five times the time. Rows are halved once. (Patches would end anywhere in the few sectors of meshes
-/// refined 1, 2, 3 times.)
+/// Also columns halved with the sectors, and both halved twice, these extrapolated together, in
+/// some four times the time. Rows are halved once. (Patches would end anywhere in the few sectors
+/// of meshes refined 1, 2, 3 times.)
 const FewMeshes& thorough_meshes();
 
 /// Of meshes as `thorough_meshes` has them those of `few_meshes`.

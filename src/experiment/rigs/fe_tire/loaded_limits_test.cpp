@@ -25,8 +25,8 @@ DiscretizationRow values(const std::string& name, std::vector<double> on_meshes)
   return row;
 }
 
-/// On the mesh, its sectors halved, everything halved: sectors err by `around` and second order, the
-/// section by `coarse` and, halved, by `fine`, in parts of the limit.
+/// On the mesh, its sectors halved, everything halved: sectors err by `around` and second order,
+/// the section by `coarse` and, halved, by `fine`, in parts of the limit.
 std::vector<double> few(double limit, double around, double coarse, double fine) {
   return {limit * (1.0 + around + coarse),
           limit * (1.0 + around / 4.0 + coarse),
@@ -48,8 +48,8 @@ TEST(LoadedLimits, SectorsErrByThemselvesAndTheSectionAsItDoesUnloaded) {
   EXPECT_LT(std::abs(row.converged - 90.0), row.uncertainty);
 }
 
-// As with rows of a smeared section: halved, they err to the other side of the limit. An order would
-// lead away from it.
+// As with rows of a smeared section: halved, they err to the other side of the limit. An order
+// would lead away from it.
 TEST(LoadedLimits, WhereHalvingGoesBeyondTheLimitItIsKnownFromTheUnloadedTire) {
   const Missed missed({limit("radial n=2", 100.0), limit("lateral n=1", 40.0)},
                       {values("radial n=2", few(100.0, 0.0, -0.006, 0.003)),
@@ -83,7 +83,8 @@ TEST(LoadedLimits, WithoutUnloadedModesTheSecondOrderIsTakenAndTheFirstIsWithinT
   EXPECT_GE(row.uncertainty, 2.0);  // order 1: 98
 }
 
-// Sectors and columns by second order; rows, halved once, leave what they leave of the unloaded tire.
+// Sectors and columns by second order; rows, halved once, leave what they leave of the unloaded
+// tire.
 TEST(LoadedLimits, ThoroughlySectorsAndColumnsAreExtrapolatedAndRowsAsTheyAreUnloaded) {
   const auto on_meshes = [](double v, double c, double coarse, double fine) {
     return std::vector{v * (1.0 + c + coarse),

@@ -28,7 +28,8 @@ constexpr int kMostPolishing = 3;
 // Of what is left, solved so far: soft motions of the tire, on which its load stands, err by more.
 constexpr double kOfPolishing = 1e-3;
 constexpr double kLargestShift = 1e3;  // relative to the diagonal
-// Of one equilibrium, each a factorization: where its tangents stay indefinite the step is too long.
+// Of one equilibrium, each a factorization: where its tangents stay indefinite the step is too
+// long.
 constexpr int kMostShifts = 30;
 // From this many times the tolerance on the last tangent there is leads to the end, if the residual
 // falls so fast: cords that go slack or taut hold it up earlier.
