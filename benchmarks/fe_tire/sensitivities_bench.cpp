@@ -227,15 +227,26 @@ class Judge {
     return largest;
   }
 
-  /// Of every answer. Steps are halved until all are known well enough, or no further; then others
-  /// between those, for a slope of their own. (In one table they would seem to agree: neighbors
-  /// err alike.)
+  /// Of every answer. Steps are halved until all are known well enough, or no further; then
+  /// polynomials fitted to many trials within the widest step are tried, where they know more.
   std::vector<std::optional<ExtrapolatedSlope>> slopes(const std::string& path) const {
-    constexpr double kFirst = 8e-3;
-    auto found = slopes(path, kFirst);
-    if (is_known(found, path)) return found;
-    const auto others = slopes(path, kFirst / std::numbers::sqrt2);
-    for (std::size_t i = 0; i < found.size(); ++i) found[i] = mean(found[i], others[i]);
+    constexpr int kFits = 40;
+    auto [found, widest] = by_steps(path);
+    if (widest == 0.0 || is_known(found, path)) return found;
+    const double number = numbers_.get(path);
+    std::vector<std::vector<PlacedValue>> values(found.size());
+    for (int k = 0; k < kFits; ++k) {
+      const double share = widest * (2.0 * (k + 0.5) / kFits - 1.0);
+      const Exact trial = moved(path, share);
+      for (int i = 0; i < kLoads + kModes; ++i) {
+        if (const auto value = answer(trial, i))
+          values[static_cast<std::size_t>(i)].push_back({share * std::abs(number), *value});
+      }
+    }
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (!found[i] || values[i].size() < kFits) continue;
+      if (const auto fit = fitted_slope(values[i]); fit.error < found[i]->error) found[i] = fit;
+    }
     return found;
   }
 
@@ -249,19 +260,6 @@ class Judge {
   static constexpr double kSafety = 2.0;      // of noise that is seen some times
   static constexpr double kRounding = 1e-13;  // of the answer, at least
 
-  /// Each counts by the square of its error, as what noise leaves does; half of what they differ by
-  /// remains.
-  static std::optional<ExtrapolatedSlope> mean(const std::optional<ExtrapolatedSlope>& a,
-                                               const std::optional<ExtrapolatedSlope>& b) {
-    if (!a || !b) return a ? a : b;
-    const double of_a = a->error * a->error, of_b = b->error * b->error, both = of_a + of_b;
-    if (both == 0.0) return a;
-    return ExtrapolatedSlope{
-        (of_b * a->value + of_a * b->value) / both,
-        std::max(std::sqrt(of_a * of_b / both), 0.5 * std::abs(a->value - b->value)),
-        a->one_sided || b->one_sided};
-  }
-
   using Slopes = std::vector<std::optional<ExtrapolatedSlope>>;
 
   bool is_known(const Slopes& slopes, const std::string& path) const {
@@ -269,25 +267,36 @@ class Judge {
     const double number = numbers_.get(path);
     for (int i = 0; i < kLoads + kModes; ++i) {
       const auto& slope = slopes[static_cast<std::size_t>(i)];
-      if (!slope || slope->error > kEnough * size(i, slope->value, number)) return false;
+      if (!slope || slope->one_sided || slope->error > kEnough * size(i, slope->value, number))
+        return false;
     }
     return true;
   }
 
-  Slopes slopes(const std::string& path, double first) const {
-    constexpr int kFewest = 4, kMost = 9;
+  struct BySteps {
+    Slopes slopes;
+    double widest = 0.0;  // step to both sides of which all answers are of the same branch
+  };
+
+  BySteps by_steps(const std::string& path) const {
+    constexpr double kFirst = 6.4e-2;
+    constexpr int kFewest = 4, kMost = 12;
     const double number = numbers_.get(path);
     std::vector<std::vector<StepValues>> steps(kLoads + kModes);
-    Slopes found(steps.size());
+    BySteps found{Slopes(steps.size())};
     for (int k = 0; k < kMost; ++k) {
-      const double share = std::ldexp(first, -k), h = share * std::abs(number);
+      const double share = std::ldexp(kFirst, -k), h = share * std::abs(number);
       const Exact below = moved(path, -share), above = moved(path, share);
+      bool all = true;
       for (int i = 0; i < kLoads + kModes; ++i) {
         auto& of_answer = steps[static_cast<std::size_t>(i)];
         of_answer.push_back({h, answer(below, i), answer(above, i)});
-        found[static_cast<std::size_t>(i)] = extrapolated_slope(of_answer, value(i), noise_[i]);
+        all = all && of_answer.back().below && of_answer.back().above;
+        found.slopes[static_cast<std::size_t>(i)] =
+            extrapolated_slope(of_answer, value(i), noise_[i]);
       }
-      if (k + 1 >= kFewest && is_known(found, path)) break;
+      if (all) found.widest = std::max(found.widest, share);
+      if (k + 1 >= kFewest && is_known(found.slopes, path)) break;
     }
     return found;
   }

@@ -2,9 +2,12 @@
 #include "extrapolated_slope.h"
 
 #include <Eigen/Core>
+#include <Eigen/QR>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "numerics/dense/orthogonal_factors.h"
 
@@ -138,6 +141,43 @@ std::optional<ExtrapolatedSlope> extrapolated_slope(const std::vector<StepValues
     found.one_sided = true;
   }
   if (found.error == kUnknown) return std::nullopt;
+  return found;
+}
+
+ExtrapolatedSlope fitted_slope(const std::vector<PlacedValue>& values) {
+  constexpr int kLowest = 3, kHighest = 7, kMore = 2;
+  constexpr double kDeviations = 3.0;
+  const auto count = static_cast<Eigen::Index>(values.size());
+  assert(count >= 16);
+  double reach = 0.0;
+  for (const auto& [x, value] : values) reach = std::max(reach, std::abs(x));
+  Eigen::MatrixXd powers(count, kHighest + kMore + 1);
+  Eigen::VectorXd of(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto& [x, value] = values[static_cast<std::size_t>(i)];
+    of[i] = value - values.front().value;
+    powers(i, 0) = 1.0;
+    for (Eigen::Index k = 1; k < powers.cols(); ++k) powers(i, k) = powers(i, k - 1) * x / reach;
+  }
+  // (slope, its standard deviation), without reach
+  const auto fit = [&](int degree) {
+    const Eigen::MatrixXd some = powers.leftCols(degree + 1);
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(some);
+    const Eigen::VectorXd coefficients = qr.solve(of);
+    const double left =
+        (of - some * coefficients).squaredNorm() / static_cast<double>(count - degree - 1);
+    const Eigen::VectorXd slope = Eigen::VectorXd::Unit(degree + 1, 1);
+    const Eigen::VectorXd weights =
+        qr.matrixQR().topRows(degree + 1).triangularView<Eigen::Upper>().transpose().solve(slope);
+    return std::pair(coefficients[1], std::sqrt(left) * weights.norm());
+  };
+  ExtrapolatedSlope found{0.0, kUnknown};
+  for (int degree = kLowest; degree <= kHighest; degree += kMore) {
+    const auto [slope, deviation] = fit(degree);
+    const double error =
+        std::max(kDeviations * deviation, 2.0 * std::abs(slope - fit(degree + kMore).first));
+    if (error < found.error * reach) found = {slope / reach, error / reach};
+  }
   return found;
 }
 

@@ -36,4 +36,14 @@ std::optional<ExtrapolatedSlope> extrapolated_slope(const std::vector<StepValues
                                                     double at,
                                                     double noise);
 
+/// A value beside the point.
+struct PlacedValue {
+  double x = 0.0, value = 0.0;
+};
+
+/// The slope at zero of polynomials through many values evenly to both sides, in the sense of least
+/// squares: what noise there is, their scatter tells. The error is three standard deviations of it
+/// or twice what two more powers change, of the degree for which that is least. At least 16 values.
+ExtrapolatedSlope fitted_slope(const std::vector<PlacedValue>& values);
+
 }  // namespace latsch::benchmarks

@@ -89,6 +89,48 @@ TEST(ExtrapolatedSlope, ErrorsThatAddBySquaresCoverNoiseOfTheTrials) {
   EXPECT_GE(covered, kFunctions * 99 / 100);
 }
 
+// Of the same functions, from 32 values as near as the table's widest step.
+TEST(FittedSlope, ScatterTellsTheNoiseAndTheErrorCoversIt) {
+  constexpr int kFunctions = 300, kValues = 32;
+  constexpr double kBound = 1e-10, kReach = 5e-3;
+  RandomStream random(8, 0);
+  int covered = 0;
+  double by_fit = 0.0, by_table = 0.0, said = 0.0, said_by_table = 0.0;
+  for (int i = 0; i < kFunctions; ++i) {
+    const auto f = [&](double h) {
+      const double smooth = 0.1 + h + 30.0 * h * h - 2000.0 * std::sin(h) * h * h;
+      return smooth + 0.5 * kBound * (2.0 * random.uniform() - 1.0);
+    };
+    std::vector<PlacedValue> placed;
+    for (int k = 0; k < kValues; ++k) {
+      const double x = kReach * (2.0 * (k + 0.5) / kValues - 1.0);
+      placed.push_back({x, f(x)});
+    }
+    const ExtrapolatedSlope slope = fitted_slope(placed);
+    covered += std::abs(slope.value - 1.0) <= slope.error;
+    by_fit += std::abs(slope.value - 1.0);
+    said += slope.error;
+    const auto table = extrapolated_slope(values(f, kReach, 9), f(0.0), kBound);
+    by_table += std::abs(table.value().value - 1.0);
+    said_by_table += table->error;
+  }
+  EXPECT_GE(covered, kFunctions * 99 / 100);
+  EXPECT_LT(by_fit, by_table);
+  EXPECT_LT(said, said_by_table);
+}
+
+// With no noise what is left are the powers that no fit has: sin'(0) = 1.
+TEST(FittedSlope, OfASmoothFunctionIsWithinItsError) {
+  std::vector<PlacedValue> placed;
+  for (int k = 0; k < 20; ++k) {
+    const double x = 0.05 * (k - 9.5);
+    placed.push_back({x, std::sin(x) + x * x});
+  }
+  const ExtrapolatedSlope slope = fitted_slope(placed);
+  EXPECT_LE(std::abs(slope.value - 1.0), slope.error);
+  EXPECT_LT(slope.error, 1e-8);
+}
+
 TEST(ExtrapolatedSlope, NeedsThreeSteps) {
   EXPECT_FALSE(extrapolated_slope(values([](double h) { return h; }, 1e-2, 2), 0.0, 0.0));
 }

@@ -216,7 +216,7 @@ void add_mesh(CommandLine& app, Program& program) {
   verb.add_flag(
       "--thorough",
       options->thorough,
-      "Judges the pressed tire on four meshes in place of two, in some five times the time");
+      "Judges the pressed tire on five meshes in place of three, in some four times the time");
   verb.add_option("--finest",
                   options->finest,
                   "Compares with meshes refined 2 to so many times, for --convergence")

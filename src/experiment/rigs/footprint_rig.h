@@ -14,7 +14,7 @@
 //   elements = ["7 mm", "7 mm"]      # of a finite-element tire: the longest below its tread around
 //                                    # and across, half of that around in the patch of the first
 //                                    # millimeters; default. ["1 m", "1 m"] is its own mesh, four
-//                                    # times as fast and less exact
+//                                    # times as fast, with friction ten, and less exact
 //
 // Channels, one value a state in their order: "load" (N), "deflection", "length", "width" (m, the
 // longest and the widest), "area" (m^2, grooves included), "mean_pressure" (Pa, load over area),

@@ -90,7 +90,7 @@ class Factorization {
 
   const std::shared_ptr<const Elimination>& elimination() const;
 
-  struct Impl;  // factorization.cpp
+  struct Impl;  // multifrontal.h
 
  private:
   std::unique_ptr<Impl> impl_;

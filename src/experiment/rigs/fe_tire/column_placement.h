@@ -6,11 +6,12 @@
 // where h ~ (cost / c)^(1/3), cost the unknowns of a column [equidistribution: de Boor 1973,
 // Lecture Notes in Mathematics 363]. The columns moved there are halved again, for c changes where
 // they move, and the best mesh met is kept. One sector serves, so a tire takes seconds.
-//   Error is the largest of three: of the unloaded tire, by all elements halved in all directions
-// at once, for directions cancel less of each other together than one by one (growth of a
-// 295/55R17 seemed right within 0.6 % and was off by 1.5); of a loaded one, whose modes bend where
-// sectors are widest; and of columns alone, for what rows cancel on one mesh they may not on a
-// finer one (tire A smeared: lateral n=0 seemed right within 0.6 % and was off by 1.7).
+//   Error is the largest of three: of the unloaded tire, by the limit of all elements refined two
+// and three times at once, for directions cancel less of each other together than one by one
+// (growth of a 295/55R17 seemed right within 0.6 % and was off by 1.5), and rows of a smeared
+// section overshoot where halved; of a loaded one, whose modes bend where sectors are widest; and
+// of columns alone, for what rows cancel on one mesh they may not on a finer one (tire A smeared:
+// lateral n=0 seemed right within 0.6 % and was off by 1.7).
 #pragma once
 
 #include <functional>
@@ -33,7 +34,7 @@ struct ColumnPlacement {
   std::vector<double> columns;  // Section::columns
   int sectors = 0;
   int unknowns = 0;
-  /// Of the quantity that errs most, estimated: 4/3 of what halving all elements changes.
+  /// Of the quantity that errs most, as estimated above.
   double error_before = 0.0, error = 0.0;
   std::string worst;  // its name: "growth", "lateral n=2"
 };

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
 
+#include "experiment/rigs/fe_tire/loaded_limits.h"
 #include "models/fe_tire/description/section_grid.h"
 #include "numerics/richardson.h"
 
@@ -37,7 +37,9 @@ Result<MeshQuantities> unloaded_quantities(FeTire& tire,
                                            const Inflated& inflated,
                                            const DiscretizationSettings&,
                                            int count) {
-  const Result<std::vector<Mode>> modes = tire.modes(inflated, count);
+  // Some that come down among the lowest on the ground are known by these.
+  constexpr int kMore = 8;
+  const Result<std::vector<Mode>> modes = tire.modes(inflated, count + kMore);
   if (!modes) return modes.failure();
   MeshQuantities quantities = {{"growth", inflated.growth}};
   add_modes(*modes, quantities);
@@ -133,121 +135,64 @@ Result<std::vector<MeshQuantities>> refine(
   return meshes;
 }
 
-/// The limit of the last three meshes, and how far it may be off.
-void extrapolate(const std::vector<int>& refinements, DiscretizationRow& row) {
-  const std::size_t last = row.values.size() - 3;
-  std::array<double, 3> h, v;
-  for (std::size_t i = 0; i < 3; ++i) {
-    h[i] = 1.0 / refinements[last + i];
-    v[i] = row.values[last + i];
-  }
-  const numerics::Extrapolation limit = numerics::extrapolate(h, v);
-  row.converged = limit.value;
-  row.order = limit.observed ? limit.order : 0.0;
-  const double beyond = std::abs(limit.value - v[2]);
-  const double change = std::max(std::abs(v[2] - v[1]), std::abs(v[1] - v[0]));
-  row.uncertainty = limit.observed ? 0.25 * beyond : 3.0 * change;
-}
-
-/// Of an order p, refined r times: 1 / (r^p - 1) of the way from the unrefined mesh is left.
-double remainder_of(double order, int refinement) {
-  return 1.0 / (std::pow(refinement, order) - 1.0);
-}
-
-/// The limit of the unrefined and another mesh.
-void extrapolate(int refinement, const Remainder& left, DiscretizationRow& row) {
-  const double way = row.values[1] - row.values[0];
-  row.converged = row.values[1] + left.part * way;
-  row.order = left.observed ? std::log1p(1.0 / left.part) / std::log(refinement) : 0.0;
-  const double order = std::abs(way) * std::max(remainder_of(1.0, refinement) - left.part,
-                                                left.part - remainder_of(2.0, refinement));
-  row.uncertainty = std::max(order, left.part * left.apart_of(row.name) * std::abs(row.converged));
-}
-
-/// By label: of the mesh, of its sectors and columns halved, then its rows too.
-std::map<std::string, double> changes_apart(std::vector<MeshQuantities> meshes) {
-  std::map<std::string, double> apart;
-  for (const DiscretizationRow& row : discretization_rows({1, 2, 4}, std::move(meshes))) {
-    if (row.unit != "Hz" || !row.paired) continue;
-    const std::vector<double>& v = row.values;
-    apart[row.name] = (std::abs(v[1] - v[0]) + std::abs(v[2] - v[1])) / v[0];
-  }
-  return apart;
-}
-
 }  // namespace
 
-double Remainder::apart_of(const std::string& row) const {
-  std::string label = row.substr(0, row.find(" #"));
-  if (label.ends_with(" s") || label.ends_with(" a")) label.resize(label.size() - 2);
-  if (const auto found = apart.find(label); found != apart.end()) return found->second;
-  double squares = 0.0;
-  for (const auto& [name, changed] : apart) squares += changed * changed;
-  return apart.empty() ? 0.0 : std::sqrt(squares / static_cast<double>(apart.size()));
+MeshLimit mesh_limit(const std::array<int, 3>& refinements, const std::array<double, 3>& values) {
+  const auto& [v0, v1, v2] = values;
+  const numerics::Extrapolation limit = numerics::extrapolate(
+      {1.0 / refinements[0], 1.0 / refinements[1], 1.0 / refinements[2]}, values);
+  const double change = std::max(std::abs(v2 - v1), std::abs(v1 - v0));
+  return {limit.value,
+          limit.observed ? limit.order : 0.0,
+          limit.observed ? 0.25 * std::abs(limit.value - v2) : 3.0 * change};
 }
 
-std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refinements,
-                                                   std::vector<MeshQuantities> meshes,
-                                                   const Remainder& left) {
-  assert(meshes.size() >= 2 && meshes.size() == refinements.size());
+std::vector<DiscretizationRow> paired_rows(std::vector<MeshQuantities> meshes) {
   rename_as_first(meshes);
   std::vector<DiscretizationRow> table;
   for (const auto& [name, first] : meshes.front()) {
     DiscretizationRow row;
     row.name = name;
     row.unit = unit_of(name);
+    row.converged = std::numeric_limits<double>::quiet_NaN();
     for (MeshQuantities& mesh : meshes) {
       if (const double* value = find(mesh, name)) row.values.push_back(*value);
     }
-    if (row.values.size() != meshes.size()) {
-      row.values = {first};
-      row.converged = std::numeric_limits<double>::quiet_NaN();
-      row.paired = false;
-      table.push_back(std::move(row));
-      continue;
-    }
-    if (meshes.size() == 2) {
-      extrapolate(refinements[1], left, row);
-    } else {
-      extrapolate(refinements, row);
-    }
+    row.paired = row.values.size() == meshes.size();
+    if (!row.paired) row.values = {first};
     table.push_back(std::move(row));
   }
   return table;
 }
 
-Remainder remainder(const std::vector<int>& refinements,
-                    const std::vector<DiscretizationRow>& rows,
-                    int refinement) {
-  const auto at = std::ranges::find(refinements, refinement) - refinements.begin();
-  double left = 0.0, of = 0.0;
-  for (const DiscretizationRow& row : rows) {
-    if (row.unit != "Hz" || !row.asymptotic() || at == std::ssize(refinements)) continue;
-    const double way = (row.values[at] - row.values[0]) / row.converged;
-    left += way * (row.converged - row.values[at]) / row.converged;
-    of += way * way;
+std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refinements,
+                                                   std::vector<MeshQuantities> meshes) {
+  assert(meshes.size() >= 3 && meshes.size() == refinements.size());
+  std::vector<DiscretizationRow> table = paired_rows(std::move(meshes));
+  const std::size_t last = refinements.size() - 3;
+  for (DiscretizationRow& row : table) {
+    if (!row.paired) continue;
+    const std::vector<double>& v = row.values;
+    const MeshLimit limit =
+        mesh_limit({refinements[last], refinements[last + 1], refinements[last + 2]},
+                   {v[last], v[last + 1], v[last + 2]});
+    row.converged = limit.value;
+    row.order = limit.order;
+    row.uncertainty = limit.uncertainty;
   }
-  const double first = remainder_of(1.0, refinement), second = remainder_of(2.0, refinement);
-  if (of == 0.0) return {second, false};
-  return {std::clamp(left / of, second, first), true};
+  return table;
 }
 
 namespace {
 
-/// Of the loaded ring on four meshes: 1, (2, 2, 1), (4, 4, 1) and (2, 2, 2).
-std::vector<DiscretizationRow> thorough_rows(std::vector<MeshQuantities> meshes) {
-  constexpr double kLeft = 4.0 / 3.0;  // of the first change, of an error of second order
-  std::vector<DiscretizationRow> rows =
-      discretization_rows({1, 2, 4}, {meshes.begin(), meshes.end() - 1});
-  rename_as_first(meshes);
+std::vector<DiscretizationRow> loaded_rows(const std::vector<DiscretizationRow>& limits,
+                                           const std::vector<MeshQuantities>& loaded,
+                                           const std::vector<MeshQuantities>& unloaded,
+                                           const FewMeshes& meshes) {
+  const Missed missed(limits, paired_rows(unloaded), meshes);
+  std::vector<DiscretizationRow> rows = paired_rows(loaded);
   for (DiscretizationRow& row : rows) {
-    const double* through = find(meshes.back(), row.name);
-    if (!row.paired || !through) {
-      row.paired = false;
-      row.values.resize(1);
-      continue;
-    }
-    row.converged += kLeft * (*through - row.values[1]);
+    if (row.paired) missed.extrapolate(row);
   }
   return rows;
 }
@@ -258,30 +203,31 @@ Result<DiscretizationStudy> study_discretization(
     const fe_tire::TireDescription& tire,
     const DiscretizationSettings& settings,
     const std::function<void(const std::string&)>& progress) {
-  DiscretizationStudy study;
-  auto unloaded = refine(tire,
-                         settings,
-                         {settings.refinements.begin(), settings.refinements.end()},
-                         unloaded_quantities,
-                         "unloaded",
-                         progress);
+  const auto unloaded = refine(tire,
+                               settings,
+                               {settings.refinements.begin(), settings.refinements.end()},
+                               unloaded_quantities,
+                               "unloaded",
+                               progress);
   if (!unloaded) return unloaded.failure();
-  study.unloaded = discretization_rows(settings.refinements, *unloaded);
+  const std::vector<DiscretizationRow> limits =
+      discretization_rows(settings.refinements, *unloaded);
+  DiscretizationStudy study;
+  study.unloaded = {
+      limits.begin(),
+      limits.begin() + std::min(std::ssize(limits), std::ptrdiff_t{1} + settings.modes)};
   if (settings.deflection <= 0.0) return study;
-  using Meshes = std::vector<fe_tire::Refinement>;
-  const Meshes meshes =
-      settings.loaded_thoroughly ? Meshes{1, {2, 2, 1}, {4, 4, 1}, {2, 2, 2}} : Meshes{1, 2};
-  auto loaded = refine(tire, settings, meshes, loaded_quantities, "loaded", progress);
+  const FewMeshes& few = settings.loaded_thoroughly ? thorough_meshes() : few_meshes();
+  const auto loaded =
+      refine(tire, settings, few.refinements, loaded_quantities, "loaded", progress);
   if (!loaded) return loaded.failure();
+  const auto same = refine(tire, settings, few.refinements, unloaded_quantities, "unloaded", {});
+  if (!same) return same.failure();
+  study.loaded = loaded_rows(limits, *loaded, *same, few);
   if (settings.loaded_thoroughly) {
-    study.loaded = thorough_rows(std::move(*loaded));
-    return study;
+    study.loaded_by_few =
+        loaded_rows(limits, few_of_thorough(*loaded), few_of_thorough(*same), few_meshes());
   }
-  auto halves = refine(tire, settings, {1, {2, 2, 1}, 2}, unloaded_quantities, "unloaded", {});
-  if (!halves) return halves.failure();
-  Remainder left = remainder(settings.refinements, study.unloaded, 2);
-  left.apart = changes_apart(std::move(*halves));
-  study.loaded = discretization_rows({1, 2}, std::move(*loaded), left);
   return study;
 }
 

@@ -6,8 +6,8 @@
 // it.
 #pragma once
 
+#include <array>
 #include <functional>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,11 +26,8 @@ struct DiscretizationSettings {
   int modes = 20;
   std::vector<int> refinements = {
       1, 2, 3, 4};  // of inflation and unloaded modes: cheap, one sector
-  /// The loaded ring: on the mesh and on one refined twice, extrapolated by what the unloaded
-  /// meshes leave, which where errors cancel is little known (its +- then says so). Thoroughly, in
-  /// some five times the time: also refined four times around and along, the three extrapolated,
-  /// and what a refinement through the wall changes of the second, of second order. (Three meshes
-  /// refined in all directions would have patches that end anywhere in their few sectors.)
+  /// The loaded ring, extrapolated from few meshes (loaded_limits.h): from three of up to eight
+  /// times the unknowns or, thoroughly, from five of up to sixteen, in some four times the time.
   bool loaded_thoroughly = false;
 };
 
@@ -44,7 +41,7 @@ struct DiscretizationRow {
   /// How far `converged` itself may be off: a quarter of what it lies beyond the finest mesh, and
   /// where no order is observed three times the largest change between the last meshes, for the
   /// changes to come may be larger (safety factors 1.25 and 3 of [Roache 1994, J. Fluids Eng.
-  /// 116]).
+  /// 116]). Of a pressed tire as loaded_limits.h says.
   double uncertainty = 0.0;
   /// A mode that not every mesh has has no converged value.
   bool paired = true;
@@ -55,42 +52,32 @@ struct DiscretizationRow {
 };
 
 struct DiscretizationStudy {
-  std::vector<DiscretizationRow> unloaded;  // growth, then modes by label
-  std::vector<DiscretizationRow> loaded;    // Fz, then modes by label
+  std::vector<DiscretizationRow> unloaded;       // growth, then modes by label
+  std::vector<DiscretizationRow> loaded;         // Fz, then modes by label
+  std::vector<DiscretizationRow> loaded_by_few;  // where found thoroughly: as it is by default
 };
 
 /// What was measured on one mesh, by name and in order: "growth" in m, "Fz ..." in N, all others
 /// modes in Hz.
 using MeshQuantities = std::vector<std::pair<std::string, double>>;
 
-/// What a mesh refined `refinement` times is still away from the limit, in parts of what it lies
-/// beyond the unrefined one: by least squares over the modes whose order is seen; an order of 2
-/// where there are none. The unloaded and the loaded tire have the same elements, and errors of
-/// their modes the same sources.
-struct Remainder {
-  double part = 0.0;
-  bool observed = false;
-  /// What sectors and columns halved without the rows, and then the rows, change in modes of the
-  /// unloaded tire, sums of magnitudes, relative, by label. Where the two cancel on the mesh
-  /// refined twice, less is seen of them than may be left.
-  std::map<std::string, double> apart = {};
-  /// Of the mode a row is named by, on the ground or not; of any other quantity their mean square's
-  /// root.
-  double apart_of(const std::string& row) const;
+/// The limit of values on three meshes.
+struct MeshLimit {
+  double value = 0.0;
+  double order = 0.0;        // as in a row
+  double uncertainty = 0.0;  // as in a row
 };
-Remainder remainder(const std::vector<int>& refinements,
-                    const std::vector<DiscretizationRow>& rows,
-                    int refinement);
+MeshLimit mesh_limit(const std::array<int, 3>& refinements, const std::array<double, 3>& values);
 
 /// Rows of the quantities of the first mesh; `paired` are those that all meshes have. On the
 /// ground a mode is a mixture of wave numbers, and the one it is named by may differ between
 /// meshes: a mode without a namesake is the nearest in frequency of those nothing is named by, if
-/// one is within 2.5 %. At least three meshes, or the unrefined and another one with the remainder
-/// of that; the limit is then between those of first and second order, and uncertain by the
-/// farther one, or by that remainder of what changes apart where it is more.
+/// one is within 2.5 %. They have no limits yet.
+std::vector<DiscretizationRow> paired_rows(std::vector<MeshQuantities> meshes);
+
+/// The same with the limits of the last three meshes.
 std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refinements,
-                                                   std::vector<MeshQuantities> meshes,
-                                                   const Remainder& left = {});
+                                                   std::vector<MeshQuantities> meshes);
 
 /// `progress` is told each mesh before it is computed.
 Result<DiscretizationStudy> study_discretization(

@@ -28,6 +28,9 @@ constexpr int kMostPolishing = 3;
 // Of what is left, solved so far: soft motions of the tire, on which its load stands, err by more.
 constexpr double kOfPolishing = 1e-3;
 constexpr double kLargestShift = 1e3;  // relative to the diagonal
+// Of one equilibrium, each a factorization: where its tangents stay indefinite the step is too
+// long.
+constexpr int kMostShifts = 30;
 // From this many times the tolerance on the last tangent there is leads to the end, if the residual
 // falls so fast: cords that go slack or taut hold it up earlier.
 constexpr double kClose = 100.0, kSlow = 0.1;
@@ -65,6 +68,7 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
   const double close =
       (settings_.tolerance < kExact ? 1.0 : kClose) * settings_.tolerance * reference_;
   previous_ = 10.0 * f_.norm();
+  const int most_shifts = counts_->shifts + kMostShifts;
   for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
     const double norm = f_.norm(), ratio = norm / previous_;
     if (norm <= settings_.tolerance * reference_) {
@@ -77,6 +81,7 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
     if (iteration > 0 && !has_tangent_ && !is_close && !assemble(now, true)) {
       return failure(step, "its tangent does not exist");
     }
+    if (counts_->shifts > most_shifts) return failure(step, "its tangents stay indefinite");
     is_first_ = iteration == 1;
     if (!find_direction(now, linear_tolerance(ratio))) {
       if (!is_first_) return failure(step, "its tangent does not exist");

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/fe_tire/column_changes.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <numbers>
+#include <thread>
+#include <utility>
+
+#include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/description/section_columns.h"
+
+namespace latsch::placement {
+
+using fe_tire::FeTire;
+using fe_tire::Section;
+using fe_tire::TireDescription;
+
+namespace {
+
+Result<Quantities> quantities(const TireDescription& description,
+                              const Start& start,
+                              int modes,
+                              fe_tire::Refinement refinement = 1) {
+  FeTire tire(build_mesh(description, refinement),
+              build_materials(description, refinement),
+              {.element = description.element});
+  const auto inflated = tire.inflate(
+      description.pressure, on_grid(section_grid(description, refinement), start.grid, start.u));
+  if (!inflated) return inflated.failure();
+  const auto found = tire.modes(*inflated, modes);
+  if (!found) return found.failure();
+  Quantities values = {{"growth", inflated->growth}};
+  for (const fe_tire::Mode& mode : *found) values.emplace(mode.label(), mode.frequency);
+  return values;
+}
+
+Eigen::ArrayXd change(const Quantities& from, const Quantities& to) {
+  Eigen::ArrayXd changed = Eigen::ArrayXd::Zero(std::ssize(from));
+  Eigen::Index k = 0;
+  for (const auto& [name, value] : from) {
+    if (const auto found = to.find(name); found != to.end())
+      changed[k] = found->second / value - 1.0;
+    ++k;
+  }
+  return changed;
+}
+
+/// What `solve` gives for 0 to count - 1, on as many threads as the machine has.
+Result<std::vector<Quantities>> at_once(
+    Eigen::Index count, const std::function<Result<Quantities>(Eigen::Index)>& solve) {
+  std::vector<Result<Quantities>> found(count, Failure{});
+  std::atomic<Eigen::Index> next = 0;
+  {
+    std::vector<std::jthread> threads(std::max(1U, std::thread::hardware_concurrency()));
+    for (std::jthread& thread : threads) {
+      thread = std::jthread([&] {
+        for (Eigen::Index i = next++; i < count; i = next++) found[i] = solve(i);
+      });
+    }
+  }
+  std::vector<Quantities> values;
+  for (Result<Quantities>& one : found) {
+    if (!one) return one.failure();
+    values.push_back(*std::move(one));
+  }
+  return values;
+}
+
+constexpr double kLeft = 4.0 / 3.0;  // of what halving changes, of an error of second order
+
+/// What lies beyond meshes refined 2 and 3 times, of second order. A mode that one of them does not
+/// show has changed by nothing there.
+Eigen::ArrayXd limit(const Eigen::ArrayXd& twice, const Eigen::ArrayXd& thrice) {
+  constexpr double kBeyond = (1.0 / 9.0) / (1.0 / 4.0 - 1.0 / 9.0);
+  return (twice == 0.0 || thrice == 0.0).select(kLeft * twice, thrice + kBeyond * (thrice - twice));
+}
+
+constexpr int kMore = 4;  // modes of finer meshes: the order of neighboring ones may change
+
+}  // namespace
+
+Result<Start> inflated_start(const TireDescription& description) {
+  const auto inflated = FeTire(description).inflate(description.pressure);
+  if (!inflated) return inflated.failure();
+  return Start{section_grid(description), inflated->u};
+}
+
+double loaded_part(const Section& section) {
+  const std::vector<double> planes = section.sector_planes(1);
+  double widest = 0.0;
+  for (std::size_t s = 1; s < planes.size(); ++s) {
+    widest = std::max(widest, planes[s] - planes[s - 1]);
+  }
+  constexpr double kRound = 2.0 * std::numbers::pi;
+  double contact = 0.0;
+  if (!section.sector_zones.empty()) {
+    const fe_tire::SectorZone& narrowest = section.sector_zones.front();
+    contact = 2.0 * narrowest.sectors * narrowest.width;
+  }
+  const double alike = kRound / section.sectors, free = (kRound - contact) / kRound;
+  return std::max(1.0, std::pow(widest / alike / free, 2));
+}
+
+Eigen::ArrayXd together(const Eigen::ArrayXd& all,
+                        const Eigen::ArrayXd& along,
+                        const Eigen::ArrayXd& around,
+                        double loaded) {
+  return all.abs().max((all + (loaded - 1.0) * around).abs()).max(along.abs());
+}
+
+Result<std::vector<Judged>> judge(const std::vector<TireDescription>& meshes,
+                                  const Start& start,
+                                  int modes) {
+  const std::vector<fe_tire::Refinement> finer = {
+      3, 2, {1, 2, 1}, {2, 1, 1}, 1};  // the longest first
+  const auto each = std::ssize(finer);
+  const auto found = at_once(std::ssize(meshes) * each, [&](Eigen::Index i) {
+    const bool refined = i % each + 1 < each;
+    return quantities(meshes[i / each], start, refined ? modes + kMore : modes, finer[i % each]);
+  });
+  if (!found) return found.failure();
+  std::vector<Judged> judged;
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    const auto of_mesh = found->begin() + static_cast<std::ptrdiff_t>(m) * each;
+    Judged one;
+    one.tire = meshes[m];
+    one.unknowns = build_mesh(one.tire).free_dofs();
+    one.values = of_mesh[4];
+    one.all = limit(change(one.values, of_mesh[1]), change(one.values, of_mesh[0])) / kLeft;
+    one.along = change(one.values, of_mesh[2]);
+    one.around = change(one.values, of_mesh[3]);
+    Eigen::Index worst = 0;
+    one.error =
+        kLeft *
+        together(one.all, one.along, one.around, loaded_part(one.tire.section)).maxCoeff(&worst);
+    one.worst = std::next(one.values.begin(), worst)->first;
+    judged.push_back(std::move(one));
+  }
+  return judged;
+}
+
+Result<ColumnChanges> changes(const Judged& mesh, const Start& start, int modes) {
+  const std::vector<double>& columns = mesh.tire.section.columns;
+  const auto count = std::ssize(columns) - 1;
+  const auto finer = at_once(count, [&](Eigen::Index j) {
+    std::vector<double> halved = columns;
+    halved.insert(halved.begin() + j + 1, 0.5 * (columns[j] + columns[j + 1]));
+    return quantities(with_columns(mesh.tire, std::move(halved)), start, modes + kMore);
+  });
+  if (!finer) return finer.failure();
+  ColumnChanges found;
+  found.column.resize(std::ssize(mesh.values), count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    found.column.col(j) = change(mesh.values, (*finer)[j]).abs();
+  }
+  // Halved together, columns change more than one by one where neighbors share a bend, and less
+  // where some err to either side. What cancels on this mesh may not on the next: half of it stays.
+  const Eigen::ArrayXd sum = found.column.rowwise().sum().max(1e-12);
+  found.column.colwise() *= (mesh.along.abs() / sum).max(0.5).min(2.0);
+  return found;
+}
+
+}  // namespace latsch::placement
