@@ -9,10 +9,11 @@
 // ten numbers of the tire's file; their time is that beyond the trial.
 //
 // Differences are those of whole trials, every one solved to the last digits, extrapolated to a
-// step of zero with an estimate of their own error (extrapolated_slope.h); what trials are off is
-// seen where a number moves by next to nothing. Where the points that touch are others, loads have
-// a kink and modes a jump: steps are those within. Where such a place is at the number itself the
-// row says so, and its slope is that of one side.
+// step of zero with an estimate of their own error; where that leaves an answer unsure polynomials
+// are fitted to forty trials (extrapolated_slope.h). What trials are off is seen where a number
+// moves by next to nothing. Where the points that touch are others, loads have a kink and modes a
+// jump: steps are those within. Where such a place is at the number itself the row says so, and its
+// slope is that of one side.
 #include <fmt/format.h>
 
 #include <algorithm>
