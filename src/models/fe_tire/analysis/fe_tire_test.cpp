@@ -366,18 +366,22 @@ TEST(FeTire, GroundAndGasTogetherAreWhatTheRimHolds) {
 }
 
 TEST(FeTire, FrictionStiffensTheLoadedModesAndHoldsTheTreadBack) {
-  FeTire tire = make(small_tire(), ElementKind::solid_shell);
+  // What friction adds to the force takes a mesh on which points slide apart within the patch:
+  // 0.4 % on the small tire's own, 1.6, 1.5 and 1.3 % on two, three and four times as fine ones.
+  FeTire tire(build_mesh(small_tire(), {2, 2, 1}),
+              build_materials(small_tire(), {2, 2, 1}),
+              {.element = ElementKind::solid_shell});
   const auto inflated = tire.inflate(kPressure);
   ASSERT_TRUE(inflated);
   const auto slick = tire.press(*inflated, Ground{2e10, 0.0}, {0.01, 0.02});
   const auto rough = tire.press(*inflated, Ground{2e10, 0.8}, {0.01, 0.02});
   ASSERT_TRUE(slick && rough);
   // An independent prototype with other elements found +3.1 % in force and +15 % in the lowest
-  // frequency of this tire with mu = 0.8 on a finer mesh and at 25 mm.
+  // frequency of this tire with mu = 0.8 on another mesh and at 25 mm.
   const double gain =
       tire.stand(rough->back()).force.z() / tire.stand(slick->back()).force.z() - 1.0;
-  EXPECT_GT(gain, 0.005);
-  EXPECT_LT(gain, 0.06);
+  EXPECT_GT(gain, 0.01);
+  EXPECT_LT(gain, 0.03);
   const auto slick_modes = tire.modes(slick->back(), 5), rough_modes = tire.modes(rough->back(), 5);
   ASSERT_TRUE(slick_modes && rough_modes);
   const double stiffer = (*rough_modes)[0].frequency / (*slick_modes)[0].frequency - 1.0;
