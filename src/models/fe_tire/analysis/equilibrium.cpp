@@ -28,9 +28,6 @@ constexpr int kMostPolishing = 3;
 // Of what is left, solved so far: soft motions of the tire, on which its load stands, err by more.
 constexpr double kOfPolishing = 1e-3;
 constexpr double kLargestShift = 1e3;  // relative to the diagonal
-// Of one equilibrium, each a factorization: where its tangents stay indefinite the step is too
-// long.
-constexpr int kMostShifts = 30;
 // From this many times the tolerance on the last tangent there is leads to the end, if the residual
 // falls so fast: cords that go slack or taut hold it up earlier.
 constexpr double kClose = 100.0, kSlow = 0.1;
@@ -68,7 +65,7 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
   const double close =
       (settings_.tolerance < kExact ? 1.0 : kClose) * settings_.tolerance * reference_;
   previous_ = 10.0 * f_.norm();
-  const int most_shifts = counts_->shifts + kMostShifts;
+  const int most_shifts = counts_->shifts + settings_.max_shifts;
   for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
     const double norm = f_.norm(), ratio = norm / previous_;
     if (norm <= settings_.tolerance * reference_) {
