@@ -10,12 +10,15 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include "base/error.h"
 
@@ -69,6 +72,27 @@ std::string complaint(int error, const std::string& holder) {
       std::strerror(error));
 }
 
+/// A process whose name stands in a lock file.
+struct Named {
+  int process = 0;
+  std::string host;
+};
+
+std::optional<Named> named_in(const std::string& holder) {
+  Named named;
+  std::array<char, 256> host{};
+  if (std::sscanf(holder.c_str(), "process %d on %255s", &named.process, host.data()) != 2)
+    return std::nullopt;  // it has just been taken, or its holder's disk is full
+  named.host = host.data();
+  return named;
+}
+
+/// Whether who took the lock is gone: a child of it holds it, until it becomes another program.
+bool is_inherited(const std::string& holder) {
+  const auto named = named_in(holder);
+  return named && named->host == host_name() && ::kill(named->process, 0) != 0 && errno == ESRCH;
+}
+
 /// Beside the file itself: links to one journal have one lock.
 std::filesystem::path lock_of(const std::filesystem::path& journal) {
   std::error_code none;
@@ -81,6 +105,9 @@ std::filesystem::path lock_of(const std::filesystem::path& journal) {
 }  // namespace
 
 JournalLock::JournalLock(const std::filesystem::path& journal) : file_(lock_of(journal)) {
+  using namespace std::chrono_literals;
+  constexpr auto kMostPatience = 5s;  // with what takes a moment, on a machine that is busy
+  const auto until = std::chrono::steady_clock::now() + kMostPatience;
   while (true) {
     fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (fd_ < 0) refuse(journal, fmt::format("cannot write beside it: {}", std::strerror(errno)));
@@ -91,6 +118,11 @@ JournalLock::JournalLock(const std::filesystem::path& journal) : file_(lock_of(j
       const int error = errno;
       const std::string holder = read_all(fd_);
       ::close(fd_);
+      if (error == EWOULDBLOCK && is_inherited(holder) &&
+          std::chrono::steady_clock::now() < until) {
+        std::this_thread::sleep_for(10ms);
+        continue;
+      }
       refuse(journal, complaint(error, holder));
     }
     if (is_current(fd_, file_)) break;
@@ -132,13 +164,11 @@ std::optional<JournalHolder> journal_holder(const std::filesystem::path& journal
   struct stat file {};
   ::fstat(fd, &file);
   ::close(fd);
-  int process = 0;
-  std::array<char, 256> host{};
-  if (std::sscanf(words.c_str(), "process %d on %255s", &process, host.data()) != 2)
-    return std::nullopt;  // it has just been taken, or its holder's disk is full
-  if (host.data() != host_name()) return JournalHolder{words, std::nullopt};
-  if (!holds(process, file.st_ino)) return std::nullopt;  // left behind by a kill
-  return JournalHolder{words, process};
+  const auto named = named_in(words);
+  if (!named) return std::nullopt;
+  if (named->host != host_name()) return JournalHolder{words, std::nullopt};
+  if (!holds(named->process, file.st_ino)) return std::nullopt;  // left behind by a kill
+  return JournalHolder{words, named->process};
 }
 
 }  // namespace latsch

@@ -6,10 +6,12 @@
 #include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -183,6 +185,31 @@ TEST(Journal, ASecondWriterIsToldWhoHoldsItAndReadersMayComeIn) {
   EXPECT_EQ(reader.trials().size(), 1u);
   writer.append(trial(2));
   EXPECT_EQ(reader.trials().size(), 2u);
+}
+
+// Killed while it starts a worker, a writer leaves the lock to it until that has become the worker.
+TEST(Journal, OfAKilledWriterWhoseChildIsOnItsWayItIsFreeAfterAMoment) {
+  const ScratchFolder folder;
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  const pid_t writer = ::fork();
+  if (writer == 0) {
+    const Journal journal = Journal::open(folder / "a", kStudy);
+    if (::fork() == 0) {
+      const char byte = 1;
+      if (::write(ready[1], &byte, 1) != 1) std::_Exit(1);
+      ::usleep(300'000);
+      std::_Exit(0);
+    }
+    ::pause();
+  }
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  ::kill(writer, SIGKILL);
+  ::waitpid(writer, nullptr, 0);
+  Journal journal = Journal::open(folder / "a", kStudy);
+  journal.append(trial(1));
+  EXPECT_EQ(journal.size(), 1);
 }
 
 TEST(Journal, WhoWritesItIsToldWithoutTakingTheLock) {

@@ -20,8 +20,8 @@ struct SolverSettings {
   }
   double tolerance = 1e-5;  // residual norm relative to the norm of the pressure load
   int max_iterations = 40;  // Newton iterations a load step
-  /// Of its tangents along their diagonal, each a factorization: where they stay indefinite the step
-  /// is too long.
+  /// Of its tangents along their diagonal, each a factorization: where they stay indefinite the
+  /// step is too long.
   int max_shifts = 30;
   /// Of the inverted residual, thrice it of loaded modes; a frequency errs, relatively, by its
   /// square over the relative gap to the next one, a shape by itself over that gap.
