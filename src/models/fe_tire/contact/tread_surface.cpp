@@ -20,8 +20,10 @@ constexpr double kThreeWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
 /// that of sixteen, with twelve not 0.1 %; with two, at Gauss' places, 24 %.
 constexpr int kFacetPoints = 12;
 
+/// Means a face, around and across.
+constexpr int kPlaces = 4;
 /// Of the sag (T.2), what counts.
-constexpr double kOfSag = 0.6;
+constexpr double kOfSag = 0.53;
 
 /// Weights of four neighbors, the second and third being the ends of a face, and their derivatives
 /// by u in [-1, 1].
@@ -83,10 +85,14 @@ double share_of_uniform(const std::array<std::optional<double>, 4>& h) {
   return 1.0 - more / (0.5 * (h[1].value_or(0.0) + h[2].value_or(0.0)));
 }
 
-int floor_half(int twice) { return twice >= 0 ? twice / 2 : (twice - 1) / 2; }
+/// Of a place, counted in kPlaces a face; that at a node belongs to the face behind it.
+int face_of(int place) { return place >= 0 ? place / kPlaces : -((kPlaces - 1 - place) / kPlaces); }
 
-/// Integrals over the hat N that is 1 at a node or in the middle of a face (`place`, in half faces)
-/// and 0 a face before and behind it, in one direction of the surface.
+/// On [-1, 1] of that face.
+double within_face(int place) { return 2.0 * (place - kPlaces * face_of(place)) / kPlaces - 1.0; }
+
+/// Integrals over the hat N that is 1 at a place and 0 a face before and behind it, in one direction
+/// of the surface.
 struct HatMean {
   int first = 0;  // node of the first weight
   std::array<double, 6> weight{};
@@ -94,21 +100,24 @@ struct HatMean {
 };
 
 /// `cubic` and `measure` (per u) of a face at u. Where there are ends, nothing is before node 0 nor
-/// behind the `last` one: the hats of the middles beside them take what is left.
+/// behind the `last` one: what hats of places beyond them would have, those of their images take.
 template <class CubicAt, class MeasureAt>
 HatMean hat_mean(int place, std::optional<int> last, CubicAt cubic_at, MeasureAt measure_at) {
+  const auto hat = [](double at, int center) {
+    return std::max(0.0, 1.0 - std::abs(at - static_cast<double>(center) / kPlaces));
+  };
   HatMean mean;
-  mean.first = floor_half(place - 2) - 1;
-  for (int half = place - 2; half < place + 2; ++half) {
-    const int face = floor_half(half);
+  mean.first = face_of(place - kPlaces) - 1;
+  for (int part = place - kPlaces; part < place + kPlaces; ++part) {
+    const int face = face_of(part);
     if (last && (face < 0 || face >= *last)) continue;
     for (int q = 0; q < 3; ++q) {
-      const double t = 0.5 * (half - 2 * face) + 0.25 * (1.0 + kThree[q]);
-      const bool is_beside =
-          last && ((place == 1 && half == 0) || (place == 2 * *last - 1 && half == 2 * *last - 1));
-      const double N = is_beside ? 1.0 : 1.0 - std::abs(face + t - 0.5 * place);
+      const double t = (part - kPlaces * face + 0.5 * (1.0 + kThree[q])) / kPlaces;
+      double N = hat(face + t, place);
+      if (last && place > 0) N += hat(face + t, -place);
+      if (last && place < kPlaces * *last) N += hat(face + t, 2 * kPlaces * *last - place);
       const Cubic cubic = cubic_at(face, 2.0 * t - 1.0);
-      const double d = 0.5 * kThreeWeight[q] * N * measure_at(face, t, cubic);
+      const double d = kThreeWeight[q] / kPlaces * N * measure_at(face, t, cubic);
       mean.size += d;
       for (int k = 0; k < 4; ++k) mean.weight[face - 1 + k - mean.first] += d * cubic.value[k];
     }
@@ -205,14 +214,15 @@ TreadSurface::TreadSurface(const RingUnknowns& unknowns, TreadShape shape, doubl
   const bool is_halved = unknowns.multiplicity() > 1.0;
   const int planes = is_halved ? unknowns.sectors() + 1 : mesh.sectors;
   const auto is_plane_near = [&](int plane) { return is_near(mesh.angle(plane % mesh.sectors)); };
-  for (int along = 0; along < 2 * planes - (is_halved ? 1 : 0); ++along) {
-    if (shape_ != TreadShape::smooth || !is_plane_near(along / 2) ||
-        !is_plane_near((along + 1) / 2))
+  const int last_plane = is_halved ? planes - 1 : planes;  // of a place between two
+  for (int along = 0; along <= kPlaces * last_plane; ++along) {
+    if (shape_ != TreadShape::smooth || (!is_halved && along == kPlaces * last_plane) ||
+        !is_plane_near(face_of(along)) || !is_plane_near(face_of(along + kPlaces - 1)))
       continue;
     for (const Strip& strip : strips) {
-      for (int across = 0; across < 2 * std::ssize(strip.nodes) - 1; ++across)
+      for (int across = 0; across <= kPlaces * std::ssize(strip.span); ++across)
         add_mean_point(along, across, strip);
-      for (const int node : strip.nodes) is_here[along / 2][node] = true;
+      for (const int node : strip.nodes) is_here[face_of(along)][node] = true;
     }
   }
   for (const Element& element : mesh.elements) {
@@ -341,14 +351,15 @@ double TreadSurface::angle(int plane) const {
   return mesh.angle(plane - turns * mesh.sectors) + 2.0 * std::numbers::pi * turns;
 }
 
-/// (T.1) at a node or a middle of a strip, in half faces around and across. Planes being alike, its
+/// (T.1) at a place of a strip, kPlaces a face around and across. Planes being alike, its
 /// weights are products of those around and those across. Where half the ring stands for all of it,
 /// half of what lies on its own image's plane belongs to the image.
 void TreadSurface::add_mean_point(int along, int across, const Strip& strip) {
   const Mesh& mesh = unknowns_.ring().mesh();
   const int S = mesh.sectors, faces = static_cast<int>(strip.span.size());
   const auto width = [this](int sector) { return angle(sector + 1) - angle(sector); };
-  const double theta = 0.5 * (angle(floor_half(along)) + angle(floor_half(along + 1)));
+  const int sector = face_of(along);
+  const double theta = angle(sector) + 0.5 * (1.0 + within_face(along)) * width(sector);
   const auto cubic_around = [&](int s, double u) {
     return hermite(width(s - 1), width(s), width(s + 1), u);
   };
@@ -380,10 +391,10 @@ void TreadSurface::add_mean_point(int along, int across, const Strip& strip) {
       });
 
   const bool is_own_image =
-      unknowns_.multiplicity() > 1.0 && (along == 0 || along == 2 * unknowns_.sectors());
-  // Of two places beside each other the one at a node makes up for both.
+      unknowns_.multiplicity() > 1.0 && (along == 0 || along == kPlaces * unknowns_.sectors());
+  // What a node is short of, the mean around it makes up for alone.
   const auto share = [](int place, auto share_at) {
-    return place % 2 == 0 ? 2.0 * share_at(place / 2) - 1.0 : 1.0;
+    return place % kPlaces == 0 ? 1.0 + kPlaces * (share_at(place / kPlaces) - 1.0) : 1.0;
   };
   const double share_around = share(along, [&](int s) {
     return share_of_uniform({width(s - 2), width(s - 1), width(s), width(s + 1)});
@@ -394,8 +405,8 @@ void TreadSurface::add_mean_point(int along, int across, const Strip& strip) {
   });
   Point point{static_cast<int>(weights_.size()), 0, 0.0, 0.0, 0.0};
   point.is_own_image = is_own_image;
-  point.dA =
-      0.25 * (is_own_image ? 0.5 : 1.0) * share_around * share_across * around.size * over.size;
+  point.dA = (is_own_image ? 0.5 : 1.0) / (kPlaces * kPlaces) * share_around * share_across *
+             around.size * over.size;
   Vector mean = Vector::Zero();
   for (std::size_t i = 0; i < around.weight.size(); ++i) {
     for (std::size_t j = 0; j < over.weight.size(); ++j) {
@@ -408,10 +419,10 @@ void TreadSurface::add_mean_point(int along, int across, const Strip& strip) {
       ++point.weights;
     }
   }
-  point.around = 0.5 * std::hypot(mean.x(), mean.z()) * share_around * around.size;
+  point.around = std::hypot(mean.x(), mean.z()) / kPlaces * share_around * around.size;
 
-  const int face = std::min(across / 2, faces - 1);
-  const Cubic there = cubic_across(face, across - 2 * face - 1.0);
+  const int face = std::min(face_of(across), faces - 1);
+  const Cubic there = cubic_across(face, 2.0 * (across - kPlaces * face) / kPlaces - 1.0);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(-theta, Vector::UnitY()).toRotationMatrix();
   const Vector X = turn * sum(face, there.value);
   const Vector n = turn * Vector::UnitX().cross(sum(face, there.slope)).normalized();
