@@ -1,11 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "numerics/sparse/front_algebra.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 #include "numerics/dense/blas_core.h"
 #include "numerics/dense/blas_functions.h"
 
+#define LATSCH_KERNELS_IN "numerics/sparse/front_kernels.h"
+#include "numerics/kernels/for_each_kernel_set.h"
+
 namespace latsch::numerics {
 namespace {
+
+/// Columns of a triangle, and rows of a product, that our own kernels are faster on than BLAS.
+constexpr int kFewColumns = 96, kFewRows = 512;
+
+/// Where a triangle of more columns is divided: the kernels take them six by six.
+int half(int n) { return (n / 2 + 5) / 6 * 6; }
+
+/// C <- C - A B', C [rows x columns], A [rows x n], all with one column every `ld` numbers.
+void subtract_product(
+    int rows, int columns, int n, const float* A, const float* B, int ld, float* C) {
+  const BlasTurn turn;
+  const float minus = -1.0f, one = 1.0f;
+  gemm(float())("N", "T", &rows, &columns, &n, &minus, A, &ld, B, &ld, &one, C, &ld, 1, 1);
+}
+
+/// The same of C [rows x rows] and B = A, the lower triangle.
+void subtract_square(int rows, int n, const float* A, int ld, float* C) {
+  const BlasTurn turn;
+  const float minus = -1.0f, one = 1.0f;
+  syrk(float())("L", "N", &rows, &n, &minus, A, &ld, &one, C, &ld, 1, 1);
+}
 
 /// X <- op(L)^-1 X, op "N" or "T" (transposed).
 template <class Real>
@@ -30,6 +58,22 @@ bool cholesky(int n, Real* A, int ld) {
   return info == 0;
 }
 
+/// By halves: BLAS does the products, triangles are short.
+template <>
+bool cholesky(int n, float* A, int ld) {
+  if (n <= kFewColumns) {
+    std::array<float, kFewColumns> inverse;
+    return LATSCH_KERNEL(factorize)(n, A, inverse.data(), ld);
+  }
+  const int first = half(n), rest = n - first;
+  float* below = A + first;
+  float* corner = below + static_cast<std::size_t>(first) * ld;
+  if (!cholesky(first, A, ld)) return false;
+  solve_right_transposed(rest, first, A, ld, below);
+  subtract_square(rest, first, below, ld, corner);
+  return cholesky(rest, corner, ld);
+}
+
 void factorize_lu(int n, float* A, int* rows) {
   const BlasTurn turn;
   int info = 0;
@@ -50,11 +94,34 @@ void solve_right_transposed(int rows, int n, const Real* L, int ld, Real* B) {
   trsm(Real())("R", "L", "T", "N", &rows, &n, &one, L, &ld, B, &ld, 1, 1, 1, 1);
 }
 
+template <>
+void solve_right_transposed(int rows, int n, const float* L, int ld, float* B) {
+  if (n <= kFewColumns) {
+    std::array<float, kFewColumns> inverse;
+    for (int j = 0; j < n; ++j) inverse[j] = 1.0f / L[static_cast<std::size_t>(j) * ld + j];
+    return LATSCH_KERNEL(solve_right)(rows, n, L, inverse.data(), ld, B);
+  }
+  const int first = half(n), rest = n - first;
+  float* others = B + static_cast<std::size_t>(first) * ld;
+  solve_right_transposed(rows, first, L, ld, B);
+  subtract_product(rows, rest, first, B, L + first, ld, others);
+  solve_right_transposed(rows, rest, L + static_cast<std::size_t>(first) * ld + first, ld, others);
+}
+
 template <class Real>
 void negative_square(int rows, int n, const Real* B, int ld, Real* C) {
   const BlasTurn turn;
   const Real minus = -1, zero = 0;
   syrk(Real())("L", "N", &rows, &n, &minus, B, &ld, &zero, C, &rows, 1, 1);
+}
+
+template <>
+void negative_square(int rows, int n, const float* B, int ld, float* C) {
+  if (rows <= kFewRows && n <= kFewColumns)
+    return LATSCH_KERNEL(negative_square)(rows, n, B, ld, C);
+  const BlasTurn turn;
+  const float minus = -1.0f, zero = 0.0f;
+  syrk(float())("L", "N", &rows, &n, &minus, B, &ld, &zero, C, &rows, 1, 1);
 }
 
 template <class Real>
@@ -93,9 +160,6 @@ void subtract_transposed(
   }
 }
 
-template bool cholesky(int, float*, int);
-template void solve_right_transposed(int, int, const float*, int, float*);
-template void negative_square(int, int, const float*, int, float*);
 template void solve_lower(int, int, const float*, int, float*, int);
 template void solve_lower_transposed(int, int, const float*, int, float*, int);
 template void multiply(int, int, int, const float*, int, const float*, int, float*);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dense products and solutions on a front of a sparse factor, in float and double, by BLAS and
-// LAPACK. Matrices are column-major; L is the panel's pivot block (lower triangle), one column
+// LAPACK; small ones in float by kernels of our own. Matrices are column-major; L is the panel's pivot block (lower triangle), one column
 // every `ld` numbers. One right-hand side takes matrix-vector functions, several matrix products.
 #pragma once
 
@@ -21,6 +21,14 @@ void solve_right_transposed(int rows, int n, const Real* L, int ld, Real* B);
 /// C <- -B B', the lower triangle; C [rows x rows] compact, B [rows x n].
 template <class Real>
 void negative_square(int rows, int n, const Real* B, int ld, Real* C);
+
+// In float, where few pivots are what takes the time.
+template <>
+bool cholesky(int n, float* A, int ld);
+template <>
+void solve_right_transposed(int rows, int n, const float* L, int ld, float* B);
+template <>
+void negative_square(int rows, int n, const float* B, int ld, float* C);
 
 /// X <- L^-1 X and X <- L^-T X; X [n x columns], one column every `ldx` numbers.
 template <class Real>
