@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dense products and solutions on a front of a sparse factor, in float and double, by BLAS and
-// LAPACK; small ones in float by kernels of our own. Matrices are column-major; L is the panel's pivot block (lower triangle), one column
-// every `ld` numbers. One right-hand side takes matrix-vector functions, several matrix products.
+// LAPACK; small ones in float by kernels of our own. Matrices are column-major; L is the panel's
+// pivot block (lower triangle), one column every `ld` numbers. One right-hand side takes
+// matrix-vector functions, several matrix products.
 #pragma once
 
 namespace latsch::numerics {

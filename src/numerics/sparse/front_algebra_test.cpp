@@ -67,8 +67,8 @@ TEST(FrontAlgebra, IsThatOfDoublePrecision) {
       const MatrixXd L = panel.cast<double>();
       MatrixXd square = L * L.topRows(pivots).transpose() - A.cast<double>();
       square.topRows(pivots).triangularView<Eigen::StrictlyUpper>().setZero();
-      // (n + 1) eps |L| |L'| [Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.3];
-      // no row of L is longer than the root of the diagonal's.
+      // (n + 1) eps |L| |L'| [Higham, Accuracy and Stability of Numerical Algorithms, theorem
+      // 10.3]; no row of L is longer than the root of the diagonal's.
       const double rounding = (pivots + 1) * 6e-8 * pivots;
       EXPECT_LT(square.cwiseAbs().maxCoeff(), rounding) << pivots << " " << below;
       MatrixXd left = update.cast<double>() + L.bottomRows(below) * L.bottomRows(below).transpose();

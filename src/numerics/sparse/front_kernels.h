@@ -108,8 +108,8 @@ void solve_right(int rows, int n, const float* L, const float* inverse, int ld, 
   for (; i < rows; i += 8) solve_rows<1>(n, L, inverse, ld, B + i, Rows(rows - i));
 }
 
-/// Columns j ... j + width - 1 of the triangle, of those before which are known. False where a pivot
-/// is not positive.
+/// Columns j ... j + width - 1 of the triangle, of those before which are known. False where a
+/// pivot is not positive.
 template <int width>
 inline __attribute__((always_inline)) bool factorize_columns(
     int j, int n, float* A, float* inverse, int ld) {

@@ -328,7 +328,7 @@ std::optional<Failure> FeTire::Impl::factorize(Systems& all,
                                                numerics::Factorization& factor) {
   TreadContact contact(all.tread, at.ground);
   contact.start(at.pose, state.x, at.anchors);
-  add_stiffness(tread, contact.stuck(state.x), all.solver.assembly().first_point(), tangent);
+  add_stiffness(tread, contact.stuck(state.x), all.solver.assembly().first_cell(), tangent);
   ++counts.factorizations;
   if (!factor.factorize(tangent).definite()) return unstable(in_words(at.pose, *at.inflated));
   return std::nullopt;

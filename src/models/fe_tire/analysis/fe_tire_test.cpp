@@ -116,7 +116,7 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
       const auto touches = contact.touches(tread.displacements(at.x));
       EXPECT_FALSE(touches.empty());
       add_forces(tread, touches, f);
-      if (K) add_stiffness(tread, touches, assembly.first_point(), *K);
+      if (K) add_stiffness(tread, touches, assembly.first_cell(), *K);
       return f;
     };
     numerics::SymmetricMatrix K(*assembly.pattern());

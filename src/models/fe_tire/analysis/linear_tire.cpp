@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -44,22 +45,38 @@ std::vector<Eigen::Vector3d> verticals(const TreadSurface& tread) {
   return up;
 }
 
-/// Adds a point in contact to forces and tangent by the nodes' heights.
-void add_heights(const TreadSurface& tread,
-                 const TreadContact::Touch& touch,
-                 Eigen::VectorXd& c,
-                 Eigen::MatrixXd* stiffness) {
-  const TreadSurface::Point& point = tread.points()[touch.point];
-  const TreadSurface::Weight* weights = tread.weights(point);
-  for (int i = 0; i < point.weights; ++i) {
-    const int a = tread.places()[weights[i].place].node;
-    if (a < 0) continue;
-    c[a] -= weights[i].w * touch.force.z();
-    for (int j = 0; stiffness && j < point.weights; ++j) {
-      const int b = tread.places()[weights[j].place].node;
-      if (b >= 0) (*stiffness)(a, b) += weights[i].w * weights[j].w * touch.stiffness(2, 2);
+/// Forces of the points in contact by the nodes' heights.
+Eigen::VectorXd forces_by_heights(const TreadSurface& tread,
+                                  const std::vector<TreadContact::Touch>& touches) {
+  Eigen::VectorXd c = Eigen::VectorXd::Zero(tread.nodes());
+  for (const TreadContact::Touch& touch : touches) {
+    const TreadSurface::Point& point = tread.points()[touch.point];
+    for (int k = 0; k < point.weights; ++k) {
+      const TreadSurface::Weight& weight = tread.weights(point)[k];
+      const int node = tread.places()[weight.place].node;
+      if (node >= 0) c[node] -= weight.w * touch.force.z();
     }
   }
+  return c;
+}
+
+/// Their tangent, a square: points are springs.
+Eigen::MatrixXd stiffness_by_heights(const TreadSurface& tread,
+                                     const std::vector<TreadContact::Touch>& touches) {
+  const int n = tread.nodes(), springs = static_cast<int>(touches.size());
+  Eigen::MatrixXd roots = Eigen::MatrixXd::Zero(n, springs), C = Eigen::MatrixXd::Zero(n, n);
+  if (springs == 0) return C;
+  for (int t = 0; t < springs; ++t) {
+    const TreadSurface::Point& point = tread.points()[touches[t].point];
+    const double root = std::sqrt(touches[t].stiffness(2, 2));
+    for (int k = 0; k < point.weights; ++k) {
+      const TreadSurface::Weight& weight = tread.weights(point)[k];
+      const int node = tread.places()[weight.place].node;
+      if (node >= 0) roots(node, t) += root * weight.w;
+    }
+  }
+  numerics::negative_square(n, springs, roots.data(), n, C.data());
+  return (-C).selfadjointView<Eigen::Lower>();
 }
 
 /// Rows of what the touches act on, ascending: `first_row` of every node.
@@ -145,6 +162,7 @@ bool LinearTire::serves(const TreadContact* contact) const {
 
 /// Takes the nodes' unknowns across and along the vertical, and eliminates those across.
 bool LinearTire::condense_to_heights() {
+  springs_.reset();
   const Eigen::MatrixXd interface = factor_.condensed();
   A_.resize(3 * n_, 3 * n_);
   const auto place = [this](int node, int k) { return k < 2 ? 2 * node + k : 2 * n_ + node; };
@@ -244,17 +262,7 @@ Eigen::Matrix3Xd LinearTire::moved_back(const Eigen::VectorXd& w) const {
   return u;
 }
 
-/// c(u - w), N, and its tangent by what is kept.
-Eigen::VectorXd LinearTire::forces_by_heights(const TreadContact& contact,
-                                              const Eigen::VectorXd& w,
-                                              Eigen::MatrixXd* stiffness) const {
-  Eigen::VectorXd c = Eigen::VectorXd::Zero(n_);
-  if (stiffness) stiffness->setZero(n_, n_);
-  for (const TreadContact::Touch& touch : contact.touches(moved_back(w)))
-    add_heights(tread_, touch, c, stiffness);
-  return c;
-}
-
+/// c(u - w), N, by what is kept.
 Eigen::VectorXd LinearTire::forces_by_nodes(const TreadContact& contact,
                                             const Eigen::VectorXd& w) const {
   Eigen::VectorXd c = Eigen::VectorXd::Zero(3 * n_);
@@ -294,20 +302,28 @@ Eigen::VectorXd LinearTire::beyond_reach_too(const Eigen::VectorXd& w) const {
   return all;
 }
 
-/// w with S w = g + c(u - w) by heights: C_ and L_ are those of its points in contact.
+/// w with S w = g + c(u - w) by heights: C_ and L_ are those of its points in contact. Where the
+/// same touch as last time they are there already.
 bool LinearTire::touch_by_heights(const TreadContact& contact, const Eigen::VectorXd& g) {
   w_.setZero(g.size());
   for (int change = 0; change < kMostContactChanges; ++change) {
-    Eigen::MatrixXd stiffness;
-    c_ = forces_by_heights(contact, w_, &stiffness);
+    const std::vector<TreadContact::Touch> touches = contact.touches(moved_back(w_));
+    c_ = forces_by_heights(tread_, touches);
     Eigen::VectorXd left = g + c_ - S_ * w_;
-    const bool same = change > 0 && stiffness == C_;
-    if (same && left.norm() <= kExact * (g.norm() + c_.norm())) return true;
-    if (!same && !factorize_contact(stiffness)) return false;
+    std::vector<std::pair<int, double>> springs;
+    for (const TreadContact::Touch& touch : touches)
+      springs.emplace_back(touch.point, touch.stiffness(2, 2));
+    const bool same = springs_ == springs;
+    if (change > 0 && same && left.norm() <= kExact * (g.norm() + c_.norm())) return true;
+    if (!same) {
+      springs_.reset();
+      if (!factorize_contact(stiffness_by_heights(tread_, touches))) return false;
+      springs_ = std::move(springs);
+    }
     solve_contact(left);
     w_ += left;
   }
-  c_ = forces_by_heights(contact, w_, nullptr);
+  c_ = forces_by_heights(tread_, contact.touches(moved_back(w_)));
   return true;  // the residual of the elements' forces judges it
 }
 
@@ -425,10 +441,10 @@ bool LinearTire::step(const TreadContact* contact,
   }
   u_ = tread_.displacements(x);
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(kept_ * n_);
-  add_at_nodes(
-      -1.0,
-      kept_ == 1 ? forces_by_heights(*contact, none, nullptr) : forces_by_nodes(*contact, none),
-      d);
+  add_at_nodes(-1.0,
+               kept_ == 1 ? forces_by_heights(tread_, contact->touches(u_))
+                          : forces_by_nodes(*contact, none),
+               d);
   g_ = d;
   const Eigen::VectorXd reduced = reduce(d);
   if (kept_ == 1) {

@@ -17,6 +17,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "models/fe_tire/analysis/condensed_tire.h"
@@ -76,9 +78,6 @@ class LinearTire {
   Eigen::VectorXd reduce(Eigen::VectorXd& v) const;
   void expand(const Eigen::VectorXd& w, Eigen::VectorXd& v) const;
   Eigen::Matrix3Xd moved_back(const Eigen::VectorXd& w) const;
-  Eigen::VectorXd forces_by_heights(const TreadContact& contact,
-                                    const Eigen::VectorXd& w,
-                                    Eigen::MatrixXd* stiffness) const;
   Eigen::VectorXd forces_by_nodes(const TreadContact& contact, const Eigen::VectorXd& w) const;
   Eigen::VectorXd forces_within_reach(const TreadContact& contact,
                                       const Eigen::VectorXd& w,
@@ -111,7 +110,9 @@ class LinearTire {
   GroundTangent tangent_;         // dc/dw of the last step, all directions
   Eigen::MatrixXd S_;             // of heights
   Eigen::MatrixXd C_, L_;         // dc/dw of the last step by heights, factor of S + C
-  Eigen::Matrix3Xd u_;            // where nodes were at the last step
+  // Points in contact there, and their stiffness; none: L_ is of another S.
+  std::optional<std::vector<std::pair<int, double>>> springs_;
+  Eigen::Matrix3Xd u_;     // where nodes were at the last step
   Eigen::VectorXd ahead_;  // where to look for w first, of the step after a way that was followed
   Eigen::VectorXd w_, g_;  // how far it moved them back, g
   Eigen::VectorXd c_;      // of the ground at its end

@@ -69,7 +69,7 @@ struct Motions {
       int worst = 0;
       ASSERT_TRUE(assembly.assemble_tangent(
           elements, state, at.inflated->pressure, motions.unknowns(), tangent, &worst));
-      add_stiffness(moved, contact.stuck(state.x), assembly.first_point(), tangent);
+      add_stiffness(moved, contact.stuck(state.x), assembly.first_cell(), tangent);
       K.push_back(sparse(tangent));
       M.push_back(sparse(motions.mass(elements)));
     };

@@ -30,8 +30,8 @@ class RingAssembly {
 
   const RingUnknowns& unknowns() const { return unknowns_; }
   const std::shared_ptr<const numerics::SymmetricPattern>& pattern() const { return pattern_; }
-  /// Where the points of the tread begin among the elements of the pattern.
-  int first_point() const { return ring_.elements_per_sector() * unknowns_.sectors(); }
+  /// Where the cells of the tread begin among the elements of the pattern.
+  int first_cell() const { return ring_.elements_per_sector() * unknowns_.sectors(); }
   /// All zero, of the size that assemble() needs.
   RingState zero_state() const;
 

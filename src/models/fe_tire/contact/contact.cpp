@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "models/fe_tire/contact/footprint.h"
+#include "numerics/dense/dense_products.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -33,9 +34,9 @@ void TreadContact::start(const GroundPose& pose,
   anchors_.resize(tread_.points().size());
   start_.resize(3, tread_.points().size());
   start_g_.resize(tread_.points().size());
-  const Eigen::Matrix3Xd positions = tread_.positions(u);
+  const Eigen::Matrix3Xd points = tread_.points_at(tread_.positions(u));
   for (std::size_t k = 0; k < tread_.points().size(); ++k) {
-    start_.col(k) = posed_.in_ground(tread_.at(tread_.points()[k], positions));
+    start_.col(k) = posed_.in_ground(points.col(k));
     start_g_[k] = posed_.distance(start_.col(k)).g;
   }
 }
@@ -100,10 +101,10 @@ TreadContact::Touch TreadContact::touch_of(int point,
 }
 
 std::vector<TreadContact::Touch> TreadContact::touches(const Eigen::Matrix3Xd& u) const {
-  const Eigen::Matrix3Xd positions = tread_.positions(u);
+  const Eigen::Matrix3Xd points = tread_.points_at(tread_.positions(u));
   std::vector<Touch> touches;
   for (int k = 0; k < static_cast<int>(tread_.points().size()); ++k) {
-    const Eigen::Vector3d q = posed_.in_ground(tread_.at(tread_.points()[k], positions));
+    const Eigen::Vector3d q = posed_.in_ground(points.col(k));
     const PosedGround::Distance at = posed_.distance(q);
     if (at.g >= 0.0) continue;
     double share = 1.0;
@@ -114,10 +115,10 @@ std::vector<TreadContact::Touch> TreadContact::touches(const Eigen::Matrix3Xd& u
 }
 
 std::vector<TreadContact::Touch> TreadContact::stuck(const Eigen::VectorXd& x) const {
-  const Eigen::Matrix3Xd positions = tread_.positions(tread_.displacements(x));
+  const Eigen::Matrix3Xd points = tread_.points_at(tread_.positions(tread_.displacements(x)));
   std::vector<Touch> touches;
   for (int k = 0; k < static_cast<int>(tread_.points().size()); ++k) {
-    const Eigen::Vector3d q = posed_.in_ground(tread_.at(tread_.points()[k], positions));
+    const Eigen::Vector3d q = posed_.in_ground(points.col(k));
     const PosedGround::Distance at = posed_.distance(q);
     if (at.g >= 0.0) continue;
     touches.push_back(touch_of(k, at, traction(q, at, {q, true, false}, 1.0)));
@@ -126,18 +127,18 @@ std::vector<TreadContact::Touch> TreadContact::stuck(const Eigen::VectorXd& x) c
 }
 
 double TreadContact::deepest(const Eigen::Matrix3Xd& u) const {
-  const Eigen::Matrix3Xd positions = tread_.positions(u);
+  const Eigen::Matrix3Xd points = tread_.points_at(tread_.positions(u));
   double depth = 0.0;
-  for (const TreadSurface::Point& point : tread_.points())
-    depth = std::max(depth, -posed_.distance(posed_.in_ground(tread_.at(point, positions))).g);
+  for (Eigen::Index k = 0; k < points.cols(); ++k)
+    depth = std::max(depth, -posed_.distance(posed_.in_ground(points.col(k))).g);
   return depth;
 }
 
 std::vector<int> TreadContact::within(double distance, const Eigen::Matrix3Xd& u) const {
-  const Eigen::Matrix3Xd positions = tread_.positions(u);
+  const Eigen::Matrix3Xd points = tread_.points_at(tread_.positions(u));
   std::vector<int> near;
   for (int k = 0; k < static_cast<int>(tread_.points().size()); ++k) {
-    const Eigen::Vector3d q = posed_.in_ground(tread_.at(tread_.points()[k], positions));
+    const Eigen::Vector3d q = posed_.in_ground(points.col(k));
     if (posed_.distance(q).g < distance) near.push_back(k);
   }
   return near;
@@ -150,10 +151,10 @@ std::vector<Anchor> TreadContact::anchors(const Eigen::VectorXd& x) const {
 std::vector<Anchor> TreadContact::anchors(const Eigen::Matrix3Xd& u) const {
   if (!has_friction()) return {};
   const double stiffness = kTangentialShare * ground_.stiffness;
-  const Eigen::Matrix3Xd positions = tread_.positions(u);
+  const Eigen::Matrix3Xd points = tread_.points_at(tread_.positions(u));
   std::vector<Anchor> anchors(tread_.points().size());
   for (int k = 0; k < static_cast<int>(anchors.size()); ++k) {
-    const Eigen::Vector3d q = posed_.in_ground(tread_.at(tread_.points()[k], positions));
+    const Eigen::Vector3d q = posed_.in_ground(points.col(k));
     const PosedGround::Distance at = posed_.distance(q);
     if (at.g >= 0.0) continue;
     double share = 1.0;
@@ -177,8 +178,9 @@ ContactPatch TreadContact::patch(const Eigen::VectorXd& x) const {
     over(2, k) = posed_.distance(posed_.in_ground(p)).g;
     area[k] = tread_.area(samples[k], positions);
   }
+  const Eigen::Matrix3Xd points = tread_.points_at(positions);
   for (int k = 0; k < static_cast<int>(tread_.points().size()); ++k) {
-    const Eigen::Vector3d p = tread_.at(tread_.points()[k], positions);
+    const Eigen::Vector3d p = points.col(k);
     const Eigen::Vector3d q = posed_.in_ground(p);
     const PosedGround::Distance at = posed_.distance(q);
     if (at.g >= 0.0) continue;
@@ -212,12 +214,12 @@ ContactPatch TreadContact::patch(const Eigen::VectorXd& x) const {
 }
 
 TreadContact::Sum TreadContact::sum(const Eigen::VectorXd& x) const {
-  const Eigen::Matrix3Xd positions = tread_.positions(tread_.displacements(x));
+  const Eigen::Matrix3Xd points = tread_.points_at(tread_.positions(tread_.displacements(x)));
   Sum sum;
   const PosedGround level(ground_, {pose_.height, 0.0, 0.0, pose_.camber, 0.0});
   const Eigen::Vector3d center = level.in_ground(Eigen::Vector3d::Zero());
   for (int k = 0; k < static_cast<int>(tread_.points().size()); ++k) {
-    const Eigen::Vector3d p = tread_.at(tread_.points()[k], positions);
+    const Eigen::Vector3d p = points.col(k);
     const Eigen::Vector3d q = posed_.in_ground(p);
     const PosedGround::Distance at = posed_.distance(q);
     if (at.g >= 0.0) continue;
@@ -259,22 +261,35 @@ void add_forces(const TreadSurface& tread,
 
 void add_stiffness(const TreadSurface& tread,
                    const std::vector<TreadContact::Touch>& touches,
-                   int first_point,
+                   int first_cell,
                    numerics::SymmetricMatrix& K) {
-  for (const TreadContact::Touch& touch : touches) {
-    const TreadSurface::Point& point = tread.points()[touch.point];
-    const std::vector<int> nodes = tread.nodes_of(point);
-    const Eigen::Index size = 3 * static_cast<Eigen::Index>(nodes.size());
-    Eigen::Matrix3Xd motion = Eigen::Matrix3Xd::Zero(3, size);  // of the point by the unknowns
-    for (int k = 0; k < point.weights; ++k) {
-      const TreadSurface::Weight& weight = tread.weights(point)[k];
-      const TreadSurface::Place& place = tread.places()[weight.place];
-      if (place.node < 0) continue;
-      const auto row = std::ranges::find(nodes, place.node) - nodes.begin();
-      motion.middleCols<3>(3 * row) += weight.w * place.T;
+  std::vector<std::vector<const TreadContact::Touch*>> of_cell(tread.cell_nodes().size());
+  for (const TreadContact::Touch& touch : touches)
+    of_cell[tread.points()[touch.point].cell].push_back(&touch);
+  std::vector<int> row(tread.nodes(), -1);
+  for (std::size_t cell = 0; cell < of_cell.size(); ++cell) {
+    if (of_cell[cell].empty()) continue;
+    const std::vector<int>& nodes = tread.cell_nodes()[cell];
+    for (std::size_t k = 0; k < nodes.size(); ++k) row[nodes[k]] = static_cast<int>(k);
+    const Eigen::Index size = 3 * std::ssize(nodes), directions = 3 * std::ssize(of_cell[cell]);
+    // Motions of the points by the unknowns, and what forces these motions need.
+    Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(size, directions), forces(directions, size);
+    for (std::size_t t = 0; t < of_cell[cell].size(); ++t) {
+      const TreadContact::Touch& touch = *of_cell[cell][t];
+      const TreadSurface::Point& point = tread.points()[touch.point];
+      auto motion = motions.middleCols<3>(3 * static_cast<Eigen::Index>(t));
+      for (int k = 0; k < point.weights; ++k) {
+        const TreadSurface::Weight& weight = tread.weights(point)[k];
+        const TreadSurface::Place& place = tread.places()[weight.place];
+        if (place.node >= 0)
+          motion.middleRows<3>(3 * row[place.node]) += weight.w * place.T.transpose();
+      }
+      forces.middleRows<3>(3 * static_cast<Eigen::Index>(t)).noalias() =
+          touch.stiffness * motion.transpose();
     }
-    const Eigen::MatrixXd of_point = motion.transpose() * touch.stiffness * motion;
-    K.add_element(first_point + touch.point, of_point.data());
+    Eigen::MatrixXd of_points(size, size);
+    numerics::add_product<double>(1.0, motions, forces, 0.0, of_points);
+    K.add_element(first_cell + static_cast<int>(cell), of_points.data());
   }
 }
 

@@ -108,11 +108,11 @@ class TreadContact {
 void add_forces(const TreadSurface& tread,
                 const std::vector<TreadContact::Touch>& touches,
                 Eigen::VectorXd& f);
-/// The symmetric tangent, in the numbering of `tread` (of even or odd motions); its points are the
-/// elements of K's pattern from `first_point` on.
+/// The symmetric tangent, in the numbering of `tread` (of even or odd motions); its cells are the
+/// elements of K's pattern from `first_cell` on.
 void add_stiffness(const TreadSurface& tread,
                    const std::vector<TreadContact::Touch>& touches,
-                   int first_point,
+                   int first_cell,
                    numerics::SymmetricMatrix& K);
 
 }  // namespace latsch::fe_tire

@@ -8,125 +8,23 @@
 #include <numbers>
 #include <optional>
 
+#include "models/fe_tire/contact/hat_means.h"
 #include "models/fe_tire/element/hex8_shape.h"
 
 namespace latsch::fe_tire {
 namespace {
 
-/// Abscissae and weights of three Gauss points on [-1, 1].
-constexpr double kThree[3] = {-0.77459666924148337704, 0.0, 0.77459666924148337704};
-constexpr double kThreeWeight[3] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
 /// Along each side of a facet: with eight, Fz where the patch is shorter than two facets is 1 % off
 /// that of sixteen, with twelve not 0.1 %; with two, at Gauss' places, 24 %.
 constexpr int kFacetPoints = 12;
 
-/// Means a face, around and across.
-constexpr int kPlaces = 4;
 /// Of the sag (T.2), what counts.
 constexpr double kOfSag = 0.53;
 
-/// Weights of four neighbors, the second and third being the ends of a face, and their derivatives
-/// by u in [-1, 1].
-struct Cubic {
-  Eigen::Vector4d value, slope;
-};
-
-/// Slope at the middle one of three abscissae, of the parabola through them.
-Eigen::Vector3d middle_slope(double h0, double h1) {
-  return {-h1 / (h0 * (h0 + h1)), (h1 - h0) / (h0 * h1), h0 / (h1 * (h0 + h1))};
-}
-
-/// Slope at the first one of three abscissae.
-Eigen::Vector3d end_slope(double h0, double h1) {
-  return {-(2.0 * h0 + h1) / (h0 * (h0 + h1)), (h0 + h1) / (h0 * h1), -h0 / (h1 * (h0 + h1))};
-}
-
-/// Of a face of length h; h0 and h2 are those of its neighbors, none where the surface ends.
-Cubic hermite(std::optional<double> h0, double h, std::optional<double> h2, double u) {
-  Eigen::Vector4d m1 = Eigen::Vector4d::Zero(), m2 = Eigen::Vector4d::Zero();
-  if (h0) {
-    m1.head<3>() = middle_slope(*h0, h);
-  } else if (h2) {
-    m1.tail<3>() = end_slope(h, *h2);
-  } else {
-    m1.segment<2>(1) = Eigen::Vector2d(-1.0, 1.0) / h;
-  }
-  if (h2) {
-    m2.tail<3>() = middle_slope(h, *h2);
-  } else if (h0) {
-    m2.head<3>() = -end_slope(h, *h0).reverse();
-  } else {
-    m2.segment<2>(1) = Eigen::Vector2d(-1.0, 1.0) / h;
-  }
-  const double t = 0.5 * (u + 1.0), r = 1.0 - t;
-  Cubic cubic;
-  cubic.value = h * (t * r * r * m1 - t * t * r * m2);
-  cubic.value[1] += r * r * (1.0 + 2.0 * t);
-  cubic.value[2] += t * t * (1.0 + 2.0 * r);
-  cubic.slope = h * (r * (r - 2.0 * t) * m1 + t * (t - 2.0 * r) * m2);
-  cubic.slope[1] -= 6.0 * t * r;
-  cubic.slope[2] += 6.0 * t * r;
-  cubic.slope *= 0.5;  // dt/du
-  return cubic;
-}
-
-/// (T.3) of the node between the second and the third of four faces beside each other, those that
-/// are there, by their lengths.
-double share_of_uniform(const std::array<std::optional<double>, 4>& h) {
-  // What a slope at a node adds: its faces' lengths squared over 12.
-  const auto weight = [&h](int left) {
-    return (*h[left + 1] * *h[left + 1] - *h[left] * *h[left]) / 12.0;
-  };
-  double more = 0.0;
-  for (const int left : {0, 1, 2}) {  // face before a node whose slope this one tells
-    if (!h[left] || !h[left + 1]) continue;
-    more += weight(left) * middle_slope(*h[left], *h[left + 1])[2 - left];
-  }
-  return 1.0 - more / (0.5 * (h[1].value_or(0.0) + h[2].value_or(0.0)));
-}
-
-/// Of a place, counted in kPlaces a face; that at a node belongs to the face behind it.
-int face_of(int place) { return place >= 0 ? place / kPlaces : -((kPlaces - 1 - place) / kPlaces); }
-
-/// On [-1, 1] of that face.
-double within_face(int place) { return 2.0 * (place - kPlaces * face_of(place)) / kPlaces - 1.0; }
-
-/// Integrals over the hat N that is 1 at a place and 0 a face before and behind it, in one direction
-/// of the surface.
-struct HatMean {
-  int first = 0;  // node of the first weight
-  std::array<double, 6> weight{};
-  double size = 0.0;
-};
-
-/// `cubic` and `measure` (per u) of a face at u. Where there are ends, nothing is before node 0 nor
-/// behind the `last` one: what hats of places beyond them would have, those of their images take.
-template <class CubicAt, class MeasureAt>
-HatMean hat_mean(int place, std::optional<int> last, CubicAt cubic_at, MeasureAt measure_at) {
-  const auto hat = [](double at, int center) {
-    return std::max(0.0, 1.0 - std::abs(at - static_cast<double>(center) / kPlaces));
-  };
-  HatMean mean;
-  mean.first = face_of(place - kPlaces) - 1;
-  for (int part = place - kPlaces; part < place + kPlaces; ++part) {
-    const int face = face_of(part);
-    if (last && (face < 0 || face >= *last)) continue;
-    for (int q = 0; q < 3; ++q) {
-      const double t = (part - kPlaces * face + 0.5 * (1.0 + kThree[q])) / kPlaces;
-      double N = hat(face + t, place);
-      if (last && place > 0) N += hat(face + t, -place);
-      if (last && place < kPlaces * *last) N += hat(face + t, 2 * kPlaces * *last - place);
-      const Cubic cubic = cubic_at(face, 2.0 * t - 1.0);
-      const double d = kThreeWeight[q] / kPlaces * N * measure_at(face, t, cubic);
-      mean.size += d;
-      for (int k = 0; k < 4; ++k) mean.weight[face - 1 + k - mean.first] += d * cubic.value[k];
-    }
-  }
-  return mean;
-}
-
-Cubic linear(double u) {
-  return {{0.0, 0.5 * (1.0 - u), 0.5 * (1.0 + u), 0.0}, {0.0, -0.5, 0.5, 0.0}};
+/// What a node is short of, the mean around it makes up for alone.
+template <class ShareAt>
+double share_of(int place, ShareAt share_at) {
+  return place % kPlaces == 0 ? 1.0 + kPlaces * (share_at(place / kPlaces) - 1.0) : 1.0;
 }
 
 }  // namespace
@@ -140,6 +38,23 @@ struct TreadSurface::Strip {
     if (face < 0 || face >= static_cast<int>(span.size())) return std::nullopt;
     return span[face];
   }
+};
+
+/// In the direction around: planes being alike, weights of (T.1) are products of those around and
+/// those across.
+struct TreadSurface::MeanAround {
+  int place;  // kPlaces a face
+  HatMean mean;
+  double theta;   // rad, of the place
+  double moment;  // second one of the hat, rad^3
+  double share;   // (T.3)
+};
+
+/// The same across, in the section.
+struct TreadSurface::MeanAcross {
+  HatMean mean;
+  double share;
+  Eigen::Vector3d X, slope;  // m, at the place, and along the section
 };
 
 /// Runs of tread faces; none where faces do not lie beside each other from plane to plane.
@@ -215,16 +130,25 @@ TreadSurface::TreadSurface(const RingUnknowns& unknowns, TreadShape shape, doubl
   const int planes = is_halved ? unknowns.sectors() + 1 : mesh.sectors;
   const auto is_plane_near = [&](int plane) { return is_near(mesh.angle(plane % mesh.sectors)); };
   const int last_plane = is_halved ? planes - 1 : planes;  // of a place between two
+  std::vector<std::vector<MeanAcross>> means;
+  for (const Strip& strip : strips) means.push_back(means_across(strip));
+  std::vector<std::vector<int>> lines(strips.size(), std::vector<int>(mesh.sectors, -1));
+  int cells = 0, first_cell = 0, row = -1;  // of faces around
   for (int along = 0; along <= kPlaces * last_plane; ++along) {
     if (shape_ != TreadShape::smooth || (!is_halved && along == kPlaces * last_plane) ||
         !is_plane_near(face_of(along)) || !is_plane_near(face_of(along + kPlaces - 1)))
       continue;
-    for (const Strip& strip : strips) {
-      for (int across = 0; across <= kPlaces * std::ssize(strip.span); ++across)
-        add_mean_point(along, across, strip);
-      for (const int node : strip.nodes) is_here[face_of(along)][node] = true;
+    const MeanAround around = mean_around(along);
+    if (face_of(along) != row) first_cell = cells;
+    row = face_of(along);
+    cells = first_cell;
+    for (std::size_t k = 0; k < strips.size(); ++k) {
+      add_mean_points(around, means[k], strips[k], cells, lines[k]);
+      cells += static_cast<int>(strips[k].span.size());
+      for (const int node : strips[k].nodes) is_here[face_of(along)][node] = true;
     }
   }
+  find_cell_nodes();
   for (const Element& element : mesh.elements) {
     for (int a = 4; element.tread && a < 8; ++a) {
       const int node = element.node[a] % n;
@@ -302,9 +226,20 @@ void TreadSurface::add_facet(const std::array<std::pair<int, int>, 4>& corner) {
   };
   const auto place = [](int k) { return (2.0 * k + 1.0) / kFacetPoints - 1.0; };
   constexpr double kShare = 4.0 / (kFacetPoints * kFacetPoints);
+  const int cell = points_.empty() ? 0 : points_.back().cell + 1;
+  const int line = static_cast<int>(first_across_.size()) - 1;
+  for (const int corner : grid) {
+    across_.push_back({corner, 1.0});
+    first_across_.push_back(static_cast<int>(across_.size()));
+  }
   for (int i = 0; i < kFacetPoints; ++i) {
-    for (int j = 0; j < kFacetPoints; ++j)
-      points_.push_back(point_at(grid, weights_at(place(i), place(j)), kShare));
+    for (int j = 0; j < kFacetPoints; ++j) {
+      Point& point = points_.emplace_back(point_at(grid, weights_at(place(i), place(j)), kShare));
+      point.cell = cell;
+      point.first_around = static_cast<int>(around_.size());
+      point.arounds = static_cast<int>(grid.size());
+      for (int k = 0; k < point.arounds; ++k) around_.push_back({line + k, weights(point)[k].w});
+    }
   }
   add_samples({grid[0], grid[1], grid[2], grid[3]}, grid, weights_at);
 }
@@ -351,86 +286,158 @@ double TreadSurface::angle(int plane) const {
   return mesh.angle(plane - turns * mesh.sectors) + 2.0 * std::numbers::pi * turns;
 }
 
-/// (T.1) at a place of a strip, kPlaces a face around and across. Planes being alike, its
-/// weights are products of those around and those across. Where half the ring stands for all of it,
-/// half of what lies on its own image's plane belongs to the image.
-void TreadSurface::add_mean_point(int along, int across, const Strip& strip) {
-  const Mesh& mesh = unknowns_.ring().mesh();
-  const int S = mesh.sectors, faces = static_cast<int>(strip.span.size());
+TreadSurface::MeanAround TreadSurface::mean_around(int place) const {
   const auto width = [this](int sector) { return angle(sector + 1) - angle(sector); };
-  const int sector = face_of(along);
-  const double theta = angle(sector) + 0.5 * (1.0 + within_face(along)) * width(sector);
-  const auto cubic_around = [&](int s, double u) {
+  const auto cubic = [&](int s, double u) {
     return hermite(width(s - 1), width(s), width(s + 1), u);
   };
-  const HatMean around =
-      hat_mean(along, std::nullopt, cubic_around, [&](int s, double, const Cubic&) {
-        return 0.5 * width(s);
-      });
-  const double moment =  // second one of the hat, rad^3
-      hat_mean(along, std::nullopt, cubic_around, [&](int s, double t, const Cubic&) {
-        const double from = angle(s) + t * width(s) - theta;
-        return 0.5 * width(s) * from * from;
-      }).size;
+  const int sector = face_of(place);
+  MeanAround around;
+  around.place = place;
+  around.theta = angle(sector) + 0.5 * (1.0 + within_face(place)) * width(sector);
+  around.mean = hat_mean(
+      place, std::nullopt, cubic, [&](int s, double, const Cubic&) { return 0.5 * width(s); });
+  around.moment = hat_mean(place, std::nullopt, cubic, [&](int s, double t, const Cubic&) {
+                    const double from = angle(s) + t * width(s) - around.theta;
+                    return 0.5 * width(s) * from * from;
+                  }).size;
+  around.share = share_of(place, [&](int s) {
+    return share_of_uniform({width(s - 2), width(s - 1), width(s), width(s + 1)});
+  });
+  return around;
+}
 
-  using Vector = Eigen::Vector3d;
-  const auto cubic_across = [&](int face, double v) {
+std::vector<TreadSurface::MeanAcross> TreadSurface::means_across(const Strip& strip) const {
+  const Mesh& mesh = unknowns_.ring().mesh();
+  const int faces = static_cast<int>(strip.span.size());
+  const auto cubic = [&](int face, double v) {
     return hermite(strip.span_at(face - 1), strip.span[face], strip.span_at(face + 1), v);
   };
   const auto sum = [&](int face, const Eigen::Vector4d& weights) {
-    Vector x = Vector::Zero();
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
     for (int k = 0; k < 4; ++k) {
       const int node = face - 1 + k;
       if (node >= 0 && node <= faces) x += weights[k] * mesh.X.col(strip.nodes[node]);
     }
     return x;
   };
-  const HatMean over =
-      hat_mean(across, faces, cubic_across, [&](int f, double, const Cubic& cubic) {
-        return -sum(f, cubic.value).z() * sum(f, cubic.slope).norm();
-      });
+  std::vector<MeanAcross> means;
+  for (int place = 0; place <= kPlaces * faces; ++place) {
+    const int face = std::min(face_of(place), faces - 1);
+    const Cubic there = cubic(face, 2.0 * (place - kPlaces * face) / kPlaces - 1.0);
+    MeanAcross& across = means.emplace_back();
+    across.mean = hat_mean(place, faces, cubic, [&](int f, double, const Cubic& at) {
+      return -sum(f, at.value).z() * sum(f, at.slope).norm();
+    });
+    across.share = share_of(place, [&](int n) {
+      return share_of_uniform(
+          {strip.span_at(n - 2), strip.span_at(n - 1), strip.span_at(n), strip.span_at(n + 1)});
+    });
+    across.X = sum(face, there.value);
+    across.slope = sum(face, there.slope);
+  }
+  return means;
+}
 
-  const bool is_own_image =
-      unknowns_.multiplicity() > 1.0 && (along == 0 || along == kPlaces * unknowns_.sectors());
-  // What a node is short of, the mean around it makes up for alone.
-  const auto share = [](int place, auto share_at) {
-    return place % kPlaces == 0 ? 1.0 + kPlaces * (share_at(place / kPlaces) - 1.0) : 1.0;
-  };
-  const double share_around = share(along, [&](int s) {
-    return share_of_uniform({width(s - 2), width(s - 1), width(s), width(s + 1)});
-  });
-  const double share_across = share(across, [&](int n) {
-    return share_of_uniform(
-        {strip.span_at(n - 2), strip.span_at(n - 1), strip.span_at(n), strip.span_at(n + 1)});
-  });
-  Point point{static_cast<int>(weights_.size()), 0, 0.0, 0.0, 0.0};
-  point.is_own_image = is_own_image;
-  point.dA = (is_own_image ? 0.5 : 1.0) / (kPlaces * kPlaces) * share_around * share_across *
-             around.size * over.size;
-  Vector mean = Vector::Zero();
-  for (std::size_t i = 0; i < around.weight.size(); ++i) {
-    for (std::size_t j = 0; j < over.weight.size(); ++j) {
-      const double w = around.weight[i] * over.weight[j] / (around.size * over.size);
-      if (w == 0.0) continue;
-      const int plane = ((around.first + static_cast<int>(i)) % S + S) % S;
-      const int place = place_of(plane, strip.nodes[over.first + static_cast<int>(j)]);
-      weights_.push_back({place, w, 0.0, 0.0});
-      mean += w * places_[place].X;
-      ++point.weights;
+/// Means across at a plane, one behind the other; the first of them.
+int TreadSurface::add_line(int plane, const std::vector<MeanAcross>& means, const Strip& strip) {
+  const int line = static_cast<int>(first_across_.size()) - 1;
+  for (const MeanAcross& across : means) {
+    const HatMean& mean = across.mean;
+    for (std::size_t j = 0; j < mean.weight.size(); ++j) {
+      if (mean.weight[j] == 0.0) continue;
+      const int node = strip.nodes[mean.first + static_cast<int>(j)];
+      across_.push_back({place_of(plane, node), mean.weight[j] / mean.size});
+    }
+    first_across_.push_back(static_cast<int>(across_.size()));
+  }
+  return line;
+}
+
+/// (T.1) at the places of a strip; `lines`: its means across at every plane, -1 where there are
+/// none yet. Where half the ring stands for all of it, half of what lies on its own image's plane
+/// belongs to the image.
+void TreadSurface::add_mean_points(const MeanAround& around,
+                                   const std::vector<MeanAcross>& means,
+                                   const Strip& strip,
+                                   int first_cell,
+                                   std::vector<int>& lines) {
+  const int S = unknowns_.ring().mesh().sectors, faces = static_cast<int>(strip.span.size());
+  const HatMean& hat = around.mean;
+  const bool is_own_image = unknowns_.multiplicity() > 1.0 &&
+                            (around.place == 0 || around.place == kPlaces * unknowns_.sectors());
+  std::vector<Part> planes;  // the first of their means across
+  for (std::size_t i = 0; i < hat.weight.size(); ++i) {
+    if (hat.weight[i] == 0.0) continue;
+    const int plane = ((hat.first + static_cast<int>(i)) % S + S) % S;
+    if (lines[plane] < 0) lines[plane] = add_line(plane, means, strip);
+    planes.push_back({lines[plane], hat.weight[i] / hat.size});
+  }
+  using Vector = Eigen::Vector3d;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(-around.theta, Vector::UnitY()).toRotationMatrix();
+  for (int k = 0; k < static_cast<int>(means.size()); ++k) {
+    const MeanAcross& across = means[k];
+    Point point{static_cast<int>(weights_.size()), 0, 0.0, 0.0, 0.0};
+    point.is_own_image = is_own_image;
+    point.dA = (is_own_image ? 0.5 : 1.0) / (kPlaces * kPlaces) * around.share * across.share *
+               hat.size * across.mean.size;
+    point.cell = first_cell + std::min(face_of(k), faces - 1);
+    point.first_around = static_cast<int>(around_.size());
+    Vector mean = Vector::Zero();
+    for (const auto& [line, w] : planes) {
+      around_.push_back({line + k, w});
+      for (int j = first_across_[line + k]; j < first_across_[line + k + 1]; ++j) {
+        const Part& part = across_[j];
+        weights_.push_back({part.of, w * part.w, 0.0, 0.0});
+        mean += w * part.w * places_[part.of].X;
+        ++point.weights;
+      }
+    }
+    point.arounds = static_cast<int>(around_.size()) - point.first_around;
+    point.around = std::hypot(mean.x(), mean.z()) / kPlaces * around.share * hat.size;
+
+    const Vector X = turn * across.X;
+    const Vector n = turn * Vector::UnitX().cross(across.slope).normalized();
+    const double sag_around = n.dot(Vector(X.x(), 0.0, X.z())) * around.moment / (2.0 * hat.size);
+    const double sag = n.dot(X - mean);
+    const double most = std::abs(sag_around);  // below the widest place n points to the axis
+    point.offset = kOfSag * n * (sag_around + std::clamp(sag - sag_around, -most, most));
+    points_.push_back(point);
+  }
+}
+
+void TreadSurface::find_cell_nodes() {
+  std::vector<std::vector<char>> is_there;
+  for (const Point& point : points_) {
+    if (point.cell >= static_cast<int>(cell_nodes_.size())) {
+      cell_nodes_.resize(point.cell + 1);
+      is_there.resize(point.cell + 1, std::vector<char>(nodes_.size(), 0));
+    }
+    for (int k = 0; k < point.weights; ++k) {
+      const int node = places_[weights_[point.first_weight + k].place].node;
+      if (node < 0 || is_there[point.cell][node]) continue;
+      is_there[point.cell][node] = 1;
+      cell_nodes_[point.cell].push_back(node);
     }
   }
-  point.around = std::hypot(mean.x(), mean.z()) / kPlaces * share_around * around.size;
+}
 
-  const int face = std::min(face_of(across), faces - 1);
-  const Cubic there = cubic_across(face, 2.0 * (across - kPlaces * face) / kPlaces - 1.0);
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(-theta, Vector::UnitY()).toRotationMatrix();
-  const Vector X = turn * sum(face, there.value);
-  const Vector n = turn * Vector::UnitX().cross(sum(face, there.slope)).normalized();
-  const double sag_around = n.dot(Vector(X.x(), 0.0, X.z())) * moment / (2.0 * around.size);
-  const double sag = n.dot(X - mean);
-  const double most = std::abs(sag_around);  // below the widest place n points to the axis
-  point.offset = kOfSag * n * (sag_around + std::clamp(sag - sag_around, -most, most));
-  points_.push_back(point);
+Eigen::Matrix3Xd TreadSurface::points_at(const Eigen::Matrix3Xd& positions) const {
+  Eigen::Matrix3Xd across(3, std::ssize(first_across_) - 1), all(3, std::ssize(points_));
+  for (Eigen::Index k = 0; k < across.cols(); ++k) {
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    for (int j = first_across_[k]; j < first_across_[k + 1]; ++j)
+      x += across_[j].w * positions.col(across_[j].of);
+    across.col(k) = x;
+  }
+  for (Eigen::Index k = 0; k < all.cols(); ++k) {
+    const Point& point = points_[k];
+    Eigen::Vector3d x = point.offset;
+    for (int j = point.first_around; j < point.first_around + point.arounds; ++j)
+      x += around_[j].w * across.col(around_[j].of);
+    all.col(k) = x;
+  }
+  return all;
 }
 
 Eigen::Vector3d TreadSurface::motion(int point, const Eigen::Matrix3Xd& shape) const {
@@ -525,9 +532,9 @@ std::vector<std::vector<int>> TreadSurface::lines_across() const {
 
 std::vector<std::vector<int>> TreadSurface::connectivity() const {
   std::vector<std::vector<int>> lists;
-  for (const Point& point : points_) {
+  for (const std::vector<int>& cell : cell_nodes_) {
     std::vector<int>& unknowns = lists.emplace_back();
-    for (const int node : nodes_of(point)) {
+    for (const int node : cell) {
       for (int k = 0; k < 3; ++k) unknowns.push_back(3 * nodes_[node] + k);
     }
   }

@@ -68,6 +68,8 @@ class TreadSurface {
     double around;                                     // m of it around the tire
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // m, wheel frame: what (T.1) adds
     bool is_own_image = false;                         // half of it is that of the image
+    int cell = 0;                                      // points of a cell move by the same nodes
+    int first_around = 0, arounds = 0;                 // of the means across it is a sum of
   };
   static constexpr int kSamples = 8;  // of the surface along each side of a face
 
@@ -87,9 +89,11 @@ class TreadSurface {
   /// How many times what is here the whole ring has.
   double multiplicity() const { return unknowns_.multiplicity(); }
 
-  /// Unknowns that contact couples in every point, as connectivity() of the ring's elements.
+  /// Nodes that move the points of every cell.
+  const std::vector<std::vector<int>>& cell_nodes() const { return cell_nodes_; }
+  /// Unknowns that contact couples in every cell, as connectivity() of the ring's elements.
   std::vector<std::vector<int>> connectivity() const;
-  /// Nodes that move a point, in the order of its rows there.
+  /// Nodes that move a point.
   std::vector<int> nodes_of(const Point& point) const;
 
   /// Displacements of the nodes in x [3 x nodes], in the frames of their unknowns.
@@ -104,6 +108,8 @@ class TreadSurface {
     }
     return x;
   }
+  /// All points [3 x points]: means across once for all places beside each other around.
+  Eigen::Matrix3Xd points_at(const Eigen::Matrix3Xd& positions) const;
   /// Motion of a point, wheel frame, by one of the whole ring [3 x nodes], sector frames.
   Eigen::Vector3d motion(int point, const Eigen::Matrix3Xd& shape) const;
   /// m^2 that a sample stands for as it is.
@@ -114,6 +120,8 @@ class TreadSurface {
 
  private:
   struct Strip;
+  struct MeanAround;
+  struct MeanAcross;
   struct Face {
     std::array<int, 4> corner;  // places, counterclockwise from u = v = -1
     int first_sample;           // of kSamples rows along u
@@ -128,7 +136,15 @@ class TreadSurface {
   int place_of(int plane, int node);
   void add_facet(const std::array<std::pair<int, int>, 4>& corners);
   std::pair<Grid, Weights> smooth_face(int sector, int face, const Strip& strip);
-  void add_mean_point(int along, int across, const Strip& strip);
+  MeanAround mean_around(int place) const;
+  std::vector<MeanAcross> means_across(const Strip& strip) const;
+  int add_line(int plane, const std::vector<MeanAcross>& means, const Strip& strip);
+  void add_mean_points(const MeanAround& around,
+                       const std::vector<MeanAcross>& means,
+                       const Strip& strip,
+                       int first_cell,
+                       std::vector<int>& lines);
+  void find_cell_nodes();
   double angle(int plane) const;
   void add_samples(const std::array<int, 4>& corner, const Grid& grid, const Weights& weights_at);
   std::vector<std::vector<int>> rows_of_faces(std::array<int, 2> back,
@@ -142,6 +158,14 @@ class TreadSurface {
   std::vector<std::vector<int>> place_index_;  // by plane and node, while it is built
   std::vector<Weight> weights_;
   std::vector<Point> points_, samples_;
+  // A point is a sum of means across, a mean across one of places: so they are the same weights.
+  struct Part {
+    int of;
+    double w;
+  };
+  std::vector<Part> around_, across_;
+  std::vector<int> first_across_{0};  // of every mean across, and the end
+  std::vector<std::vector<int>> cell_nodes_;
   std::vector<Face> faces_;
   std::vector<std::pair<int, int>> beyond_;  // plane, node
 };

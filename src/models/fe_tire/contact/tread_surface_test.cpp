@@ -92,6 +92,33 @@ TEST(TreadSurface, AUniformPressureLoadsPlanesEvenly) {
   EXPECT_LT(largest, 0.17 / 3.0);
 }
 
+// Points summed up in two steps, means across first, are where their weights say; and what moves
+// them are the nodes of their cell.
+TEST(TreadSurface, PointsAreWhereTheirWeightsSay) {
+  const TireDescription tire =
+      read_tire(Document::read(LATSCH_SOURCE_DIR "/studies/tires/passenger_225_50R16.toml").root());
+  const Mesh mesh = build_mesh(tire);
+  const auto mirror = find_mirror(mesh, build_materials(tire));
+  ASSERT_TRUE(mirror);
+  const Ring ring(mesh, tire.element);
+  const RingUnknowns even(ring, RingSymmetry::even, *mirror), odd(ring, RingSymmetry::odd, *mirror);
+  for (const RingUnknowns* unknowns : {&even, &odd}) {
+    for (const TreadShape shape : {TreadShape::smooth, TreadShape::facets}) {
+      const TreadSurface tread(*unknowns, shape, kWindow);
+      const Eigen::Matrix3Xd positions =
+          tread.positions(1e-2 * Eigen::Matrix3Xd::Random(3, tread.nodes()));
+      const Eigen::Matrix3Xd points = tread.points_at(positions);
+      ASSERT_EQ(points.cols(), std::ssize(tread.points()));
+      for (Eigen::Index k = 0; k < points.cols(); ++k) {
+        const TreadSurface::Point& point = tread.points()[k];
+        EXPECT_LT((points.col(k) - tread.at(point, positions)).norm(), 1e-14);
+        for (const int node : tread.nodes_of(point))
+          EXPECT_TRUE(std::ranges::count(tread.cell_nodes()[point.cell], node) == 1);
+      }
+    }
+  }
+}
+
 // A half turn takes a tied edge to the other side of the wall; one tied elsewhere has no image.
 TEST(TreadSurface, AnEdgeTiedElsewhereIsNoImage) {
   const TireDescription tire =
