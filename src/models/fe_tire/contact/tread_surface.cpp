@@ -91,8 +91,8 @@ int face_of(int place) { return place >= 0 ? place / kPlaces : -((kPlaces - 1 - 
 /// On [-1, 1] of that face.
 double within_face(int place) { return 2.0 * (place - kPlaces * face_of(place)) / kPlaces - 1.0; }
 
-/// Integrals over the hat N that is 1 at a place and 0 a face before and behind it, in one direction
-/// of the surface.
+/// Integrals over the hat N that is 1 at a place and 0 a face before and behind it, in one
+/// direction of the surface.
 struct HatMean {
   int first = 0;  // node of the first weight
   std::array<double, 6> weight{};
