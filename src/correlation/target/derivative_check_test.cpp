@@ -33,8 +33,9 @@ class SlopingPull : public PullTest {
       : PullTest({0.01, 0.02, 0.03}, speed, 0.0), speed_(speed), pull_(pull) {}
   bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
   Result<Channels> run(Specimen& specimen) const override {
+    const auto straight = PullTest::run(specimen);
     Channels channels;
-    for (Channel channel : PullTest::run(specimen)->all()) {
+    for (Channel channel : straight->all()) {
       const double more = pull_.kink * speed_ * std::max(0.0, damping(specimen) - pull_.at);
       for (double& value : channel.values) value += channel.name == "force" ? more : 0.0;
       channels.add(std::move(channel));
