@@ -10,7 +10,7 @@
 //
 // Differences are those of whole trials, every one solved to the last digits, extrapolated to a
 // step of zero with an estimate of their own error; where that leaves an answer unsure polynomials
-// are fitted to forty trials (extrapolated_slope.h). What trials are off is seen where a number
+// are fitted to sixty trials (extrapolated_slope.h). What trials are off is seen where a number
 // moves by next to nothing. Where the points that touch are others, loads have a kink and modes a
 // jump: steps are those within. Where such a place is at the number itself the row says so, and its
 // slope is that of one side; where such places lie so close that differences tell nothing to a
@@ -212,6 +212,8 @@ std::optional<double> followed(const Exact& at, int i, const Exact& other, bool 
 /// What trials say of the slopes in one number.
 class Judge {
  public:
+  using Slopes = std::vector<std::optional<ExtrapolatedSlope>>;
+
   Judge(const Case& of, const Document& numbers) : of_(of), numbers_(numbers) {
     at_ = exact(numbers, of);
     for (int i = 0; i < kLoads + kModes; ++i) noise_[i] = kRounding * std::abs(value(i));
@@ -236,22 +238,25 @@ class Judge {
   }
 
   /// Of every answer. Steps are halved until all are known well enough, or no further; then
-  /// polynomials fitted to many trials within the widest step are tried, where they know more.
-  std::vector<std::optional<ExtrapolatedSlope>> slopes(const std::string& path) const {
-    constexpr int kFits = 40;
-    auto [found, widest] = by_steps(path);
-    if (widest == 0.0 || is_known(found, path)) return found;
+  /// polynomials are fitted to many trials, as far as the unsure ones are of one branch, and taken
+  /// where they know more.
+  Slopes slopes(const std::string& path) const {
+    constexpr int kFits = 60;
+    Slopes found = by_steps(path);
+    const std::vector<std::size_t> unsure = unsure_of(found, path);
+    const double reach = unsure.empty() ? 0.0 : reach_of(unsure, path);
+    if (reach == 0.0) return found;
     const double number = numbers_.get(path);
     std::vector<std::vector<PlacedValue>> values(found.size());
     for (int k = 0; k < kFits; ++k) {
-      const double share = widest * (2.0 * (k + 0.5) / kFits - 1.0);
+      const double share = reach * (2.0 * (k + 0.5) / kFits - 1.0);
       const Exact trial = moved(path, share);
-      for (int i = 0; i < kLoads + kModes; ++i) {
-        if (const auto value = answer(trial, i))
-          values[static_cast<std::size_t>(i)].push_back({share * std::abs(number), *value});
+      for (const std::size_t i : unsure) {
+        if (const auto value = answer(trial, static_cast<int>(i)))
+          values[i].push_back({share * std::abs(number), *value});
       }
     }
-    for (std::size_t i = 0; i < found.size(); ++i) {
+    for (const std::size_t i : unsure) {
       if (!found[i] || values[i].size() < kFits) continue;
       if (const auto fit = fitted_slope(values[i]); fit.error < found[i]->error) found[i] = fit;
     }
@@ -265,48 +270,54 @@ class Judge {
   }
 
  private:
+  static constexpr double kFirst = 6.4e-2;    // step, as a share of the number
   static constexpr double kSafety = 2.0;      // of noise that is seen some times
   static constexpr double kRounding = 1e-13;  // of the answer, at least
 
-  using Slopes = std::vector<std::optional<ExtrapolatedSlope>>;
-
-  bool is_known(const Slopes& slopes, const std::string& path) const {
+  std::vector<std::size_t> unsure_of(const Slopes& slopes, const std::string& path) const {
     constexpr double kEnough = 3e-7;
     const double number = numbers_.get(path);
-    for (int i = 0; i < kLoads + kModes; ++i) {
-      const auto& slope = slopes[static_cast<std::size_t>(i)];
-      if (!slope || slope->one_sided || slope->error > kEnough * size(i, slope->value, number))
-        return false;
+    std::vector<std::size_t> unsure;
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+      const auto& slope = slopes[i];
+      if (!slope || slope->one_sided ||
+          slope->error > kEnough * size(static_cast<int>(i), slope->value, number))
+        unsure.push_back(i);
     }
-    return true;
+    return unsure;
   }
 
-  struct BySteps {
-    Slopes slopes;
-    double widest = 0.0;  // step to both sides of which all answers are of the same branch
-  };
-
-  BySteps by_steps(const std::string& path) const {
-    constexpr double kFirst = 6.4e-2;
+  Slopes by_steps(const std::string& path) const {
     constexpr int kFewest = 4, kMost = 12;
     const double number = numbers_.get(path);
     std::vector<std::vector<StepValues>> steps(kLoads + kModes);
-    BySteps found{Slopes(steps.size())};
+    Slopes found(steps.size());
     for (int k = 0; k < kMost; ++k) {
       const double share = std::ldexp(kFirst, -k), h = share * std::abs(number);
       const Exact below = moved(path, -share), above = moved(path, share);
-      bool all = true;
       for (int i = 0; i < kLoads + kModes; ++i) {
         auto& of_answer = steps[static_cast<std::size_t>(i)];
         of_answer.push_back({h, answer(below, i), answer(above, i)});
-        all = all && of_answer.back().below && of_answer.back().above;
-        found.slopes[static_cast<std::size_t>(i)] =
-            extrapolated_slope(of_answer, value(i), noise_[i]);
+        found[static_cast<std::size_t>(i)] = extrapolated_slope(of_answer, value(i), noise_[i]);
       }
-      if (all) found.widest = std::max(found.widest, share);
-      if (k + 1 >= kFewest && is_known(found.slopes, path)) break;
+      if (k + 1 >= kFewest && unsure_of(found, path).empty()) break;
     }
     return found;
+  }
+
+  /// The widest step, each a fifth less than the one before, to both sides of which these answers
+  /// are all of one branch; 0 where there is none.
+  double reach_of(const std::vector<std::size_t>& answers, const std::string& path) const {
+    constexpr int kMost = 30;
+    for (int k = 0; k < kMost; ++k) {
+      const double share = kFirst * std::pow(0.8, k);
+      const Exact below = moved(path, -share), above = moved(path, share);
+      if (std::ranges::all_of(answers, [&](std::size_t i) {
+            return answer(below, static_cast<int>(i)) && answer(above, static_cast<int>(i));
+          }))
+        return share;
+    }
+    return 0.0;
   }
 
   /// With the number moved by a share of its size.
@@ -400,11 +411,11 @@ class Sloped {
 
 bool is_told(const Errors& errors) { return errors.judge <= kError && errors.unknown == 0; }
 
-/// Share by which a number is moved to the middle of the widest reach within 1.5 percent in which the
-/// same points touch under the last load.
+/// Share by which a number is moved to the middle of the widest reach within 1.5 percent in which
+/// the same points touch under the last load.
 double widest_reach(const Case& of, const Document& numbers, const std::string& path) {
-  constexpr int kToEachSide = 30;
-  constexpr double kStep = 5e-4;
+  constexpr int kToEachSide = 60;
+  constexpr double kStep = 2.5e-4;
   std::vector<Eigen::Vector2d> before;
   double middle = 0.0;
   for (int k = -kToEachSide, first = k, most = 0; k <= kToEachSide; ++k) {
