@@ -103,8 +103,7 @@ Eigen::ArrayXd part(const Eigen::ArrayXd& halved) { return -4.0 / 3.0 * halved; 
 /// All exchanges of one place of a mesh.
 class Exchanges {
  public:
-  /// `halved`: what each column halved changes; `fewer`, `more`: two sectors, nothing where their
-  /// number is not to be chosen.
+  /// `halved`: what each column halved changes.
   Exchanges(const Seen& mesh, const std::vector<double>& fixed, const Eigen::ArrayXXd& halved)
       : mesh_(mesh), columns_(mesh.tire.section.columns) {
     for (int j = 0; j < halved.cols(); ++j) {

@@ -3,7 +3,7 @@
 //
 // Unloaded modes do not show what a mesh misses where it stands: the worst loaded mode is often
 // none of theirs, and columns under the tread matter as soon as the ground bends it (race tire:
-// lateral n=1, 1.2 % where the unloaded tire seemed right within 0.9). The limits of all quantities
+// lateral n=1, 1.2 % off where the unloaded tire was right within 1). The limits of all quantities
 // are those of the body, whatever its mesh: found once (discretization.h), they judge any other
 // mesh by its own values alone. So a mesh costs one trial in place of those of its refined ones.
 //   Each column is halved in turn, and what that changes tells what other exchanges would: a column

@@ -123,7 +123,7 @@ double loaded_error_of(const TireDescription& description, double deflection) {
 TEST(ColumnPlacement, ExchangesColumnsByWhatIsSeenOnTheGround) {
   const TireDescription tire = plain_tire();
   constexpr double kDeflection = 0.012;
-  ColumnPlacementSettings settings = {.modes = 6, .rounds = 2, .choose_sectors = true};
+  ColumnPlacementSettings settings = {.modes = 6, .rounds = 1, .choose_sectors = true};
   const auto unloaded = place_columns(tire, settings);
   settings.deflection = kDeflection;
   const auto loaded = place_columns(tire, settings);
