@@ -46,17 +46,17 @@ constexpr int kUnknownsOfB = 15480 * 3 / 2, kUnknownsOfA = 27000 * 3 / 2;
 constexpr double kFullRatio = 50.0;  // harmonics against the full eigen-solve
 constexpr int kModes = 20;
 
-/// Median CPU seconds of five runs.
+/// Median CPU seconds of three runs.
 template <class Work>
 double time_of(Work work) {
   std::vector<double> seconds;
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const double start = cpu_seconds();
     work();
     seconds.push_back(cpu_seconds() - start);
   }
-  std::nth_element(seconds.begin(), seconds.begin() + 2, seconds.end());
-  return seconds[2];
+  std::nth_element(seconds.begin(), seconds.begin() + 1, seconds.end());
+  return seconds[1];
 }
 
 void compare_modes(const std::string& name, const TireDescription& description, Table& table) {

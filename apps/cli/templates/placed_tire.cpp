@@ -17,23 +17,26 @@ std::string columns_line(const std::vector<double>& columns) {
   return fmt::format("columns = [{:g}]", fmt::join(columns, ", "));
 }
 
-std::string placed_tire(std::string_view text, const std::vector<double>& columns) {
+std::string placed_tire(std::string_view text, const std::vector<double>& columns, int sectors) {
   const std::string line = columns_line(columns);
   std::string placed = by_lines(text, [&](std::string old) -> std::string {
     if (old.starts_with("meridional") || old.starts_with("columns")) return line + "\n";
+    if (old.starts_with("sectors =")) return fmt::format("sectors = {}\n", sectors);
     return old.starts_with("spacing = [[") ? "" : old;
   });
   std::optional<InputError> error;
   try {
     const auto tire = fe_tire::read_tire(Document::parse(placed, "placed").root());
-    if (tire.section.columns == columns) return placed;
+    if (tire.section.columns == columns && tire.section.sectors == sectors) return placed;
   } catch (const InputError& unread) {
     error = unread;
   }
   throw InputError(
       "expected the columns of elements as a line of [mesh] that begins with "
-      "meridional or columns; write by hand, in place of meridional and spacing:\n" +
-      line + (error ? std::string("\n(") + error->what() + ")" : ""));
+      "meridional or columns, and one that begins with sectors; write by hand, in place of "
+      "meridional and spacing:\n" +
+      line + fmt::format("\nsectors = {}", sectors) +
+      (error ? std::string("\n(") + error->what() + ")" : ""));
 }
 
 }  // namespace latsch::cli

@@ -187,7 +187,7 @@ std::string stretched_tire(std::string_view text, const std::string& size) {
   if (old.section.columns.empty()) return tire.text();  // a coarse mesh, columns all alike
   std::vector<double> columns = old.section.columns;
   for (double& q : columns) q = rounded(stretch.position(q), 1e4);
-  std::string stretched = placed_tire(tire.text(), columns);
+  std::string stretched = placed_tire(tire.text(), columns, old.section.sectors);
   // Walls higher than the template's bend more in the crown, which wants columns more than the
   // contact wants its narrowest sectors: wider ones move the vertical force by 0.1 %.
   if (template_of(size) == "passenger_205_55R16") {
@@ -207,8 +207,7 @@ std::string with_placed_mesh(const std::string& stretched,
   if (!placement) {
     throw InputError("--size " + size + ": no mesh found: " + placement.failure().reason);
   }
-  return placed_tire(with_line(stretched, "sectors", std::to_string(placement->sectors)),
-                     placement->columns);
+  return placed_tire(stretched, placement->columns, placement->sectors);
 }
 
 std::string sized_tire(std::string_view text, const std::string& size) {

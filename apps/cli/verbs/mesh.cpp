@@ -32,7 +32,7 @@ struct MeshOptions {
   int modes = 20;
   int finest = 4;
   int unknowns = 0;
-  bool convergence = false, thorough = false;
+  bool convergence = false, thorough = false, choose_sectors = false;
 };
 
 void print_counts(const MeshedTire& tire, const fe_tire::Mesh& mesh, double mass) {
@@ -64,6 +64,11 @@ void print_counts(const MeshedTire& tire, const fe_tire::Mesh& mesh, double mass
   for (const auto& [region, count] : elements_of_region) {
     line("elements of " + mesh.region_names[region], std::to_string(count));
   }
+}
+
+/// m; 0 where none is given.
+double deflection_of(const MeshOptions& options) {
+  return options.deflection.empty() ? 0.0 : parse_option("--deflection", options.deflection, "m");
 }
 
 void print_rows(const std::string& title, const std::vector<DiscretizationRow>& rows) {
@@ -118,9 +123,7 @@ int print_convergence(const TireDescription& tire, const MeshOptions& options) {
   settings.loaded_thoroughly = options.thorough;
   settings.refinements.resize(options.finest);
   std::iota(settings.refinements.begin(), settings.refinements.end(), 1);
-  if (!options.deflection.empty()) {
-    settings.deflection = parse_option("--deflection", options.deflection, "m");
-  }
+  settings.deflection = deflection_of(options);
   RunningNote note;
   long done = 0;
   const auto study = study_discretization(
@@ -138,29 +141,34 @@ int print_convergence(const TireDescription& tire, const MeshOptions& options) {
 int place(const TireDescription& tire, const MeshOptions& options) {
   RunningNote note;
   long done = 0;
-  const ColumnPlacementSettings settings = {.unknowns = options.unknowns, .modes = options.modes};
-  const auto found = place_columns(tire, settings, [&](const std::string& round) {
-    note.update(done++, settings.rounds + 1, round);
-  });
+  ColumnPlacementSettings settings = {.unknowns = options.unknowns, .modes = options.modes};
+  settings.choose_sectors = options.choose_sectors;
+  settings.deflection = deflection_of(options);
+  const auto found = place_columns(
+      tire, settings, [&](const std::string& round) { note.update(done++, 0, round); });
   if (!found) {
     complain(found.failure().reason);
     return kFailed;
   }
   answer()["columns"] = {{"positions", found->columns},
+                         {"sectors", found->sectors},
                          {"free_degrees_of_freedom", found->unknowns},
                          {"error_before", found->error_before},
                          {"error", found->error},
                          {"worst", found->worst}};
-  say("\n{} columns, {} unknowns: largest error of growth and {} modes {:.2f} -> {:.2f} % ({}), "
-      "estimated\n{}\n",
+  say("\n{} columns, {} sectors, {} unknowns: largest error of growth and {} modes{} {:.2f} -> "
+      "{:.2f} % ({}), estimated\n{}\n",
       2 * (found->columns.size() - 1),
+      found->sectors,
       found->unknowns,
       options.modes,
+      settings.deflection > 0.0 ? ", unloaded and on the ground," : "",
       100.0 * found->error_before,
       100.0 * found->error,
       found->worst,
       columns_line(found->columns));
-  write_text_file(options.place_columns, placed_tire(read_text_file(options.file), found->columns));
+  write_text_file(options.place_columns,
+                  placed_tire(read_text_file(options.file), found->columns, found->sectors));
   say_written(options.place_columns);
   return kDone;
 }
@@ -204,15 +212,22 @@ void add_mesh(CommandLine& app, Program& program) {
       "moduli\n"
       "  latsch mesh tire.toml --place-columns placed.toml\n"
       "      the same tire and as many unknowns, its columns of elements short where shorter ones "
-      "move the results");
+      "move the results\n"
+      "  latsch mesh tire.toml --place-columns placed.toml --deflection \"25 mm\" "
+      "--choose-sectors\n"
+      "      also by what is seen on the ground, which takes minutes");
   auto options = std::make_shared<MeshOptions>();
   verb.add_option("file", options->file, "Tire file (TOML, .inp) or study file").required();
   verb.add_option("--refinement", options->refinement, "Splits every element so often each way")
       .between(1, 8);
   verb.add_option("--vtu", options->vtu, "ParaView file to write");
   verb.add_flag("--convergence", options->convergence, "Compares with refined meshes");
-  verb.add_option(
-      "--deflection", options->deflection, "Also pressed on the ground, for --convergence");
+  verb.add_option("--deflection",
+                  options->deflection,
+                  "Also pressed on the ground, for --convergence and --place-columns");
+  verb.add_flag("--choose-sectors",
+                options->choose_sectors,
+                "Their number too, within the same unknowns, for --place-columns");
   verb.add_flag(
       "--thorough",
       options->thorough,

@@ -14,7 +14,13 @@ namespace {
 
 constexpr double kLength = 1e-3;  // of the range
 constexpr double kOff = 1e-5;     // of the largest slope of a variable
-constexpr double kUnsure = 10.0;  // times what two lengths differ by
+constexpr double kUnsure = 10.0;  // times what two lengths differ by, or a kink
+
+/// Of residuals, in one variable.
+struct Differences {
+  Eigen::VectorXd central;
+  Eigen::VectorXd jump;  // forward less backward
+};
 
 /// Residuals over the unit cube.
 class Cube {
@@ -29,13 +35,18 @@ class Cube {
     return residuals_(point, *channels);
   }
 
-  /// D(h) of one variable.
-  Result<Eigen::VectorXd> central(const Eigen::VectorXd& u, int variable, double h) const {
+  /// D(h) and j(h) of one variable; `r` at u.
+  Result<Differences> differences(const Eigen::VectorXd& u,
+                                  const Eigen::VectorXd& r,
+                                  int variable,
+                                  double h) const {
     const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(u.size(), variable);
     const auto above = at(u + step), below = at(u - step);
     if (!above) return above.failure();
     if (!below) return below.failure();
-    return Eigen::VectorXd((to_vector(above->residuals) - to_vector(below->residuals)) / (2.0 * h));
+    const Eigen::VectorXd r_above = to_vector(above->residuals),
+                          r_below = to_vector(below->residuals);
+    return Differences{(r_above - r_below) / (2.0 * h), (r_above - 2.0 * r + r_below) / h};
   }
 
  private:
@@ -80,13 +91,18 @@ Result<std::vector<CheckedSlope>> check_slopes(const Study& study, const DesignP
   const Eigen::MatrixXd J =
       study.space.unit_jacobian(study.space.from_unit({u.begin(), u.end()}), *center);
   if (J.size() == 0) return Failure{"the model tells no slopes there, or some that are not finite"};
+  const Eigen::VectorXd r = to_vector(center->residuals);
   const auto rows = residual_rows(study);
   std::vector<CheckedSlope> all;
   for (int i = 0; i < study.space.size(); ++i) {
-    const auto whole = cube.central(u, i, kLength), half = cube.central(u, i, 0.5 * kLength);
+    const auto whole = cube.differences(u, r, i, kLength),
+               half = cube.differences(u, r, i, 0.5 * kLength);
     if (!whole) return whole.failure();
     if (!half) return half.failure();
-    CheckedSlope one = worst(J.col(i), (4.0 * *half - *whole) / 3.0, (*half - *whole).cwiseAbs());
+    const Eigen::VectorXd D = (4.0 * half->central - whole->central) / 3.0,
+                          lengths = (half->central - whole->central).cwiseAbs(),
+                          kink = (2.0 * half->jump - whole->jump).cwiseAbs();
+    CheckedSlope one = worst(J.col(i), D, lengths.cwiseMax(kink));
     const ResidualRow& row = rows[std::stoul(one.row)];
     one.row = row.experiment < 0
                   ? row.name

@@ -5,8 +5,14 @@
 //   D = (4 D(h/2) - D(h)) / 3,    D(h) = (r(u + h) - r(u - h)) / 2h,    h = 1e-3 of the range
 //
 // A slope disagrees where it is off by more than 1e-5 of the largest of its variable and by more
-// than ten times what the two lengths differ by, which is much beside a kink. At a bound there are
-// differences to one side alone; the point then moves inward by h.
+// than ten times what the two lengths differ by, which is much where a kink lies between them. One
+// closer to the point, as of a place of the tread that just touches, both lengths hide alike: there
+// forward and backward differences do not come together with the length, and their
+//
+//   J = 2 j(h/2) - j(h),    j(h) = (r(u + h) - 2 r(u) + r(u - h)) / h
+//
+// counts as what the lengths differ by does. At a bound there are differences to one side alone;
+// the point then moves inward by h.
 #pragma once
 
 #include <string>

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
 #include "correlation/study/spring_testing.h"
@@ -20,18 +22,35 @@ class SlopingSpring : public SpringKind {
   }
 };
 
+/// `kink`: by how much the slope in the damping changes where that is `at`.
+struct Pull {
+  double wrong = 1.0, kink = 0.0, at = 0.0;
+};
+
 class SlopingPull : public PullTest {
  public:
-  SlopingPull(double speed, double wrong)
-      : PullTest({0.01, 0.02, 0.03}, speed, 0.0), speed_(speed), wrong_(wrong) {}
+  SlopingPull(double speed, const Pull& pull)
+      : PullTest({0.01, 0.02, 0.03}, speed, 0.0), speed_(speed), pull_(pull) {}
   bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
+  Result<Channels> run(Specimen& specimen) const override {
+    const auto straight = PullTest::run(specimen);
+    Channels channels;
+    for (Channel channel : straight->all()) {
+      const double more = pull_.kink * speed_ * std::max(0.0, damping(specimen) - pull_.at);
+      for (double& value : channel.values) value += channel.name == "force" ? more : 0.0;
+      channels.add(std::move(channel));
+    }
+    return channels;
+  }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     const auto plain = run(specimen);
+    const double by_damping =
+        pull_.wrong * speed_ * (1.0 + (damping(specimen) > pull_.at ? pull_.kink : 0.0));
     Channels sloping;
     for (Channel channel : plain->all()) {
       for (const std::string& path : asked.paths) {
         for (const double x : (*plain)["travel"]) {
-          const double slope = path == "stiffness" ? x : wrong_ * speed_;
+          const double slope = path == "stiffness" ? x : by_damping;
           channel.slopes.push_back(channel.name == "force" ? slope : 0.0);
         }
       }
@@ -41,14 +60,16 @@ class SlopingPull : public PullTest {
   }
 
  private:
-  double speed_, wrong_;
+  static double damping(Specimen& specimen) { return specimen.find<Spring>()->force(0.0, 1.0); }
+  double speed_;
+  Pull pull_;
 };
 
 class DerivativeCheck : public testing::Test {
  protected:
   /// Measured between the travels that the test drives.
-  Study read(double wrong, const std::string& x = "x = \"pull/travel\"\n") {
-    wrong_ = wrong;
+  Study read(const Pull& how, const std::string& x = "x = \"pull/travel\"\n") {
+    pull_ = how;
     write_text_file(folder_ / "spring.toml",
                     "kind = \"spring\"\nstiffness = \"2000 N/m\"\ndamping = \"30 N s/m\"\n");
     write_text_file(folder_ / "pull.toml", "kind = \"pull\"\n");
@@ -67,18 +88,18 @@ class DerivativeCheck : public testing::Test {
     static const SlopingSpring kind;
     static const TestKind pull = {
         "pull", "is pulled", {Spring::kName}, [](const Node&, const experiment::TestSource&) {
-          return std::unique_ptr<experiment::Test>(std::make_unique<SlopingPull>(0.5, wrong_));
+          return std::unique_ptr<experiment::Test>(std::make_unique<SlopingPull>(0.5, pull_));
         }};
     static const Language language = {{&kind}, {&pull}};
     return read_study(folder_ / "study.toml", language);
   }
 
-  static inline double wrong_ = 1.0;
+  static inline Pull pull_;
   ScratchFolder folder_;
 };
 
 TEST_F(DerivativeCheck, RightSlopesAgreeAlsoBesideABound) {
-  const Study study = read(1.0);
+  const Study study = read({});
   const auto slopes = check_slopes(study, study.space.initial());
   ASSERT_TRUE(slopes) << slopes.failure().reason;
   ASSERT_EQ(slopes->size(), 2u);
@@ -86,11 +107,27 @@ TEST_F(DerivativeCheck, RightSlopesAgreeAlsoBesideABound) {
     EXPECT_TRUE(one.agrees) << one.variable << " " << one.off;
     EXPECT_LT(one.off, 1e-8);
   }
-  EXPECT_TRUE(check_slopes(read(1.0, ""), study.space.initial()));  // sample by sample
+  EXPECT_TRUE(check_slopes(read({}, ""), study.space.initial()));  // sample by sample
+}
+
+// On the side of the point that lies a thousandth of a step off, either length sees half of it.
+TEST_F(DerivativeCheck, AKinkBesideThePointIsNoWrongSlope) {
+  constexpr double kPoint = 0.05;  // the bound moved inward by a thousandth of the range
+  for (const double at : {kPoint - 5e-5, kPoint + 5e-5}) {
+    const Study study = read({.kink = 3e-4, .at = at});
+    const auto slopes = check_slopes(study, study.space.initial());
+    ASSERT_TRUE(slopes);
+    EXPECT_TRUE((*slopes)[1].agrees) << (*slopes)[1].off;
+    EXPECT_GT((*slopes)[1].off, 1e-4);
+    const auto wrong =
+        check_slopes(read({.wrong = 1.01, .kink = 3e-4, .at = at}), study.space.initial());
+    ASSERT_TRUE(wrong);
+    EXPECT_FALSE((*wrong)[1].agrees);
+  }
 }
 
 TEST_F(DerivativeCheck, NamesTheVariableWhoseSlopeIsWrong) {
-  const Study study = read(1.01);
+  const Study study = read({.wrong = 1.01});
   const auto slopes = check_slopes(study, study.space.initial());
   ASSERT_TRUE(slopes);
   EXPECT_TRUE((*slopes)[0].agrees);

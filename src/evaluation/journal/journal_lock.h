@@ -18,8 +18,8 @@ struct JournalHolder {
 class JournalLock {
  public:
   /// Waits a moment for what a killed process leaves, a child of it that has yet to become another
-  /// program. Throws InputError naming the holder, with its machine, where another process (or another
-  /// Journal of this one) has it, or the reason where the file system gives no locks.
+  /// program. Throws InputError naming the holder, with its machine, where another process (or
+  /// another Journal of this one) has it, or the reason where the file system gives no locks.
   explicit JournalLock(const std::filesystem::path& journal);
   ~JournalLock();
   JournalLock(const JournalLock&) = delete;

@@ -2,12 +2,9 @@
 #include "experiment/rigs/fe_tire/column_changes.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <numbers>
-#include <thread>
 #include <utility>
 
 #include "models/fe_tire/analysis/fe_tire.h"
@@ -49,27 +46,6 @@ Eigen::ArrayXd change(const Quantities& from, const Quantities& to) {
   return changed;
 }
 
-/// What `solve` gives for 0 to count - 1, on as many threads as the machine has.
-Result<std::vector<Quantities>> at_once(
-    Eigen::Index count, const std::function<Result<Quantities>(Eigen::Index)>& solve) {
-  std::vector<Result<Quantities>> found(count, Failure{});
-  std::atomic<Eigen::Index> next = 0;
-  {
-    std::vector<std::jthread> threads(std::max(1U, std::thread::hardware_concurrency()));
-    for (std::jthread& thread : threads) {
-      thread = std::jthread([&] {
-        for (Eigen::Index i = next++; i < count; i = next++) found[i] = solve(i);
-      });
-    }
-  }
-  std::vector<Quantities> values;
-  for (Result<Quantities>& one : found) {
-    if (!one) return one.failure();
-    values.push_back(*std::move(one));
-  }
-  return values;
-}
-
 constexpr double kLeft = 4.0 / 3.0;  // of what halving changes, of an error of second order
 
 /// What lies beyond meshes refined 2 and 3 times, of second order. A mode that one of them does not
@@ -82,6 +58,12 @@ Eigen::ArrayXd limit(const Eigen::ArrayXd& twice, const Eigen::ArrayXd& thrice) 
 constexpr int kMore = 4;  // modes of finer meshes: the order of neighboring ones may change
 
 }  // namespace
+
+int nodes_across(const Section& section, Eigen::Index column) {
+  const auto crown = section.crown_columns();
+  const bool sidewall = crown && static_cast<double>(column) >= *crown;
+  return (sidewall ? section.rows_inside + 1 : section.rows()) + 1;
+}
 
 Result<Start> inflated_start(const TireDescription& description) {
   const auto inflated = FeTire(description).inflate(description.pressure);
@@ -118,7 +100,7 @@ Result<std::vector<Judged>> judge(const std::vector<TireDescription>& meshes,
   const std::vector<fe_tire::Refinement> finer = {
       3, 2, {1, 2, 1}, {2, 1, 1}, 1};  // the longest first
   const auto each = std::ssize(finer);
-  const auto found = at_once(std::ssize(meshes) * each, [&](Eigen::Index i) {
+  const auto found = at_once<Quantities>(std::ssize(meshes) * each, [&](Eigen::Index i) {
     const bool refined = i % each + 1 < each;
     return quantities(meshes[i / each], start, refined ? modes + kMore : modes, finer[i % each]);
   });
@@ -146,7 +128,7 @@ Result<std::vector<Judged>> judge(const std::vector<TireDescription>& meshes,
 Result<ColumnChanges> changes(const Judged& mesh, const Start& start, int modes) {
   const std::vector<double>& columns = mesh.tire.section.columns;
   const auto count = std::ssize(columns) - 1;
-  const auto finer = at_once(count, [&](Eigen::Index j) {
+  const auto finer = at_once<Quantities>(count, [&](Eigen::Index j) {
     std::vector<double> halved = columns;
     halved.insert(halved.begin() + j + 1, 0.5 * (columns[j] + columns[j + 1]));
     return quantities(with_columns(mesh.tire, std::move(halved)), start, modes + kMore);

@@ -4,8 +4,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <atomic>
+#include <functional>
 #include <map>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -13,6 +18,31 @@
 #include "models/fe_tire/description/tire_description.h"
 
 namespace latsch::placement {
+
+/// What `solve` gives for 0 to count - 1, on as many threads as the machine has.
+template <class Found>
+Result<std::vector<Found>> at_once(Eigen::Index count,
+                                   const std::function<Result<Found>(Eigen::Index)>& solve) {
+  std::vector<Result<Found>> found(count, Failure{});
+  std::atomic<Eigen::Index> next = 0;
+  {
+    std::vector<std::jthread> threads(std::max(1U, std::thread::hardware_concurrency()));
+    for (std::jthread& thread : threads) {
+      thread = std::jthread([&] {
+        for (Eigen::Index i = next++; i < count; i = next++) found[i] = solve(i);
+      });
+    }
+  }
+  std::vector<Found> values;
+  for (Result<Found>& one : found) {
+    if (!one) return one.failure();
+    values.push_back(*std::move(one));
+  }
+  return values;
+}
+
+/// Nodes of one station within a column.
+int nodes_across(const fe_tire::Section& section, Eigen::Index column);
 
 /// Growth and frequencies by name.
 using Quantities = std::map<std::string, double>;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "experiment/rigs/fe_tire/column_changes.h"
+#include "experiment/rigs/fe_tire/column_exchange.h"
 #include "experiment/rigs/fe_tire/expected_columns.h"
 #include "models/fe_tire/description/section_columns.h"
 
@@ -135,7 +136,7 @@ Result<ColumnPlacement> place_columns(const TireDescription& tire,
               mesh.error,
               mesh.worst};
     }
-    if (round == settings.rounds) return best;
+    if (round == settings.rounds) break;
     const Judged& now = *std::ranges::min_element(*judged, {}, &Judged::error);
     if (progress) {
       progress(fmt::format("round {} of {}: {} columns halved in turn",
@@ -150,6 +151,12 @@ Result<ColumnPlacement> place_columns(const TireDescription& tire,
     judged = placement::judge(*meshes, *start, modes);
     if (!judged) return judged.failure();
   }
+  if (settings.deflection <= 0.0) return best;
+  TireDescription placed = with_columns(tire, best.columns);
+  placed.section.sectors = best.sectors;
+  ColumnPlacementSettings on_ground = settings;
+  on_ground.unknowns = most;
+  return placement::exchange_columns(placed, on_ground, fixed, progress);
 }
 
 }  // namespace latsch

@@ -12,6 +12,8 @@
 // section overshoot where halved; of a loaded one, whose modes bend where sectors are widest; and
 // of columns alone, for what rows cancel on one mesh they may not on a finer one (tire A smeared:
 // lateral n=0 seemed right within 0.6 % and was off by 1.7).
+//   Asked for a deflection, columns and sectors so placed are then exchanged by what is measured on
+// the ground (column_exchange.h): some minutes.
 #pragma once
 
 #include <functional>
@@ -28,6 +30,7 @@ struct ColumnPlacementSettings {
   int modes = 20;
   int rounds = 6;               // of columns moved
   bool choose_sectors = false;  // their number too, even, within the same unknowns
+  double deflection = 0.0;      // m; > 0: then exchanged by what is seen on the ground
 };
 
 struct ColumnPlacement {

@@ -95,6 +95,51 @@ TEST(ColumnPlacement, ChoosesAnEvenNumberOfSectorsWithinTheUnknowns) {
   EXPECT_LE(both->error, alone->error);
 }
 
+/// The largest error of the vertical force and six modes on the ground, against elements split in
+/// three around and along.
+double loaded_error_of(const TireDescription& description, double deflection) {
+  const auto quantities = [&](const fe_tire::Refinement& refinement) {
+    FeTire tire(build_mesh(description, refinement),
+                build_materials(description, refinement),
+                {.element = description.element});
+    const auto inflated = tire.inflate(description.pressure);
+    EXPECT_TRUE(inflated.ok());
+    const auto pressed = tire.press(*inflated, {}, {deflection});
+    EXPECT_TRUE(pressed.ok());
+    std::vector<double> values = {tire.stand(pressed->back()).force.z()};
+    const auto modes = tire.modes(pressed->back(), 6);
+    EXPECT_TRUE(modes.ok());
+    for (const fe_tire::Mode& mode : *modes) values.push_back(mode.frequency);
+    return values;
+  };
+  const std::vector<double> coarse = quantities(1), fine = quantities({3, 3, 1});
+  double error = 0.0;
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    error = std::max(error, std::abs(coarse[i] / fine[i] - 1.0));
+  }
+  return error;
+}
+
+TEST(ColumnPlacement, ExchangesColumnsByWhatIsSeenOnTheGround) {
+  const TireDescription tire = plain_tire();
+  constexpr double kDeflection = 0.012;
+  ColumnPlacementSettings settings = {.modes = 6, .rounds = 1, .choose_sectors = true};
+  const auto unloaded = place_columns(tire, settings);
+  settings.deflection = kDeflection;
+  const auto loaded = place_columns(tire, settings);
+  ASSERT_TRUE(unloaded.ok() && loaded.ok());
+  const auto with = [&](const ColumnPlacement& placement) {
+    TireDescription placed = with_columns(tire, placement.columns);
+    placed.section.sectors = placement.sectors;
+    return placed;
+  };
+  EXPECT_LE(loaded->unknowns, build_mesh(tire).free_dofs());
+  EXPECT_EQ(loaded->unknowns, build_mesh(with(*loaded)).free_dofs());
+  EXPECT_LT(loaded->error, loaded->error_before);
+  EXPECT_LT(loaded_error_of(with(*loaded), kDeflection),
+            loaded_error_of(with(*unloaded), kDeflection));
+}
+
 TEST(ColumnPlacement, TooFewUnknownsAreAFailureWithTheFewest) {
   const auto placement = place_columns(plain_tire(), {.unknowns = 500, .modes = 4, .rounds = 1});
   ASSERT_FALSE(placement.ok());

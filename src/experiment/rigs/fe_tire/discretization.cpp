@@ -91,6 +91,9 @@ void rename_as_first(std::vector<MeshQuantities>& meshes) {
   }
 }
 
+/// The order of neighboring modes may change from mesh to mesh: other ones look a little further.
+constexpr int kMoreModes = 6;
+
 using Measure = Result<MeshQuantities> (*)(FeTire&,
                                            const Inflated&,
                                            const DiscretizationSettings&,
@@ -119,9 +122,7 @@ Result<std::vector<MeshQuantities>> refine(
                            model.mesh().element_count(),
                            model.mesh().free_dofs()));
     }
-    // The order of neighboring modes may change from mesh to mesh: look a little further on the
-    // finer ones.
-    const int modes = meshes.empty() ? settings.modes : settings.modes + 6;
+    const int modes = meshes.empty() ? settings.modes : settings.modes + kMoreModes;
     fe_tire::SectionGrid finer = section_grid(tire, r);
     auto next = inflated ? model.inflate(settings.pressure, on_grid(finer, grid, inflated->u))
                          : model.inflate(settings.pressure);
@@ -198,6 +199,22 @@ std::vector<DiscretizationRow> loaded_rows(const std::vector<DiscretizationRow>&
 }
 
 }  // namespace
+
+Result<MeshMeasured> measure_mesh(const fe_tire::TireDescription& tire,
+                                  const DiscretizationSettings& settings) {
+  FeTire model(build_mesh(tire), fe_tire::build_materials(tire), {.element = settings.element});
+  const auto inflated = model.inflate(settings.pressure);
+  if (!inflated) return inflated.failure();
+  MeshMeasured measured;
+  for (const auto& [measure, found] : {std::pair(&unloaded_quantities, &measured.unloaded),
+                                       std::pair(&loaded_quantities, &measured.loaded)}) {
+    if (measure == &loaded_quantities && settings.deflection <= 0.0) continue;
+    auto quantities = measure(model, *inflated, settings, settings.modes + kMoreModes);
+    if (!quantities) return quantities.failure();
+    *found = *std::move(quantities);
+  }
+  return measured;
+}
 
 Result<DiscretizationStudy> study_discretization(
     const fe_tire::TireDescription& tire,

@@ -79,6 +79,13 @@ std::vector<DiscretizationRow> paired_rows(std::vector<MeshQuantities> meshes);
 std::vector<DiscretizationRow> discretization_rows(const std::vector<int>& refinements,
                                                    std::vector<MeshQuantities> meshes);
 
+/// What a study measures, on the mesh of the tire alone.
+struct MeshMeasured {
+  MeshQuantities unloaded, loaded;
+};
+Result<MeshMeasured> measure_mesh(const fe_tire::TireDescription& tire,
+                                  const DiscretizationSettings& settings);
+
 /// `progress` is told each mesh before it is computed.
 Result<DiscretizationStudy> study_discretization(
     const fe_tire::TireDescription& tire,

@@ -24,12 +24,10 @@ std::vector<double> density(const Judged& mesh,
   Section section = mesh.tire.section;
   const std::vector<double>& columns = mesh.tire.section.columns;
   const auto count = changes.column.cols();
-  const auto crown = section.crown_columns();
   Eigen::ArrayXd h(count), cost(count);
   for (Eigen::Index j = 0; j < count; ++j) {
     h[j] = columns[j + 1] - columns[j];
-    const bool sidewall = crown && static_cast<double>(j) >= *crown;
-    cost[j] = (sidewall ? section.rows_inside + 1 : section.rows()) + 1.0;
+    cost[j] = nodes_across(section, j);
   }
   const Eigen::ArrayXXd c = changes.column.rowwise() / h.cube().transpose();
   const Eigen::ArrayXd sign = mesh.along.sign();
@@ -161,15 +159,14 @@ class Expected {
   double loaded_ = 1.0;
 };
 
-/// Of a ring, beyond those of its zones on both sides of the contact.
+}  // namespace
+
 int fewest_sectors(const Section& section) {
   constexpr int kAlike = 36, kAbove = 12;
   int zoned = 0;
   for (const fe_tire::SectorZone& zone : section.sector_zones) zoned += zone.sectors;
   return std::max(kAlike, 2 * zoned + kAbove);
 }
-
-}  // namespace
 
 Way way(const Judged& mesh,
         const ColumnChanges& changes,

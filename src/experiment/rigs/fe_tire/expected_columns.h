@@ -25,6 +25,9 @@ Way way(const Judged& mesh,
         int sectors,
         int most);
 
+/// Sectors of a ring, beyond those of its zones on both sides of the contact.
+int fewest_sectors(const fe_tire::Section& section);
+
 /// Of the sectors a ring may have, near those it has, those that are expected to err least.
 int best_sectors(const Judged& mesh,
                  const ColumnChanges& changes,
