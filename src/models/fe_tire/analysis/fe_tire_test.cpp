@@ -367,7 +367,7 @@ TEST(FeTire, GroundAndGasTogetherAreWhatTheRimHolds) {
 
 TEST(FeTire, FrictionStiffensTheLoadedModesAndHoldsTheTreadBack) {
   // What friction adds to the force takes a mesh on which points slide apart within the patch:
-  // 0.4 % on the small tire's own, 1.6, 1.5 and 1.3 % on two, three and four times as fine ones.
+  // 0.5 % on the small tire's own, 1.7, 1.5 and 1.3 % on two, three and four times as fine ones.
   FeTire tire(build_mesh(small_tire(), {2, 2, 1}),
               build_materials(small_tire(), {2, 2, 1}),
               {.element = ElementKind::solid_shell});
