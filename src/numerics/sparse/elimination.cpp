@@ -6,22 +6,22 @@
 #include <algorithm>
 #include <mutex>
 #include <numeric>
+#include <utility>
 
 namespace latsch::numerics {
 namespace {
 
 using Lists = std::vector<std::vector<int>>;
 
-/// Nested dissection of the graph of those block rows that `number` counts (-1: left out): position
-/// of every one.
-std::vector<int> dissect(const SymmetricPattern& pattern, const std::vector<int>& number, int n) {
+/// Nested dissection: position of every block row.
+std::vector<int> dissect(const SymmetricPattern& pattern) {
+  const int n = pattern.block_rows();
   Lists neighbors(n);
-  for (int i = 0; i < pattern.block_rows(); ++i) {
+  for (int i = 0; i < n; ++i) {
     for (int k = pattern.row_start()[i]; k < pattern.row_start()[i + 1] - 1; ++k) {
-      const int a = number[i], b = number[pattern.column()[k]];
-      if (a < 0 || b < 0) continue;
-      neighbors[a].push_back(b);
-      neighbors[b].push_back(a);
+      const int j = pattern.column()[k];
+      neighbors[i].push_back(j);
+      neighbors[j].push_back(i);
     }
   }
   std::vector<idx_t> first(1, 0), neighbor;
@@ -45,20 +45,18 @@ std::vector<int> dissect(const SymmetricPattern& pattern, const std::vector<int>
   return {position.begin(), position.end()};
 }
 
-/// The same of all block rows, those of the interface at the end.
-std::vector<int> order(const SymmetricPattern& pattern, const std::vector<int>& interface) {
-  std::vector<int> number(pattern.block_rows(), 0);
-  for (int row : interface) number[row] = -1;
-  int inside = 0;
-  for (int& row : number) {
-    if (row == 0) row = inside++;
+/// The same positions, but those of the interface at the end.
+std::vector<int> moved_last(const std::vector<int>& position, const std::vector<int>& interface) {
+  std::vector<int> order(position.size()), moved(position.size(), 0);
+  for (std::size_t row = 0; row < position.size(); ++row)
+    order[position[row]] = static_cast<int>(row);
+  for (int row : interface) moved[row] = -1;
+  int next = 0;
+  for (int row : order) {
+    if (moved[row] == 0) moved[row] = next++;
   }
-  std::vector<int> position = dissect(pattern, number, inside), all(number.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (number[i] >= 0) all[i] = position[number[i]];
-  }
-  for (int row : interface) all[row] = inside++;
-  return all;
+  for (int row : interface) moved[row] = next++;
+  return moved;
 }
 
 /// Rows below the diagonal of every column, in the order of `position`; the last `interface` ones
@@ -208,22 +206,34 @@ void find_parents(std::vector<Front>& fronts, int columns) {
   }
 }
 
-}  // namespace
-
-Elimination eliminate(const SymmetricPattern& pattern, const std::vector<int>& interface) {
+/// In the order of these positions, but for what leaves the fronts as they are.
+Elimination in_order(const SymmetricPattern& pattern, std::vector<int> position, int interface) {
   Elimination result;
-  const int last = static_cast<int>(interface.size());
-  result.interface = last;
-  result.position = order(pattern, interface);
-  Lists columns = lower_columns(pattern, result.position, last);
+  result.interface = interface;
+  result.position = std::move(position);
+  Lists columns = lower_columns(pattern, result.position, interface);
   std::vector<int> parent = fill(columns);
-  const std::vector<int> after = postorder(parent, columns, last);
-  for (int& position : result.position) position = after[position];
+  const std::vector<int> after = postorder(parent, columns, interface);
+  for (int& place : result.position) place = after[place];
   renumber(after, columns, parent);
-  result.fronts = joined(
-      fundamental_fronts(parent, columns, last), pattern.block_size(), pattern.block_rows() - last);
+  result.fronts = joined(fundamental_fronts(parent, columns, interface),
+                         pattern.block_size(),
+                         pattern.block_rows() - interface);
   find_parents(result.fronts, pattern.block_rows());
   return result;
+}
+
+}  // namespace
+
+Elimination eliminate(const SymmetricPattern& pattern) {
+  return in_order(pattern, dissect(pattern), 0);
+}
+
+Elimination eliminate(const SymmetricPattern& pattern,
+                      const std::vector<int>& interface,
+                      const Elimination& whole) {
+  return in_order(
+      pattern, moved_last(whole.position, interface), static_cast<int>(interface.size()));
 }
 
 }  // namespace latsch::numerics

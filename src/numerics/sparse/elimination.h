@@ -31,7 +31,11 @@ struct Elimination {
   int interface = 0;          // block rows at the end that make the last front, alone; 0: none
 };
 
-/// `interface`: block rows that are eliminated last, together, in this order.
-Elimination eliminate(const SymmetricPattern& pattern, const std::vector<int>& interface = {});
+Elimination eliminate(const SymmetricPattern& pattern);
+/// `interface`: block rows that are eliminated last, together, in this order. All others in that of
+/// `whole`, of the same pattern without an interface: what separates it separates what is left.
+Elimination eliminate(const SymmetricPattern& pattern,
+                      const std::vector<int>& interface,
+                      const Elimination& whole);
 
 }  // namespace latsch::numerics

@@ -181,9 +181,10 @@ struct WithInterface {
   SymmetricPattern pattern{lattice.size(), lattice.elements()};
   std::vector<int> block_rows = {40, 3, 17, 18, 77, 119};
   SymmetricMatrix A{pattern};
-  Factorization factor{pattern,
-                       Precision::full,
-                       std::make_shared<const Elimination>(eliminate(pattern, block_rows))};
+  Factorization factor{
+      pattern,
+      Precision::full,
+      std::make_shared<const Elimination>(eliminate(pattern, block_rows, eliminate(pattern)))};
 
   WithInterface() { lattice.assemble_random(A, 5); }
   /// Its unknowns in their order, then all others.

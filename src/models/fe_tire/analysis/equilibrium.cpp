@@ -45,7 +45,9 @@ EquilibriumSolver::EquilibriumSolver(const RingUnknowns& unknowns,
       assembly_(unknowns, &tread),
       tread_(tread),
       K_(*assembly_.pattern()),
-      tire_(*assembly_.pattern(), tread),
+      elimination_(
+          std::make_shared<const numerics::Elimination>(numerics::eliminate(*assembly_.pattern()))),
+      tire_(*assembly_.pattern(), *elimination_, tread),
       cg_(unknowns.size()),
       f_(unknowns.size()),
       d_(unknowns.size()) {}

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,7 @@
 #include "models/fe_tire/analysis/ring_assembly.h"
 #include "models/fe_tire/analysis/solver_settings.h"
 #include "numerics/sparse/conjugate_gradients.h"
-#include "numerics/sparse/factorization.h"
+#include "numerics/sparse/elimination.h"
 
 namespace latsch::fe_tire {
 
@@ -64,7 +65,8 @@ class EquilibriumSolver {
   void forget_forces() { elements_ = nullptr; }
 
   const RingAssembly& assembly() const { return assembly_; }
-  const numerics::Factorization& factor() const { return tire_.factor(); }
+  /// Of its pattern, the ground's part included: for whoever factorizes such tangents.
+  const std::shared_ptr<const numerics::Elimination>& elimination() const { return elimination_; }
   /// Where its work is counted from now on; it has to outlive the solver.
   void count_in(SolverCounts& counts) { counts_ = &counts; }
 
@@ -87,6 +89,7 @@ class EquilibriumSolver {
   RingAssembly assembly_;
   const TreadSurface& tread_;
   numerics::SymmetricMatrix K_;
+  std::shared_ptr<const numerics::Elimination> elimination_;
   LinearTire tire_;
   numerics::ConjugateGradients cg_;
   SolverCounts own_counts_;

@@ -51,13 +51,13 @@ struct Systems {
         solver(unknowns, tread, settings),
         half_angle(angle),
         tangent(*solver.assembly().pattern()),
-        factor(*solver.assembly().pattern(), numerics::Precision::refined) {
+        factor(*solver.assembly().pattern(), numerics::Precision::refined, solver.elimination()) {
     if (!mirror) return;
     odd_unknowns.emplace(ring, RingSymmetry::odd, *mirror);
     odd_tread.emplace(*odd_unknowns, settings.tread_shape(), half_angle);
     odd.emplace(*odd_unknowns, solver.assembly().pattern());
     odd_tangent.emplace(*odd->pattern());
-    odd_factor.emplace(*odd->pattern(), numerics::Precision::refined, factor.elimination());
+    odd_factor.emplace(*odd->pattern(), numerics::Precision::refined, solver.elimination());
   }
 
   void forget_tangents() {

@@ -134,12 +134,14 @@ void add_tangent(const TreadSurface& tread,
 
 }  // namespace
 
-LinearTire::LinearTire(const numerics::SymmetricPattern& pattern, const TreadSurface& tread)
+LinearTire::LinearTire(const numerics::SymmetricPattern& pattern,
+                       const numerics::Elimination& whole,
+                       const TreadSurface& tread)
     : tread_(tread),
       factor_(pattern,
               numerics::Precision::single,
               std::make_shared<const numerics::Elimination>(
-                  numerics::eliminate(pattern, tread.block_rows()))),
+                  numerics::eliminate(pattern, tread.block_rows(), whole))),
       n_(tread.nodes()) {
   for (const Eigen::Vector3d& up : verticals(tread)) Q_.push_back(across_and_up(up));
 }

@@ -29,8 +29,10 @@ namespace latsch::fe_tire {
 
 class LinearTire {
  public:
-  /// `tread` must outlive it.
-  LinearTire(const numerics::SymmetricPattern& pattern, const TreadSurface& tread);
+  /// `whole`: an order of elimination of the pattern. `tread` must outlive it.
+  LinearTire(const numerics::SymmetricPattern& pattern,
+             const numerics::Elimination& whole,
+             const TreadSurface& tread);
 
   /// Takes K, which has nothing of the ground; `contact`: that of the steps that follow, null where
   /// there is none. False where K (with the nodes that the ground feels held) is not positive

@@ -440,16 +440,18 @@ Eigen::Matrix3Xd TreadSurface::points_at(const Eigen::Matrix3Xd& positions) cons
   return all;
 }
 
-Eigen::Vector3d TreadSurface::motion(int point, const Eigen::Matrix3Xd& shape) const {
+Eigen::Matrix3Xd TreadSurface::motions(const Eigen::Matrix3Xd& shape) const {
   const Mesh& mesh = unknowns_.ring().mesh();
-  Eigen::Vector3d motion = Eigen::Vector3d::Zero();
-  for (int k = 0; k < points_[point].weights; ++k) {
-    const Weight& weight = weights_[points_[point].first_weight + k];
-    const Place& place = places_[weight.place];
-    motion += weight.w * (mesh.frame(place.plane) *
-                          shape.col(place.plane * mesh.nodes_per_sector() + place.section_node));
+  Eigen::Matrix3Xd moved(3, std::ssize(places_));
+  for (Eigen::Index k = 0; k < moved.cols(); ++k) {
+    const Place& place = places_[static_cast<std::size_t>(k)];
+    moved.col(k) = mesh.frame(place.plane) *
+                   shape.col(place.plane * mesh.nodes_per_sector() + place.section_node);
   }
-  return motion;
+  Eigen::Matrix3Xd motions = points_at(moved);
+  for (Eigen::Index k = 0; k < motions.cols(); ++k)
+    motions.col(k) -= points_[static_cast<std::size_t>(k)].offset;
+  return motions;
 }
 
 double TreadSurface::area(const Point& point, const Eigen::Matrix3Xd& positions) const {

@@ -110,8 +110,9 @@ class TreadSurface {
   }
   /// All points [3 x points]: means across once for all places beside each other around.
   Eigen::Matrix3Xd points_at(const Eigen::Matrix3Xd& positions) const;
-  /// Motion of a point, wheel frame, by one of the whole ring [3 x nodes], sector frames.
-  Eigen::Vector3d motion(int point, const Eigen::Matrix3Xd& shape) const;
+  /// Motions of all points [3 x points], wheel frame, by one of the whole ring [3 x nodes], sector
+  /// frames.
+  Eigen::Matrix3Xd motions(const Eigen::Matrix3Xd& shape) const;
   /// m^2 that a sample stands for as it is.
   double area(const Point& point, const Eigen::Matrix3Xd& positions) const;
   /// Nodes of the tread outside of it [3 x any], in the wheel frame: whether something else

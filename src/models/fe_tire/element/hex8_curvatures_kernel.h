@@ -18,6 +18,27 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
+/// D times two vectors; some rows are in registers together, and D is read once.
+LATSCH_INLINE void times_tangent(const V (*D)[kStrains], const V* a, const V* b, V* D_a, V* D_b) {
+  constexpr int kTogether = 6;
+  static_assert(kStrains % kTogether == 0);
+  for (int first = 0; first < kStrains; first += kTogether) {
+    V of_a[kTogether], of_b[kTogether];
+    for (int n = 0; n < kTogether; ++n) of_a[n] = of_b[n] = 0.0;
+    for (int c = 0; c < kStrains; ++c) {
+      for (int n = 0; n < kTogether; ++n) {
+        const V d = D[first + n][c];
+        of_a[n] += d * a[c];
+        of_b[n] += d * b[c];
+      }
+    }
+    for (int n = 0; n < kTogether; ++n) {
+      D_a[first + n] = of_a[n];
+      D_b[first + n] = of_b[n];
+    }
+  }
+}
+
 /// (M.1) to (M.3) of the solid-shell.
 void curve_solid_shell(const ElementLaw& law,
                        const MotionState& state,
@@ -50,31 +71,20 @@ void curve_solid_shell(const ElementLaw& law,
       alpha2[1] += point.p[1] * S;
     }
   }
+  for (int n = 0; n < kStrains; ++n) t[0][n] = state.t[n];
+  times_tangent(state.D, g1, g2, t[1], t[2]);
   for (int n = 0; n < kStrains; ++n) {
-    t[0][n] = state.t[n];
-    V first = 0.0, second = 0.0;
-    for (int c = 0; c < kStrains; ++c) {
-      first += state.D[n][c] * g1[c];
-      second += state.D[n][c] * g2[c];
-    }
-    for (int j = 0; j < kEnhanced; ++j) first += state.Da[j][n] * alpha1[j];
-    t[1][n] = first;
-    t[2][n] = second;
+    for (int j = 0; j < kEnhanced; ++j) t[1][n] += state.Da[j][n] * alpha1[j];
   }
-  for (int q = 0; q < kPoints && !law.linear; ++q) {
-    V E1[6], S[6];
-    for (int r = 0; r < 6; ++r) {
-      V sum = s.P[q][r][0] * g1[0];
-      for (int j = 1; j < kStrains; ++j) sum += s.P[q][r][j] * g1[j];
-      for (int j = 0; j < kEnhanced; ++j) sum += s.P[q][r][kStrains + j] * alpha1[j];
-      E1[r] = sum;
+  if (!law.linear) {
+    V E1[kPoints][6];
+    to_points<1>(s, {g1}, {alpha1}, {E1});
+    for (int q = 0; q < kPoints; ++q) {
+      V S[6];
+      second_stress(law.rubber, state.rubber[q], E1[q], S);
+      for (int r = 0; r < 6; ++r) E1[q][r] = law.shape->dV[q] * S[r];
     }
-    second_stress(law.rubber, state.rubber[q], E1, S);
-    for (int r = 0; r < 6; ++r) {
-      const V dS = law.shape->dV[q] * S[r];
-      for (int j = 0; j < kStrains; ++j) t[2][j] += s.P[q][r][j] * dS;
-      for (int j = 0; j < kEnhanced; ++j) alpha2[j] += s.P[q][r][kStrains + j] * dS;
-    }
+    from_points(s, E1, t[2], alpha2);
   }
   respond(state, cords, g2, e2, alpha2);
   for (int n = 0; n < kStrains; ++n) {

@@ -27,32 +27,6 @@ struct MotionStrains {
   } motions[ElementMotion::kMost];
 };
 
-/// Strains at the points of `count` sets of generalized strains g and enhanced ones alpha; numbers
-/// of P are read once for all of them.
-template <int count>
-LATSCH_INLINE void to_points(const SolidShellShape& s,
-                             const V* const (&g)[count],
-                             const V* const (&alpha)[count],
-                             V (*const (&E)[count])[6]) {
-  for (int q = 0; q < kPoints; ++q) {
-    V sum[count][6];
-    for (int r = 0; r < 6; ++r) {
-      for (int k = 0; k < count; ++k) sum[k][r] = s.P[q][r][0] * g[k][0];
-    }
-    const auto add = [&](int column, const V* const(&of)[count], int j) {
-      for (int r = 0; r < 6; ++r) {
-        const V P = s.P[q][r][column + j];
-        for (int k = 0; k < count; ++k) sum[k][r] += P * of[k][j];
-      }
-    };
-    for (int j = 1; j < kStrains; ++j) add(0, g, j);
-    for (int j = 0; j < kEnhanced; ++j) add(kStrains, alpha, j);
-    for (int r = 0; r < 6; ++r) {
-      for (int k = 0; k < count; ++k) E[k][q][r] = sum[k][r];
-    }
-  }
-}
-
 void strains_at(const ElementLaw& law,
                 int first,
                 const ElementBatch& batch,

@@ -14,6 +14,52 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
+/// Strains at the points of `count` sets of generalized strains g and enhanced ones alpha; numbers
+/// of P are read once for all of them.
+template <int count>
+LATSCH_INLINE void to_points(const SolidShellShape& s,
+                             const V* const (&g)[count],
+                             const V* const (&alpha)[count],
+                             V (*const (&E)[count])[6]) {
+  for (int q = 0; q < kPoints; ++q) {
+    V sum[count][6];
+    for (int r = 0; r < 6; ++r) {
+      for (int k = 0; k < count; ++k) sum[k][r] = s.P[q][r][0] * g[k][0];
+    }
+    const auto add = [&](int column, const V* const(&of)[count], int j) {
+      for (int r = 0; r < 6; ++r) {
+        const V P = s.P[q][r][column + j];
+        for (int k = 0; k < count; ++k) sum[k][r] += P * of[k][j];
+      }
+    };
+    for (int j = 1; j < kStrains; ++j) add(0, g, j);
+    for (int j = 0; j < kEnhanced; ++j) add(kStrains, alpha, j);
+    for (int r = 0; r < 6; ++r) {
+      for (int k = 0; k < count; ++k) E[k][q][r] = sum[k][r];
+    }
+  }
+}
+
+/// The transposed: what stresses S at the points, weighted, are to the generalized strains and to
+/// the enhanced ones. Sums of many columns are in registers together.
+LATSCH_INLINE void from_points(const SolidShellShape& s, const V (*S)[6], V* t, V* alpha) {
+  constexpr int kTogether = 9;
+  static_assert(kStrains % kTogether == 0);
+  const auto add = [&](auto count, int column, V* to) {
+    V sum[count];
+    for (int j = 0; j < count; ++j) sum[j] = to[j];
+    for (int q = 0; q < kPoints; ++q) {
+      for (int r = 0; r < 6; ++r) {
+        for (int j = 0; j < count; ++j) sum[j] += s.P[q][r][column + j] * S[q][r];
+      }
+    }
+    for (int j = 0; j < count; ++j) to[j] = sum[j];
+  };
+  for (int j = 0; j < kStrains; j += kTogether)
+    add(std::integral_constant<int, kTogether>(), j, t + j);
+  add(std::integral_constant<int, kEnhanced>(), kStrains, alpha);
+}
+
 /// First derivatives of the generalized strains along a motion, and of the squares' c.
 LATSCH_INLINE void first_strains(
     const SolidShellShape& s, const Kinematics& k, const Kinematics& m, V* c1, V* g) {

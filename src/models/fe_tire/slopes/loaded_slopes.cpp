@@ -47,9 +47,10 @@ double vertical(const Touches& touches) {
 double ground_stiffness(const TreadSurface& tread,
                         const Touches& touches,
                         const Eigen::Matrix3Xd& shape) {
+  const Eigen::Matrix3Xd motions = tread.motions(shape);
   double sum = 0.0;
   for (const TreadContact::Touch& touch : touches) {
-    const Eigen::Vector3d motion = tread.motion(touch.point, shape);
+    const Eigen::Vector3d motion = motions.col(touch.point);
     sum += motion.dot(touch.stiffness * motion);
   }
   return sum;

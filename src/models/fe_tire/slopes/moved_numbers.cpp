@@ -10,10 +10,11 @@ constexpr int kLanes = ElementBatch::kLanes;
 void mass_along(const Matrix8& dM, const ElementMotion& motion, double (&sums)[kLanes]) {
   for (double& sum : sums) sum = 0.0;
   for (int a = 0; a < 8; ++a) {
-    for (int b = 0; b < 8; ++b) {
+    for (int b = 0; b <= a; ++b) {
+      const double m = b < a ? 2.0 * dM(a, b) : dM(a, a);
       for (int c = 0; c < 3; ++c) {
         const double *u = motion.mode[3 * a + c], *v = motion.mode[3 * b + c];
-        for (int lane = 0; lane < kLanes; ++lane) sums[lane] += dM(a, b) * (u[lane] * v[lane]);
+        for (int lane = 0; lane < kLanes; ++lane) sums[lane] += m * (u[lane] * v[lane]);
       }
     }
   }
