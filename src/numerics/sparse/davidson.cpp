@@ -122,13 +122,13 @@ MatrixXd Davidson::corrections(const std::vector<Eigen::Index>& pairs,
   return D;
 }
 
-EigenPairs<double> Davidson::find(double tolerance) {
+EigenPairs<double> Davidson::find(Eigen::Index wanted, double tolerance) {
   EigenPairs<double> pairs;
-  std::vector<Eigen::Index> erring(static_cast<std::size_t>(count_));
+  std::vector<Eigen::Index> erring(static_cast<std::size_t>(wanted));
   std::iota(erring.begin(), erring.end(), 0);
   for (int step = 0; step < kMostSteps; ++step) {
     const auto [lambda, S] = self_adjoint_eigen(overlaps<double>(V(), KV()));
-    if (S.cols() < count_) break;
+    if (S.cols() < wanted) break;
     const MatrixXd D = corrections(erring, lambda, S);
     pairs.solves += static_cast<int>(D.cols());
     const Eigen::RowVectorXd errors = D.cwiseProduct(times(M_, D)).colwise().sum().cwiseSqrt();
@@ -140,10 +140,10 @@ EigenPairs<double> Davidson::find(double tolerance) {
       still.push_back(erring[i]);
       columns.push_back(static_cast<Eigen::Index>(i));
     }
-    pairs.values = lambda.head(count_);
+    pairs.values = lambda.head(wanted);
     pairs.converged = still.empty();
     if (pairs.converged || step + 1 == kMostSteps) {
-      pairs.vectors = product(V(), S.leftCols(count_));
+      pairs.vectors = product(V(), S.leftCols(wanted));
       break;
     }
     extend(D(Eigen::all, columns));

@@ -31,9 +31,9 @@ class Davidson {
            Solve solve,
            const Eigen::MatrixXd& vectors);
 
-  /// As many pairs as vectors; converged where every |d| is below the tolerance. Some more vectors
-  /// than pairs are wanted make it fast.
-  EigenPairs<double> find(double tolerance);
+  /// The lowest `wanted` pairs, at most as many as vectors; converged where every |d| is below the
+  /// tolerance. Some more vectors than pairs are wanted make it fast.
+  EigenPairs<double> find(Eigen::Index wanted, double tolerance);
   /// After find(), in the space that left: the lowest `wanted` of these pairs to a finer tolerance.
   /// As many are corrected a step as are solved at the price of one, and the last correction of a
   /// pair is not measured by another one: how its errors fell tells what it leaves.

@@ -68,6 +68,10 @@ class Lanczos {
   void step(int width);
   void rotate_pool(int width);
   void solve_small_problem();
+  /// Of the k-th lowest pair.
+  double tolerance_of(int k) const {
+    return k < wanted_ - settings_.spare ? settings_.tolerance : settings_.spare_tolerance;
+  }
   bool converged() const;
   void restart();
   EigenPairs<Scalar> result() const;
@@ -194,7 +198,7 @@ void Lanczos<Scalar>::rotate_pool(int width) {
   for (int k = 0; k < columns; ++k) {
     const double theta = std::abs(theta_[done_ - columns + k]);
     const double error = errors.col(k).norm();
-    if (error <= settings_.tolerance * theta) {
+    if (error <= tolerance_of(columns - 1 - k) * theta) {
       errors.col(k).setZero();
     } else {
       errors.col(k) /= theta;
@@ -248,7 +252,8 @@ bool Lanczos<Scalar>::converged() const {
   if (done_ < wanted_) return false;
   for (int k = done_ - wanted_; k < done_; ++k) {
     if (!(theta_[k] > 0.0)) return false;  // also where it is not a number
-    if (pool_ > 0 && !((B_ * S_.col(k)).norm() <= settings_.tolerance * theta_[k])) return false;
+    const double tolerance = tolerance_of(done_ - 1 - k);
+    if (pool_ > 0 && !((B_ * S_.col(k)).norm() <= tolerance * theta_[k])) return false;
   }
   return true;
 }

@@ -32,6 +32,8 @@ struct LanczosSettings {
   /// Residual of the inverted problem relative to theta; theta errs by its square over the relative
   /// gap to the next one.
   double tolerance = 1e-8;
+  int spare = 0;  // of the wanted ones the last, which may err by more
+  double spare_tolerance = 0.0;
   /// Vectors a step: 1 for simple spectra, 2 finds both members of a pair; with a sparse factor 3
   /// to 5 are fastest, because right-hand sides are cheaper together.
   int block = 2;

@@ -255,31 +255,52 @@ MassProperties FeTire::mass_properties(const Inflated& inflated) const {
   return fe_tire::mass_properties(impl_->even_elements(), inflated.u);
 }
 
-/// Modes of even and odd states together, the lowest `count`. Each kind is asked for somewhat more
-/// than its half; where one may hold more of the lowest than it was asked for, again.
+/// Modes of even and odd states together, the lowest `count`. Of each kind somewhat more than its
+/// half are found roughly: as many are made exact as are among the lowest, and where all of them
+/// are, there may be more.
 Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int count) {
+  constexpr int kSpare = 3;
   if (state.is_halved && !mirror()) return of_other_materials();
   Systems& all = systems(state.is_halved, state.window);
-  const RingAssembly& even = all.solver.assembly();
   if (auto failure = factorize(all, state)) return *failure;
   all.find_masses(elements());
-  const auto even_modes = [&](int each) {
-    return loaded_ring_modes(even, all.tangent, all.factor, *all.mass, each, settings, all.search);
-  };
-  if (!all.odd) return even_modes(count);
-  for (int each = count / 2 + 3;; each = std::min(count, 2 * each)) {
-    auto modes = even_modes(each);
-    if (!modes) return modes;
-    auto odd = loaded_ring_modes(
-        *all.odd, *all.odd_tangent, *all.odd_factor, *all.odd_mass, each, settings, all.odd_search);
-    if (!odd) return odd;
-    const double sure = std::min(modes->back().frequency, odd->back().frequency);
-    modes->insert(modes->end(), odd->begin(), odd->end());
-    std::stable_sort(modes->begin(), modes->end(), [](const Mode& a, const Mode& b) {
-      return a.frequency < b.frequency;
-    });
-    modes->resize(std::min<std::size_t>(modes->size(), count));
-    if (each >= count || modes->back().frequency <= sure) return modes;
+  std::vector<LoadedModes> kinds;
+  kinds.emplace_back(all.solver.assembly(), all.tangent, all.factor, *all.mass, settings);
+  if (all.odd)
+    kinds.emplace_back(*all.odd, *all.odd_tangent, *all.odd_factor, *all.odd_mass, settings);
+  const int share = count / static_cast<int>(kinds.size());
+  for (int each = share + kSpare;; each *= 2) {
+    std::vector<std::vector<double>> near;
+    std::vector<double> together;
+    for (LoadedModes& kind : kinds) {
+      auto frequencies = kind.approach(each, kSpare);
+      if (!frequencies) return frequencies.failure();
+      near.push_back(*std::move(frequencies));
+      together.insert(together.end(), near.back().begin(), near.back().end());
+    }
+    std::ranges::sort(together);
+    const std::size_t last = std::min<std::size_t>(together.size(), count) - 1;
+    const double highest = (1.0 + LoadedModes::kNearby) * together[last];
+    std::vector<Mode> modes;
+    bool may_be_more = false;
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+      const auto among = std::ranges::upper_bound(near[k], highest) - near[k].begin();
+      may_be_more = may_be_more || (among == each && among < count);
+      if (may_be_more) break;
+      const auto found = kinds[k].find(static_cast<int>(among));
+      if (!found) return found;
+      modes.insert(modes.end(), found->begin(), found->end());
+    }
+    if (may_be_more) continue;
+    std::ranges::stable_sort(modes, {}, &Mode::frequency);
+    modes.resize(std::min<std::size_t>(modes.size(), count));
+    const auto keep = [](LoadedModes& kind, std::optional<numerics::Davidson>& search) {
+      search.reset();
+      if (auto found = std::move(kind).search()) search.emplace(*std::move(found));
+    };
+    keep(kinds.front(), all.search);
+    if (all.odd) keep(kinds.back(), all.odd_search);
+    return modes;
   }
 }
 

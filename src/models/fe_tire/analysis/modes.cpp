@@ -19,10 +19,11 @@ namespace {
 // Vectors a step over the ring: as many as are solved together at the price of one.
 constexpr int kRingBlock = 8;
 // Of Lanczos' method with rough solutions, as SolverSettings::mode_tolerance: not below what single
-// precision lets the operator err.
-constexpr double kNear = 1e-3;
+// precision lets the operator err. And of modes to spare, whose frequencies err by its square over
+// a relative gap of some tenths.
+constexpr double kNear = 1e-3, kNearOfSpare = 0.02;
 // Corrections by Davidson's method, of SolverSettings::mode_tolerance: frequencies of tire B then
-// err by 3e-10 of themselves.
+// err by 2e-9 of themselves.
 constexpr double kOfLoaded = 3.0;
 constexpr int kPerHarmonic = 3;  // modes of one circumferential number computed at first
 
@@ -212,18 +213,13 @@ namespace {
 Result<numerics::EigenPairs<double>> ring_pairs(
     const std::function<void(Eigen::Ref<Eigen::MatrixXd>)>& solve,
     const numerics::SymmetricMatrix& M,
-    int count,
-    double tolerance) {
+    const numerics::LanczosSettings& settings) {
   numerics::EigenProblem<double> problem;
   problem.size = M.size();
   problem.solve = solve;
   problem.mass = [&](const Eigen::Ref<const Eigen::MatrixXd>& X, Eigen::Ref<Eigen::MatrixXd> Y) {
     M.multiply(X, Y);
   };
-  numerics::LanczosSettings settings;
-  settings.count = std::min(count, M.size());
-  settings.tolerance = tolerance;
-  settings.block = kRingBlock;
   auto pairs = numerics::lanczos(problem, settings);
   if (!pairs.converged)
     return unfinished("modes", pairs.values.size(), settings.count, pairs.solves);
@@ -249,28 +245,50 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      int count,
                                      double tolerance) {
   const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_columns(X); };
-  const auto pairs = ring_pairs(solve, M, count, tolerance);
+  const auto pairs = ring_pairs(
+      solve, M, {.count = std::min(count, M.size()), .tolerance = tolerance, .block = kRingBlock});
   if (!pairs) return pairs.failure();
   return modes_of(assembly, *pairs);
 }
 
-Result<std::vector<Mode>> loaded_ring_modes(const RingAssembly& assembly,
-                                            const numerics::SymmetricMatrix& K,
-                                            const numerics::Factorization& factor,
-                                            const numerics::SymmetricMatrix& M,
-                                            int count,
-                                            const SolverSettings& settings,
-                                            std::optional<numerics::Davidson>& search) {
-  search.reset();
-  const auto solve = [&factor](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_roughly(X); };
-  const auto near = ring_pairs(solve, M, count, kNear);
+LoadedModes::LoadedModes(const RingAssembly& assembly,
+                         const numerics::SymmetricMatrix& K,
+                         const numerics::Factorization& factor,
+                         const numerics::SymmetricMatrix& M,
+                         const SolverSettings& settings)
+    : assembly_(assembly), K_(K), M_(M), factor_(factor), tolerance_(settings.mode_tolerance) {}
+
+Result<std::vector<double>> LoadedModes::approach(int count, int spare) {
+  search_.reset();
+  std::vector<double> frequencies;
+  const auto solve = [&factor = factor_](Eigen::Ref<Eigen::MatrixXd> X) {
+    factor.solve_roughly(X);
+  };
+  const auto near = ring_pairs(solve,
+                               M_,
+                               {.count = std::min(count, M_.size()),
+                                .tolerance = kNear,
+                                .spare = spare,
+                                .spare_tolerance = kNearOfSpare,
+                                .block = kRingBlock});
   if (near) {
-    search.emplace(K, M, solve, near->vectors);
-    const auto pairs = search->find(kOfLoaded * settings.mode_tolerance);
-    if (pairs.converged) return modes_of(assembly, pairs);
-    search.reset();
+    search_.emplace(K_, M_, solve, near->vectors);
+    for (const double omega_squared : near->values) frequencies.push_back(to_hertz(omega_squared));
+    return frequencies;
   }
-  return ring_modes(assembly, factor, M, count, settings.mode_tolerance);
+  const auto modes = find(count);
+  if (!modes) return modes.failure();
+  for (const Mode& mode : *modes) frequencies.push_back(mode.frequency);
+  return frequencies;
+}
+
+Result<std::vector<Mode>> LoadedModes::find(int count) {
+  if (search_) {
+    const auto pairs = search_->find(count, kOfLoaded * tolerance_);
+    if (pairs.converged) return modes_of(assembly_, pairs);
+    search_.reset();
+  }
+  return ring_modes(assembly_, factor_, M_, count, tolerance_);
 }
 
 Eigen::VectorXd nodal_masses(const RingElements& elements) {

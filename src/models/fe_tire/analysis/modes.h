@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -33,17 +34,36 @@ Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      const numerics::SymmetricMatrix& M,
                                      int count,
                                      double tolerance);
-/// The same of a state on the ground with the tangent K and its factor, a refined one: Lanczos'
-/// method finds the modes with rough solutions, Davidson's makes them those of K; where that does
-/// not succeed, solutions are refined. `search` receives how Davidson's method found them, for
-/// whoever wants them sharper while K, M and the factor stay as they are.
-Result<std::vector<Mode>> loaded_ring_modes(const RingAssembly& assembly,
-                                            const numerics::SymmetricMatrix& K,
-                                            const numerics::Factorization& factor,
-                                            const numerics::SymmetricMatrix& M,
-                                            int count,
-                                            const SolverSettings& settings,
-                                            std::optional<numerics::Davidson>& search);
+/// The same of a state on the ground: Lanczos' method finds the modes with rough solutions,
+/// Davidson's makes those that are asked for modes of K; where that does not succeed, solutions are
+/// refined.
+class LoadedModes {
+ public:
+  /// `factor`: a refined one of the tangent K. All of them must outlive it.
+  LoadedModes(const RingAssembly& assembly,
+              const numerics::SymmetricMatrix& K,
+              const numerics::Factorization& factor,
+              const numerics::SymmetricMatrix& M,
+              const SolverSettings& settings);
+
+  /// A frequency of approach() errs by less than this share, and is too high rather than too low.
+  static constexpr double kNearby = 0.01;
+  /// Frequencies of the `count` lowest modes, ascending, Hz, roughly: of the last `spare` worst.
+  Result<std::vector<double>> approach(int count, int spare);
+  /// The `count` lowest of these.
+  Result<std::vector<Mode>> find(int count);
+  /// How find() found them, for whoever wants them sharper while K, M and the factor stay as they
+  /// are; none where solutions were refined.
+  std::optional<numerics::Davidson> search() && { return std::move(search_); }
+
+ private:
+  const RingAssembly& assembly_;
+  const numerics::SymmetricMatrix &K_, &M_;
+  const numerics::Factorization& factor_;
+  double tolerance_;
+  std::optional<numerics::Davidson> search_;
+};
+
 /// Mass of each node of the ring, kg: rows of the mass matrix summed.
 Eigen::VectorXd nodal_masses(const RingElements& elements);
 

@@ -226,7 +226,8 @@ std::optional<Failure> sharpen(const RingAssembly& assembly,
     const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { factor.solve_roughly(X); };
     search.emplace(tangent, M, solve, vectors);
   }
-  const auto pairs = goes_on ? search->sharpen(vectors.cols(), kSharp) : search->find(kSharp);
+  const auto pairs =
+      goes_on ? search->sharpen(vectors.cols(), kSharp) : search->find(vectors.cols(), kSharp);
   if (!pairs.converged) return Failure{"slopes: shapes of modes do not converge"};
   const Eigen::MatrixXd& sharp = pairs.vectors;
   Eigen::MatrixXd M_sharp(sharp.rows(), sharp.cols());
