@@ -93,7 +93,7 @@ struct TireSlopes::Impl {
 };
 
 /// SolverSettings::mode_tolerance of shapes that slopes are taken of.
-inline constexpr double kSharp = 1e-8;
+inline constexpr double kSharp = 3e-8;
 
 /// What is said where an element has no state while a number moves.
 Failure beside_state();
