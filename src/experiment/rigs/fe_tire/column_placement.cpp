@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "experiment/rigs/fe_tire/column_changes.h"
 #include "experiment/rigs/fe_tire/column_exchange.h"
 #include "experiment/rigs/fe_tire/expected_columns.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/section_columns.h"
 
 namespace latsch {
@@ -110,6 +112,16 @@ Result<std::vector<TireDescription>> moved(const Judged& now,
   return meshes;
 }
 
+/// Where the tire does not stand so low: minutes of work would end with that.
+std::optional<Failure> cannot_stand(const TireDescription& tire, double deflection) {
+  fe_tire::FeTire pressed(tire);
+  const auto inflated = pressed.inflate(tire.pressure);
+  if (!inflated) return inflated.failure();
+  const auto states = pressed.press(*inflated, {}, {deflection});
+  if (!states) return states.failure();
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<ColumnPlacement> place_columns(const TireDescription& tire,
@@ -120,6 +132,9 @@ Result<ColumnPlacement> place_columns(const TireDescription& tire,
   const int most = settings.unknowns > 0 ? settings.unknowns : build_mesh(tire).free_dofs();
   const std::vector<double> fixed = fixed_ends(tire.section);
   const TireDescription first = with_columns(tire, rounded(columns_of(tire.section)));
+  if (settings.deflection > 0.0) {
+    if (auto failure = cannot_stand(first, settings.deflection)) return *failure;
+  }
   const auto start = placement::inflated_start(first);
   if (!start) return start.failure();
   auto judged = placement::judge({first}, *start, modes);

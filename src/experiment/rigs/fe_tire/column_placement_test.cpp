@@ -147,6 +147,16 @@ TEST(ColumnPlacement, TooFewUnknownsAreAFailureWithTheFewest) {
       << placement.failure().reason;
 }
 
+TEST(ColumnPlacement, ADeflectionIntoTheRimIsAFailureBeforeAnyRound) {
+  int rounds = 0;
+  const auto placement = place_columns(
+      plain_tire(), {.modes = 4, .deflection = 0.3}, [&](const std::string&) { ++rounds; });
+  ASSERT_FALSE(placement.ok());
+  EXPECT_NE(placement.failure().reason.find("rim"), std::string::npos)
+      << placement.failure().reason;
+  EXPECT_EQ(rounds, 0);
+}
+
 TEST(ColumnPlacement, ATireThatCannotBeInflatedIsAFailure) {
   TireDescription tire = plain_tire();
   tire.pressure = 1e9;
