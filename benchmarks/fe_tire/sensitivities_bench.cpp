@@ -275,19 +275,24 @@ class Judge {
   }
 
   /// Of every answer. Steps are halved until all are known well enough; where that does not do,
-  /// more of them are taken between.
+  /// more of them are taken between, those of use to what is unsure.
   Slopes slopes(const std::string& path) const {
     constexpr int kHalvings = 9, kFewest = 4;
-    constexpr double kWidest = 6.4e-2;  // step, as a share of the number
+    constexpr double kWidest = 6.4e-2;                       // step, as a share of the number
+    constexpr double kBeyond = 1.5, kTooShort = 1.0 / 30.0;  // of the reach of fits
     std::vector<std::vector<StepValues>> steps(kLoads + kModes);
     Slopes found(steps.size());
+    const double number = numbers_.get(path);
     for (const double between : {0.0, 0.5, 0.25, 0.75}) {
+      const double reach = between > 0.0 ? reach_of_unsure(found, number) : 0.0;
       for (int k = 0; k < kHalvings; ++k) {
-        add_step(path, kWidest * std::exp2(-k - between), steps);
+        const double share = kWidest * std::exp2(-k - between), h = share * std::abs(number);
+        if (between > 0.0 && (h > kBeyond * reach || h < kTooShort * reach)) continue;
+        add_step(path, share, steps);
         if (between == 0.0 && k + 1 < kFewest) continue;
         for (std::size_t i = 0; i < steps.size(); ++i)
           found[i] = fitted_slope(steps[i], noise_[static_cast<Eigen::Index>(i)]);
-        if (are_known(found, numbers_.get(path))) return found;
+        if (reach_of_unsure(found, number) == 0.0) return found;
       }
     }
     return found;
@@ -320,13 +325,18 @@ class Judge {
   static constexpr double kSafety = 2.0;             // of noise that is seen some times
   static constexpr double kRounding = 1e-13;         // of the answer, at least
 
-  bool are_known(const Slopes& slopes, double number) const {
-    constexpr double kEnough = 3e-7;
+  /// The widest reach of fits that do not know their slope well enough; 0 where all do.
+  double reach_of_unsure(const Slopes& slopes, double number) const {
+    constexpr double kEnough = 0.5 * kError;
+    double reach = 0.0;
     for (int i = 0; i < kLoads + kModes; ++i) {
       const auto& slope = slopes[static_cast<std::size_t>(i)];
-      if (!slope || slope->error > kEnough * size(i, slope->value, number)) return false;
+      if (!slope)
+        reach = std::abs(number);
+      else if (slope->error > kEnough * size(i, slope->value, number))
+        reach = std::max(reach, slope->reach);
     }
-    return true;
+    return reach;
   }
 
   void add_step(const std::string& path,

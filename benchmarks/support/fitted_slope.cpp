@@ -33,7 +33,7 @@ std::optional<FittedSlope> fit(const std::vector<StepValues>& steps,
   // The shortest weights that give the slope of every power are those of least squares.
   const Eigen::VectorXd slopes = Eigen::VectorXd::Unit(powers, 0);
   const Eigen::VectorXd weights = numerics::shortest_solution(of_steps, slopes) / reach;
-  return FittedSlope{weights.dot(odd), weights.norm() * noise / std::sqrt(2.0)};
+  return FittedSlope{weights.dot(odd), weights.norm() * noise / std::sqrt(2.0), reach};
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ std::optional<FittedSlope> fitted_slope(std::vector<StepValues> steps, double no
       const double error = std::max({here->error,
                                      std::abs(here->value - lower->value),
                                      std::abs(here->value - nearer->value)});
-      if (!found || error < found->error) found = {here->value, error};
+      if (!found || error < found->error) found = {here->value, error, here->reach};
     }
   }
   return found;

@@ -19,6 +19,7 @@ namespace latsch::benchmarks {
 
 struct FittedSlope {
   double value = 0.0, error = 0.0;  // estimated
+  double reach = 0.0;               // of the fit: its widest step
 };
 
 /// Values at the point minus and plus a step.
