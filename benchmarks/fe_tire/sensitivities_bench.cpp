@@ -8,19 +8,18 @@
 // A of the unloaded one, as in its study. Slopes are those of the five loads and of all modes in
 // ten numbers of the tire's file; their time is that beyond the trial.
 //
-// Differences are those of whole trials, every one solved to the last digits, extrapolated to a
-// step of zero with an estimate of their own error; where that leaves an answer unsure polynomials
-// are fitted to sixty trials (extrapolated_slope.h). What trials are off is seen where a number
-// moves by next to nothing. Where the points that touch are others, loads have a kink and modes a
-// jump: steps are those within. Where such a place is at the number itself the row says so, and its
-// slope is that of one side; where such places lie so close that differences tell nothing to a
-// millionth, the same is asked in the middle of the widest reach without one, a percent aside.
+// Judge are whole trials with a number moved, every one solved to the last digits, and polynomials
+// fitted to them, which know their own error (fitted_slope.h). What trials are off is seen where a
+// number moves by next to nothing. Points that come to touch or leave make kinks of loads and jumps
+// of modes, and slopes are those between two of them: so moved tires stand on the points that touch
+// under each load where nothing has moved (Ground::held), as far as steps go. That loads of tires
+// left to themselves have the same slopes a row says, of a step so short that their points seldom
+// change in it.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -28,7 +27,7 @@
 #include "base/random.h"
 #include "cpu_time.h"
 #include "experiment/kinds/fe_variations.h"
-#include "extrapolated_slope.h"
+#include "fitted_slope.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
 #include "models/fe_tire/slopes/tire_slopes.h"
@@ -101,13 +100,16 @@ struct Trial {
   std::vector<Mode> modes;
 };
 
+std::vector<double> deflections(const Case& of) {
+  std::vector<double> all;
+  for (int i = 1; i <= kLoads; ++i) all.push_back(of.travel * i / kLoads);
+  return all;
+}
+
 Trial run(FeTire& tire, double pressure, const Case& of, int modes) {
-  std::vector<double> deflections;
-  for (int i = 1; i <= kLoads; ++i) deflections.push_back(of.travel * i / kLoads);
   Trial trial;
   trial.inflated = value_of(tire.inflate(pressure));
-  trial.states = value_of(tire.press(trial.inflated, Ground{}, deflections));
-  if (modes == 0) return trial;
+  trial.states = value_of(tire.press(trial.inflated, Ground{}, deflections(of)));
   trial.modes = value_of(of.loaded_modes ? tire.modes(trial.states.back(), modes)
                                          : tire.modes(trial.inflated, modes));
   return trial;
@@ -151,41 +153,66 @@ void time_row(Table& table, const Case& of, const Document& numbers) {
             share <= kShare);
 }
 
-/// A trial solved until nothing is left that differences would enlarge, as plain values.
-struct Exact {
-  Eigen::VectorXd loads;
-  std::vector<std::vector<Eigen::Vector2d>> touching;  // points, of every load
-  std::vector<Mode> modes;
-};
+/// Points that touch under every load.
+using Branch = std::vector<TouchingPoints>;
 
-std::vector<Eigen::Vector2d> touching(FeTire& tire, const TireState& state) {
-  std::vector<Eigen::Vector2d> points;
-  for (const auto& point : tire.stand(state).patch.points) points.emplace_back(point.x, point.y);
-  return points;
+/// States under all loads, of points that are held.
+std::vector<TireState> stand_on(FeTire& tire,
+                                const Inflated& inflated,
+                                const Case& of,
+                                const Branch& branch) {
+  std::vector<TireState> states;
+  TireState state = tire.over(inflated, Ground{});
+  for (int k = 0; k < kLoads; ++k) {
+    state.ground.held = branch[static_cast<std::size_t>(k)];
+    const GroundPose pose = FeTire::below(inflated, of.travel * (k + 1) / kLoads);
+    state = value_of(tire.advance(state, {pose})).back();
+    states.push_back(state);
+  }
+  return states;
 }
 
-Exact exact(const Document& numbers, const Case& of) {
-  constexpr int kSpare = 2;  // modes that may come down among the others
-  const TireDescription description = read_tire(numbers.root());
+/// A tire whose trials are solved until nothing is left that differences would enlarge.
+FeTire exact_tire(const TireDescription& description) {
   SolverSettings settings{.element = description.element};
   settings.tolerance = 1e-10;  // rounding where the tread stands leaves a third of it
   settings.mode_tolerance = 1e-9;
-  FeTire tire(build_mesh(description), build_materials(description), settings);
-  Trial trial = run(tire, description.pressure, of, kModes + kSpare);
-  Exact found{Eigen::VectorXd(kLoads), {}, std::move(trial.modes)};
-  for (int k = 0; k < kLoads; ++k) {
-    const TireState& state = trial.states[static_cast<std::size_t>(k)];
-    found.loads[k] = tire.stand(state).force.z();
-    found.touching.push_back(touching(tire, state));
-  }
-  return found;
+  return {build_mesh(description), build_materials(description), settings};
 }
 
-/// Whether the same points touch: they move by less than any two lie apart.
-bool same_points(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b) {
-  constexpr double kNear = 1e-3;  // m
-  return std::ranges::equal(
-      a, b, [](const auto& p, const auto& q) { return (p - q).norm() < kNear; });
+Eigen::VectorXd forces(FeTire& tire, const std::vector<TireState>& states) {
+  Eigen::VectorXd all(kLoads);
+  for (int k = 0; k < kLoads; ++k)
+    all[k] = tire.stand(states[static_cast<std::size_t>(k)]).force.z();
+  return all;
+}
+
+/// Loads of a tire that is left to itself, and the points that touch.
+std::pair<Eigen::VectorXd, Branch> free_loads(const Document& numbers, const Case& of) {
+  const TireDescription description = read_tire(numbers.root());
+  FeTire tire = exact_tire(description);
+  const Inflated inflated = value_of(tire.inflate(description.pressure));
+  const auto states = value_of(tire.press(inflated, Ground{}, deflections(of)));
+  Branch branch;
+  for (const TireState& state : states) branch.push_back(tire.touching(state));
+  return {forces(tire, states), branch};
+}
+
+/// Answers of a trial, as plain values.
+struct Exact {
+  Eigen::VectorXd loads;
+  std::vector<Mode> modes;
+};
+
+Exact exact(const Document& numbers, const Case& of, const Branch& branch) {
+  constexpr int kSpare = 2;  // modes that may come down among the others
+  const TireDescription description = read_tire(numbers.root());
+  FeTire tire = exact_tire(description);
+  const Inflated inflated = value_of(tire.inflate(description.pressure));
+  const std::vector<TireState> states = stand_on(tire, inflated, of, branch);
+  return {forces(tire, states),
+          value_of(of.loaded_modes ? tire.modes(states.back(), kModes + kSpare)
+                                   : tire.modes(inflated, kModes + kSpare))};
 }
 
 /// The frequency of mode i of `at` in another trial: loaded ones by their shape, unloaded ones,
@@ -209,18 +236,28 @@ std::optional<double> followed(const Exact& at, int i, const Exact& other, bool 
   return std::nullopt;
 }
 
+/// The numbers with one of them moved by a share of its size.
+Document moved(const Document& numbers, const std::string& path, double share) {
+  Document other = numbers;
+  const double number = numbers.get(path);
+  other.set(path, number + share * std::abs(number));
+  return other;
+}
+
 /// What trials say of the slopes in one number.
 class Judge {
  public:
-  using Slopes = std::vector<std::optional<ExtrapolatedSlope>>;
+  using Slopes = std::vector<std::optional<FittedSlope>>;
 
-  Judge(const Case& of, const Document& numbers) : of_(of), numbers_(numbers) {
-    at_ = exact(numbers, of);
+  Judge(const Case& of, const Document& numbers)
+      : of_(of),
+        numbers_(numbers),
+        branch_(free_loads(numbers, of).second),
+        at_(exact(numbers, of, branch_)) {
     for (int i = 0; i < kLoads + kModes; ++i) noise_[i] = kRounding * std::abs(value(i));
     constexpr double kNothing = 1e-8;  // of a number
-    const std::string& path = of.paths.front();
     for (const double by : {kNothing, 2.0 * kNothing, 3.0 * kNothing}) {
-      const Exact below = moved(path, -by), above = moved(path, by);
+      const Exact below = at(kMoves, -by), above = at(kMoves, by);
       for (int i = 0; i < kLoads + kModes; ++i) {
         const double off = 0.5 * (*answer(below, i) + *answer(above, i)) - value(i);
         noise_[i] = std::max(noise_[i], kSafety * std::abs(off));
@@ -237,30 +274,44 @@ class Judge {
     return largest;
   }
 
-  /// Of every answer. Steps are halved until all are known well enough, or no further; then
-  /// polynomials are fitted to many trials, as far as the unsure ones are of one branch, and taken
-  /// where they know more.
+  /// Of every answer. Steps are halved until all are known well enough; where that does not do,
+  /// more of them are taken between, those of use to what is unsure.
   Slopes slopes(const std::string& path) const {
-    constexpr int kFits = 60;
-    Slopes found = by_steps(path);
-    const std::vector<std::size_t> unsure = unsure_of(found, path);
-    const double reach = unsure.empty() ? 0.0 : reach_of(unsure, path);
-    if (reach == 0.0) return found;
+    constexpr int kHalvings = 9, kFewest = 4;
+    constexpr double kWidest = 6.4e-2;                       // step, as a share of the number
+    constexpr double kBeyond = 1.5, kTooShort = 1.0 / 30.0;  // of the reach of fits
+    std::vector<std::vector<StepValues>> steps(kLoads + kModes);
+    Slopes found(steps.size());
     const double number = numbers_.get(path);
-    std::vector<std::vector<PlacedValue>> values(found.size());
-    for (int k = 0; k < kFits; ++k) {
-      const double share = reach * (2.0 * (k + 0.5) / kFits - 1.0);
-      const Exact trial = moved(path, share);
-      for (const std::size_t i : unsure) {
-        if (const auto value = answer(trial, static_cast<int>(i)))
-          values[i].push_back({share * std::abs(number), *value});
+    for (const double between : {0.0, 0.5, 0.25, 0.75}) {
+      const double reach = between > 0.0 ? reach_of_unsure(found, number) : 0.0;
+      for (int k = 0; k < kHalvings; ++k) {
+        const double share = kWidest * std::exp2(-k - between), h = share * std::abs(number);
+        if (between > 0.0 && (h > kBeyond * reach || h < kTooShort * reach)) continue;
+        add_step(path, share, steps);
+        if (between == 0.0 && k + 1 < kFewest) continue;
+        for (std::size_t i = 0; i < steps.size(); ++i)
+          found[i] = fitted_slope(steps[i], noise_[static_cast<Eigen::Index>(i)]);
+        if (reach_of_unsure(found, number) == 0.0) return found;
       }
     }
-    for (const std::size_t i : unsure) {
-      if (!found[i] || values[i].size() < kFits) continue;
-      if (const auto fit = fitted_slope(values[i]); fit.error < found[i]->error) found[i] = fit;
-    }
     return found;
+  }
+
+  /// How far slopes of loads are from those of tires left to themselves, by the same short step.
+  double off_free_loads() const {
+    constexpr double kShort = 1e-5;  // as a share of the number
+    const double number = numbers_.get(kMoves), way = 2.0 * kShort * std::abs(number);
+    const Document below = moved(numbers_, kMoves, -kShort);
+    const Document above = moved(numbers_, kMoves, kShort);
+    const Eigen::VectorXd free =
+        (free_loads(above, of_).first - free_loads(below, of_).first) / way;
+    const Eigen::VectorXd held =
+        (exact(above, of_, branch_).loads - exact(below, of_, branch_).loads) / way;
+    double off = 0.0;
+    for (int i = 0; i < kLoads; ++i)
+      off = std::max(off, std::abs(free[i] - held[i]) / size(i, held[i], number));
+    return off;
   }
 
   /// What errors are a share of: what a change of a number by its own size makes, or a hundredth of
@@ -270,88 +321,61 @@ class Judge {
   }
 
  private:
-  static constexpr double kFirst = 6.4e-2;    // step, as a share of the number
-  static constexpr double kSafety = 2.0;      // of noise that is seen some times
-  static constexpr double kRounding = 1e-13;  // of the answer, at least
+  static constexpr const char* kMoves = "pressure";  // moves every answer, of any tire
+  static constexpr double kSafety = 2.0;             // of noise that is seen some times
+  static constexpr double kRounding = 1e-13;         // of the answer, at least
 
-  std::vector<std::size_t> unsure_of(const Slopes& slopes, const std::string& path) const {
-    constexpr double kEnough = 3e-7;
-    const double number = numbers_.get(path);
-    std::vector<std::size_t> unsure;
-    for (std::size_t i = 0; i < slopes.size(); ++i) {
-      const auto& slope = slopes[i];
-      if (!slope || slope->one_sided ||
-          slope->error > kEnough * size(static_cast<int>(i), slope->value, number))
-        unsure.push_back(i);
+  /// The widest reach of fits that do not know their slope well enough; 0 where all do.
+  double reach_of_unsure(const Slopes& slopes, double number) const {
+    constexpr double kEnough = 0.5 * kError;
+    double reach = 0.0;
+    for (int i = 0; i < kLoads + kModes; ++i) {
+      const auto& slope = slopes[static_cast<std::size_t>(i)];
+      if (!slope)
+        reach = std::abs(number);
+      else if (slope->error > kEnough * size(i, slope->value, number))
+        reach = std::max(reach, slope->reach);
     }
-    return unsure;
+    return reach;
   }
 
-  Slopes by_steps(const std::string& path) const {
-    constexpr int kFewest = 4, kMost = 12;
-    const double number = numbers_.get(path);
-    std::vector<std::vector<StepValues>> steps(kLoads + kModes);
-    Slopes found(steps.size());
-    for (int k = 0; k < kMost; ++k) {
-      const double share = std::ldexp(kFirst, -k), h = share * std::abs(number);
-      const Exact below = moved(path, -share), above = moved(path, share);
-      for (int i = 0; i < kLoads + kModes; ++i) {
-        auto& of_answer = steps[static_cast<std::size_t>(i)];
-        of_answer.push_back({h, answer(below, i), answer(above, i)});
-        found[static_cast<std::size_t>(i)] = extrapolated_slope(of_answer, value(i), noise_[i]);
-      }
-      if (k + 1 >= kFewest && unsure_of(found, path).empty()) break;
+  void add_step(const std::string& path,
+                double share,
+                std::vector<std::vector<StepValues>>& steps) const {
+    const Exact below = at(path, -share), above = at(path, share);
+    for (int i = 0; i < kLoads + kModes; ++i) {
+      const auto lower = answer(below, i), upper = answer(above, i);
+      if (!lower || !upper) continue;
+      steps[static_cast<std::size_t>(i)].push_back(
+          {share * std::abs(numbers_.get(path)), *lower, *upper});
     }
-    return found;
   }
 
-  /// The widest step, each a fifth less than the one before, to both sides of which these answers
-  /// are all of one branch; 0 where there is none.
-  double reach_of(const std::vector<std::size_t>& answers, const std::string& path) const {
-    constexpr int kMost = 30;
-    for (int k = 0; k < kMost; ++k) {
-      const double share = kFirst * std::pow(0.8, k);
-      const Exact below = moved(path, -share), above = moved(path, share);
-      if (std::ranges::all_of(answers, [&](std::size_t i) {
-            return answer(below, static_cast<int>(i)) && answer(above, static_cast<int>(i));
-          }))
-        return share;
-    }
-    return 0.0;
+  Exact at(const std::string& path, double share) const {
+    return exact(moved(numbers_, path, share), of_, branch_);
   }
 
-  /// With the number moved by a share of its size.
-  Exact moved(const std::string& path, double share) const {
-    Document other = numbers_;
-    const double number = numbers_.get(path);
-    other.set(path, number + share * std::abs(number));
-    return exact(other, of_);
-  }
-
-  /// None where it is that of another branch.
+  /// None where the mode is not found again.
   std::optional<double> answer(const Exact& trial, int i) const {
-    const auto state = static_cast<std::size_t>(i < kLoads ? i : kLoads - 1);
-    if ((i < kLoads || of_.loaded_modes) &&
-        !same_points(trial.touching[state], at_.touching[state]))
-      return std::nullopt;
     if (i < kLoads) return trial.loads[i];
     return followed(at_, i - kLoads, trial, of_.loaded_modes);
   }
 
   const Case& of_;
   const Document& numbers_;
+  Branch branch_;
   Exact at_;
   Eigen::VectorXd noise_ = Eigen::VectorXd(kLoads + kModes);
 };
 
 struct Errors {
   double loads = 0.0, modes = 0.0, judge = 0.0;
-  int one_sided = 0, unknown = 0;
+  int unknown = 0;
 };
 
 Errors errors_of(const Judge& judge,
-                 const Eigen::VectorXd& slopes,
                  const std::string& path,
+                 const Eigen::VectorXd& slopes,
                  double number) {
   Errors errors;
   const auto judged = judge.slopes(path);
@@ -365,7 +389,6 @@ Errors errors_of(const Judge& judge,
     double& largest = i < kLoads ? errors.loads : errors.modes;
     largest = std::max(largest, std::abs(slopes[i] - slope->value) / size);
     errors.judge = std::max(errors.judge, slope->error / size);
-    errors.one_sided += slope->one_sided;
   }
   return errors;
 }
@@ -373,98 +396,45 @@ Errors errors_of(const Judge& judge,
 std::string in_words(const Errors& errors) {
   std::string text = fmt::format(
       "loads {:.1e}, modes {:.1e}, judge {:.1e}", errors.loads, errors.modes, errors.judge);
-  if (errors.one_sided > 0) text += fmt::format("; kink: {} of one side", errors.one_sided);
   if (errors.unknown > 0) text += fmt::format("; {} not judged", errors.unknown);
   return text;
 }
 
-/// Slopes of a tire with these numbers, in all paths of the case, and their judge.
-class Sloped {
- public:
-  Sloped(const Case& of, const Document& numbers)
-      : of_(of), numbers_(numbers), judge_(of, numbers) {
-    const TireDescription description = read_tire(numbers.root());
-    SolverSettings settings{.element = description.element};
-    settings.tolerance = 1e-10;
-    FeTire tire(build_mesh(description), build_materials(description), settings);
-    const Trial trial = run(tire, description.pressure, of, kModes);
-    TireSlopes slopes(
-        tire,
-        value_of(experiment::fe_variations(numbers, of.paths, experiment::described_tires())));
-    slopes_ = slopes_of(trial, of.loaded_modes, slopes);
-  }
-
-  const Judge& judge() const { return judge_; }
-  Errors errors(std::size_t path) const {
-    return errors_of(judge_,
-                     slopes_.col(static_cast<Eigen::Index>(path)),
-                     of_.paths[path],
-                     numbers_.get(of_.paths[path]));
-  }
-
- private:
-  const Case& of_;
-  const Document& numbers_;
-  Judge judge_;
-  Eigen::MatrixXd slopes_;
-};
-
-bool is_told(const Errors& errors) { return errors.judge <= kError && errors.unknown == 0; }
-
-/// Share by which a number is moved to the middle of the widest reach within 1.5 percent in which
-/// the same points touch under the last load.
-double widest_reach(const Case& of, const Document& numbers, const std::string& path) {
-  constexpr int kToEachSide = 60;
-  constexpr double kStep = 2.5e-4;
-  std::vector<Eigen::Vector2d> before;
-  double middle = 0.0;
-  for (int k = -kToEachSide, first = k, most = 0; k <= kToEachSide; ++k) {
-    Document other = numbers;
-    other.set(path, numbers.get(path) * (1.0 + k * kStep));
-    const TireDescription description = read_tire(other.root());
-    FeTire tire(description);
-    auto points = touching(tire, run(tire, description.pressure, of, 0).states.back());
-    if (!same_points(points, before)) first = k;
-    if (k - first > most) {
-      most = k - first;
-      middle = 0.5 * (first + k) * kStep;
-    }
-    before = std::move(points);
-  }
-  return middle;
+/// Of loads and modes in all numbers of the case, of a trial as exact.
+Eigen::MatrixXd exact_slopes(const Case& of, const Document& numbers) {
+  const TireDescription description = read_tire(numbers.root());
+  SolverSettings settings{.element = description.element};
+  settings.tolerance = 1e-10;
+  FeTire tire(build_mesh(description), build_materials(description), settings);
+  const Trial trial = run(tire, description.pressure, of, kModes);
+  TireSlopes slopes(
+      tire, value_of(experiment::fe_variations(numbers, of.paths, experiment::described_tires())));
+  return slopes_of(trial, of.loaded_modes, slopes);
 }
 
-/// Where the number is moved by that share. Whether the slopes are right there is not looked at.
-Errors errors_beside(const Case& of,
-                     const Document& numbers,
-                     const std::string& path,
-                     double share) {
-  Case one = of;
-  one.paths = {path};
-  Document other = numbers;
-  other.set(path, numbers.get(path) * (1.0 + share));
-  return Sloped(one, other).errors(0);
-}
-
-/// Of every number a row.
+/// Of every number a row, of the branch another.
 void error_rows(Table& table, const Case& of, const Document& numbers) {
-  const Sloped at(of, numbers);
-  table.note(fmt::format("{}: what trials are off", of.name),
-             fmt::format("loads {:.0e}, modes {:.0e}",
-                         at.judge().noise(0, kLoads),
-                         at.judge().noise(kLoads, kModes)));
+  constexpr double kFree = 1e-4;
+  const Judge judge(of, numbers);
+  const Eigen::MatrixXd slopes = exact_slopes(of, numbers);
+  table.note(
+      fmt::format("{}: what trials are off", of.name),
+      fmt::format(
+          "loads {:.0e}, modes {:.0e}", judge.noise(0, kLoads), judge.noise(kLoads, kModes)));
+  const double off = judge.off_free_loads();
+  table.row(fmt::format("{}: tires left to themselves", of.name),
+            fmt::format("loads {:.1e}", off),
+            fmt::format("<= {:.0e}", kFree),
+            off <= kFree);
   for (std::size_t k = 0; k < of.paths.size(); ++k) {
-    Errors errors = at.errors(k);
-    std::string text = in_words(errors);
-    if (!is_told(errors)) {
-      const double share = widest_reach(of, numbers, of.paths[k]);
-      errors = errors_beside(of, numbers, of.paths[k], share);
-      text += fmt::format("; {:+.2f} % beside it {}", 100.0 * share, in_words(errors));
-    }
-    table.row(fmt::format("{}: {}", of.name, of.paths[k]),
-              text,
-              fmt::format("<= {:.0e}", kError),
-              std::max(errors.loads, errors.modes) <= kError && is_told(errors));
+    const std::string& path = of.paths[k];
+    const Errors errors =
+        errors_of(judge, path, slopes.col(static_cast<Eigen::Index>(k)), numbers.get(path));
+    table.row(
+        fmt::format("{}: {}", of.name, path),
+        in_words(errors),
+        fmt::format("<= {:.0e}", kError),
+        std::max({errors.loads, errors.modes, errors.judge}) <= kError && errors.unknown == 0);
   }
 }
 

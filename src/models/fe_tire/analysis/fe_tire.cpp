@@ -63,6 +63,13 @@ std::optional<Failure> in_the_rim(const Mesh& mesh,
                   1e3 * rim)};
 }
 
+/// Held points know no way along the ground, nor another height of it.
+Failure held_elsewhere(const std::string& name) {
+  return Failure{name +
+                 ": points are held to ground with friction or a bar; expected flat ground without "
+                 "friction, or no points held"};
+}
+
 Failure of_other_materials() {
   return Failure{
       "the state is that of a tire of other materials, which the half turn left as it was; load it "
@@ -141,7 +148,7 @@ Result<std::vector<TireState>> FeTire::advance(const TireState& from,
   for (std::size_t k = 0; k < poses.size(); ++k) {
     // A factor is taken along the way, not from whatever was solved before it.
     const TireState& last = states.empty() ? from : states.back();
-    if (k == 0) tire.systems(last.is_halved, last.window).solver.forget_factor();
+    if (k == 0) tire.systems(last.is_halved, Impl::window_from(last)).solver.forget_factor();
     const std::string name = fmt::format("load step {} of {} ({} at {:.4g} bar)",
                                          k + 1,
                                          poses.size(),
@@ -174,9 +181,11 @@ Result<TireState> FeTire::Impl::move(const TireState& from,
   if (from.is_halved && !pose.is_below())
     return Failure{name + ": the state is half a ring, whose ground stays below the wheel center"};
   if (from.is_halved && !mirror()) return of_other_materials();
-  for (int window = from.window;; ++window) {
+  if (from.ground.held && (from.ground.mu > 0.0 || from.ground.bar)) return held_elsewhere(name);
+  const int first = window_from(from);
+  for (int window = first;; ++window) {
     Systems& all = systems(from.is_halved, window);
-    if (window > from.window) all.solver.forget_factor();
+    if (window > first) all.solver.forget_factor();
     all.solver.set_reference(pressure_force(even_elements(), from.inflated->pressure));
     TreadContact contact(all.tread, from.ground);
     Placed placed{from.pose, {all.unknowns.compress(from.u), from.alpha}, from.anchors};
@@ -202,6 +211,14 @@ Standing FeTire::stand(const TireState& state) {
   contact.start(state.pose, x, state.anchors);
   const TreadContact::Sum sum = contact.sum(x);
   return {state.deflection(), state.pose.height, sum.force, sum.moment, contact.patch(x)};
+}
+
+TouchingPoints FeTire::touching(const TireState& state) {
+  Systems& all = impl_->systems(state.is_halved, state.window);
+  TreadContact contact(all.tread, state.ground);
+  const Eigen::VectorXd x = all.unknowns.compress(state.u);
+  contact.start(state.pose, x, state.anchors);
+  return {state.window, contact.within(0.0, all.tread.displacements(x))};
 }
 
 Result<std::vector<Mode>> FeTire::modes(const Inflated& inflated, int count) {

@@ -121,6 +121,9 @@ class FeTire {
                                        const Ground& ground,
                                        const std::vector<double>& deflections);
   Standing stand(const TireState& state);
+  /// The points that touch in a state. Held (Ground::held) they are its branch: another tire of the
+  /// same mesh but for where its nodes are, or the same elsewhere, stands on it too.
+  TouchingPoints touching(const TireState& state);
 
   /// The lowest `count` modes of the inflated, unloaded tire by circumferential harmonics.
   Result<std::vector<Mode>> modes(const Inflated& inflated, int count);

@@ -121,7 +121,14 @@ struct FeTire::Impl {
   const RingElements& even_elements() const { return even ? *even_elements_ : *elements_; }
 
   /// Where the way is part of the answer the window stays as it is, and a bar stands out.
-  static int first_window(const Ground& ground) { return ground.mu > 0.0 || ground.bar ? 1 : 0; }
+  static int first_window(const Ground& ground) {
+    if (ground.held) return ground.held->window;
+    return ground.mu > 0.0 || ground.bar ? 1 : 0;
+  }
+  /// Of what goes on from a state: the points that are held are those of one window.
+  static int window_from(const TireState& state) {
+    return state.ground.held ? state.ground.held->window : state.window;
+  }
   Result<TireState> move(const TireState& from, const GroundPose& pose, const std::string& name);
   Result<std::vector<Mode>> modes_at(const TireState& state, int count);
   /// The factors of the tangents about a state with its ground, of even and odd motions; those of

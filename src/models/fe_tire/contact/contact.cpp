@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "models/fe_tire/contact/footprint.h"
@@ -17,7 +18,15 @@ constexpr double kTangentialShare = 0.5;
 }  // namespace
 
 TreadContact::TreadContact(const TreadSurface& tread, const Ground& ground)
-    : tread_(tread), ground_(ground), posed_(ground, {}) {}
+    : tread_(tread), ground_(ground), posed_(ground, {}) {
+  if (!ground.held) return;
+  assert(!has_friction() && !ground.bar);
+  is_held_.resize(tread.points().size(), 0);
+  for (const int point : ground.held->points) {
+    assert(point < std::ssize(is_held_));
+    is_held_[point] = 1;
+  }
+}
 
 void TreadContact::start(const GroundPose& pose,
                          const Eigen::VectorXd& x,
@@ -106,7 +115,7 @@ std::vector<TreadContact::Touch> TreadContact::touches(const Eigen::Matrix3Xd& u
   for (int k = 0; k < static_cast<int>(tread_.points().size()); ++k) {
     const Eigen::Vector3d q = posed_.in_ground(points.col(k));
     const PosedGround::Distance at = posed_.distance(q);
-    if (at.g >= 0.0) continue;
+    if (!touches_at(k, at.g)) continue;
     double share = 1.0;
     const Anchor anchor = has_friction() ? anchor_of(k, q, at.g, &share) : Anchor();
     touches.push_back(touch_of(k, at, traction(q, at, anchor, share)));
@@ -120,7 +129,7 @@ std::vector<TreadContact::Touch> TreadContact::stuck(const Eigen::VectorXd& x) c
   for (int k = 0; k < static_cast<int>(tread_.points().size()); ++k) {
     const Eigen::Vector3d q = posed_.in_ground(points.col(k));
     const PosedGround::Distance at = posed_.distance(q);
-    if (at.g >= 0.0) continue;
+    if (!touches_at(k, at.g)) continue;
     touches.push_back(touch_of(k, at, traction(q, at, {q, true, false}, 1.0)));
   }
   return touches;
@@ -139,7 +148,8 @@ std::vector<int> TreadContact::within(double distance, const Eigen::Matrix3Xd& u
   std::vector<int> near;
   for (int k = 0; k < static_cast<int>(tread_.points().size()); ++k) {
     const Eigen::Vector3d q = posed_.in_ground(points.col(k));
-    if (posed_.distance(q).g < distance) near.push_back(k);
+    const double g = posed_.distance(q).g;
+    if (ground_.held ? touches_at(k, g) : g < distance) near.push_back(k);
   }
   return near;
 }
@@ -156,7 +166,7 @@ std::vector<Anchor> TreadContact::anchors(const Eigen::Matrix3Xd& u) const {
   for (int k = 0; k < static_cast<int>(anchors.size()); ++k) {
     const Eigen::Vector3d q = posed_.in_ground(points.col(k));
     const PosedGround::Distance at = posed_.distance(q);
-    if (at.g >= 0.0) continue;
+    if (!touches_at(k, at.g)) continue;
     double share = 1.0;
     const Traction on = traction(q, at, anchor_of(k, q, at.g, &share), share);
     anchors[k] = {q + on.t / stiffness, true, !on.sticks};
@@ -183,7 +193,7 @@ ContactPatch TreadContact::patch(const Eigen::VectorXd& x) const {
     const Eigen::Vector3d p = points.col(k);
     const Eigen::Vector3d q = posed_.in_ground(p);
     const PosedGround::Distance at = posed_.distance(q);
-    if (at.g >= 0.0) continue;
+    if (!touches_at(k, at.g)) continue;
     // Its anchor has followed: whether it slides, the tractions there would tell by rounding.
     const Anchor anchor = has_friction() ? anchors_[k] : Anchor();
     const Traction on = traction(q, at, anchor, 1.0);
@@ -222,7 +232,7 @@ TreadContact::Sum TreadContact::sum(const Eigen::VectorXd& x) const {
     const Eigen::Vector3d p = points.col(k);
     const Eigen::Vector3d q = posed_.in_ground(p);
     const PosedGround::Distance at = posed_.distance(q);
-    if (at.g >= 0.0) continue;
+    if (!touches_at(k, at.g)) continue;
     const Traction on = traction(q, at, has_friction() ? anchors_[k] : Anchor(), 1.0);
     const Eigen::Vector3d force =
         (level.in_ground(posed_.to_wheel(on.p * at.n + on.t)) - center) * tread_.points()[k].dA;
@@ -237,6 +247,7 @@ TreadContact::Sum TreadContact::sum(const Eigen::VectorXd& x) const {
 }
 
 bool TreadContact::misses(const Eigen::VectorXd& x) const {
+  if (ground_.held) return false;
   const Eigen::Matrix3Xd beyond = tread_.beyond(x);
   for (Eigen::Index k = 0; k < beyond.cols(); ++k) {
     if (posed_.distance(posed_.in_ground(beyond.col(k))).g < 0.0) return true;

@@ -4,6 +4,7 @@
 // At every point of the tread's surface (tread_surface.h) with the distance g to the ground, its
 // normal n and the reference area dA,
 //   normal traction     p = -epsilon g            where g < 0, otherwise none               (C.1)
+//                                                 (where points are held: of these, of any g)
 //   tangential trial    t = -epsilon_t (1 - n n^T) (x - a)  from the anchor a it sticks to   (C.2)
 //   Coulomb             |t| <= mu p; beyond it the point slips: t = mu p t / |t|, a follows (C.3)
 // in the ground's axes: the ground carries the anchors along. A point that comes down within a step
@@ -65,7 +66,8 @@ class TreadContact {
   std::vector<Anchor> anchors(const Eigen::Matrix3Xd& u) const;
   /// How deep in the ground the deepest point is, m; 0 where none is.
   double deepest(const Eigen::Matrix3Xd& u) const;
-  /// Points that are no farther from the ground than `distance`, m, ascending.
+  /// Points that are no farther from the ground than `distance`, m, ascending; on held ground those
+  /// that touch.
   std::vector<int> within(double distance, const Eigen::Matrix3Xd& u) const;
 
   /// The contact patch (of the whole ring) in the state x, an equilibrium whose anchors are those
@@ -81,6 +83,10 @@ class TreadContact {
   bool misses(const Eigen::VectorXd& x) const;
 
  private:
+  /// Whether a point at the distance g does.
+  bool touches_at(int point, double g) const {
+    return is_held_.empty() ? g < 0.0 : is_held_[point] != 0;
+  }
   struct Traction {
     double p;                  // Pa per reference area
     Eigen::Vector3d t;         // ground's axes, likewise
@@ -99,6 +105,7 @@ class TreadContact {
   Ground ground_;
   GroundPose pose_;
   PosedGround posed_;
+  std::vector<char> is_held_;  // every point of the tread; empty where none is held
   std::vector<Anchor> anchors_;
   Eigen::Matrix3Xd start_;  // of the points, ground's axes; with friction
   std::vector<double> start_g_;

@@ -11,10 +11,15 @@
 // The wheel's frame is the one of mesh.h. A pose is what the rig sets: how high the wheel center is
 // over the ground, where below it the ground's origin lies, the wheel's camber and the ground's
 // yaw.
+//
+// As points come to touch and leave, loads have kinks and modes jumps. Between two of them the tire
+// is on one branch, and `held` goes on with it: these points touch, pushed or pulled, and no
+// others. It is smooth, with the same values and slopes where these are the points that touch.
 #pragma once
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 namespace latsch::fe_tire {
 
@@ -26,11 +31,21 @@ struct Bar {
   bool operator==(const Bar&) const = default;
 };
 
+/// Points of the tread, ascending, in the numbers of a state's window (FeTire::touching).
+struct TouchingPoints {
+  int window = 0;
+  std::vector<int> points;
+  bool operator==(const TouchingPoints&) const = default;
+};
+
 /// Rigid ground under penalty contact and Coulomb friction.
 struct Ground {
   double stiffness = 2.0e10;  // normal penalty, Pa/m
   double mu = 0.0;            // friction coefficient; 0: frictionless
   std::optional<Bar> bar = {};
+  /// Whatever their distance, these touch and no others; none: those in the ground. On flat ground
+  /// without friction.
+  std::optional<TouchingPoints> held = {};
   bool operator==(const Ground&) const = default;
 };
 
