@@ -40,7 +40,7 @@ namespace {
 using namespace fe_tire;
 
 constexpr int kLoads = 5, kModes = 20;
-constexpr int kRepeats = 3;  // of what is timed, plain and sloped in turn
+constexpr int kRepeats = 5;  // of what is timed, plain and sloped in turn
 constexpr double kShare = 0.5, kError = 1e-6;
 constexpr std::size_t kDrawn = 2;  // numbers a tire
 constexpr std::uint64_t kSeed = 1;

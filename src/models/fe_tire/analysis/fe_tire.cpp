@@ -185,6 +185,8 @@ Result<TireState> FeTire::Impl::move(const TireState& from,
   const int first = window_from(from);
   for (int window = first;; ++window) {
     Systems& all = systems(from.is_halved, window);
+    if (from.ground.held && !all.tread.has_points(from.ground.held->points))
+      return Failure{name + ": the points held to the ground are not those of this tire's tread"};
     if (window > first) all.solver.forget_factor();
     all.solver.set_reference(pressure_force(even_elements(), from.inflated->pressure));
     TreadContact contact(all.tread, from.ground);

@@ -95,6 +95,9 @@ TEST(HeldPoints, AreRefusedWhereThereIsMoreThanFlatGround) {
     ASSERT_FALSE(states);
     EXPECT_NE(states.failure().reason.find("points are held"), std::string::npos);
   }
+  const auto of_another = tire.press(*inflated, {.held = TouchingPoints{0, {1 << 20}}}, {0.005});
+  ASSERT_FALSE(of_another);
+  EXPECT_NE(of_another.failure().reason.find("not those of this tire"), std::string::npos);
 }
 
 }  // namespace

@@ -34,6 +34,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <utility>
@@ -81,6 +82,11 @@ class TreadSurface {
   const std::vector<Place>& places() const { return places_; }
   const std::vector<Point>& points() const { return points_; }
   const std::vector<Point>& samples() const { return samples_; }
+  /// Whether these are indices of points().
+  bool has_points(const std::vector<int>& some) const {
+    return std::ranges::all_of(
+        some, [this](int point) { return point >= 0 && point < std::ssize(points_); });
+  }
   /// Samples one behind the other from -x to x, and one beside the other across.
   std::vector<std::vector<int>> lines_around() const;
   std::vector<std::vector<int>> lines_across() const;
