@@ -247,8 +247,8 @@ void SurfacePlot::mark_points() {
                 lowest ? 7.5 : 6,
                 lowest ? "class=\"minimum lowest\"" : "class=\"minimum\"",
                 describe(m.i, m.j));
-    const bool right = at.x() > 0.75 * kSurfaceRight;
-    svg_.text({right ? at.x() - 12 : at.x() + 12, at.y() + 16},
+    const bool right = at.x() > 0.75 * kSurfaceRight, low = at.y() + 18 > kSurfaceBottom;
+    svg_.text({right ? at.x() - 12 : at.x() + 12, low ? at.y() - 10 : at.y() + 16},
               (lowest ? "lowest " : "local ") + target_percent(m.target),
               right ? Anchor::end : Anchor::start,
               "on-field");
