@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "numerics/sparse/conjugate_gradients.h"
 
+#include <cmath>
+
 namespace latsch::numerics {
 
 ConjugateGradients::ConjugateGradients(int size) : r_(size), z_(size), p_(size), Ap_(size) {}
@@ -10,7 +12,10 @@ CgOutcome ConjugateGradients::solve(const Operator& A,
                                     const Eigen::VectorXd& b,
                                     double tolerance,
                                     int max_iterations,
-                                    Eigen::VectorXd& x) {
+                                    Eigen::VectorXd& x,
+                                    bool foresees) {
+  constexpr int kAFew = 5;
+  constexpr double kAsFast = 2.0 / 3.0;  // of all iterations, as the first few
   CgOutcome outcome;
   const double b_norm = b.norm();
   x.setZero(b.size());
@@ -39,6 +44,11 @@ CgOutcome ConjugateGradients::solve(const Operator& A,
     r_ -= alpha * Ap_;
     outcome.residual = r_.norm() / b_norm;
     if (outcome.residual <= tolerance) return outcome;
+    if (foresees && outcome.iterations == kAFew &&
+        kAFew * std::log(tolerance) < kAsFast * max_iterations * std::log(outcome.residual)) {
+      outcome.end = CgOutcome::End::iterations_spent;
+      return outcome;
+    }
     z_ = r_;
     C(z_);
     const double rz_next = r_.dot(z_);

@@ -24,13 +24,15 @@ class ConjugateGradients {
 
   /// Starts from x = 0 and stops at |b - A x| <= tolerance |b|. On negative curvature (p' A p <= 0)
   /// x is the last iterate before it, or the preconditioned gradient C^-1 b in the first iteration:
-  /// a descent direction always.
+  /// a descent direction always. Iterations are spent, too, if `foresees`, where after a few of
+  /// them it seems that all do not suffice: what is left goes on to fall, but more slowly.
   CgOutcome solve(const Operator& A,
                   const Preconditioner& C,
                   const Eigen::VectorXd& b,
                   double tolerance,
                   int max_iterations,
-                  Eigen::VectorXd& x);
+                  Eigen::VectorXd& x,
+                  bool foresees = false);
 
  private:
   Eigen::VectorXd r_, z_, p_, Ap_;

@@ -29,6 +29,26 @@ TEST(ConjugateGradients,
   EXPECT_LT((A * x - b).norm(), 1e-11 * b.norm());
 }
 
+TEST(ConjugateGradients, ForeseesWhereItsIterationsDoNotSuffice) {
+  constexpr int kMost = 24;
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(400);
+  for (const double condition : {1.5, 1e4}) {
+    const Eigen::MatrixXd A = Eigen::VectorXd::LinSpaced(400, 1.0, condition).asDiagonal();
+    Eigen::VectorXd x, all;
+    ConjugateGradients cg(400);
+    const CgOutcome to_the_end = cg.solve(times(A), none, b, 1e-10, kMost, all);
+    const CgOutcome outcome = cg.solve(times(A), none, b, 1e-10, kMost, x, true);
+    EXPECT_EQ(outcome.end, to_the_end.end) << condition;
+    if (condition > 100.0) {
+      EXPECT_EQ(outcome.end, CgOutcome::End::iterations_spent);
+      EXPECT_LT(outcome.iterations, kMost / 2);
+    } else {
+      EXPECT_EQ(outcome.end, CgOutcome::End::converged);
+      EXPECT_EQ(x, all);
+    }
+  }
+}
+
 TEST(ConjugateGradients, IsDoneAtOnceWithTheMatrixAsItsOwnPreconditioner) {
   const Eigen::MatrixXd B = Eigen::MatrixXd::Random(30, 30);
   const Eigen::MatrixXd A = B * B.transpose() + Eigen::MatrixXd::Identity(30, 30);

@@ -64,6 +64,11 @@ class EquilibriumSolver {
   /// The elements are others: so are their forces at the state last seen.
   void forget_forces() { elements_ = nullptr; }
 
+  /// x <- K^-1 x of the tangent K about the equilibrium that solve() has ended with, the ground
+  /// included, until what is left is `enough` of x: by the factor at hand. False, x as it was,
+  /// where that is of no use.
+  bool solve_nearby(const numerics::SymmetricMatrix& K, double enough, Eigen::VectorXd& x);
+
   const RingAssembly& assembly() const { return assembly_; }
   /// Of its pattern, the ground's part included: for whoever factorizes such tangents.
   const std::shared_ptr<const numerics::Elimination>& elimination() const { return elimination_; }

@@ -157,6 +157,8 @@ Result<std::vector<TireState>> FeTire::advance(const TireState& from,
     Result<TireState> next = tire.move(last, poses[k], name);
     if (!next) return next.failure();
     states.push_back(std::move(*next));
+    if (tire.on_passing && k + 1 < poses.size())
+      tire.on_passing(tire.systems(states.back().is_halved, states.back().window), states.back());
   }
   if (states.empty()) return states;
   const TireState& last = states.back();
@@ -334,44 +336,47 @@ std::optional<Failure> FeTire::Impl::factorize(Systems& all, const TireState& at
           elements(), state, at.inflated->pressure, tangents, &worst)) {
     return no_tangent(all.unknowns.ring(), worst);
   }
-  if (auto failure = factorize(all, all.tread, at, state, all.tangent, all.factor)) return failure;
+  add_ground(all, all.tread, at, state, all.tangent);
+  if (auto failure = factorize(at, all.tangent, all.factor)) return failure;
   if (all.odd) {
-    if (auto failure =
-            factorize(all, *all.odd_tread, at, state, *all.odd_tangent, *all.odd_factor)) {
-      return failure;
-    }
+    add_ground(all, *all.odd_tread, at, state, *all.odd_tangent);
+    if (auto failure = factorize(at, *all.odd_tangent, *all.odd_factor)) return failure;
   }
   all.factored = at;
   return std::nullopt;
 }
 
-std::optional<Failure> FeTire::Impl::factorize(Systems& all,
-                                               const TireState& at,
-                                               numerics::SymmetricMatrix& tangent,
-                                               numerics::Factorization& factor) {
+std::optional<Failure> FeTire::Impl::assemble(Systems& all,
+                                              const TireState& at,
+                                              numerics::SymmetricMatrix& tangent) {
   RingState state{all.unknowns.compress(at.u), at.alpha};
   int worst = 0;
   if (!all.solver.assembly().assemble_tangent(
           elements(), state, at.inflated->pressure, all.unknowns, tangent, &worst)) {
     return no_tangent(all.unknowns.ring(), worst);
   }
-  return factorize(all, all.tread, at, state, tangent, factor);
+  add_ground(all, all.tread, at, state, tangent);
+  return std::nullopt;
+}
+
+std::optional<Failure> FeTire::Impl::factorize(const TireState& at,
+                                               const numerics::SymmetricMatrix& tangent,
+                                               numerics::Factorization& factor) {
+  ++counts.factorizations;
+  if (!factor.factorize(tangent).definite()) return unstable(in_words(at.pose, *at.inflated));
+  return std::nullopt;
 }
 
 /// The state is even; odd unknowns hold only what may vibrate about it. So elements and ground see
 /// the state of the even numbering, and the tangent is gathered in the numbering asked for.
-std::optional<Failure> FeTire::Impl::factorize(Systems& all,
-                                               const TreadSurface& tread,
-                                               const TireState& at,
-                                               const RingState& state,
-                                               numerics::SymmetricMatrix& tangent,
-                                               numerics::Factorization& factor) {
+void FeTire::Impl::add_ground(Systems& all,
+                              const TreadSurface& tread,
+                              const TireState& at,
+                              const RingState& state,
+                              numerics::SymmetricMatrix& tangent) {
   TreadContact contact(all.tread, at.ground);
   contact.start(at.pose, state.x, at.anchors);
   add_stiffness(tread, contact.stuck(state.x), all.solver.assembly().first_cell(), tangent);
-  ++counts.factorizations;
-  if (!factor.factorize(tangent).definite()) return unstable(in_words(at.pose, *at.inflated));
-  return std::nullopt;
 }
 
 }  // namespace latsch::fe_tire

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -76,6 +77,8 @@ struct FeTire::Impl {
   std::optional<Ring> even;  // all sectors equally wide, where those of `ring` are not
   SolverSettings settings;
   SolverCounts counts;
+  /// Is told every state that a way passes, but the last, while the solver is near it.
+  std::function<void(Systems& all, const TireState& state)> on_passing;
 
   Impl(Mesh mesh, const Materials& materials, const SolverSettings& s)
       : ring(std::move(mesh), s.element), settings(s) {
@@ -135,17 +138,14 @@ struct FeTire::Impl {
   /// the state before, where it is the same. A Failure where the tire does not keep that state: a
   /// motion about it gives energy. Newton's method finds such equilibria just as well.
   std::optional<Failure> factorize(Systems& all, const TireState& state);
-  /// The tangent of even motions alone, and its factor, wherever they are wanted.
-  std::optional<Failure> factorize(Systems& all,
-                                   const TireState& state,
-                                   numerics::SymmetricMatrix& tangent,
-                                   numerics::Factorization& factor);
-  /// The same of a tangent without the ground.
-  std::optional<Failure> factorize(Systems& all,
-                                   const TreadSurface& tread,
-                                   const TireState& at,
-                                   const RingState& state,
-                                   numerics::SymmetricMatrix& tangent,
+  /// The tangent of even motions alone, the ground included, wherever it is wanted; a Failure where
+  /// there is none.
+  std::optional<Failure> assemble(Systems& all,
+                                  const TireState& state,
+                                  numerics::SymmetricMatrix& tangent);
+  /// A Failure where that tangent about the state is not definite.
+  std::optional<Failure> factorize(const TireState& state,
+                                   const numerics::SymmetricMatrix& tangent,
                                    numerics::Factorization& factor);
 
  private:
@@ -155,6 +155,11 @@ struct FeTire::Impl {
   static double half_angle(int window) {
     return window == 0 ? kHalfAngle : kHalfAngleOfWays * std::pow(kWider, window - 1);
   }
+  void add_ground(Systems& all,
+                  const TreadSurface& tread,
+                  const TireState& at,
+                  const RingState& state,
+                  numerics::SymmetricMatrix& tangent);
   std::optional<RingElements> elements_, even_elements_;  // of `ring`, of `even`
   std::map<std::pair<bool, int>, std::unique_ptr<Systems>> systems_;
   std::optional<std::vector<int>> mirror_;

@@ -99,28 +99,56 @@ std::pair<Eigen::VectorXd, double> TireSlopes::Impl::by_height(Systems& all,
   return {std::move(f_h), stiffness};
 }
 
+namespace {
+
+bool is_same(const TireState& a, const TireState& b) { return a.pose == b.pose && a.u == b.u; }
+
+}  // namespace
+
+TireSlopes::Impl::Tangent& TireSlopes::Impl::tangent_for(Systems& all) {
+  const auto found = own_tangents.find(&all);
+  if (found != own_tangents.end()) return found->second;
+  const auto& pattern = *all.solver.assembly().pattern();
+  Tangent made{
+      numerics::SymmetricMatrix(pattern),
+      numerics::Factorization(pattern, numerics::Precision::refined, all.factor.elimination()),
+      std::nullopt};
+  return own_tangents.emplace(&all, std::move(made)).first->second;
+}
+
 Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
                                                                 const TireState& state) {
   if (state.ground.mu > 0.0) return on_friction(state.ground.mu);
-  const auto is_of = [&state](const std::optional<TireState>& other) {
-    return other && other->pose == state.pose && other->u == state.u;
-  };
-  if (is_of(all.factored)) return &all.factor;
-  auto own = own_tangents.find(&all);
-  if (own == own_tangents.end()) {
-    const auto& pattern = *all.solver.assembly().pattern();
-    Tangent made{
-        numerics::SymmetricMatrix(pattern),
-        numerics::Factorization(pattern, numerics::Precision::refined, all.factor.elimination()),
-        std::nullopt};
-    own = own_tangents.emplace(&all, std::move(made)).first;
-  }
-  Tangent& tangent = own->second;
-  if (is_of(tangent.of)) return &tangent.factor;
+  if (all.factored && is_same(*all.factored, state)) return &all.factor;
+  Tangent& tangent = tangent_for(all);
+  if (tangent.of && is_same(*tangent.of, state)) return &tangent.factor;
   tangent.of.reset();
-  if (auto failure = base.factorize(all, state, tangent.K, tangent.factor)) return *failure;
+  if (auto failure = base.assemble(all, state, tangent.K)) return *failure;
+  if (auto failure = base.factorize(state, tangent.K, tangent.factor)) return *failure;
   tangent.of = state;
   return &tangent.factor;
+}
+
+/// While the solver's factor is near the state its tangent needs none of its own.
+void TireSlopes::Impl::pass(Systems& all, const TireState& state) {
+  if (state.ground.mu > 0.0) return;
+  Tangent& tangent = tangent_for(all);
+  tangent.of.reset();
+  if (base.assemble(all, state, tangent.K)) return;
+  Eigen::VectorXd w = by_height(all, state).first;
+  if (all.solver.solve_nearby(tangent.K, kExactly, w)) passed.push_back({state, std::move(w)});
+}
+
+Result<Eigen::VectorXd> TireSlopes::Impl::motion_by_height(Systems& all,
+                                                           const TireState& state,
+                                                           const Eigen::VectorXd& f_h) {
+  for (const Passed& before : passed)
+    if (is_same(before.state, state)) return before.w;
+  const auto factor_of_state = factor(all, state);
+  if (!factor_of_state) return factor_of_state.failure();
+  Eigen::MatrixXd w = f_h;
+  (*factor_of_state)->solve_columns(w, kExactly);
+  return Eigen::VectorXd(w.col(0));
 }
 
 /// Made once for all states.
@@ -157,25 +185,24 @@ void TireSlopes::Impl::add_tread(Systems& all,
 Result<TireSlopes::OfState> TireSlopes::of_state(const TireState& state) {
   Impl& impl = *impl_;
   Systems& all = impl.base.systems(state.is_halved, state.window);
-  const auto factor = impl.factor(all, state);
-  if (!factor) return factor.failure();
+  if (state.ground.mu > 0.0) return on_friction(state.ground.mu);
   const auto [f_h, stiffness] = impl.by_height(all, state);
-  Eigen::MatrixXd w = f_h;
-  (*factor)->solve_columns(w, kExactly);
+  const auto w = impl.motion_by_height(all, state, f_h);
+  if (!w) return w.failure();
   const Eigen::VectorXd x = all.unknowns.compress(state.u);
   const double pressure = state.inflated->pressure, multiplicity = all.tread.multiplicity();
   const std::vector<Mode> no_modes;
   RingMotions motions(all.unknowns, impl.base.elements(), x, state.alpha, pressure, no_modes);
   Eigen::MatrixXd sums;
-  if (!motions.slopes(w, impl.moved_numbers(Impl::OfRing::pressed, pressure), sums))
+  if (!motions.slopes(*w, impl.moved_numbers(Impl::OfRing::pressed, pressure), sums))
     return beside_state();
   const auto along_w = [&](const TreadSurface&, const Touches& touches, const Eigen::VectorXd& f) {
-    return Eigen::VectorXd::Constant(1, w.col(0).dot(f) + vertical(touches));
+    return Eigen::VectorXd::Constant(1, w->dot(f) + vertical(touches));
   };
   impl.add_tread(all, state, along_w, sums);
   OfState slopes;
   slopes.force = multiplicity * sums.row(0).transpose();
-  slopes.by_height = multiplicity * (w.col(0).dot(f_h) - stiffness);
+  slopes.by_height = multiplicity * (w->dot(f_h) - stiffness);
   return slopes;
 }
 

@@ -53,7 +53,9 @@ bool same_topology(const Mesh& a, const Mesh& b);
 
 class TireSlopes {
  public:
-  /// The meshes of all variations have the tire's topology. The tire must outlive them.
+  /// The meshes of all variations have the tire's topology. The tire must outlive them. Slopes of
+  /// states that it passes on its ways meanwhile cost less: what factor led there is near, and none
+  /// of their own is needed (one set of slopes a tire at a time).
   TireSlopes(FeTire& tire, std::vector<Variation> variations);
   ~TireSlopes();
 

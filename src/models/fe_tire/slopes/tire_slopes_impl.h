@@ -37,12 +37,21 @@ struct TireSlopes::Impl {
     std::optional<TireState> of;  // none: not definite
   };
   std::map<const Systems*, Tangent> own_tangents;  // of the last state that needed one
+  /// w of (S.2), of states that a way passed: found while the solver's factor was near.
+  struct Passed {
+    TireState state;
+    Eigen::VectorXd w;
+  };
+  std::vector<Passed> passed;
   std::map<std::pair<const Varied*, const Systems*>, std::unique_ptr<VariedTread>> varied_treads;
 
   Impl(FeTire::Impl& tire, std::vector<Variation> numbers)
       : base(tire), variations(std::move(numbers)) {
     for (const Variation& v : variations) varied.push_back(std::make_unique<VariedPair>(v, base));
+    base.on_passing = [this](Systems& all, const TireState& state) { pass(all, state); };
   }
+  ~Impl() { base.on_passing = nullptr; }
+  Impl(const Impl&) = delete;  // the tire knows it
   int count() const { return static_cast<int>(variations.size()); }
 
   /// Pa of a varied tire where the tire itself is under `pressure`.
@@ -57,6 +66,13 @@ struct TireSlopes::Impl {
   std::pair<Inflated, Inflated> moved_inflated(const Inflated& at,
                                                const Eigen::VectorXd& x_slope,
                                                int k) const;
+  void pass(Systems& all, const TireState& state);
+  /// w of (S.2), df/dh its right-hand side.
+  Result<Eigen::VectorXd> motion_by_height(Systems& all,
+                                           const TireState& state,
+                                           const Eigen::VectorXd& f_h);
+  /// The tangent about a state, a place where it can be made and solved with.
+  Tangent& tangent_for(Systems& all);
   /// Of the tangent about a state: that of its modes where they were asked for, or one of its own.
   Result<const numerics::Factorization*> factor(Systems& all, const TireState& state);
   /// The same modes, their shapes to kSharp.

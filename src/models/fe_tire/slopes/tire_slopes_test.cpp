@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "models/fe_tire/description/reference_tires.h"
 #include "models/fe_tire/description/tire_description.h"
@@ -184,6 +185,33 @@ TEST(TireSlopes, AreThoseOfWholeTrials) {
       EXPECT_NEAR(found(i, k), expected[i], 1e-6 * size) << number.name << ", answer " << i;
     }
   }
+}
+
+// The first of two states by the factor that led there, and by one of its own; the way there does
+// not know of slopes.
+TEST(TireSlopes, OfAStateThatIsPassedAreThoseFoundAfterwards) {
+  const TireDescription description = moved(numbers()[0], 0.0);
+  std::vector<TireState> states;
+  std::vector<Eigen::VectorXd> forces;
+  std::vector<int> factorizations;
+  for (const bool meanwhile : {true, false}) {
+    FeTire tire(description);
+    std::optional<TireSlopes> slopes;
+    if (meanwhile) slopes.emplace(tire, variations());
+    const auto inflated = tire.inflate(kInflation);
+    ASSERT_TRUE(inflated);
+    const auto pressed = tire.press(*inflated, Ground{}, kDeflections);
+    ASSERT_TRUE(pressed);
+    if (!meanwhile) slopes.emplace(tire, variations());
+    const auto of_state = slopes->of_state(pressed->front());
+    ASSERT_TRUE(of_state);
+    states.push_back(pressed->front());
+    forces.push_back(of_state->force);
+    factorizations.push_back(tire.counts().factorizations);
+  }
+  EXPECT_EQ(states[0].u, states[1].u);
+  EXPECT_EQ(factorizations[0] + 1, factorizations[1]);
+  EXPECT_TRUE(((forces[0] - forces[1]).array().abs() <= 1e-7 * forces[1].array().abs()).all());
 }
 
 /// The deflection that carries a load, by Newton's method on exact slopes.
