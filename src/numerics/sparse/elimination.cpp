@@ -13,15 +13,16 @@ namespace {
 
 using Lists = std::vector<std::vector<int>>;
 
-/// Nested dissection: position of every block row.
-std::vector<int> dissect(const SymmetricPattern& pattern) {
-  const int n = pattern.block_rows();
+/// Nested dissection of the graph of those block rows that `number` counts (-1: left out): position
+/// of every one.
+std::vector<int> dissect(const SymmetricPattern& pattern, const std::vector<int>& number, int n) {
   Lists neighbors(n);
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < pattern.block_rows(); ++i) {
     for (int k = pattern.row_start()[i]; k < pattern.row_start()[i + 1] - 1; ++k) {
-      const int j = pattern.column()[k];
-      neighbors[i].push_back(j);
-      neighbors[j].push_back(i);
+      const int a = number[i], b = number[pattern.column()[k]];
+      if (a < 0 || b < 0) continue;
+      neighbors[a].push_back(b);
+      neighbors[b].push_back(a);
     }
   }
   std::vector<idx_t> first(1, 0), neighbor;
@@ -43,6 +44,22 @@ std::vector<int> dissect(const SymmetricPattern& pattern) {
         &vertices, first.data(), neighbor.data(), nullptr, options, order.data(), position.data());
   }
   return {position.begin(), position.end()};
+}
+
+/// The same of all block rows, those of the interface at the end.
+std::vector<int> order(const SymmetricPattern& pattern, const std::vector<int>& interface) {
+  std::vector<int> number(pattern.block_rows(), 0);
+  for (int row : interface) number[row] = -1;
+  int inside = 0;
+  for (int& row : number) {
+    if (row == 0) row = inside++;
+  }
+  std::vector<int> position = dissect(pattern, number, inside), all(number.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (number[i] >= 0) all[i] = position[number[i]];
+  }
+  for (int row : interface) all[row] = inside++;
+  return all;
 }
 
 /// The same positions, but those of the interface at the end.
@@ -225,8 +242,10 @@ Elimination in_order(const SymmetricPattern& pattern, std::vector<int> position,
 
 }  // namespace
 
-Elimination eliminate(const SymmetricPattern& pattern) {
-  return in_order(pattern, dissect(pattern), 0);
+Elimination eliminate(const SymmetricPattern& pattern) { return eliminate(pattern, {}); }
+
+Elimination eliminate(const SymmetricPattern& pattern, const std::vector<int>& interface) {
+  return in_order(pattern, order(pattern, interface), static_cast<int>(interface.size()));
 }
 
 Elimination eliminate(const SymmetricPattern& pattern,

@@ -32,8 +32,10 @@ struct Elimination {
 };
 
 Elimination eliminate(const SymmetricPattern& pattern);
-/// `interface`: block rows that are eliminated last, together, in this order. All others in that of
-/// `whole`, of the same pattern without an interface: what separates it separates what is left.
+/// `interface`: block rows that are eliminated last, together, in this order.
+Elimination eliminate(const SymmetricPattern& pattern, const std::vector<int>& interface);
+/// The same with all others in the order of `whole`, of the same pattern without an interface: what
+/// separates it separates what is left, if not as well. Saves the dissection.
 Elimination eliminate(const SymmetricPattern& pattern,
                       const std::vector<int>& interface,
                       const Elimination& whole);

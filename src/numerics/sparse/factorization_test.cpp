@@ -204,6 +204,16 @@ struct WithInterface {
   }
 };
 
+TEST(Factorization, AnInterfaceFeelsTheSameInEveryOrder) {
+  WithInterface with;
+  Factorization own(with.pattern,
+                    Precision::full,
+                    std::make_shared<const Elimination>(eliminate(with.pattern, with.block_rows)));
+  ASSERT_TRUE(own.condense(with.A).definite() && with.factor.condense(with.A).definite());
+  const Eigen::MatrixXd S = own.condensed();
+  EXPECT_LT((with.factor.condensed() - S).norm(), 1e-12 * S.norm());
+}
+
 TEST(Factorization, CondensesToItsInterfaceAsTheSchurComplementSays) {
   WithInterface it;
   ASSERT_TRUE(it.factor.condense(it.A).definite());
