@@ -64,23 +64,41 @@ Eigen::VectorXd forces_by_heights(const TreadSurface& tread,
   return c;
 }
 
-/// Their tangent, a square: points are springs.
+/// Their tangent: points are springs, and those of a cell a square of what its nodes move.
 Eigen::MatrixXd stiffness_by_heights(const TreadSurface& tread,
                                      const std::vector<TreadContact::Touch>& touches) {
-  const int n = tread.nodes(), springs = static_cast<int>(touches.size());
-  Eigen::MatrixXd roots = Eigen::MatrixXd::Zero(n, springs), C = Eigen::MatrixXd::Zero(n, n);
-  if (springs == 0) return C;
-  for (int t = 0; t < springs; ++t) {
-    const TreadSurface::Point& point = tread.points()[touches[t].point];
-    const double root = std::sqrt(touches[t].stiffness(2, 2));
-    for (int k = 0; k < point.weights; ++k) {
-      const TreadSurface::Weight& weight = tread.weights(point)[k];
-      const int node = tread.places()[weight.place].node;
-      if (node >= 0) roots(node, t) += root * weight.w;
+  std::vector<std::vector<const TreadContact::Touch*>> of_cell(tread.cell_nodes().size());
+  for (const TreadContact::Touch& touch : touches)
+    of_cell[tread.points()[touch.point].cell].push_back(&touch);
+  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(tread.nodes(), tread.nodes()), roots, square;
+  std::vector<int> row(tread.nodes(), -1);
+  for (std::size_t cell = 0; cell < of_cell.size(); ++cell) {
+    if (of_cell[cell].empty()) continue;
+    const std::vector<int>& nodes = tread.cell_nodes()[cell];
+    const int size = static_cast<int>(nodes.size());
+    const int springs = static_cast<int>(of_cell[cell].size());
+    for (int k = 0; k < size; ++k) row[nodes[k]] = k;
+    roots.setZero(size, springs);
+    for (int t = 0; t < springs; ++t) {
+      const TreadContact::Touch& touch = *of_cell[cell][t];
+      const TreadSurface::Point& point = tread.points()[touch.point];
+      const double root = std::sqrt(touch.stiffness(2, 2));
+      for (int k = 0; k < point.weights; ++k) {
+        const TreadSurface::Weight& weight = tread.weights(point)[k];
+        const int node = tread.places()[weight.place].node;
+        if (node >= 0) roots(row[node], t) += root * weight.w;
+      }
+    }
+    square.resize(size, size);
+    numerics::negative_square(size, springs, roots.data(), size, square.data());
+    for (int b = 0; b < size; ++b) {
+      for (int a = b; a < size; ++a) {
+        C(nodes[a], nodes[b]) -= square(a, b);
+        if (a != b) C(nodes[b], nodes[a]) -= square(a, b);
+      }
     }
   }
-  numerics::negative_square(n, springs, roots.data(), n, C.data());
-  return (-C).selfadjointView<Eigen::Lower>();
+  return C;
 }
 
 /// Rows of what the touches act on, ascending: `first_row` of every node.

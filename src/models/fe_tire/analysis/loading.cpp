@@ -14,7 +14,7 @@ namespace {
 /// (./bench.sh footprint friction); steps of 1/60 gave 0.3 %, parts of 1/300 0.4 %.
 constexpr double kFrictionStep = 1.0 / 100.0, kPart = 1.0 / 1000.0;
 constexpr double kRounding = 1e-9;
-constexpr int kMaxHalvings = 6;
+constexpr double kShortest = 1.0 / 64.0;  // of a step as it would be taken
 
 /// How far the ground goes, m.
 double way(const GroundPose& a, const GroundPose& b) {
@@ -45,9 +45,10 @@ std::optional<Failure> move_ground(EquilibriumSolver& solver,
   const GroundPose first = placed.pose;
   Placed now = placed;
   double share = 0.0;
-  double step =
+  const double longest =
       contact.has_friction() ? std::min(1.0, kFrictionStep * first.height / way(first, pose)) : 1.0;
-  for (int halvings = 0; share < 1.0;) {
+  double step = longest;
+  while (share < 1.0) {
     const double next = share + 1.001 * step >= 1.0 ? 1.0 : share + step;
     const GroundPose there = next == 1.0 ? pose : between(first, pose, next);
     contact.start(now.pose, now.state.x, now.anchors);
@@ -66,9 +67,11 @@ std::optional<Failure> move_ground(EquilibriumSolver& solver,
       now.state = std::move(trial);
       now.pose = contact.pose();
       share = next;
-    } else if (++halvings > kMaxHalvings) {
+      step = std::min(2.0 * step, longest);
+    } else if (step <= kShortest * longest) {
       return failure;
     } else {
+      solver.forget_factor();  // of where that led
       step *= 0.5;
     }
   }

@@ -19,8 +19,8 @@ struct Placed {
 
 /// Goes on from `placed` to the equilibrium at `pose`. With friction in steps, each followed in
 /// parts on the linear tire (EquilibriumSolver::follow): a point's way along the ground is straight
-/// in a part. A step that does not converge is halved; the Failure names the pose where that did
-/// not help either, and `placed` then is as it was.
+/// in a part. A step that does not converge is halved and begins anew, the next one may be twice as
+/// long; the Failure names the pose where that did not help either, and `placed` then is as it was.
 std::optional<Failure> move_ground(EquilibriumSolver& solver,
                                    const RingElements& elements,
                                    double pressure,
