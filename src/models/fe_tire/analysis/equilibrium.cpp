@@ -70,7 +70,8 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
   const double close =
       (settings_.tolerance < kExact ? 1.0 : kClose) * settings_.tolerance * reference_;
   previous_ = 10.0 * f_.norm();
-  const int most_shifts = counts_->shifts + settings_.max_shifts;
+  int most_shifts = counts_->shifts + settings_.max_shifts;
+  double halved = f_.norm();
   for (int iteration = 0; iteration < settings_.max_iterations; ++iteration) {
     const double norm = f_.norm(), ratio = norm / previous_;
     if (norm <= settings_.tolerance * reference_) {
@@ -84,6 +85,10 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
       return failure(step, "its tangent does not exist");
     }
     if (counts_->shifts > most_shifts) return failure(step, "its tangents stay indefinite");
+    if (norm <= 0.5 * halved) {
+      halved = norm;
+      most_shifts = counts_->shifts + settings_.max_shifts;
+    }
     is_first_ = iteration == 1;
     if (!find_direction(now, linear_tolerance(ratio))) {
       if (!is_first_) return failure(step, "its tangent does not exist");

@@ -20,9 +20,9 @@ struct SolverSettings {
   }
   double tolerance = 1e-5;  // residual norm relative to the norm of the pressure load
   int max_iterations = 40;  // Newton iterations a load step
-  /// Of its tangents along their diagonal, each a factorization: where they stay indefinite the
-  /// step is too long.
-  int max_shifts = 30;
+  /// Of its tangents along their diagonal, each a factorization, until the residual has halved:
+  /// where they stay indefinite the step is too long.
+  int max_shifts = 6;
   /// Of the inverted residual, thrice it of loaded modes; a frequency errs, relatively, by its
   /// square over the relative gap to the next one, a shape by itself over that gap.
   double mode_tolerance = 1e-5;
