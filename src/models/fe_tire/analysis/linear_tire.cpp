@@ -67,9 +67,7 @@ Eigen::VectorXd forces_by_heights(const TreadSurface& tread,
 /// Their tangent: points are springs, and those of a cell a square of what its nodes move.
 Eigen::MatrixXd stiffness_by_heights(const TreadSurface& tread,
                                      const std::vector<TreadContact::Touch>& touches) {
-  std::vector<std::vector<const TreadContact::Touch*>> of_cell(tread.cell_nodes().size());
-  for (const TreadContact::Touch& touch : touches)
-    of_cell[tread.points()[touch.point].cell].push_back(&touch);
+  const auto of_cell = by_cells(tread, touches);
   Eigen::MatrixXd C = Eigen::MatrixXd::Zero(tread.nodes(), tread.nodes()), roots, square;
   std::vector<int> row(tread.nodes(), -1);
   for (std::size_t cell = 0; cell < of_cell.size(); ++cell) {

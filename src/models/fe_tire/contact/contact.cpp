@@ -255,6 +255,14 @@ bool TreadContact::misses(const Eigen::VectorXd& x) const {
   return false;
 }
 
+std::vector<std::vector<const TreadContact::Touch*>> by_cells(
+    const TreadSurface& tread, const std::vector<TreadContact::Touch>& touches) {
+  std::vector<std::vector<const TreadContact::Touch*>> of_cell(tread.cell_nodes().size());
+  for (const TreadContact::Touch& touch : touches)
+    of_cell[tread.points()[touch.point].cell].push_back(&touch);
+  return of_cell;
+}
+
 void add_forces(const TreadSurface& tread,
                 const std::vector<TreadContact::Touch>& touches,
                 Eigen::VectorXd& f) {
@@ -274,9 +282,7 @@ void add_stiffness(const TreadSurface& tread,
                    const std::vector<TreadContact::Touch>& touches,
                    int first_cell,
                    numerics::SymmetricMatrix& K) {
-  std::vector<std::vector<const TreadContact::Touch*>> of_cell(tread.cell_nodes().size());
-  for (const TreadContact::Touch& touch : touches)
-    of_cell[tread.points()[touch.point].cell].push_back(&touch);
+  const auto of_cell = by_cells(tread, touches);
   std::vector<int> row(tread.nodes(), -1);
   for (std::size_t cell = 0; cell < of_cell.size(); ++cell) {
     if (of_cell[cell].empty()) continue;

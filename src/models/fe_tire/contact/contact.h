@@ -111,6 +111,9 @@ class TreadContact {
   std::vector<double> start_g_;
 };
 
+/// Of every cell of `tread`, whose points move by the same nodes.
+std::vector<std::vector<const TreadContact::Touch*>> by_cells(
+    const TreadSurface& tread, const std::vector<TreadContact::Touch>& touches);
 /// f of the unknowns of `tread`, internal sign: minus what the ground does to the tire.
 void add_forces(const TreadSurface& tread,
                 const std::vector<TreadContact::Touch>& touches,
