@@ -7,14 +7,21 @@
 // same physical boundary. Inflation and unloaded modes are one sector's: refined 2, 3 and 4 times
 // and extrapolated; the loaded ring is judged as users see it by default, of three tires thoroughly
 // (loaded_limits.h), which shows how right the default is. `--sizes` judges others, on the ground
-// too.
+// too. Tires are judged as many at a time as the machine has cores.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <exception>
+#include <functional>
+#include <future>
+#include <iterator>
 #include <sstream>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/document.h"
@@ -46,25 +53,35 @@ constexpr int kUnknownsOfB = 15480 * 3 / 2, kUnknownsOfA = 27000 * 3 / 2;
 constexpr double kFullRatio = 50.0;  // harmonics against the full eigen-solve
 constexpr int kModes = 20;
 
-/// Median CPU seconds of three runs.
-template <class Work>
-double time_of(Work work) {
-  std::vector<double> seconds;
-  for (int i = 0; i < 3; ++i) {
+/// Median CPU seconds of both kinds of work, taken in turn: five runs, of the short one 25.
+std::pair<double, double> times_of(const std::function<void()>& short_one,
+                                   const std::function<void()>& long_one) {
+  constexpr int kRuns = 5;
+  std::vector<double> of_short, of_long;
+  const auto time = [](const std::function<void()>& work, std::vector<double>& seconds) {
     const double start = cpu_seconds();
     work();
     seconds.push_back(cpu_seconds() - start);
+  };
+  for (int i = 0; i < kRuns; ++i) {
+    for (int k = 0; k < kRuns; ++k) time(short_one, of_short);
+    time(long_one, of_long);
   }
-  std::nth_element(seconds.begin(), seconds.begin() + 1, seconds.end());
-  return seconds[1];
+  const auto median = [](std::vector<double>& seconds) {
+    const auto middle = seconds.begin() + std::ssize(seconds) / 2;
+    std::ranges::nth_element(seconds, middle);
+    return *middle;
+  };
+  return {median(of_short), median(of_long)};
 }
 
 void compare_modes(const std::string& name, const TireDescription& description, Table& table) {
   FeTire tire(description);
   const Inflated inflated = value_of(tire.inflate(description.pressure));
   std::vector<Mode> by_harmonics, by_ring;
-  const double fast = time_of([&] { by_harmonics = value_of(tire.modes(inflated, kModes)); });
-  const double full = time_of([&] { by_ring = value_of(tire.modes_full(inflated, kModes)); });
+  const auto [fast, full] =
+      times_of([&] { by_harmonics = value_of(tire.modes(inflated, kModes)); },
+               [&] { by_ring = value_of(tire.modes_full(inflated, kModes)); });
   double difference = 0.0;
   for (int k = 0; k < kModes; ++k) {
     difference =
@@ -126,7 +143,7 @@ void add_rows(const std::string& name,
 
 struct Case {
   std::string name;
-  TireDescription tire;
+  std::function<TireDescription()> tire;
   double travel = 0.0;          // m, on the ground; 0: inflated alone
   int unknowns = kUnknownsOfB;  // at most
   bool thoroughly = false;      // the loaded ring, in one or two minutes
@@ -157,63 +174,97 @@ void compare_limits(const std::string& name, const DiscretizationStudy& found, T
             farthest <= kLimitsAgree);
 }
 
-void study(const Case& of, Table& table) {
+struct Judged {
+  int unknowns;
+  Result<DiscretizationStudy> study;
+};
+
+Judged judge(const Case& of) {
+  const TireDescription tire = of.tire();
   DiscretizationSettings settings;
-  settings.element = of.tire.element;
-  settings.pressure = of.tire.pressure;
+  settings.element = tire.element;
+  settings.pressure = tire.pressure;
   settings.deflection = of.travel;
   settings.modes = kModes;
   settings.loaded_thoroughly = of.thoroughly;
-  const int unknowns = build_mesh(of.tire).free_dofs();
+  return {build_mesh(tire).free_dofs(),
+          study_discretization(tire, settings, [&](const std::string& text) {
+            fmt::print(stderr, "  {}, {}, {:.0f} s of CPU\n", of.name, text, cpu_seconds());
+          })};
+}
+
+void add_rows(const Case& of, const Judged& judged, Table& table) {
   if (of.is_judged)
     table.row(of.name + ": unknowns",
-              fmt::format("{}", unknowns),
+              fmt::format("{}", judged.unknowns),
               fmt::format("<= {}", of.unknowns),
-              unknowns <= of.unknowns);
-  const auto result = study_discretization(of.tire, settings, [&](const std::string& text) {
-    fmt::print(stderr, "  {}, {}, {:.0f} s\n", of.name, text, cpu_seconds());
-  });
-  if (!result) {
-    table.row(of.name + ": finer meshes", result.failure().reason, "a result", false);
+              judged.unknowns <= of.unknowns);
+  if (!judged.study) {
+    table.row(of.name + ": finer meshes", judged.study.failure().reason, "a result", false);
     return;
   }
-  if (of.is_judged) add_rows(of.name, "unloaded", result->unloaded, table);
-  if (of.is_judged && of.travel > 0.0) add_rows(of.name, "loaded", result->loaded, table);
-  if (of.thoroughly) compare_limits(of.name, *result, table);
+  const DiscretizationStudy& study = *judged.study;
+  if (of.is_judged) add_rows(of.name, "unloaded", study.unloaded, table);
+  if (of.is_judged && of.travel > 0.0) add_rows(of.name, "loaded", study.loaded, table);
+  if (of.thoroughly) compare_limits(of.name, study, table);
+}
+
+/// As many at a time as the machine has cores; rows in the order of the cases.
+void study(const std::vector<Case>& cases, Table& table) {
+  std::vector<std::promise<Judged>> judged(cases.size());
+  std::atomic<std::size_t> next = 0;
+  std::vector<std::jthread> threads(std::max(1U, std::thread::hardware_concurrency()));
+  for (std::jthread& thread : threads) {
+    thread = std::jthread([&] {
+      for (std::size_t k; (k = next++) < cases.size();) {
+        try {
+          judged[k].set_value(judge(cases[k]));
+        } catch (...) {
+          judged[k].set_exception(std::current_exception());
+        }
+      }
+    });
+  }
+  for (std::size_t k = 0; k < cases.size(); ++k)
+    add_rows(cases[k], judged[k].get_future().get(), table);
 }
 
 /// A passenger tire of any size, as `latsch new --size` writes its file.
-void study_size(const std::string& size, double travel, Table& table) {
+Case of_size(const std::string& size, double travel) {
   const std::string from = cli::template_of(size);
   const std::string text = cli::sized_tire(read_text_file(tire_file(from)), size);
-  study({.name = size,
-         .tire = read_tire(Document::parse(text, size).root()),
-         .travel = travel,
-         .unknowns = from == "passenger_235_45R20" ? kUnknownsOfA : kUnknownsOfB},
-        table);
+  const TireDescription tire = read_tire(Document::parse(text, size).root());
+  return {.name = size,
+          .tire = [tire] { return tire; },
+          .travel = travel,
+          .unknowns = from == "passenger_235_45R20" ? kUnknownsOfA : kUnknownsOfB};
 }
 
-void study_random_sizes(std::uint64_t seed, Table& table) {
-  constexpr int kSizes = 3;
+std::vector<Case> random_sizes(std::uint64_t seed) {
+  constexpr std::size_t kSizes = 3;
   RandomStream random(seed, 0);
   const auto drawn = [&](int from, int to, int step) {
     return from + step * static_cast<int>(random.below((to - from) / step + 1));
   };
-  for (int found = 0; found < kSizes;) {
+  std::vector<Case> cases;
+  while (cases.size() < kSizes) {
     const int width = drawn(165, 315, 10), aspect = drawn(30, 70, 5), rim = drawn(14, 21, 1);
     try {
-      study_size(fmt::format("{}/{}R{}", width, aspect, rim), 0.0, table);
-      ++found;
+      cases.push_back(of_size(fmt::format("{}/{}R{}", width, aspect, rim), 0.0));
     } catch (const InputError&) {  // nobody makes it
     }
   }
+  return cases;
 }
 
 /// Of sizes that are named, between commas, also on the ground.
 int run_sizes(const std::string& sizes) {
   Table table("verification");
   std::istringstream each(sizes);
-  for (std::string size; std::getline(each, size, ',');) study_size(size, kSizesTravel, table);
+  std::vector<Case> cases;
+  for (std::string size; std::getline(each, size, ',');)
+    cases.push_back(of_size(size, kSizesTravel));
+  study(cases, table);
   return table.exit_code();
 }
 
@@ -237,34 +288,32 @@ int run(std::uint64_t seed) {
                         b = shipped_tire("passenger_225_50R16");
   compare_modes("tire B", b, table);
   compare_modes("tire A", a, table);
-  study({.name = "205/55R16",
-         .tire = shipped_tire("passenger_205_55R16"),
-         .travel = kTravel,
-         .thoroughly = true},
-        table);
-  study({.name = "race tire",
-         .tire = shipped_tire("race_16x7.5-10"),
-         .travel = kRaceTravel,
-         .thoroughly = true},
-        table);
-  study_random_sizes(seed, table);
-  study({.name = "tire B, rebars", .tire = b, .travel = kTravel}, table);
-  study({.name = "tire A, rebars", .tire = a, .travel = kTravel, .unknowns = kUnknownsOfA}, table);
-  study({.name = "tire A, smeared",
-         .tire = smeared(reference_tire_a(), a, kUnknownsOfA),
-         .unknowns = kUnknownsOfA},
-        table);
-  study({.name = "tire B, smeared",
-         .tire = smeared(reference_tire_b(), b, kUnknownsOfB),
-         .travel = kSmearedTravel},
-        table);
+  const auto shipped = [](TireDescription tire) { return [tire] { return tire; }; };
+  std::vector<Case> cases = {{.name = "205/55R16",
+                              .tire = shipped(shipped_tire("passenger_205_55R16")),
+                              .travel = kTravel,
+                              .thoroughly = true},
+                             {.name = "race tire",
+                              .tire = shipped(shipped_tire("race_16x7.5-10")),
+                              .travel = kRaceTravel,
+                              .thoroughly = true}};
+  std::ranges::move(random_sizes(seed), std::back_inserter(cases));
+  cases.push_back({.name = "tire B, rebars", .tire = shipped(b), .travel = kTravel});
+  cases.push_back(
+      {.name = "tire A, rebars", .tire = shipped(a), .travel = kTravel, .unknowns = kUnknownsOfA});
+  cases.push_back({.name = "tire A, smeared",
+                   .tire = [&] { return smeared(reference_tire_a(), a, kUnknownsOfA); },
+                   .unknowns = kUnknownsOfA});
+  cases.push_back({.name = "tire B, smeared",
+                   .tire = [&] { return smeared(reference_tire_b(), b, kUnknownsOfB); },
+                   .travel = kSmearedTravel});
   // The default judge where rows leave most, on the fewest unknowns: those of the paper.
-  study({.name = "tire B, smeared, as many unknowns as the paper's",
-         .tire = smeared(reference_tire_b(), b, kUnknownsOfB * 2 / 3),
-         .travel = kSmearedTravel,
-         .thoroughly = true,
-         .is_judged = false},
-        table);
+  cases.push_back({.name = "tire B, smeared, as many unknowns as the paper's",
+                   .tire = [&] { return smeared(reference_tire_b(), b, kUnknownsOfB * 2 / 3); },
+                   .travel = kSmearedTravel,
+                   .thoroughly = true,
+                   .is_judged = false});
+  study(cases, table);
   return table.exit_code();
 }
 
