@@ -51,6 +51,7 @@ SECTIONS = [
     ("[experiment.NAME]", "study_experiment"),
     ("[experiment.NAME] with kind = \"curve\"", "curve"),
     ("What of a curve is compared", "curve_comparison"),
+    ("nuisance of a curve: the delay of its recording", "curve_delay"),
     ("[experiment.NAME] with kind = \"values\"", "values"),
     ("The noise of what was measured", "measurement_noise"),
     ("[constraint.NAME]: on channels", "channel_constraint"),

@@ -106,4 +106,45 @@ std::vector<Plateau> find_plateaus(const DrumRecord& record,
   return plateaus;
 }
 
+std::vector<double> held_speeds(const DrumRecord& record,
+                                const std::string& speed_channel,
+                                const PlateauSettings& settings) {
+  constexpr double kCoarseRate = 20.0;  // Hz: twenty times what the low-pass leaves
+  constexpr double kStandstill = 1.0;   // m/s
+  const std::vector<double> smooth = smooth_speed(record, speed_channel, settings);
+  const auto every = static_cast<std::size_t>(std::max(1.0, record.rate / kCoarseRate));
+  std::vector<double> speed;
+  for (std::size_t i = 0; i < smooth.size(); i += every) speed.push_back(smooth[i]);
+  const double enough =
+      (settings.shortest + 2.0 * settings.trim) * record.rate / static_cast<double>(every);
+  const double gone = -1e9;  // of samples that belong to a plateau already
+  std::vector<double> held;
+  while (true) {
+    Stretch longest;
+    for (const double target : speed) {
+      const auto near = [&](double other) {
+        return std::abs(other - target) < 2.0 * settings.margin;
+      };
+      if (target < kStandstill || std::any_of(held.begin(), held.end(), near)) continue;
+      const Stretch one = longest_stretch(speed, target, settings.margin);
+      if (one.samples() > longest.samples()) longest = one;
+    }
+    if (longest.samples() < enough) break;
+    const auto first = speed.begin() + longest.first, end = speed.begin() + longest.end;
+    held.push_back(std::accumulate(first, end, 0.0) / longest.samples());
+    std::fill(first, end, gone);
+  }
+  if (held.empty())
+    throw InputError(
+        {record.source, 0},
+        fmt::format("holds no speed within {} for {:g} s: it goes from {} to {}; expected a drum "
+                    "at constant speed",
+                    kph(settings.margin),
+                    settings.shortest + 2.0 * settings.trim,
+                    kph(*std::min_element(smooth.begin(), smooth.end())),
+                    kph(*std::max_element(smooth.begin(), smooth.end()))));
+  std::sort(held.begin(), held.end());
+  return held;
+}
+
 }  // namespace latsch

@@ -42,4 +42,11 @@ std::vector<Plateau> find_plateaus(const DrumRecord& record,
                                    const std::vector<double>& targets,
                                    const PlateauSettings& settings);
 
+/// The speeds (m/s, rising) that a record holds long enough for a plateau: of its stretches within
+/// the margin of one speed the longest, then the longest of what is left. Standstill is none.
+/// Throws InputError as smooth_speed does, and where there is none.
+std::vector<double> held_speeds(const DrumRecord& record,
+                                const std::string& speed_channel,
+                                const PlateauSettings& settings);
+
 }  // namespace latsch

@@ -84,6 +84,29 @@ Json answer_of(const correlation::Study& study, const correlation::Identifiabili
   return all;
 }
 
+namespace {
+
+Json answer_of_delay(const correlation::DelayBand& delay) {
+  return {{"value", delay.value},
+          {"lower", delay.lower},
+          {"upper", delay.upper},
+          {"at_end", delay.at_end},
+          {"unit", "s"}};
+}
+
+}  // namespace
+
+Json delays_of(const correlation::Study& study,
+               const std::vector<correlation::ExperimentBand>& bands) {
+  Json all = Json::array();
+  for (std::size_t e = 0; e < bands.size(); ++e) {
+    if (!bands[e].delay) continue;
+    all.push_back(answer_of_delay(*bands[e].delay));
+    all.back()["name"] = study.experiments[e].name;
+  }
+  return all;
+}
+
 Json answer_of(const correlation::Study& study,
                const std::vector<correlation::ExperimentBand>& bands) {
   Json all = Json::array();
@@ -102,6 +125,7 @@ Json answer_of(const correlation::Study& study,
                    {"inside", band.inside},
                    {"compared", band.compared},
                    {"remarks", band.remarks}});
+    if (band.delay) all.back()["delay"] = answer_of_delay(*band.delay);
   }
   return all;
 }

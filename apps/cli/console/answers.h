@@ -38,6 +38,10 @@ Json answer_of(const correlation::Study& study, const correlation::Identifiabili
 Json answer_of(const correlation::Study& study,
                const std::vector<correlation::ExperimentBand>& bands);
 
+/// The fitted delays of recordings: [{"name", "value", "lower", "upper", "at_end", "unit"}], s.
+Json delays_of(const correlation::Study& study,
+               const std::vector<correlation::ExperimentBand>& bands);
+
 /// [{"value", "error", "fitted", "variable", "payer", "in_words"}]; variable: null where none moves
 /// it; payer: what it would be {"value", "error"} if that variable mended the other alone.
 Json answer_of(const correlation::Study& study,

@@ -114,8 +114,15 @@ void print_bands(const Study& study, const std::vector<correlation::ExperimentBa
         experiment.fitted ? "fitted" : "predicted",
         bands[e].is_known() ? widest_text(experiment, bands[e]) : "",
         inside.empty() ? "" : "; " + inside + " inside band and noise");
+    if (bands[e].delay) say("  {:<16} delay {}\n", "", bands[e].delay->in_words());
     for (const std::string& remark : bands[e].remarks) say("  {:<16} {}\n", "", remark);
   }
+}
+
+void print_delays(const Study& study, const std::vector<correlation::ExperimentBand>& bands) {
+  for (size_t e = 0; e < bands.size(); ++e)
+    if (bands[e].delay)
+      say("  Delay of {}: {}\n", study.experiments[e].name, bands[e].delay->in_words());
 }
 
 void print_missed(const Study& study, const std::vector<correlation::MissedValue>& missed) {

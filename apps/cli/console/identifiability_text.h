@@ -23,6 +23,10 @@ void print_identifiability(const correlation::Study& study,
 void print_bands(const correlation::Study& study,
                  const std::vector<correlation::ExperimentBand>& bands);
 
+/// The fitted delays of recordings, a line each; nothing where none is fitted.
+void print_delays(const correlation::Study& study,
+                  const std::vector<correlation::ExperimentBand>& bands);
+
 /// Which measurements would tell the most.
 void print_gains(const correlation::Study& study,
                  const std::string& title,

@@ -26,10 +26,6 @@ const std::vector<std::string> kMotions = {
     "torsional n=0", "radial n=1", "lateral n=0", "lateral n=1", "radial n=2", "lateral n=2"};
 const std::vector<std::string> kDamped = {"torsional n=0", "radial n=1", "lateral n=1"};
 
-struct RingNumber {
-  const char *name, *path, *unit;
-  double range;  // of its first guess, either way
-};
 const std::vector<RingNumber> kNumbers = {
     {"mass", "belt.mass", "kg", 3.0},
     {"radial", "sidewall.radial.stiffness", "MN/m^2", 4.0},
@@ -54,23 +50,6 @@ bool has(const Document& document, const std::string& path) {
 std::string written(double value, const std::string& unit, int digits = 6) {
   return unit == "1" ? format_number(value, digits)
                      : in_quotes(format_quantity(value, unit, digits));
-}
-
-std::string variables(const std::vector<RingNumber>& numbers, const Document& known) {
-  std::string text;
-  for (const RingNumber& number : numbers) {
-    const double guess = has(known, number.path) ? known.get(number.path) : 0.0;
-    if (!(guess > 0.0)) continue;  // a part that this ring does without
-    text += fmt::format(
-        "variable.{} = {{path = \"{}\", lower = {}, upper = {}, initial = {}, scale = "
-        "\"logarithmic\"}}\n",
-        number.name,
-        number.path,
-        written(guess / number.range, number.unit, 4),
-        written(guess * number.range, number.unit, 4),
-        written(guess, number.unit));
-  }
-  return text;
 }
 
 /// `modes`: empty: of no modes.
@@ -140,6 +119,23 @@ std::string share_variable(const Document& ring) {
 
 }  // namespace
 
+std::string ring_variables(const std::vector<RingNumber>& numbers, const Document& known) {
+  std::string text;
+  for (const RingNumber& number : numbers) {
+    const double guess = has(known, number.path) ? known.get(number.path) : 0.0;
+    if (!(guess > 0.0)) continue;  // a part that this ring does without
+    text += fmt::format(
+        "variable.{} = {{path = \"{}\", lower = {}, upper = {}, initial = {}, scale = "
+        "\"logarithmic\"}}\n",
+        number.name,
+        number.path,
+        written(guess / number.range, number.unit, 4),
+        written(guess * number.range, number.unit, 4),
+        written(guess, number.unit));
+  }
+  return text;
+}
+
 RingStudy example_ring_study() {
   std::string study(published_ring_study());
   const auto begin = study.find("model = "), end = study.find('\n', begin);
@@ -189,9 +185,9 @@ Result<RingStudy> ring_study_of(const experiment::SpecimenKind& kind,
           "[run]\nworkers = 2\n",
           file,
           tests_text,
-          variables(kNumbers, own),
+          ring_variables(kNumbers, own),
           has_share ? share_variable(own) : "",
-          damping ? variables(kDampings, own) : "",
+          damping ? ring_variables(kDampings, own) : "",
           experiment("load", "pressed/force", {}, (*pressed)["force"], "N"),
           soft ? experiment("soft_load", "soft/force", {}, (*soft)["force"], "N") : "",
           experiment_of_modes("frequency", *air->find("frequency"), kMotions, *air),

@@ -17,6 +17,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/document.h"
 #include "base/result.h"
@@ -31,6 +32,14 @@ struct RingStudy {
 /// studies/ring_tire_data and its ring as they stand there, built into the program.
 std::string_view published_ring();
 std::string_view published_ring_study();
+
+/// A number of a ring that a study may free.
+struct RingNumber {
+  const char *name, *path, *unit;
+  double range;  // of its first guess, either way
+};
+/// Their [variable.NAME] as text, a line each, around the values of the known ring.
+std::string ring_variables(const std::vector<RingNumber>& numbers, const Document& known);
 
 RingStudy example_ring_study();
 

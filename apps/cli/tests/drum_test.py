@@ -146,6 +146,58 @@ class Drum(unittest.TestCase):
         self.assertEqual(shown.returncode, DONE, shown.stderr)
         self.assertIn("time shifted by -0.179 s", shown.stdout)
 
+    def new(self, folder, *arguments):
+        shutil.rmtree(self.folder / folder, ignore_errors=True)
+        return self.latsch("new", folder, "--drum", *arguments)
+
+    def test_one_command_makes_a_study_of_a_raw_record(self):
+        """Teeth, no speed; the rig's page, the averages and a study that finds the sidewall and its delays."""
+        wrote = self.new("from_raw", "raw.csv", "--cleat", "10 mm x 20 mm", "--drum-diameter", f"{DRUM} m",
+                         "--teeth", str(TEETH))
+        self.assertEqual(wrote.returncode, DONE, wrote.stderr)
+        self.assertIn("passages at 40 km/h, load 4", wrote.stdout)
+        ran = self.latsch("run", "from_raw/study.toml", "--json")
+        self.assertEqual(ran.returncode, DONE, ran.stderr)
+        result = json.loads(ran.stdout)["result"]
+        found = {variable["name"]: variable for variable in result["variables"]}
+        self.assertAlmostEqual(found["radial"]["value"] / STIFFNESS, 1.0, delta=0.01)
+        self.assertAlmostEqual(found["radial_damping"]["value"] / DAMPING, 1.0, delta=0.05)
+        for delay in result["delays"]:
+            self.assertFalse(delay["at_end"], delay)
+            self.assertLess(delay["upper"] - delay["lower"], 2e-3, delay)
+        told = self.latsch("run", "from_raw/study.toml")
+        self.assertRegex(told.stdout, r"Delay of raw_40kph_Fz: -?[0-9.]+ ms, 95 %: -?[0-9.]+ .. -?[0-9.]+ ms")
+
+    def test_the_drum_follows_from_speed_and_period(self):
+        """A recorded speed in km/h, forces of SAE signs: the diameter and the axes are found and said."""
+        with open(self.folder / "raw.csv") as raw, open(self.folder / "speed.csv", "w") as out:
+            next(raw)
+            out.write("ET [s],V [km/h],FZ [N],FX [N]\n")
+            for line in raw:
+                time, _, Fz, Fx = line.strip().split(",")
+                speed = 3.6 * SPEED * min(1.0, float(time) / 2.0)
+                out.write(f"{time},{speed:.4f},{-float(Fz):.2f},{Fx}\n")
+        wrote = self.new("from_speed", "speed.csv", "--cleat", "10 mm x 20 mm")
+        self.assertEqual(wrote.returncode, DONE, wrote.stderr)
+        self.assertIn("drum diameter 2.5 m, by the speed and the period", wrote.stdout)
+        self.assertIn('axes = "sae"', wrote.stdout)
+        checked = self.latsch("check", "from_speed/study.toml")
+        self.assertEqual(checked.returncode, DONE, checked.stdout + checked.stderr)
+
+    def test_what_a_drum_needs_is_asked_for(self):
+        raw = ["raw.csv", "--cleat", "10 mm x 20 mm"]
+        for arguments, part in [
+            (["raw.csv"], "no recording tells the cleat"),
+            (raw, "no column that is speed"),
+            (raw + ["--teeth", "120"], "--drum-diameter"),
+            (["raw.csv", "--cleat", "10 mm"], "such as \"10 mm x 20 mm\""),
+            (raw + ["--column", "Fz = LOAD"], "has no column \"LOAD\""),
+            (raw + ["--column", "speed = Fz"], "Fz"),
+        ]:
+            refused = self.new("refused", *arguments)
+            self.assertEqual(refused.returncode, WRONG_INPUT, (arguments, refused.stdout))
+            self.assertIn(part, refused.stderr)
+
     def test_a_window_that_leaves_nothing_is_said(self):
         self.assertEqual(self.latsch("process", "rig.toml").returncode, DONE)
         text = STUDY.replace('shift = "-179 ms"', 'shift = "3 s"')

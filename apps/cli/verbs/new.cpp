@@ -14,6 +14,7 @@
 #include "cli/console/console.h"
 #include "cli/run/model_source.h"
 #include "cli/templates/car_template.h"
+#include "cli/templates/drum_template.h"
 #include "cli/templates/magic_formula_template.h"
 #include "cli/templates/ring_template.h"
 #include "cli/templates/sized_tire.h"
@@ -36,6 +37,9 @@ struct NewOptions {
   std::string axes, radius;
   std::string ring_data, known;  // a model, or kExample; a flexible ring
   bool suspension = false, car = false;
+  std::vector<std::string> drum;  // recordings of a drum with a cleat
+  std::string cleat, diameter;
+  int teeth = 0;
 };
 constexpr const char* kExample = "published example";
 
@@ -208,6 +212,40 @@ void start_car(const NewOptions& options, const experiment::Language& language) 
       (folder / "kerb.toml").string());
 }
 
+void start_drum(const NewOptions& options, const experiment::Language& language) {
+  const fs::path folder = options.folder, study = new_study(folder);
+  const Document known = options.known.empty()
+                             ? Document::parse(example_ring_study().ring, "ring.toml")
+                             : Document::read(options.known);
+  if (options.cleat.empty())
+    throw InputError(
+        "--drum: no recording tells the cleat; expected --cleat \"10 mm x 20 mm\" "
+        "beside it, its height and its length along the road");
+  fs::create_directories(folder);
+  const DrumStudy written = drum_study({{options.drum.begin(), options.drum.end()},
+                                        options.cleat,
+                                        options.diameter,
+                                        options.teeth,
+                                        options.columns},
+                                       known,
+                                       folder,
+                                       language);
+  say_written((folder / "rig.toml").string());
+  say_written((folder / "rig_processed").string());
+  write(folder / "ring.toml", written.ring);
+  write(study, written.study);
+  for (const std::string& word : written.words) say("  {}\n", word);
+  if (options.known.empty())
+    say("  ring.toml is the published ring of a 205/55 R16 tire; give your own by --known RING\n");
+  correlation::read_study(study, language);
+  say("\nNext\n"
+      "  latsch process {1}                      the rig's page: averages, spectra\n"
+      "  latsch show {0}                         what counts of the averages\n"
+      "  latsch run {0}                          finds sidewall and delays, with intervals\n",
+      study.string(),
+      (folder / "rig.toml").string());
+}
+
 void start_study(const NewOptions& options, const experiment::Language& language) {
   const fs::path folder = options.folder, study = new_study(folder);
   const std::string shape = tire_of(options);
@@ -232,6 +270,7 @@ void add_new(CommandLine& app, Program& program) {
       "  latsch new race --tire race_16x7.5-10\n"
       "  latsch new mf --magic-formula cornering.dat drive_brake.dat\n"
       "  latsch new ring --ring-data my_tire/tire.toml\n"
+      "  latsch new drum --drum raw.csv --cleat \"10 mm x 20 mm\"\n"
       "  latsch new corner --suspension\n"
       "  latsch new car --car\n\n"
       "The measurements are an example, computed from the tire with other moduli than the study\n"
@@ -240,7 +279,10 @@ void add_new(CommandLine& app, Program& program) {
       "they\n"
       "tell, freed in stages. From a model of a tire comes a study of the flexible ring that "
       "shows\n"
-      "the same loads and modes. --suspension: bushings from numbers of a K&C rig; --car: springs "
+      "the same loads and modes. From recordings of a drum with a cleat come averaged passages "
+      "and\n"
+      "a flexible ring fitted to them. --suspension: bushings from numbers of a K&C rig; --car: "
+      "springs "
       "and\n"
       "dampers from a four-post recording, and a kerb to drive over.");
   auto options = std::make_shared<NewOptions>();
@@ -268,6 +310,16 @@ void add_new(CommandLine& app, Program& program) {
                   "tire from what it shows of them")
       .or_alone(kExample);
   verb.add_option("--known", options->known, "Flexible ring whose numbers such a study begins at");
+  verb.add_option(
+      "--drum",
+      options->drum,
+      "Recordings of a drum with a cleat: averages, and a flexible ring fitted to them");
+  verb.add_option("--cleat", options->cleat, "Height and length, \"10 mm x 20 mm\"; with --drum");
+  verb.add_option("--drum-diameter",
+                  options->diameter,
+                  "\"2.5 m\"; by the speed and the period of the passages unless given");
+  verb.add_option("--teeth", options->teeth, "Of a toothed wheel recorded in place of the speed")
+      .between(1, 100000);
   verb.add_flag("--suspension",
                 options->suspension,
                 "A corner of a suspension: its bushings from numbers of a K&C rig");
@@ -275,7 +327,9 @@ void add_new(CommandLine& app, Program& program) {
   verb.callback([=, &program] {
     if (options->suspension && options->car)
       throw InputError("new: --suspension and --car are two studies, expected one of them");
-    if (options->suspension) {
+    if (!options->drum.empty()) {
+      start_drum(*options, program.language);
+    } else if (options->suspension) {
       start_suspension(*options, program.language);
     } else if (options->car) {
       start_car(*options, program.language);

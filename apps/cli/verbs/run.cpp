@@ -21,6 +21,7 @@
 #include "cli/run/trials.h"
 #include "cli/run/workers.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/analysis/prediction_bands.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/study_stages.h"
@@ -93,6 +94,9 @@ bool print_values(const Study& study,
     }
     answer()["variables"] = answer_of(study, **result);
     print_intervals(study, **result);
+    const auto bands = correlation::prediction_bands(study, **result, journal);
+    print_delays(study, bands);
+    answer()["delays"] = delays_of(study, bands);
   } else {
     print_point(study.space, point);
     say("  No confidence intervals: {}\n", result->failure().reason);

@@ -51,10 +51,12 @@ Recordings recordings_around(const Study& study,
   return known;
 }
 
-/// The errors of an experiment at a point, NaN where nothing is computed.
+/// The errors of an experiment at a point, NaN where nothing is computed. A fitted delay is the
+/// last row, s.
 struct Errors {
   Eigen::VectorXd values;
   Eigen::MatrixXd slopes;  // in the unit cube; empty: not known
+  std::optional<FittedDelay> delay = {};
 };
 
 Errors errors_of(const Study& study,
@@ -63,12 +65,17 @@ Errors errors_of(const Study& study,
                  Comparison comparison) {
   for (const int missing : comparison.pairing.missing)
     comparison.errors[static_cast<size_t>(missing)] = kNaN;
-  Errors errors{to_vector(comparison.errors), {}};
+  std::vector<double> slopes = std::move(comparison.slopes);
+  if (const auto& delay = comparison.delay) {
+    comparison.errors.push_back(delay->value);
+    if (!slopes.empty()) slopes.insert(slopes.end(), delay->slopes.begin(), delay->slopes.end());
+  }
+  Errors errors{to_vector(comparison.errors), {}, comparison.delay};
   // A root of a force is not the force.
   if (experiment.objective.compared != Compared::force) return errors;
   Score score;
   score.residuals = comparison.errors;
-  score.jacobian = std::move(comparison.slopes);
+  score.jacobian = std::move(slopes);
   errors.slopes = study.space.unit_jacobian(point, score);
   return errors;
 }
@@ -111,11 +118,12 @@ class ComputedValues {
 
  private:
   std::optional<Eigen::VectorXd> by_terms(const StudyExperiment& experiment, int variable) const {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(experiment.values()));
+    Eigen::VectorXd sum;
     const auto terms = what_.identification.derivative(variable);
     for (const auto& [point, weight] : terms) {
       const auto errors = at(experiment, point);
       if (!errors) return std::nullopt;
+      if (sum.size() == 0) sum = Eigen::VectorXd::Zero(errors->values.size());
       sum += weight * errors->values;
     }
     return terms.empty() ? std::nullopt : std::optional(sum);
@@ -178,6 +186,18 @@ void count_inside(const StudyExperiment& experiment, double t, ExperimentBand& b
   }
 }
 
+/// `of_difference`: the deviation of a difference in units of its scale; `moved`: by the variables.
+DelayBand delay_band(const FittedDelay& delay,
+                     const PredictionBand& moved,
+                     double of_difference,
+                     double t) {
+  const double own = t * of_difference / std::sqrt(delay.stiffness);
+  return {delay.value,
+          delay.value - std::hypot(moved.lower, own),
+          delay.value + std::hypot(moved.upper, own),
+          delay.at_end};
+}
+
 void say_what_shapes_it(const Study& study,
                         const Confidence& c,
                         const std::set<int>& open,
@@ -214,6 +234,14 @@ void fill(const Study& study,
   const auto measured = experiment.observable->measured_values(),
              scales = experiment.observable->scales();
   band.noise = noise_of(study, c, experiment);
+  if (center->delay) {
+    double square = 0.0;
+    for (const double one : band.noise) square += one * one;
+    band.delay = delay_band(best && best->delay ? *best->delay : *center->delay,
+                            bands.of(slopes->bottomRows(1).transpose()),
+                            std::sqrt(square / static_cast<double>(band.noise.size())),
+                            c.free.t);
+  }
   std::set<int> open, held;
   for (size_t k = 0; k < measured.size(); ++k) {
     const auto row = static_cast<Eigen::Index>(k);
@@ -260,6 +288,18 @@ std::vector<ExperimentBand> prediction_bands(const Study& study,
   for (size_t e = 0; e < all.size(); ++e)
     fill(study, what, bands, computed, study.experiments[e], all[e]);
   return all;
+}
+
+std::string DelayBand::in_words() const {
+  const auto ms = [&](double seconds) {
+    return format_known(1e3 * seconds, 0.5e3 * (upper - lower));
+  };
+  if (at_end || !std::isfinite(upper - lower))
+    return fmt::format(
+        "{:.4g} ms, at the end of the range it is looked for in: a tenth of the "
+        "record, as far as the simulation reaches",
+        1e3 * value);
+  return fmt::format("{} ms, 95 %: {} .. {} ms", ms(value), ms(lower), ms(upper));
 }
 
 std::string widest_text(const StudyExperiment& experiment, const ExperimentBand& band) {

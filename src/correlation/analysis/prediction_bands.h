@@ -8,6 +8,7 @@
 // (measurement_gains.h).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,23 @@
 
 namespace latsch::correlation {
 
+/// The delay of a recording (curve_delay.h) with its 95 % interval, s: its own scatter at given
+/// variables, and what the variables move it by.
+struct DelayBand {
+  double value = 0.0, lower = 0.0, upper = 0.0;
+  bool at_end = false;  // of the range it is looked for in: the interval is none
+
+  /// "12.31 ms, 95 %: 12.2 .. 12.42 ms"
+  std::string in_words() const;
+};
+
 /// Of one experiment, a value a row of its observable, in its SI unit.
 struct ExperimentBand {
   std::vector<double> computed;      // at the best point; NaN: none, a mode without a partner
   std::vector<double> lower, upper;  // of the 95 % band; NaN: not known. Empty: of no value
   std::vector<double> noise;         // standard deviation of a measured value, stated or estimated
-  int inside = 0, compared = 0;      // measured values inside band and noise, of so many
+  std::optional<DelayBand> delay = {};
+  int inside = 0, compared = 0;  // measured values inside band and noise, of so many
   std::vector<std::string>
       remarks;  // what makes the band wide or one-sided, or why it is not known
 

@@ -26,6 +26,10 @@ std::string last_part(const std::string& channel) {
   return channel.substr(channel.find_last_of('/') + 1);
 }
 
+bool rises(const std::vector<double>& x) {
+  return std::adjacent_find(x.begin(), x.end(), std::greater_equal<>()) == x.end();
+}
+
 double largest(const std::vector<double>& values) {
   double most = 0.0;
   for (const double value : values) most = std::max(most, std::abs(value));
@@ -66,6 +70,33 @@ std::vector<double> scaled(const std::vector<double>& values, double scale) {
   std::vector<double> shares = values;
   for (double& value : shares) value /= scale;
   return shares;
+}
+
+/// Whether the delay of the recording is fitted. InputError where it has no meaning.
+bool read_delay(const Node& table, const CurveMeasurement& curve) {
+  constexpr std::size_t kFewestSamples = 8;
+  const auto nuisance = table.find_table("nuisance");
+  if (!nuisance) return false;
+  nuisance->choice("delay", {"free"});
+  const ComparedCurve what = curve.comparison.what;
+  if (what != ComparedCurve::values && what != ComparedCurve::about_mean)
+    nuisance->reject("delay",
+                     "stands beside a compare of spectra or of a path, to which a delay makes no "
+                     "difference; expected compare = \"values\" or \"about_mean\", or no delay");
+  if (curve.x.empty() || curve.x_unit != "s")
+    nuisance->reject("delay",
+                     (curve.x.empty() ? std::string("is asked for, but x is missing")
+                                      : "is asked for, but x is in \"" + curve.x_unit + "\"") +
+                         ": a delay needs a curve over time");
+  if (curve.x_measured.size() < kFewestSamples)
+    nuisance->reject("delay",
+                     fmt::format("is asked for, but the measured curve has {} samples, expected {} "
+                                 "at least",
+                                 curve.x_measured.size(),
+                                 kFewestSamples));
+  if (!rises(curve.x_measured))
+    nuisance->reject("delay", "is asked for, but the measured time does not rise everywhere");
+  return true;
 }
 
 /// The measured y less the distances of the measured points from the simulated path.
@@ -126,6 +157,7 @@ std::shared_ptr<const Curve> read_curve(const Node& table,
   curve.y_measured = measurement.values(last_part(curve.y), curve.y_unit);
   if (curve.y_measured.empty()) table.reject("measurement", "has no row of numbers");
   curve.comparison = read_comparison(table, curve.x_measured, curve.y_measured, curve.x_unit);
+  curve.fits_delay = read_delay(table, curve);
   take_what_is_compared(table, curve);
   return std::make_shared<Curve>(std::move(curve));
 }
@@ -140,17 +172,18 @@ double reached(double at, const std::vector<double>& x) {
   return std::abs(at - end) <= kRounding * (x.back() - x.front()) ? end : at;
 }
 
-/// SimulatedValues y at the measured abscissas.
+/// The simulated y at the measured abscissas less a delay.
 Result<std::vector<double>> at_measured(const CurveMeasurement& curve,
                                         const std::vector<double>& x,
-                                        const std::vector<double>& y) {
-  const auto falls = std::adjacent_find(x.begin(), x.end(), std::greater_equal<>());
-  if (falls != x.end()) {
+                                        const std::vector<double>& y,
+                                        double delay = 0.0) {
+  if (const auto falls = std::adjacent_find(x.begin(), x.end(), std::greater_equal<>());
+      falls != x.end()) {
     return wrong(curve.x, fmt::format("does not rise behind {:g} {}", *falls, curve.x_unit));
   }
   std::vector<double> values;
   for (const double measured : curve.x_measured) {
-    const double at = reached(measured, x);
+    const double at = reached(measured - delay, x);
     if (at < x.front() || at > x.back()) {
       return wrong(curve.x,
                    fmt::format("reaches from {0:g} to {1:g} {3}, but was measured at {2:g} {3}",
@@ -164,17 +197,33 @@ Result<std::vector<double>> at_measured(const CurveMeasurement& curve,
   return values;
 }
 
-/// Of the curve at the measured abscissas: dy - y' dx, where both move. Empty where one is not
-/// known.
+/// dy/dx of the curve at the measured abscissas less a delay.
+std::vector<double> steepness_at_measured(const CurveMeasurement& curve,
+                                          const std::vector<double>& x,
+                                          const std::vector<double>& y,
+                                          double delay) {
+  std::vector<double> steepness;
+  for (const double measured : curve.x_measured) {
+    const double at = reached(measured - delay, x);
+    const auto upper = std::upper_bound(x.begin(), x.end() - 1, at);
+    const auto r = static_cast<std::size_t>(upper - x.begin()), l = r - 1;
+    steepness.push_back((y[r] - y[l]) / (x[r] - x[l]));
+  }
+  return steepness;
+}
+
+/// Of the curve at the measured abscissas less a delay: dy - y' dx, where both move. Empty where
+/// one is not known.
 std::vector<double> slopes_at_measured(const CurveMeasurement& curve,
                                        const Channel& x,
-                                       const Channel& y) {
+                                       const Channel& y,
+                                       double delay = 0.0) {
   if (x.slopes.empty() || y.slopes.empty() || x.values.size() < 2) return {};
   const std::size_t rows = y.values.size();
   std::vector<double> slopes;
   for (std::size_t column = 0; column < y.slopes.size(); column += rows) {
     for (const double measured : curve.x_measured) {
-      const double at = reached(measured, x.values);
+      const double at = reached(measured - delay, x.values);
       const auto upper = std::upper_bound(x.values.begin(), x.values.end() - 1, at);
       const auto r = static_cast<std::size_t>(upper - x.values.begin()), l = r - 1;
       const double width = x.values[r] - x.values[l], share = (at - x.values[l]) / width;
@@ -199,6 +248,21 @@ std::vector<double> about_their_means(std::vector<double> slopes, std::size_t ro
 
 }  // namespace
 
+Result<std::pair<const Channel*, const Channel*>> Curve::channels_of(
+    const Channels& trial, const std::string& y_name) const {
+  const Channel *x = trial.find(c_.x), *y = trial.find(y_name);
+  if (!y) return wrong(y_name, "is missing");
+  if (!x) return wrong(c_.x, "is missing");
+  if (x->values.size() != y->values.size() || x->values.empty()) {
+    return wrong(c_.x,
+                 fmt::format("has {} values and \"{}\" {}, expected as many",
+                             x->values.size(),
+                             y_name,
+                             y->values.size()));
+  }
+  return std::pair(x, y);
+}
+
 Result<SimulatedValues> Curve::samples(const Channels& trial, const std::string& y_name) const {
   const Channel* y = trial.find(y_name);
   if (!y) return wrong(y_name, "is missing");
@@ -209,15 +273,9 @@ Result<SimulatedValues> Curve::samples(const Channels& trial, const std::string&
         fmt::format(
             "has {} values, expected {} as measured", y->values.size(), c_.y_measured.size()));
   }
-  const Channel* x = trial.find(c_.x);
-  if (!x) return wrong(c_.x, "is missing");
-  if (x->values.size() != y->values.size() || x->values.empty()) {
-    return wrong(c_.x,
-                 fmt::format("has {} values and \"{}\" {}, expected as many",
-                             x->values.size(),
-                             y_name,
-                             y->values.size()));
-  }
+  const auto both = channels_of(trial, y_name);
+  if (!both) return both.failure();
+  const Channel* x = both->first;
   if (c_.comparison.what == ComparedCurve::path) {
     if (x->values.size() < 2) return wrong(c_.x, "has 1 value, expected a path of 2 at least");
     return SimulatedValues{path_values(c_, x->values, y->values)};
@@ -227,8 +285,52 @@ Result<SimulatedValues> Curve::samples(const Channels& trial, const std::string&
   return SimulatedValues{std::move(*values), slopes_at_measured(c_, *x, *y)};
 }
 
+Result<SimulatedValues> Curve::delayed_samples(const Channels& trial) const {
+  const auto both = channels_of(trial, c_.y);
+  if (!both) return both.failure();
+  const auto& [x, y] = *both;
+  if (x->values.size() < 2 || !rises(x->values))
+    return wrong(c_.x, "does not rise over two values at least, as a fitted delay needs it");
+  const auto range = delay_range(c_.x_measured, x->values);
+  if (!range) {
+    return wrong(
+        c_.x,
+        fmt::format("reaches from {:g} to {:g} s and was measured from {:g} to {:g} s, which "
+                    "leaves no room for the delay that nuisance asks for; select a "
+                    "shorter stretch of the measurement, or simulate a longer one",
+                    x->values.front(),
+                    x->values.back(),
+                    c_.x_measured.front(),
+                    c_.x_measured.back()));
+  }
+  const bool about_mean = c_.comparison.what == ComparedCurve::about_mean;
+  const std::size_t rows = c_.x_measured.size();
+  const auto centered = [&](std::vector<double> slopes) {
+    return about_mean ? about_their_means(std::move(slopes), rows) : slopes;
+  };
+  const auto by_delay = [&](double delay) {
+    auto steepness = steepness_at_measured(c_, x->values, y->values, delay);
+    for (double& one : steepness) one = -one;
+    return centered(std::move(steepness));
+  };
+  FittedDelay delay = fit_delay(*range, [&](double at) {
+    DelayedDifferences found{
+        compared_values(c_.comparison, *at_measured(c_, x->values, y->values, at)), by_delay(at)};
+    for (std::size_t i = 0; i < rows; ++i) {
+      found.d[i] = (c_.y_compared[i] - found.d[i]) / c_.scale;
+      found.by_delay[i] /= -c_.scale;
+    }
+    return found;
+  });
+  SimulatedValues found{*at_measured(c_, x->values, y->values, delay.value),
+                        centered(slopes_at_measured(c_, *x, *y, delay.value))};
+  if (!found.slopes.empty()) project_out(by_delay(delay.value), found.slopes, delay);
+  found.delay = std::move(delay);
+  return found;
+}
+
 Result<SimulatedValues> Curve::simulated(const Channels& trial) const {
-  auto curve = samples(trial, c_.y);
+  auto curve = c_.fits_delay ? delayed_samples(trial) : samples(trial, c_.y);
   if (!curve || c_.comparison.what == ComparedCurve::path) return curve;
   curve->values = compared_values(c_.comparison, curve->values);
   if (!passes_slopes()) curve->slopes.clear();
@@ -325,6 +427,14 @@ void draw_around_samples(const report::Band& band,
 
 }  // namespace
 
+std::vector<double> Curve::shown_abscissas(const Channels& trial) const {
+  std::vector<double> x = values_of(trial, c_.x);
+  if (!c_.fits_delay) return x;
+  if (const auto found = simulated(trial); found && found->delay)
+    for (double& one : x) one += found->delay->value;
+  return x;
+}
+
 void Curve::draw(const ShownExperiment& shown, report::StudyReport& page) const {
   report::MeasuredCurve picture;
   picture.experiment = shown.name;
@@ -355,10 +465,10 @@ void Curve::draw(const ShownExperiment& shown, report::StudyReport& page) const 
     picture.y_unit = c_.y_shown;
     picture.x_measured = c_.x_measured;
     picture.y_measured = c_.y_measured;
-    picture.x_simulated = values_of(shown.found, c_.x);
+    picture.x_simulated = shown_abscissas(shown.found);
     picture.y_simulated = values_of(shown.found, c_.y);
     if (shown.initial) {
-      picture.x_initial = values_of(*shown.initial, c_.x);
+      picture.x_initial = shown_abscissas(*shown.initial);
       picture.y_initial = values_of(*shown.initial, c_.y);
     }
   }
@@ -395,13 +505,16 @@ std::string Curve::table(const Channels& trial, const Comparison& comparison) co
 std::pair<std::string, nlohmann::ordered_json> Curve::answer(const Channels& trial,
                                                              const Comparison& comparison) const {
   const auto found = simulated(trial);
-  return {"curve",
-          {{"at", json_of(c_.x_compared)},
-           {"at_unit", c_.x_compared.empty() ? "" : c_.x_compared_unit},
-           {"measured", json_of(c_.y_compared)},
-           {"simulated", found ? json_of(found->values) : nlohmann::ordered_json(nullptr)},
-           {"unit", c_.y_compared_unit},
-           {"error", json_of(comparison.errors)}}};
+  return {
+      "curve",
+      {{"at", json_of(c_.x_compared)},
+       {"at_unit", c_.x_compared.empty() ? "" : c_.x_compared_unit},
+       {"measured", json_of(c_.y_compared)},
+       {"simulated", found ? json_of(found->values) : nlohmann::ordered_json(nullptr)},
+       {"unit", c_.y_compared_unit},
+       {"error", json_of(comparison.errors)},
+       {"delay_s",
+        comparison.delay ? json_of(comparison.delay->value) : nlohmann::ordered_json(nullptr)}}};
 }
 
 }  // namespace latsch::correlation

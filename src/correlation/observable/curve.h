@@ -14,6 +14,8 @@
 //   scale = "10 mm"                    # an error of 100 %; the largest |y| unless given
 //   compare = "values"                 # or "about_mean", "psd", "band_levels", "path": what of it
 //                                      # is compared, see curve_comparison.h
+//   nuisance = {delay = "free"}        # the delay of the recording behind the simulation is fitted
+//                                      # at every trial (curve_delay.h); default: none
 //
 // An error is
 //
@@ -42,6 +44,7 @@ struct CurveMeasurement {
   double scale = 1.0;                          // of what is compared
 
   CurveComparison comparison;
+  bool fits_delay = false;
   /// What is compared, of the measurement: the measured curve itself, or its spectrum over Hz.
   std::string compared_name;                     // "response/z", "PSD of response/z"
   std::string x_compared_unit, y_compared_unit;  // SI
@@ -70,6 +73,14 @@ class Curve : public Observable {
  private:
   /// The simulated y of every measured sample, or another channel in its place.
   Result<SimulatedValues> samples(const Channels& trial, const std::string& y_name) const;
+  /// The y of every measured sample behind the delay that fits best.
+  Result<SimulatedValues> delayed_samples(const Channels& trial) const;
+  /// x and another channel, of as many values. A Failure where one is missing.
+  Result<std::pair<const Channel*, const Channel*>> channels_of(const Channels& trial,
+                                                                const std::string& y_name) const;
+
+  /// The abscissas of a trial as a page draws them: behind its fitted delay.
+  std::vector<double> shown_abscissas(const Channels& trial) const;
 
   CurveMeasurement c_;
 };

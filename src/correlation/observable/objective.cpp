@@ -41,6 +41,7 @@ Comparison compare_values(const std::vector<double>& measured,
     comparison.errors.push_back((measured[i] - simulated.values[i]) / scales[i]);
   comparison.differences = comparison.errors;
   comparison.pairing.missing = simulated.missing;
+  comparison.delay = simulated.delay;
   comparison.value = mean_power(comparison.differences, settings.exponent);
   summarize_errors(comparison);
   const size_t rows = measured.size(), variables = simulated.slopes.size() / rows;

@@ -20,10 +20,12 @@
 // simulated at 0 Hz.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "correlation/laboratory/measurement_noise.h"
+#include "correlation/observable/curve_delay.h"
 #include "correlation/observable/mode_pairing.h"
 
 namespace latsch::correlation {
@@ -49,12 +51,14 @@ struct Comparison {
   ModePairing pairing;              // modal experiments
   /// d difference / d variable, a row a difference; empty: not known.
   std::vector<double> slopes = {};
+  std::optional<FittedDelay> delay = {};  // of a curve whose delay is fitted
 };
 
 /// What a trial has in the place of measured values, with its slopes: Channel::slopes.
 struct SimulatedValues {
   std::vector<double> values, slopes = {};
-  std::vector<int> missing = {};  // modes that are not there: 0 stands in their place
+  std::vector<int> missing = {};          // modes that are not there: 0 stands in their place
+  std::optional<FittedDelay> delay = {};  // of a curve whose delay is fitted
 };
 
 /// Values that differ by d = (measured - simulated) / scale, a scale a value.

@@ -104,11 +104,13 @@ report::Identifiability identifiability_page(const Study& study,
   if (what.cross_validation) page.left_out = left_out(study, *what.cross_validation);
   for (size_t e = 0; e < bands.size(); ++e) {
     const StudyExperiment& experiment = study.experiments[e];
+    std::vector<std::string> remarks = bands[e].remarks;
+    if (bands[e].delay) remarks.insert(remarks.begin(), "delay " + bands[e].delay->in_words());
     page.bands.push_back({experiment.name,
                           experiment.fitted,
                           widest_text(experiment, bands[e]),
                           inside_text(bands[e]),
-                          bands[e].remarks});
+                          std::move(remarks)});
   }
   page.gains = gains(study, what);
   page.remarks = remarks(study, what);

@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/templates/drum_template.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/text.h"
+#include "base/units.h"
+#include "cli/templates/ring_template.h"
+#include "correlation/laboratory/channel_names.h"
+#include "correlation/rig_data/rig_processing.h"
+#include "correlation/rig_data/rig_tables.h"
+#include "formats/tables/recording.h"
+#include "measurement/pulse_speed.h"
+#include "models/ring_tire/description/ring_reader.h"
+
+namespace latsch::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using correlation::ProcessedPlateau;
+using correlation::ProcessedRun;
+using correlation::RigFile;
+
+constexpr double kBefore = 0.04, kBehind = 0.2;  // s around the hit: the answer has rung down
+constexpr double kOfTurn = 0.9;                  // of the way to the passage's ends at most
+constexpr double kRoom = 0.1;                    // of the window, for the delay, and a little more:
+constexpr double kMoreRoom = 5e-3;               // s
+constexpr double kQuiet = 15e-3;                 // s before the hit: there the tire meets the cleat
+constexpr double kFarthest = 60e-3;              // s between the hits of record and test
+constexpr double kShiftStep = 0.5e-3;            // s
+constexpr double kAlike = 0.5;      // correlation below which the two are told to be unlike
+constexpr double kSameDrum = 0.02;  // of the diameter stated and found
+
+const std::vector<RingNumber> kNumbers = {
+    {"radial", "sidewall.radial.stiffness", "MN/m^2", 2.0},
+    {"radial_damping", "sidewall.radial.damping", "N s/m^2", 5.0}};
+const std::vector<RingNumber> kAlong = {
+    {"tangential", "sidewall.tangential.stiffness", "MN/m^2", 2.0},
+    {"tangential_damping", "sidewall.tangential.damping", "N s/m^2", 5.0}};
+
+/// A column of a recording as the rig file names it, and what it is.
+struct Column {
+  std::string ours, unit;          // "Fz", "N"
+  std::vector<std::string> usual;  // names that mean it, in any case
+  std::string written = {};        // in the file; empty: there is none
+  std::string unit_of_table = {};  // where the file states none
+};
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  return text;
+}
+
+/// "Fz = LOAD [N]" for the column of that name.
+void take_stated(const std::string& text, std::vector<Column>& columns) {
+  const auto equals = text.find('=');
+  const std::string ours(trimmed(std::string_view(text).substr(0, equals)));
+  const auto one = std::find_if(
+      columns.begin(), columns.end(), [&](const Column& column) { return column.ours == ours; });
+  if (equals == std::string::npos || one == columns.end()) {
+    std::vector<std::string> names;
+    for (const Column& column : columns) names.push_back(column.ours);
+    throw InputError("--column \"" + text +
+                     "\": expected a channel and its column, such as \"Fz = "
+                     "LOAD [N]\"; channels of a drum are " +
+                     list_of(names));
+  }
+  std::string_view theirs = trimmed(std::string_view(text).substr(equals + 1));
+  const auto bracket = theirs.find('[');
+  if (bracket != std::string_view::npos && theirs.back() == ']') {
+    one->unit_of_table = theirs.substr(bracket + 1, theirs.size() - bracket - 2);
+    theirs = trimmed(theirs.substr(0, bracket));
+  }
+  one->written = theirs;
+}
+
+bool is_called(const Channel& channel, const Column& column) {
+  const auto framed = lower(channel.name);
+  for (const std::string& usual : column.usual) {
+    if (framed == usual) return true;
+    if (column.unit[0] == 'N')
+      for (const char* frame : {"w", "h", "c"})
+        if (framed == usual + frame) return true;
+  }
+  return false;
+}
+
+/// The names of the columns of one recording.
+std::vector<Column> columns_of(const Channels& record,
+                               const DrumRecordings& recordings,
+                               const fs::path& file) {
+  std::vector<Column> columns = {
+      {"time", "s", {"time", "t", "et", "runtime"}},
+      {"speed", "m/s", {"speed", "drum_speed", "v", "vx", "longvel", "trajvelw", "trajvelh"}},
+      {"pulses", "1", {"pulses", "pulse", "tooth", "teeth"}},
+      {"Fz", "N", {"fz"}},
+      {"Fx", "N", {"fx"}}};
+  for (const std::string& stated : recordings.columns) take_stated(stated, columns);
+  std::vector<std::string> there;
+  for (const Channel& channel : record.all()) there.push_back(channel.name);
+  for (Column& column : columns) {
+    for (const Channel& channel : record.all())
+      if (column.written.empty() && is_called(channel, column)) column.written = channel.name;
+    if (!column.written.empty() && !record.find(column.written))
+      throw InputError({file.string(), 0},
+                       fmt::format("has no column {}{}; it has {}",
+                                   in_quotes(column.written),
+                                   did_you_mean(column.written, there),
+                                   list_of(there)));
+  }
+  const bool has_teeth = recordings.teeth > 0;
+  columns.erase(columns.begin() + (has_teeth ? 1 : 2));
+  for (const Column& column : columns)
+    if (column.written.empty() && column.ours != "Fx")
+      throw InputError(
+          {file.string(), 0},
+          fmt::format(
+              "has no column that is {} of a drum ({}); it has {}. Name it: "
+              "--column \"{} = NAME\"{}",
+              column.ours,
+              fmt::join(column.usual, ", "),
+              list_of(there),
+              column.ours,
+              column.ours == "speed" ? ", or --teeth N if a toothed wheel was recorded" : ""));
+  return columns;
+}
+
+const Column* find_column(const std::vector<Column>& columns, const std::string& ours) {
+  for (const Column& column : columns)
+    if (column.ours == ours && !column.written.empty()) return &column;
+  return nullptr;
+}
+
+double length_in(const std::string& text, const std::string& option, const char* example) {
+  const auto quantity = parse_quantity(text);
+  if (!quantity || si_unit(quantity->unit.dimension()) != "m" || !(quantity->si > 0.0))
+    throw InputError(option + " \"" + text + "\": expected " + example);
+  return quantity->si;
+}
+
+/// "10 mm x 20 mm" as the table of a test.
+std::string cleat_table(const std::string& text) {
+  constexpr const char* kExpected = "height and length of the cleat, such as \"10 mm x 20 mm\"";
+  const auto cross = text.find('x');
+  if (cross == std::string::npos)
+    throw InputError("--cleat \"" + text + "\": expected " + kExpected);
+  const std::string height(trimmed(std::string_view(text).substr(0, cross)));
+  const std::string length(trimmed(std::string_view(text).substr(cross + 1)));
+  length_in(height, "--cleat", kExpected);
+  length_in(length, "--cleat", kExpected);
+  return fmt::format("{{height = {}, length = {}}}", in_quotes(height), in_quotes(length));
+}
+
+std::string run_name(const fs::path& file) {
+  std::string name = file.stem().string();
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name;
+}
+
+std::string rig_text(const DrumRecordings& recordings,
+                     const std::vector<Column>& columns,
+                     const std::vector<double>& speeds,
+                     std::optional<double> diameter,
+                     const fs::path& folder) {
+  const auto name = [&](const char* ours) {
+    return in_quotes(find_column(columns, ours)->written);
+  };
+  std::string text = fmt::format(
+      "# For latsch process: what the columns are and where the drum holds "
+      "its speed.\n[channels]\ntime = {}\n{} = {}\nforce = {}\n",
+      name("time"),
+      recordings.teeth > 0 ? "pulses" : "speed",
+      name(recordings.teeth > 0 ? "pulses" : "speed"),
+      name("Fz"));
+  if (find_column(columns, "Fx")) text += fmt::format("also = [{}]\n", name("Fx"));
+  std::string units;
+  for (const Column& column : columns)
+    if (!column.unit_of_table.empty())
+      units += fmt::format("{} = {}\n", in_quotes(column.written), in_quotes(column.unit_of_table));
+  if (!units.empty()) text += "[channels.units]\n" + units;
+  if (diameter) {
+    text += fmt::format("[drum]\ncircumference = \"{:.6g} m\"\n", std::numbers::pi * *diameter);
+    if (recordings.teeth > 0) text += fmt::format("teeth = {}\n", recordings.teeth);
+  }
+  std::vector<std::string> held;
+  for (const double speed : speeds) held.push_back(in_quotes(format_quantity(speed, "km/h", 5)));
+  text += fmt::format("[plateaus]\nspeeds = [{}]\n", fmt::join(held, ", "));
+  for (const fs::path& file : recordings.files)
+    text +=
+        fmt::format("[run.{}]\nfile = {}\n",
+                    run_name(file),
+                    in_quotes(fs::proximate(fs::absolute(file), fs::absolute(folder)).string()));
+  return text;
+}
+
+/// The speeds that the first recording holds.
+std::vector<double> speeds_in(const Channels& channels,
+                              const DrumRecordings& recordings,
+                              const std::vector<Column>& columns,
+                              std::optional<double> diameter) {
+  const fs::path& file = recordings.files.front();
+  DrumRecord record = drum_record(channels, find_column(columns, "time")->written, file.string());
+  if (recordings.teeth == 0) return held_speeds(record, find_column(columns, "speed")->written, {});
+  const std::string& pulses = find_column(columns, "pulses")->written;
+  record.channels.add({"speed of the teeth",
+                       "m/s",
+                       speed_of_pulses(record.channel(pulses),
+                                       record.rate,
+                                       std::numbers::pi * *diameter / recordings.teeth,
+                                       pulses,
+                                       record.source)});
+  return held_speeds(record, "speed of the teeth", {});
+}
+
+/// One plateau of one run as a measurement and a test.
+class DrumPassage {
+ public:
+  DrumPassage(const ProcessedRun& run, const ProcessedPlateau& plateau)
+      : rate_(run.record.rate),
+        plateau_(plateau),
+        name_(fmt::format("{}_{:.0f}kph", run.name, 3.6 * plateau.plateau.mean)),
+        table_("average_" + correlation::plateau_name(run.name, plateau.plateau.target) + ".csv") {
+    const auto& force = plateau.force();
+    const double mean = std::accumulate(force.begin(), force.end(), 0.0) / std::ssize(force);
+    hit_ = std::max_element(
+               force.begin(),
+               force.end(),
+               [&](double a, double b) { return std::abs(a - mean) < std::abs(b - mean); }) -
+           force.begin();
+    const double turn = std::ssize(force) / rate_;
+    before_ = std::min(kBefore, kOfTurn * hit_ / rate_);
+    behind_ = std::min(kBehind, kOfTurn * (turn - hit_ / rate_));
+  }
+
+  const std::string& name() const { return name_; }
+  double turn() const { return plateau_.period.samples / rate_; }
+  double speed() const { return plateau_.plateau.mean; }
+  double diameter() const { return speed() * turn() / std::numbers::pi; }
+  /// Mean of the force in front of the hit.
+  double load() const {
+    const auto& force = plateau_.force();
+    const auto end = std::max<long>(1, hit_ - std::lround(kQuiet * rate_));
+    return std::accumulate(force.begin(), force.begin() + end, 0.0) / static_cast<double>(end);
+  }
+  /// Deviation of the average, of a channel by its place.
+  double noise(std::size_t channel) const {
+    const auto& spread = plateau_.channels[channel].average.spread;
+    double square = 0.0;
+    for (const double one : spread) square += one * one;
+    return std::sqrt(square / std::ssize(spread) / std::ssize(plateau_.passages.starts));
+  }
+  std::size_t channels() const { return plateau_.channels.size(); }
+  const std::string& channel(std::size_t i) const { return plateau_.channels[i].name; }
+  std::size_t passages() const { return plateau_.passages.starts.size(); }
+
+  /// Room for the delay on both sides.
+  double room() const { return kRoom * (before_ + behind_) + kMoreRoom; }
+
+  std::string test(const std::string& cleat, double diameter) const {
+    return fmt::format(
+        "kind = \"drum_cleat\"\nspeed = {}\nload = {}           # the mean in front of the hit\n"
+        "drum_diameter = {}\nlead = \"{:.0f} ms\"\nduration = \"{:.0f} ms\"\ncleat = {}\n",
+        in_quotes(format_quantity(speed(), "km/h", 5)),
+        in_quotes(format_quantity(std::abs(load()), "N", 4)),
+        in_quotes(format_quantity(diameter, "m", 5)),
+        1e3 * (before_ + room()),
+        1e3 * (before_ + behind_ + 2.0 * room()),
+        cleat);
+  }
+
+  /// Where the record has to be moved so that it is most like the simulation, and how alike.
+  void align(const Channels& simulated, double sign) {
+    const auto &time = simulated["time"], &force = simulated["Fz"];
+    for (double moved = -kFarthest; moved <= kFarthest; moved += kShiftStep) {
+      const double alike = sign * correlation_at(time, force, moved);
+      if (alike <= alike_) continue;
+      alike_ = alike;
+      moved_ = moved;
+    }
+  }
+  double alike() const { return alike_; }
+
+  std::string measurement(const std::string& folder, const std::string& signs) const {
+    return fmt::format(
+        "[measurement.{0}]\nfile = \"{1}/{2}\"\n{3}shift = \"{4:.1f} ms\"               # hit of "
+        "the "
+        "average onto that of the known ring\nselect = {{time = \"{5:.0f} ms .. {6:.0f} ms\"}}\n",
+        name_,
+        folder,
+        table_,
+        signs,
+        1e3 * (moved_ - hit_ / rate_),
+        -1e3 * before_,
+        1e3 * behind_);
+  }
+
+  std::string experiment(std::size_t i, const std::string& ours) const {
+    return fmt::format(
+        "[experiment.{0}_{1}]\nkind = \"curve\"\nx = \"{0}/time\"\ny = \"{0}/{1}\"\n"
+        "measurement = \"{0}\"\ncompare = \"about_mean\"\nexponent = 2\nnoise = \"{2:.3g} N\"\n"
+        "nuisance = {{delay = \"free\"}}\n",
+        name_,
+        ours,
+        std::max(noise(i), 1e-3));
+  }
+
+ private:
+  /// Of the average moved onto the simulated times with the simulated force.
+  double correlation_at(const std::vector<double>& time,
+                        const std::vector<double>& force,
+                        double moved) const {
+    const auto& average = plateau_.force();
+    double x = 0, y = 0, xx = 0, yy = 0, xy = 0, n = 0;
+    for (std::size_t i = 0; i < time.size(); ++i) {
+      const double at = (time[i] - moved) * rate_ + static_cast<double>(hit_);
+      const auto k = static_cast<long>(std::floor(at));
+      if (k < 0 || k + 1 >= std::ssize(average)) continue;
+      const double a = average[k] + (at - k) * (average[k + 1] - average[k]);
+      x += a, y += force[i], xx += a * a, yy += force[i] * force[i], xy += a * force[i], n += 1;
+    }
+    const double square = (xx - x * x / n) * (yy - y * y / n);
+    return n > 2 && square > 0 ? (xy - x * y / n) / std::sqrt(square) : 0.0;
+  }
+
+  double rate_;
+  const ProcessedPlateau& plateau_;
+  std::string name_, table_;
+  long hit_ = 0;
+  double before_ = 0.0, behind_ = 0.0;  // s, the window around the hit
+  double moved_ = 0.0, alike_ = 0.0;
+};
+
+/// The drum's diameter, stated or by speed and period, and what is to be said of it.
+double diameter_of(const DrumPassage& passage,
+                   std::optional<double> stated,
+                   std::vector<std::string>& words) {
+  if (!stated) {
+    words.push_back(fmt::format(
+        "drum diameter {:.4g} m, by the speed and the period of the passages", passage.diameter()));
+    return passage.diameter();
+  }
+  if (std::abs(passage.diameter() / *stated - 1.0) > kSameDrum)
+    words.push_back(
+        fmt::format("caution: by the speed and the period of the passages the drum has a "
+                    "diameter of {:.4g} m, not {:.4g} m; is the speed that of its "
+                    "surface, is there one cleat?",
+                    passage.diameter(),
+                    *stated));
+  return *stated;
+}
+
+}  // namespace
+
+DrumStudy drum_study(const DrumRecordings& recordings,
+                     const Document& known,
+                     const fs::path& folder,
+                     const experiment::Language& language) {
+  ring_tire::read_ring_tire(known.root());  // before any work
+  const std::string cleat = cleat_table(recordings.cleat);
+  std::optional<double> diameter;
+  if (!recordings.diameter.empty())
+    diameter = length_in(recordings.diameter, "--drum-diameter", "a length such as \"2.5 m\"");
+  if (recordings.teeth > 0 && !diameter)
+    throw InputError(
+        "--teeth: the speed of a toothed wheel needs the drum it turns with, expected "
+        "--drum-diameter \"2.5 m\" beside it");
+  const Channels first = formats::read_recording(recordings.files.front());
+  const auto columns = columns_of(first, recordings, recordings.files.front());
+  DrumStudy written;
+  written.rig = rig_text(
+      recordings, columns, speeds_in(first, recordings, columns, diameter), diameter, folder);
+  write_text_file(folder / "rig.toml", written.rig);
+  const RigFile rig = correlation::read_rig_file(folder / "rig.toml");
+  const auto results = correlation::process(rig, [](long, long, const std::string&) {});
+  correlation::write_rig_tables(rig, results, folder / "rig_processed");
+
+  const experiment::SpecimenKind& ring = *language.find_kind("ring_tire");
+  std::string tests, measurements, experiments;
+  std::optional<double> drum = diameter;
+  bool is_negative = false;
+  for (const ProcessedRun& run : results.runs) {
+    for (const ProcessedPlateau& plateau : run.plateaus) {
+      DrumPassage passage(run, plateau);
+      if (measurements.empty()) {
+        drum = diameter_of(passage, diameter, written.words);
+        is_negative = passage.load() < 0.0;
+        if (is_negative)
+          written.words.push_back(
+              "the load is negative: taken for axes of SAE J670, axes = \"sae\"");
+      }
+      const std::string test = passage.test(cleat, *drum);
+      const auto answer = language.run(
+          ring, known, *language.read_test(Document::parse(test, "test of the drum").root(), {}));
+      if (!answer) throw InputError("the known ring over this cleat: " + answer.failure().reason);
+      passage.align(*answer, is_negative ? -1.0 : 1.0);
+      written.words.push_back(fmt::format("{}: {} passages at {}, load {}, {} like the known ring",
+                                          passage.name(),
+                                          passage.passages(),
+                                          format_quantity(passage.speed(), "km/h", 4),
+                                          format_quantity(std::abs(passage.load()), "N", 4),
+                                          fmt::format("{:.0f} %", 100.0 * passage.alike())));
+      if (passage.alike() < kAlike)
+        written.words.push_back("caution: " + passage.name() +
+                                " is hardly like the known ring; look at cleat, load and signs "
+                                "before the fit");
+      tests += "[test." + passage.name() + "]\n" + test;
+      measurements += passage.measurement("rig_processed", is_negative ? "axes = \"sae\"\n" : "");
+      for (std::size_t i = 0; i < passage.channels(); ++i)
+        experiments += passage.experiment(i, i == 0 ? "Fz" : "Fx");
+    }
+  }
+  written.ring = known.text();
+  written.study = fmt::format(
+      "# A flexible ring from a drum with a cleat: averages of latsch process, rig.toml beside "
+      "it.\n"
+      "title = \"Flexible ring on the drum\"\nmodel = \"ring.toml\"\n\n{}\n{}\n{}{}\n{}\n[run]\n"
+      "workers = 2\n",
+      measurements,
+      tests,
+      ring_variables(kNumbers, known),
+      find_column(columns, "Fx") ? ring_variables(kAlong, known) : "",
+      experiments);
+  return written;
+}
+
+}  // namespace latsch::cli
