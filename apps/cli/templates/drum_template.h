@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The study `latsch new --drum` writes for recordings of a drum with a cleat: from raw record to ring.
+// The study `latsch new --drum` writes for recordings of a drum with a cleat: from a raw record to
+// a flexible ring.
 //
 //   rig.toml                   names of the columns, plateaus of the speed, for latsch process
 //   rig_processed/             its averages, made at once
