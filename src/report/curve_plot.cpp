@@ -51,6 +51,18 @@ Samples shown(const MeasuredCurve& curve,
   return samples;
 }
 
+/// The samples of one piece, at the measured abscissas.
+Samples piece_of(const MeasuredCurve& curve,
+                 const MeasuredCurve::Piece& piece,
+                 const std::vector<double>& y) {
+  if (y.size() < piece.end) return {};
+  const auto part = [&](const std::vector<double>& all) {
+    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(piece.from),
+                               all.begin() + static_cast<std::ptrdiff_t>(piece.end));
+  };
+  return thinned(shown(curve, part(curve.x_measured), part(y)), kCorners);
+}
+
 std::string titled(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, typeset_unit(unit));
 }
@@ -88,8 +100,17 @@ std::string curve_plot(const MeasuredCurve& curve) {
   if (!initial.y.empty()) draw_legend(svg, {at, 18}, "initial", false, "initial values");
   draw_frame(svg, x, y, "", titled(curve.y_name, curve.y_unit), {.label_x = false});
   draw_band(svg, x, y, lower.x, lower.y, upper.y);
-  if (!initial.y.empty()) svg.polyline(points_of(x, y, initial.x, initial.y), "class=\"initial\"");
-  svg.polyline(points_of(x, y, simulated.x, simulated.y), "class=\"found\"");
+  const auto draw = [&](const Samples& samples, const char* style) {
+    if (!samples.y.empty()) svg.polyline(points_of(x, y, samples.x, samples.y), style);
+  };
+  if (curve.pieces.empty()) {
+    draw(initial, "class=\"initial\"");
+    draw(simulated, "class=\"found\"");
+  }
+  for (const MeasuredCurve::Piece& piece : curve.pieces) {
+    draw(piece_of(curve, piece, curve.y_initial), "class=\"initial\"");
+    draw(piece_of(curve, piece, curve.y_simulated), "class=\"found\"");
+  }
   const Samples dots = thinned(measured, kDots);
   for (std::size_t k = 0; k < dots.x.size(); ++k) {
     svg.circle({x.at(dots.x[k]), y.at(dots.y[k])},

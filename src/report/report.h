@@ -79,6 +79,13 @@ struct MeasuredCurve {
   bool of_design = false;                        // the best trial of a design: nothing was fitted
   std::vector<double> x_band;                    // where the band is known
   Band band = {};
+  /// Samples that belong together, such as those of one load: a line each. Empty: all do. Measured,
+  /// simulated and initial samples are then as many, in one order.
+  struct Piece {
+    std::string name;       // "Fz 1050 N"; may be empty
+    std::size_t from, end;  // of the samples
+  };
+  std::vector<Piece> pieces = {};
 };
 
 /// A single measured value, the target, and what the model makes of it. SI; `unit` is what a person

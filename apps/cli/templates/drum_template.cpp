@@ -111,7 +111,17 @@ std::vector<Column> columns_of(const Channels& record,
   for (Column& column : columns) {
     for (const Channel& channel : record.all())
       if (column.written.empty() && is_called(channel, column)) column.written = channel.name;
-    if (!column.written.empty() && !record.find(column.written))
+    const Channel* found = record.find(column.written);
+    if (found && found->unit != "1" && column.unit != "1" && column.unit_of_table.empty() &&
+        !Unit::of(found->unit).same_dimension(Unit::of(column.unit)))
+      throw InputError({file.string(), 0},
+                       fmt::format("has {} in the unit {}, which is no {} of a drum; expected a "
+                                   "column in {} or its like",
+                                   in_quotes(column.written),
+                                   found->unit,
+                                   column.ours,
+                                   column.unit));
+    if (!column.written.empty() && !found)
       throw InputError({file.string(), 0},
                        fmt::format("has no column {}{}; it has {}",
                                    in_quotes(column.written),
@@ -424,12 +434,12 @@ DrumStudy drum_study(const DrumRecordings& recordings,
   written.study = fmt::format(
       "# A flexible ring from a drum with a cleat: averages of latsch process, rig.toml beside "
       "it.\n"
-      "title = \"Flexible ring on the drum\"\nmodel = \"ring.toml\"\n\n{}\n{}\n{}{}\n{}\n[run]\n"
+      "title = \"Flexible ring on the drum\"\nmodel = \"ring.toml\"\n\n{}{}\n{}\n{}\n{}\n[run]\n"
       "workers = 2\n",
-      measurements,
-      tests,
       ring_variables(kNumbers, known),
       find_column(columns, "Fx") ? ring_variables(kAlong, known) : "",
+      measurements,
+      tests,
       experiments);
   return written;
 }

@@ -31,10 +31,11 @@ struct ExperimentBand {
   std::vector<double> computed;      // at the best point; NaN: none, a mode without a partner
   std::vector<double> lower, upper;  // of the 95 % band; NaN: not known. Empty: of no value
   std::vector<double> noise;         // standard deviation of a measured value, stated or estimated
-  std::optional<DelayBand> delay = {};
-  int inside = 0, compared = 0;  // measured values inside band and noise, of so many
+  int inside = 0, compared = 0;      // measured values inside band and noise, of so many
   std::vector<std::string>
       remarks;  // what makes the band wide or one-sided, or why it is not known
+
+  std::optional<DelayBand> delay = {};
 
   bool is_known() const { return !lower.empty(); }
 };

@@ -158,6 +158,10 @@ std::shared_ptr<const Curve> read_curve(const Node& table,
   if (curve.y_measured.empty()) table.reject("measurement", "has no row of numbers");
   curve.comparison = read_comparison(table, curve.x_measured, curve.y_measured, curve.x_unit);
   curve.fits_delay = read_delay(table, curve);
+  if (curve.x.empty() && !curve.comparison.of_spectrum()) {
+    curve.natural = natural_abscissa(measurement, last_part(curve.y));
+    if (curve.natural) curve.y_shown = unit_of_file(measurement, last_part(curve.y), curve.y_shown);
+  }
   take_what_is_compared(table, curve);
   return std::make_shared<Curve>(std::move(curve));
 }
@@ -435,6 +439,29 @@ std::vector<double> Curve::shown_abscissas(const Channels& trial) const {
   return x;
 }
 
+void Curve::draw_over_natural(const ShownExperiment& shown, report::MeasuredCurve& picture) const {
+  const NaturalAbscissa& over = *c_.natural;
+  const auto ordered = [&](const std::vector<double>& values) {
+    std::vector<double> sorted;
+    if (values.size() == over.order.size())
+      for (const std::size_t i : over.order) sorted.push_back(values[i]);
+    return sorted;
+  };
+  picture.x_name = over.channel;
+  picture.x_unit = over.shown;
+  picture.x_measured = picture.x_simulated = ordered(over.values);
+  picture.y_measured = ordered(c_.y_measured);
+  picture.errors = ordered(shown.comparison.errors);
+  picture.y_simulated = ordered(values_of(shown.found, c_.y));
+  if (shown.initial) {
+    picture.x_initial = picture.x_simulated;
+    picture.y_initial = ordered(values_of(*shown.initial, c_.y));
+  }
+  if (over.groups.size() > 1)
+    for (const auto& group : over.groups)
+      picture.pieces.push_back({group.name, group.from, group.end});
+}
+
 void Curve::draw(const ShownExperiment& shown, report::StudyReport& page) const {
   report::MeasuredCurve picture;
   picture.experiment = shown.name;
@@ -458,6 +485,10 @@ void Curve::draw(const ShownExperiment& shown, report::StudyReport& page) const 
       picture.x_initial = c_.x_compared;
       picture.y_initial = start->values;
     }
+  } else if (c_.natural) {
+    picture.y_name = c_.y;
+    picture.y_unit = c_.y_shown;
+    draw_over_natural(shown, picture);
   } else {
     picture.x_name = c_.x;
     picture.y_name = c_.y;
@@ -477,7 +508,7 @@ void Curve::draw(const ShownExperiment& shown, report::StudyReport& page) const 
     if (computed && c_.comparison.what == ComparedCurve::values && !c_.x.empty()) {
       picture.band.inside = shown.band->inside;
       draw_around_samples(*shown.band, c_.x_measured, computed->values, picture);
-    } else {
+    } else if (!c_.natural) {
       picture.band = *shown.band;
       picture.x_band = c_.x_compared;
     }

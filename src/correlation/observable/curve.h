@@ -31,7 +31,12 @@
 #include "correlation/laboratory/measurement.h"
 #include "correlation/observable/curve_comparison.h"
 #include "correlation/observable/known_channels.h"
+#include "correlation/observable/natural_abscissa.h"
 #include "correlation/observable/observable.h"
+
+namespace latsch::report {
+struct MeasuredCurve;
+}
 
 namespace latsch::correlation {
 
@@ -43,6 +48,7 @@ struct CurveMeasurement {
   std::vector<double> x_measured, y_measured;  // SI
   double scale = 1.0;                          // of what is compared
 
+  std::optional<NaturalAbscissa> natural;  // without x: over what a person looks at it
   CurveComparison comparison;
   bool fits_delay = false;
   /// What is compared, of the measurement: the measured curve itself, or its spectrum over Hz.
@@ -79,6 +85,8 @@ class Curve : public Observable {
   Result<std::pair<const Channel*, const Channel*>> channels_of(const Channels& trial,
                                                                 const std::string& y_name) const;
 
+  /// Without x: over the natural abscissa, group by group.
+  void draw_over_natural(const ShownExperiment& shown, report::MeasuredCurve& picture) const;
   /// The abscissas of a trial as a page draws them: behind its fitted delay.
   std::vector<double> shown_abscissas(const Channels& trial) const;
 

@@ -16,8 +16,8 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr int kSamples = 201;
-constexpr double kRate = 200.0;  // Hz: one second is measured
+constexpr int kDelayedSamples = 201;
+constexpr double kDelayedRate = 200.0;  // Hz: one second is measured
 
 /// A study of a program whose curve the test hands over: simulated from -0.5 to 1.5 s.
 class Delays : public testing::Test {
@@ -28,7 +28,8 @@ class Delays : public testing::Test {
     std::ofstream out(folder_ / "measured.csv");
     out << "t [s],y [N]\n";
     out.precision(17);
-    for (int i = 0; i < kSamples; ++i) out << i / kRate << ',' << y(i / kRate) << '\n';
+    for (int i = 0; i < kDelayedSamples; ++i)
+      out << i / kDelayedRate << ',' << y(i / kDelayedRate) << '\n';
   }
   Study study(const std::string& settings, const std::string& x = "out/t") {
     std::ofstream(folder_ / "in.txt") << "{k}";
@@ -155,7 +156,9 @@ TEST_F(Delays, ItsScatterIsWhatItsStiffnessSays) {
 }
 
 // The slopes of projected differences against central differences, where the fit is exact: there
-// Kaufman's are the whole slopes.
+// Kaufman's are the whole slopes. A curve that is straight between samples 0.1 ms apart has a
+// steepness that is off by up to y'' h / 2 = 450 N/s^2 0.1 ms / 2 = 0.023 N/s, which the delay's
+// slope of 0.23 s turns into 2.6e-3 of the scale of 2 N.
 TEST_F(Delays, SlopesHaveNoPartAlongTheDelay) {
   const auto wave = [](double t, double k) { return k * std::sin(30.0 * t / k); };
   measure([&](double t) { return wave(t - 0.01, 2.0); });
@@ -177,8 +180,8 @@ TEST_F(Delays, SlopesHaveNoPartAlongTheDelay) {
   const Comparison found = compared(s, with), up = at(2.0 + kStep), down = at(2.0 - kStep);
   ASSERT_EQ(found.slopes.size(), found.differences.size());
   for (std::size_t i = 0; i < found.slopes.size(); ++i)
-    EXPECT_NEAR(found.slopes[i], (up.differences[i] - down.differences[i]) / (2.0 * kStep), 2e-4);
-  EXPECT_NEAR(found.delay->slopes[0], (up.delay->value - down.delay->value) / (2.0 * kStep), 2e-5);
+    EXPECT_NEAR(found.slopes[i], (up.differences[i] - down.differences[i]) / (2.0 * kStep), 3e-3);
+  EXPECT_NEAR(found.delay->slopes[0], (up.delay->value - down.delay->value) / (2.0 * kStep), 1e-4);
 }
 
 TEST_F(Delays, WithoutAMeaningTheyAreRefused) {
@@ -186,7 +189,7 @@ TEST_F(Delays, WithoutAMeaningTheyAreRefused) {
   refused(std::string("compare = \"psd\"\n") + kFree, "a delay makes no");
   refused(kFree, "needs a curve over time", "");
   refused("nuisance = {delay = \"2 ms\"}\n", "expected \"free\"");
-  refused("nuisance = {offset = \"free\"}\n", "offset");
+  refused("nuisance = {offset = \"free\"}\n", "nuisance.delay is missing");
 }
 
 }  // namespace

@@ -138,6 +138,22 @@ Json curve_of(const report::ForceCurve& curve) {
           {"psd", nullptr}};
 }
 
+/// The simulated line of every piece; null where the curve is one.
+Json pieces_of(const report::MeasuredCurve& curve) {
+  if (curve.pieces.empty() || curve.y_simulated.size() != curve.x_measured.size()) return nullptr;
+  Json pieces = Json::array();
+  for (const auto& piece : curve.pieces) {
+    const auto part = [&](const std::vector<double>& all) {
+      return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(piece.from),
+                                 all.begin() + static_cast<std::ptrdiff_t>(piece.end));
+    };
+    pieces.push_back(
+        line(part(curve.x_measured), part(curve.y_simulated), curve.x_unit, curve.y_unit));
+    pieces.back()["name"] = piece.name;
+  }
+  return pieces;
+}
+
 Json curve_of(const report::MeasuredCurve& curve) {
   const auto x_measured = abscissa_of(curve.x_measured, curve.y_measured.size());
   const std::string x_unit = curve.x_measured.empty() ? "1" : curve.x_unit;
@@ -163,6 +179,7 @@ Json curve_of(const report::MeasuredCurve& curve) {
                                           curve.y_initial,
                                           x_unit,
                                           curve.y_unit)},
+          {"pieces", pieces_of(curve)},
           {"errors", finite(errors.y)},
           {"errors_x", in_unit(errors.x, x_unit)},
           {"band", band_of(curve.x_band, curve.band, x_unit, curve.y_unit)},

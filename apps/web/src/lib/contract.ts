@@ -154,6 +154,7 @@ export interface Curve {
   measured: Value[];
   simulated: XY;
   initial: XY | null;
+  pieces?: (XY & { name: string })[] | null; // simulated, a line each; null or absent: one line
   errors: Value[];
   errors_x?: Value[]; // as x unless given
   band: { x: Value[]; lower: Value[]; upper: Value[]; inside: Told } | null;
