@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// Good files changed in some 25 ways: read to the same numbers, refused, or told by name; none silent
+//
+//   ./bench.sh doors [--named] [--smoke]
+//
+// The files are the tables of measurements and the Magic Formula tires of the repository, one of
+// each head. A mutant counts as
+//   same      its numbers are those of the good file to 1e-12, where the change leaves its meaning
+//   refused   by an error that names the file
+//   told      a doubt of the ledger, an unknown name in it, or a note names what was changed
+//   silent    anything else: --named lists them
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/scratch_folder_testing.h"
+#include "correlation/laboratory/measurement.h"
+#include "formats/tire/tir_file.h"
+#include "mutants.h"
+#include "table.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kSame = 1e-12;
+constexpr int kFewestFiles = 40;
+
+/// What a reader made of a file: numbers by name, and every sentence that names something.
+struct Reading {
+  std::map<std::string, std::vector<double>> numbers;
+  std::vector<std::string> told;
+};
+
+Reading read_table(const fs::path& file) {
+  const auto read = correlation::read_measured_file(file);
+  Reading reading;
+  for (const Channel& channel : read.channels.all()) reading.numbers[channel.name] = channel.values;
+  for (const LedgerDoubt& doubt : read.ledger.doubts)
+    reading.told.push_back(doubt.name + ": " + doubt.sentence);
+  for (const LedgerRow& row : read.ledger.rows)
+    if (row.taken_as.empty() || row.state == LedgerState::doubtful)
+      reading.told.push_back(row.written + ": not known");
+  return reading;
+}
+
+Reading read_tire(const fs::path& file) {
+  const formats::TirFile tire = formats::read_tir(file);
+  Reading reading;
+  for (const auto& [name, value] : magic_formula::numbers_of(tire.parameters))
+    reading.numbers[name] = {value};
+  reading.told = tire.notes;
+  return reading;
+}
+
+bool is_same(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::isnan(a[i]) && std::isnan(b[i])) continue;
+    if (!(std::abs(a[i] - b[i]) <= kSame * std::max(1.0, std::abs(a[i])))) return false;
+  }
+  return true;
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// Names in any case: a file in capitals may keep its own spelling of what has no name of ours.
+bool is_same(const Reading& a, const Reading& b) {
+  std::map<std::string, const std::vector<double>*> there;
+  for (const auto& [name, values] : b.numbers) there[lower(name)] = &values;
+  if (there.size() != a.numbers.size()) return false;
+  for (const auto& [name, values] : a.numbers) {
+    const auto found = there.find(lower(name));
+    if (found == there.end() || !is_same(values, *found->second)) return false;
+  }
+  return true;
+}
+
+/// Whether the reader says more than of the good file, of what was changed where that has a name.
+bool tells(const Mutant& mutant, const Reading& good, const Reading& read) {
+  const std::set<std::string> usual(good.told.begin(), good.told.end());
+  for (const std::string& sentence : read.told)
+    if (!usual.contains(sentence)) return true;
+  return !mutant.touched.empty() &&
+         std::any_of(read.told.begin(), read.told.end(), [&](const std::string& sentence) {
+           return sentence.find(mutant.touched) != std::string::npos;
+         });
+}
+
+struct Counts {
+  int files = 0, mutants = 0, same = 0, refused = 0, told = 0, silent = 0, wrong_errors = 0;
+  std::vector<std::string> named = {};
+};
+
+class Doors {
+ public:
+  using Reader = Reading (*)(const fs::path&);
+
+  /// Reads the good file, then every mutant, each from a file with its ending.
+  void go_through(const fs::path& file, const std::vector<Mutant>& mutants, Reader reader) {
+    const Reading good = reader(file);
+    ++counts.files;
+    for (const Mutant& mutant : mutants) {
+      const fs::path changed = folder_ / ("changed" + file.extension().string());
+      write_text_file(changed, mutant.text);
+      ++counts.mutants;
+      judge(file, mutant, good, changed, reader);
+    }
+  }
+
+  Counts counts;
+
+ private:
+  void judge(const fs::path& file,
+             const Mutant& mutant,
+             const Reading& good,
+             const fs::path& changed,
+             Reader reader) {
+    try {
+      const Reading read = reader(changed);
+      if (is_same(good, read) && mutant.allowed == Allowed::same_numbers) {
+        ++counts.same;
+      } else if (tells(mutant, good, read)) {
+        ++counts.told;
+      } else if (is_same(good, read)) {
+        ++counts.same;  // the change is without effect on what is read
+      } else {
+        ++counts.silent;
+        counts.named.push_back(file.string() + ": " + mutant.change + " (" + mutant.touched + ")");
+      }
+    } catch (const InputError& error) {
+      ++counts.refused;
+      if (std::string(error.what()).find(changed.filename().string()) != std::string::npos) return;
+      ++counts.wrong_errors;
+      counts.named.push_back(file.string() + ": " + mutant.change + ": " + error.what());
+    }
+  }
+
+  ScratchFolder folder_;
+};
+
+/// The tables of the repository that are measurements, one of each head, and its tires.
+std::vector<fs::path> good_files() {
+  const fs::path tree = LATSCH_SOURCE_DIR;
+  std::vector<fs::path> files;
+  for (const char* folder : {"studies", "verification/old_journals", "verification/simbody"})
+    for (const auto& entry : fs::recursive_directory_iterator(tree / folder)) {
+      const std::string ending = entry.path().extension().string();
+      if (ending == ".csv" || ending == ".tir") files.push_back(entry.path());
+    }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+int run(bool named, bool smoke) {
+  Doors doors;
+  std::set<std::string> heads;
+  for (const fs::path& file : good_files()) {
+    const std::string text = read_text_file(file);
+    if (smoke && doors.counts.files >= 4) break;
+    if (file.extension() == ".tir") {
+      doors.go_through(file, mutants_of_sections(text), read_tire);
+      continue;
+    }
+    auto table = table_text(text);
+    if (!table) continue;
+    constexpr std::size_t kMostRows = 200;
+    if (table->rows.size() > kMostRows) table->rows.resize(kMostRows);
+    const bool is_new_head = heads.insert(fmt::format("{}", table->text().substr(0, 400))).second;
+    if (!is_new_head) continue;
+    ScratchFolder folder;
+    const fs::path good = folder / file.filename();
+    write_text_file(good, table->text());
+    doors.go_through(good, mutants_of_table(*table), read_table);
+  }
+  const Counts& c = doors.counts;
+  if (named)
+    for (const std::string& one : c.named) fmt::print("{}\n", one);
+  Table table("doors");
+  table.row("good files",
+            fmt::format("{}", c.files),
+            smoke ? ">= 4" : ">= 40",
+            c.files >= (smoke ? 4 : kFewestFiles));
+  table.note("mutants", fmt::format("{}", c.mutants));
+  table.note("read to the same numbers", fmt::format("{}", c.same));
+  table.note("refused", fmt::format("{}", c.refused));
+  table.note("told by name", fmt::format("{}", c.told));
+  table.row("errors that do not name the file",
+            fmt::format("{}", c.wrong_errors),
+            "0",
+            c.wrong_errors == 0);
+  table.row("silent", fmt::format("{}", c.silent), "0", c.silent == 0);
+  return table.exit_code();
+}
+
+}  // namespace
+}  // namespace latsch::benchmarks
+
+int main(int count, char** words) {
+  bool named = false, smoke = false;
+  for (int i = 1; i < count; ++i) {
+    named = named || std::strcmp(words[i], "--named") == 0;
+    smoke = smoke || std::strcmp(words[i], "--smoke") == 0;
+  }
+  return latsch::benchmarks::guarded([&] { return latsch::benchmarks::run(named, smoke); });
+}
