@@ -55,8 +55,10 @@ Reading read_table(const fs::path& file) {
 Reading read_tire(const fs::path& file) {
   const formats::TirFile tire = formats::read_tir(file);
   Reading reading;
-  for (const auto& [name, value] : magic_formula::numbers_of(tire.parameters))
-    reading.numbers[name] = {value};
+  for (const auto& field : magic_formula::parameter_fields())
+    reading.numbers[std::string(field.name)] = {tire.parameters.*field.member};
+  reading.numbers["version"] = {static_cast<double>(tire.parameters.version)};
+  reading.numbers["side"] = {static_cast<double>(tire.parameters.side)};
   reading.told = tire.notes;
   return reading;
 }
