@@ -16,9 +16,12 @@
 
 namespace latsch::correlation {
 
-/// A column of a file: its name, and its unit.
+/// A column of a file: its name, its unit, and the sign its values are taken with.
 struct StatedColumn {
   std::string column, unit;
+  double sign = 1.0;
+
+  bool operator==(const StatedColumn&) const = default;
 };
 
 struct LabRecord {

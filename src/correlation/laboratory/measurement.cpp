@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "base/units.h"
+#include "base/unit_reading.h"
 #include "correlation/laboratory/frame_conversion.h"
 #include "correlation/laboratory/lab_record.h"
 
@@ -53,7 +53,7 @@ std::vector<fs::path> read_files(const Node& table, const fs::path& folder) {
   return files;
 }
 
-/// "P_kPa [kPa]" -> "P_kPa", "kPa".
+/// "P_kPa [kPa]" -> "P_kPa", "kPa"; a "-" before the name changes the sign.
 std::map<std::string, StatedColumn> read_columns(const Node& table) {
   std::map<std::string, StatedColumn> columns;
   const auto stated = table.find_table("columns");
@@ -61,9 +61,22 @@ std::map<std::string, StatedColumn> read_columns(const Node& table) {
   for (const std::string& ours : stated->keys()) {
     const std::string text = stated->text(ours);
     const auto bracket = text.ends_with(']') ? text.rfind('[') : text.npos;
-    StatedColumn column{std::string(trimmed(text.substr(0, bracket))), ""};
-    if (bracket != text.npos)
-      column.unit = trimmed(text.substr(bracket + 1, text.size() - bracket - 2));
+    StatedColumn column{std::string(trimmed(std::string_view(text).substr(0, bracket))), ""};
+    if (column.column.starts_with('-')) {
+      column.sign = -1.0;
+      column.column = trimmed(std::string_view(column.column).substr(1));
+    }
+    if (column.column.empty())
+      stated->reject(ours, "is " + in_quotes(text) + ", a column without a name");
+    if (bracket != text.npos) {
+      column.unit = trimmed(std::string_view(text).substr(bracket + 1, text.size() - bracket - 2));
+      const UnitReading reading = reading_of_unit(column.unit);
+      if (!reading.unit)
+        stated->reject(ours, "is " + in_quotes(text) + ", which has " + reading.fault);
+    }
+    for (const auto& [other, before] : columns)
+      if (before.column == column.column)
+        stated->reject(ours, "is " + in_quotes(text) + ", the column that " + other + " is, too");
     columns[ours] = column;
   }
   return columns;
@@ -332,7 +345,9 @@ const std::vector<double>& Measurement::values(const std::string& channel,
   const NamedChannel found = named(channel);
   const auto names = names_of(told_.channels);
   if (found.name.empty()) {
-    const auto reason = told_.left_out.find(channel);
+    std::vector<std::string> left_out;
+    for (const auto& [name, why] : told_.left_out) left_out.push_back(name);
+    const auto reason = told_.left_out.find(find_named(left_out, channel).name);
     if (reason != told_.left_out.end())
       throw InputError(told_.place, of + "column " + in_quotes(channel) + " " + reason->second);
     throw InputError(told_.place,

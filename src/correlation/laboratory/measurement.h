@@ -3,11 +3,11 @@
 // test takes its conditions from it; what is not stated is not done.
 //
 //   [measurement.cornering]
-//   file = "run4.dat"               # .csv .txt .dat .mat .tdx; or files = ["run4.dat", ...]
+//   file = "run4.dat"               # .csv .txt .dat .mat .tdx .tda .tdb; or files = ["a.dat", ...]
 //   axes = "sae"                    # signs of the file: iso (unless given), adapted_sae, sae
 //   frame = "W"                     # of forces and moments whose names do not say it
 //   columns = {Fz = "LOAD", p = "P_kPa [kPa]"}  # our name = the file's column, with a unit where
-//                                               # the file states none
+//                                               # the file states none; "-LOAD" changes the sign
 //   zero = {channels = ["Fy"], time = "0 s .. 2 s"}  # less their means of that time
 //   in_frame = "W"                  # turned into these axes from those of frame or of the names,
 //                                   # by the record's gamma and loaded_radius (frame_conversion.h)

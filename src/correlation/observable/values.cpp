@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "base/text.h"
-#include "base/units.h"
+#include "base/unit_reading.h"
 #include "correlation/laboratory/measurement_twin.h"
 #include "correlation/observable/channel_value.h"
 #include "correlation/observable/compared_frame.h"
@@ -220,7 +220,10 @@ std::shared_ptr<const Values> read_values(const Node& table,
     }
   } else if (table.has("value")) {
     m.values = {table.quantity("value", m.unit)};
-    if (m.unit != "1") m.shown = parse_quantity(table.text("value"))->unit.text();
+    if (m.unit != "1") {
+      const auto written = parse_quantity(table.text("value"), Unit::of(m.unit));
+      m.shown = written->unit.text();
+    }
     if (table.has("of")) m.of = table.choice("of", names_of_values());
   } else {
     m.values = table.quantities("values", m.unit);
