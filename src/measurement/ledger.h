@@ -29,15 +29,15 @@ enum class LedgerState {
 const char* name_of(LedgerState state);
 
 struct LedgerRow {
-  std::string written;       // the name as the file has it; empty for what is assumed
-  int line = 0, column = 0;  // of the name, from 1; 0 where that is not known
-  std::string taken_as;      // the channel or parameter; empty: the name is not known
-  std::string meaning;       // "slip angle"; empty: not known
-  std::string unit_written;  // empty: the file names none
-  std::string unit;          // the SI unit after reading
-  double factor = 1.0;       // SI value = written number * factor + offset
+  std::string written = {};       // the name as the file has it; empty for what is assumed
+  int line = 0, column = 0;       // of the name, from 1; 0 where that is not known
+  std::string taken_as = {};      // the channel or parameter; empty: the name is not known
+  std::string meaning = {};       // "slip angle"; empty: not known
+  std::string unit_written = {};  // empty: the file names none
+  std::string unit = {};          // the SI unit after reading
+  double factor = 1.0;            // SI value = written number * factor + offset
   double offset = 0.0;
-  std::string axes;  // "sae, -1", "sae, +1", "not turned"; empty: the file states no axes
+  std::string axes = {};  // "sae, -1", "sae, +1", "not turned"; empty: the file states no axes
   std::vector<std::string> used_by = {};  // "test steady", "experiment Fy", "select"
   LedgerState state = LedgerState::not_used;
   std::string remark = {};

@@ -10,6 +10,7 @@
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
 #include "cli/console/implausible.h"
+#include "cli/console/ledgers.h"
 #include "cli/console/tables.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/search/study_method.h"
@@ -224,6 +225,8 @@ void check(const std::string& file, const experiment::Language& language) {
   print_constraints(study.space);
   say("\nExperiments\n");
   print_experiments(study);
+  say("\nFiles\n");
+  const std::size_t doubts = say_ledgers(study, true);
   if (!study.constraints.empty()) say("\nConstraints on channels\n");
   for (const auto& constraint : study.constraints) {
     say("  {:<16} {}\n", constraint.name, in_words(constraint));
@@ -244,7 +247,14 @@ void check(const std::string& file, const experiment::Language& language) {
       journal_in_words(study),
       correlation::in_words(study.run.on_failure));
   print_trials_so_far(study);
-  say("\nEverything is in order. Next: latsch run {}\n", file);
+  if (doubts > 0)
+    say("\n{} of what the files say {} in doubt (the warnings). Else everything is in order. Next: "
+        "latsch run {}\n",
+        doubts,
+        doubts == 1 ? "is" : "are",
+        file);
+  else
+    say("\nEverything is in order. Next: latsch run {}\n", file);
 }
 
 }  // namespace

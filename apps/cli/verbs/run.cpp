@@ -15,6 +15,7 @@
 #include "cli/console/console.h"
 #include "cli/console/identifiability_text.h"
 #include "cli/console/implausible.h"
+#include "cli/console/ledgers.h"
 #include "cli/console/tables.h"
 #include "cli/run/interrupt.h"
 #include "cli/run/served_studies.h"
@@ -219,6 +220,7 @@ int fit(const Asked& asked, const experiment::Language& language) {
   Workers workers(study);
   if (workers.served(study, /*in_stages=*/true)) return kDone;
   reject_implausible(study);
+  say_ledgers(study, true);
   catch_interrupts();
   std::optional<correlation::StageEnd> before;
   Asked once = asked;

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "correlation/laboratory/channel_names.h"
+#include "correlation/laboratory/record_ledger.h"
 #include "formats/tables/lab_table.h"
 #include "numerics/signals/butterworth.h"
 
@@ -54,6 +55,7 @@ LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedC
     const auto found = stated.find(channel.name);
     std::string name = found == stated.end() ? our_name(channel.name, channel.unit) : found->second;
     if (found == stated.end() && !taken.insert(name).second) {
+      if (!columns.contains(name)) record.ambiguous[name].push_back(channel.name);
       name = channel.name;  // another column is called so
       if (!taken.insert(name).second) continue;
     }
@@ -65,6 +67,7 @@ LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedC
   }
   const std::size_t samples = record.channels.empty() ? 0 : record.channels[0].values.size();
   for (std::size_t i = 0; i < samples; ++i) record.places.push_back(table.place(i));
+  record.ledgers.push_back(ledger_of(table, record));
   return record;
 }
 
@@ -80,6 +83,8 @@ void append(const LabRecord& more, const std::string& file, LabRecord& record) {
     channel.values.insert(channel.values.end(), values.begin(), values.end());
   }
   record.places.insert(record.places.end(), more.places.begin(), more.places.end());
+  record.ledgers.insert(record.ledgers.end(), more.ledgers.begin(), more.ledgers.end());
+  record.ambiguous.insert(more.ambiguous.begin(), more.ambiguous.end());
 }
 
 /// Between gaps; those shorter than `least` become gaps.
