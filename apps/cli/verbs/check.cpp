@@ -2,6 +2,7 @@
 // latsch check: reads a study, its model and its measurements, and says what it understood.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
 #include "cli/console/tables.h"
+#include "cli/run/model_source.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/refinement.h"
@@ -211,8 +213,20 @@ void check_model(const std::string& file, const experiment::Language& language) 
       std::filesystem::path(file).filename().string());
 }
 
+/// Whether a file is a model of some kind: a car, a suspension, a tire; what else is read as a
+/// study and refused as one.
+bool is_model(const std::string& file, const experiment::Language& language) {
+  if (!experiment::is_document(file)) return true;
+  if (is_study(file)) return false;
+  const Node root = Document::read(file).root();
+  if (root.has("kind")) return language.find_kind(root.text("kind")) != nullptr;
+  return std::any_of(language.kinds.begin(), language.kinds.end(), [&](const auto* kind) {
+    return kind->recognizes(file);
+  });
+}
+
 void check(const std::string& file, const experiment::Language& language) {
-  if (!experiment::is_document(file)) return check_model(file, language);
+  if (is_model(file, language)) return check_model(file, language);
   const Study study = correlation::read_study(file, language);
   reject_implausible(study);
   study.specimens->check(study);
@@ -267,7 +281,10 @@ void add_check(CommandLine& app, Program& program) {
       "Examples:\n  latsch check studies/tire_b_twin/study.toml\n"
       "  latsch check studies/race_tire_mf/study.toml --derivatives");
   auto file = std::make_shared<std::string>();
-  verb.add_option("study", *file, "Study file (TOML); a model alone: .inp, .tir").required();
+  verb.add_option("study",
+                  *file,
+                  "Study file (TOML); a model alone: a car, a suspension, a tire, .inp, .tir")
+      .required();
   auto derivatives = std::make_shared<bool>(false);
   verb.add_flag(
       "--derivatives",
