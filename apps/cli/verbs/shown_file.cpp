@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "cli/verbs/plot_units.h"
 #include "experiment/kinds/inp_numbers.h"
-#include "formats/mesh/inp_deck.h"
+#include "formats/deck/inp_deck.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/mat_file.h"
 #include "formats/tables/tydex_file.h"
