@@ -189,6 +189,63 @@ int check_derivatives(const std::string& file, const experiment::Language& langu
   return all_agree ? kDone : kFailed;
 }
 
+/// The numbers of one thing, as of material.RUBBER, in one line: by unit, the first and last name,
+/// how many, the smallest and largest.
+std::string many_in_words(const std::vector<std::string>& paths, const Document& numbers) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> by_unit;
+  for (const std::string& path : paths) {
+    const std::string unit = numbers.unit(path);
+    auto known = std::find_if(
+        by_unit.begin(), by_unit.end(), [&](const auto& one) { return one.first == unit; });
+    if (known == by_unit.end()) known = by_unit.insert(known, {unit, {}});
+    known->second.push_back(path);
+  }
+  std::string text;
+  for (const auto& [unit, same] : by_unit) {
+    const auto name = [](const std::string& path) { return path.substr(path.rfind('.') + 1); };
+    double low = numbers.get(same.front()), high = low;
+    for (const std::string& path : same) {
+      low = std::min(low, numbers.get(path));
+      high = std::max(high, numbers.get(path));
+    }
+    if (!text.empty()) text += "; ";
+    text += name(same.front());
+    if (same.size() > 1) text += fmt::format(" ... {} ({})", name(same.back()), same.size());
+    text += " " + format_number(low, 6);
+    if (same.size() > 1) text += " to " + format_number(high, 6);
+    if (unit != "1") text += " " + unit;
+  }
+  return text;
+}
+
+/// Each number in its line, those of one thing that has many of them in one line.
+void print_numbers(const Document& numbers, const std::string& file) {
+  constexpr std::size_t kFew = 6;
+  std::vector<std::pair<std::string, std::vector<std::string>>> things;
+  for (const std::string& path : numbers.paths()) {
+    const std::size_t dot = path.rfind('.');
+    const std::string thing = dot == path.npos ? "" : path.substr(0, dot);
+    if (things.empty() || things.back().first != thing) things.push_back({thing, {}});
+    things.back().second.push_back(path);
+  }
+  bool shortened = false;
+  for (const auto& [thing, paths] : things) {
+    if (!thing.empty() && paths.size() > kFew) {
+      say("  {:<40} {}\n", thing + ".*", many_in_words(paths, numbers));
+      shortened = true;
+      continue;
+    }
+    for (const std::string& path : paths) {
+      const std::string unit = numbers.unit(path);
+      say("  {:<40} {}{}\n",
+          path,
+          format_number(numbers.get(path), 6),
+          unit == "1" ? "" : " " + unit);
+    }
+  }
+  if (shortened) say("  {:<40} each by itself: latsch show {}\n", "", file);
+}
+
 /// A model alone, in a file of another program: what it is, what was assumed for it, the numbers a
 /// study may vary.
 void check_model(const std::string& file, const experiment::Language& language) {
@@ -204,8 +261,8 @@ void check_model(const std::string& file, const experiment::Language& language) 
     const double value = numbers.get(path);
     const std::string unit = numbers.unit(path);
     answer()["numbers"].push_back({{"path", path}, {"value", value}, {"unit", unit}});
-    say("  {:<40} {}{}\n", path, format_number(value, 6), unit == "1" ? "" : " " + unit);
   }
+  print_numbers(numbers, file);
   for (const std::string& note : kind.notes(file)) warn(note, {file, 0});
   say("\nEverything is in order. Next: a test of it, latsch test {} TEST, or a study with model = "
       "\"{}\"\n",

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch road: what a tire finds on a road at given points.
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <nlohmann/json.hpp>
 
 #include "base/document.h"
@@ -74,6 +77,14 @@ int road(const RoadOptions& options) {
   }
   const formats::RoadFile file = formats::read_road_file(options.road);
   for (const std::string& warning : file.warnings) warn(warning);
+  if (!file.unused.empty())
+    warn(fmt::format("not used: {}", fmt::join(file.unused, ", ")), {options.road, 0});
+  // The table may be piped on; what is kept must not stand in it.
+  if (!options.output.empty() || answers_in_json())
+    for (const std::string& key : file.kept) {
+      say("not of the surface: {}\n", key);
+      answer()["kept"].push_back(key);
+    }
   const auto points = formats::CsvTable::read(options.points);
   points.expect_only({"x", "y", "time"});
   const auto x = points.si_numbers("x", "m"), y = points.si_numbers("y", "m");

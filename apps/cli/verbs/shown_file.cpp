@@ -13,7 +13,7 @@
 #include "cli/verbs/plot_units.h"
 #include "correlation/laboratory/measurement.h"
 #include "experiment/kinds/inp_numbers.h"
-#include "formats/mesh/inp_deck.h"
+#include "formats/deck/inp_deck.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/mat_file.h"
 #include "formats/tables/tydex_file.h"

@@ -2,6 +2,7 @@
 #include "formats/text/teim_orbit.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -202,8 +203,10 @@ TeimOrbitSection::TeimOrbitSection(std::string name,
 const TeimOrbitEntry* TeimOrbitSection::find(std::string_view key) const {
   const std::string wanted = capitals(key);
   const TeimOrbitEntry* found = nullptr;
+  read_->insert(line_);
   for (const TeimOrbitEntry& entry : entries_) {
     if (entry.key != wanted) continue;
+    read_->insert(entry.line);
     if (found != nullptr && found->value != entry.value)
       throw InputError(place(entry.line),
                        fmt::format("{} is {}, but line {} says {}; keep one of them",
@@ -261,8 +264,16 @@ std::string TeimOrbitSection::text(std::string_view key, std::string_view fallba
 const TeimOrbitTable* TeimOrbitSection::find_table(std::string_view block) const {
   const std::string wanted = capitals(block);
   for (const TeimOrbitTable& table : tables_)
-    if (table.block == wanted) return &table;
+    if (table.block == wanted) {
+      read_->insert(table.line);
+      return &table;
+    }
   return nullptr;
+}
+
+const std::vector<TeimOrbitTable>& TeimOrbitSection::tables() const {
+  for (const TeimOrbitTable& table : tables_) read_->insert(table.line);
+  return tables_;
 }
 
 std::vector<double> TeimOrbitSection::numbers(const TeimOrbitRow& row, std::size_t width) const {
@@ -355,6 +366,25 @@ TeimOrbitUnits TeimOrbit::units() const {
   units.time = factor(*section, "TIME", 1.0);
   units.pressure = factor(*section, "PRESSURE", units.force / (units.length * units.length));
   return units;
+}
+
+std::vector<std::string> TeimOrbit::unread() const {
+  std::vector<std::string> unread;
+  for (const TeimOrbitSection& section : sections_) {
+    if (section.name_ == "MDI_HEADER") continue;
+    const bool holds = !section.entries_.empty() || !section.tables_.empty();
+    if (holds && section.read_->empty()) {
+      unread.push_back(fmt::format("[{}]", section.name_));
+      continue;
+    }
+    for (const TeimOrbitEntry& entry : section.entries_)
+      if (!section.read_->contains(entry.line))
+        unread.push_back(fmt::format("[{}] {}", section.name_, entry.key));
+    for (const TeimOrbitTable& table : section.tables_)
+      if (!section.read_->contains(table.line))
+        unread.push_back(fmt::format("[{}] {{{}}}", section.name_, fmt::join(table.heads, " ")));
+  }
+  return unread;
 }
 
 std::string TeimOrbit::with_values(
