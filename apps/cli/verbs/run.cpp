@@ -57,6 +57,18 @@ void print_result(const Study& study, const Run& run, const Journal& journal) {
   }
 }
 
+/// How modes were compared with the best trial, where that is not plain.
+void print_remarks(const Study& study, const DesignPoint& best, const Journal& journal) {
+  const Channels recording = correlation::end_of_stage(best, journal).recording;
+  for (const correlation::StudyExperiment& experiment : study.experiments) {
+    if (!experiment.fitted) continue;
+    const auto comparison = experiment.observable->compare(recording, experiment.objective);
+    if (!comparison) continue;
+    for (const std::string& remark : experiment.observable->remarks(*comparison))
+      say("{}: {}\n", experiment.name, remark);
+  }
+}
+
 /// The values found, with their intervals where these are wanted and can be had; false where that
 /// was interrupted.
 bool print_values(const Study& study,
@@ -237,6 +249,7 @@ int fit(const Asked& asked, const experiment::Language& language) {
     if (k + 1 == correlation::stage_count(study)) {
       correlation::take_noise(stage, study);
       print_result(study, fitted.run, journal);
+      print_remarks(study, best, journal);
       const DesignPoint shown = best_of_journal(study, best, journal);
       const auto depth = fitted.run.end == RunEnd::converged ? correlation::Depth::intervals
                                                              : correlation::Depth::at_the_point;
