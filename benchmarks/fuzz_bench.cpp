@@ -33,7 +33,7 @@
 #include "base/spoiled_text_testing.h"
 #include "base/text.h"
 #include "formats/car/bus_file.h"
-#include "formats/mesh/inp_deck.h"
+#include "formats/deck/inp_deck.h"
 #include "formats/mesh/inp_tire.h"
 #include "formats/road/open_crg.h"
 #include "formats/road/road_file.h"

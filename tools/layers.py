@@ -27,12 +27,13 @@ BELOW = {
 # The rooms of a module: each may use those before it and itself, so no two use each other. What stands in the
 # module's own folder is used by none of them and uses what it likes. Tests look into any room.
 ROOMS = {
+    "base": ["unit_words"],
     "numerics": ["kernels", "dense", "sparse", "signals"],
     "models/fe_tire": ["element", "description", "ring", "contact", "analysis", "slopes"],
     "models/ring_tire": ["description", "belt", "tread", "step", "ring"],
     "optimization": ["problem", "region", "direct_search", "least_squares", "trust_region", "sqp", "design", "strategy",
                      "identifiability"],
-    "formats": ["text", "tables", "tire", "car", "road", "mesh"],
+    "formats": ["text", "tables", "tire", "car", "road", "deck", "mesh"],
     "experiment": ["rigs", "language", "tests", "kinds"],
     "evaluation": ["trial", "executors", "journal", "schedule", "outside_program"],
     "correlation": ["laboratory", "observable", "study", "target", "analysis", "search", "study_report",

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "base/unit_reading.h"
 
 namespace latsch {
 namespace {
@@ -74,12 +75,20 @@ double read_number(const DocumentTree& tree,
   const auto reject = [&](const std::string& message) {
     reject_value(tree, tree.value(index), message);
   };
-  if (!number || !number->unit.same_dimension(expected))
-    reject(fault_of(tree.value_now(index, changes), expected));
-  const double si = tree.si(index, changes);
+  if (!number) reject(fault_of(tree.value_now(index, changes), expected));
+  Unit unit = number->unit;
+  double si = tree.si(index, changes);
+  if (!unit.same_dimension(expected)) {
+    // "lb" is a mass where one is expected.
+    const auto meant = find_unit(unit.text(), expected);
+    const auto digits = split_number(tree.value_now(index, changes).text);
+    if (!meant || !meant->same_dimension(expected) || !digits)
+      reject(fault_of(tree.value_now(index, changes), expected));
+    unit = *meant;
+    si = unit.to_si(digits->number);
+  }
   if (!contains(range, si))
-    reject("is " + written(tree.value_now(index, changes)) + ", expected " +
-           describe(range, number->unit));
+    reject("is " + written(tree.value_now(index, changes)) + ", expected " + describe(range, unit));
   return si;
 }
 

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
@@ -17,6 +18,8 @@
 #include <thread>
 
 #include "base/error.h"
+#include "base/mapped_file.h"
+#include "base/scratch_folder_testing.h"
 
 namespace latsch {
 namespace {
@@ -250,6 +253,43 @@ TEST_F(File, AWriterThatThrowsLeavesTheOldFile) {
   EXPECT_THROW(write_file(folder_ / "a", throwing), InputError);
   EXPECT_EQ(read_text_file(folder_ / "a"), "old");
   EXPECT_EQ(entries(), 1);
+}
+
+TEST(MappedFile, HoldsTheTextOfSmallAndLargeFiles) {
+  const ScratchFolder folder;
+  const std::string small = "a\nb\n", large(65u << 20, 'x');
+  for (const std::string& text : {small, large, std::string()}) {
+    write_text_file(folder / "file", text);
+    EXPECT_TRUE(MappedFile(folder / "file", 1u << 30).text() == text) << text.size();
+    EXPECT_TRUE(read_settled_file(folder / "file", 1u << 30) == text) << text.size();
+  }
+  EXPECT_THROW(MappedFile(folder / "none", 10), InputError);
+  write_text_file(folder / "file", small);
+  EXPECT_THROW(MappedFile(folder / "file", 2), InputError);
+}
+
+// A rig still writes its file.
+TEST(MappedFile, AFileThatChangesWhileItIsReadIsRefused) {
+  const ScratchFolder folder;
+  write_text_file(folder / "file", std::string(32u << 20, 'x'));
+  std::atomic<bool> stop = false, wrote = false;
+  std::thread writer([&] {
+    std::ofstream out(folder / "file", std::ios::app);
+    while (!stop) {
+      out << "more\n" << std::flush;
+      wrote = true;
+    }
+  });
+  while (!wrote) std::this_thread::yield();
+  std::string found;
+  try {
+    MappedFile(folder / "file", 1u << 30);
+  } catch (const InputError& error) {
+    found = error.what();
+  }
+  stop = true;
+  writer.join();
+  EXPECT_NE(found.find("file: changed while it was read"), std::string::npos) << found;
 }
 
 }  // namespace

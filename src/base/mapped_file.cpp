@@ -12,6 +12,31 @@
 
 namespace latsch {
 
+namespace {
+
+constexpr std::size_t kInMemory = 64u << 20;  // bytes
+
+bool is_same(const struct stat& a, const struct stat& b) {
+  return a.st_ino == b.st_ino && a.st_size == b.st_size &&
+         a.st_mtim.tv_sec == b.st_mtim.tv_sec && a.st_mtim.tv_nsec == b.st_mtim.tv_nsec;
+}
+
+}  // namespace
+
+std::string read_settled_file(const std::filesystem::path& file, std::size_t limit) {
+  struct stat before {}, after {};
+  const bool is_regular = ::stat(file.c_str(), &before) == 0 && S_ISREG(before.st_mode);
+  std::string text = read_text_file(file, limit);
+  if (!is_regular) return text;
+  const bool is_there = ::stat(file.c_str(), &after) == 0;
+  // Files of the system (/proc) have no size.
+  const bool is_whole = before.st_size == 0 || static_cast<off_t>(text.size()) == before.st_size;
+  if (!is_there || !is_same(before, after) || !is_whole)
+    throw InputError({file.string(), 0},
+                     "changed while it was read: try again when whoever writes it is done");
+  return text;
+}
+
 MappedFile::MappedFile(std::string text) : text_(std::move(text)), view_(text_) {}
 
 MappedFile::MappedFile(const std::filesystem::path& file, std::size_t limit) {
@@ -20,7 +45,7 @@ MappedFile::MappedFile(const std::filesystem::path& file, std::size_t limit) {
   const bool regular =
       descriptor >= 0 && ::fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode);
   const auto size = static_cast<std::size_t>(regular ? about.st_size : 0);
-  if (size > 0 && size <= limit) {
+  if (size > kInMemory && size <= limit) {
     void* mapping = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
     if (mapping != MAP_FAILED) {
       mapping_ = mapping;
@@ -32,7 +57,7 @@ MappedFile::MappedFile(const std::filesystem::path& file, std::size_t limit) {
   if (size > limit)
     throw InputError({file.string(), 0}, fmt::format("is larger than {} bytes", limit));
   if (mapping_) return;
-  text_ = read_text_file(file, limit);  // or it says why not
+  text_ = read_settled_file(file, limit);  // or it says why not
   view_ = text_;
 }
 

@@ -2,7 +2,8 @@
 // A text file of any size as one text, without a copy in memory: its pages come from the disk where
 // they are read and can be let go behind.
 //
-// The file must not be cut short while it is read: the system then ends the program. What cannot be
+// A file of up to 64 MB is read into memory, and one that changes meanwhile is refused. A larger
+// one must not be cut short while it is read: the system then ends the program. What cannot be
 // mapped (a pipe) is read into memory.
 #pragma once
 
@@ -13,10 +14,14 @@
 
 namespace latsch {
 
+/// The whole file. Throws InputError as read_text_file does, and where the file changes while it is
+/// read: half of it would be of the old one.
+std::string read_settled_file(const std::filesystem::path& file, std::size_t limit);
+
 class MappedFile {
  public:
   /// Throws InputError naming the path and the reason: missing, a folder, no permission, over the
-  /// limit.
+  /// limit, changed while it was read.
   MappedFile(const std::filesystem::path& file, std::size_t limit);
   /// A text that is in memory already.
   explicit MappedFile(std::string text);

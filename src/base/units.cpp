@@ -15,6 +15,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "base/unit_reading.h"
+#include "base/unit_words/unit_words.h"
 
 namespace latsch {
 namespace {
@@ -65,29 +67,6 @@ constexpr KnownDimension kKnown[] = {
     {"W", "a power", "5 kW"},
 };
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (static_cast<unsigned char>(c) & 0x80);
-}
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Whether digits stand in the unit as exponents only ("mm^2", "m-2") or as the 1 of "1/s": a unit
-/// "3 bar" would make "2.6 3 bar" a quantity.
-bool digits_are_exponents(std::string_view unit) {
-  if (unit == "1") return true;
-  for (std::size_t i = 0; i < unit.size(); ++i) {
-    if (!is_digit(unit[i])) continue;
-    if (i == 0 && unit.starts_with("1/")) continue;
-    std::size_t before = i;
-    if (before > 0 && (unit[before - 1] == '-' || unit[before - 1] == '+')) --before;
-    if (before == 0 || !(is_letter(unit[before - 1]) || unit[before - 1] == '^')) return false;
-    std::size_t end = i;
-    while (end < unit.size() && is_digit(unit[end])) ++end;
-    if (end - i > 1) return false;
-    i = end - 1;
-  }
-  return true;
-}
-
 /// "0.0254" for the double nearest to it: decimal factors then are decimal to 64 bits.
 long double as_decimal(double value) {
   const std::string digits = fmt::format("{}", value);
@@ -97,8 +76,7 @@ long double as_decimal(double value) {
 }
 
 bool may_be_unit(std::string_view text) {
-  return !text.empty() && text.size() <= kLongestUnit && text.find('\0') == text.npos &&
-         digits_are_exponents(text);
+  return !text.empty() && text.size() <= kLongestUnit && text.find('\0') == text.npos;
 }
 
 /// The unit database: read once; UDUNITS-2 keeps state, so one thread at a time.
@@ -114,14 +92,20 @@ class Database {
     return database;
   }
 
-  /// `text` is trimmed.
+  /// `text` is trimmed. Of several meanings the usual one.
   std::optional<Entry> find(std::string_view text) {
     const std::lock_guard lock(mutex_);
     if (const auto known = known_.find(text); known != known_.end()) return known->second;
-    if (!may_be_unit(text)) return std::nullopt;
-    const std::optional<Entry> entry = parse(std::string(text));
+    const UnitMeanings meanings = meanings_of(text);
+    if (meanings.texts.empty()) return std::nullopt;
+    const std::optional<Entry> entry = parse(meanings.texts.front());
     if (entry && known_.size() < kMostRemembered) known_.emplace(text, *entry);
     return entry;
+  }
+
+  UnitMeanings meanings(std::string_view text) {
+    const std::lock_guard lock(mutex_);
+    return meanings_of(text);
   }
 
  private:
@@ -145,6 +129,17 @@ class Database {
       ut_map_name_to_unit(name, UT_ASCII, UnitPointer(ut_parse(system_, meaning, UT_ASCII)).get());
     for (std::size_t i = 0; i < std::size(kBase); ++i)
       base_[i].reset(ut_parse(system_, kBase[i], UT_ASCII));
+  }
+
+  UnitMeanings meanings_of(std::string_view text) const {
+    if (!may_be_unit(text)) return {};
+    return unit_meanings(text, [this](std::string_view word, const std::string& meaning) {
+      constexpr long double kSame = 1e-5L;  // UDUNITS rounds some factors to six digits
+      const auto by_letter = parse(std::string(word)), meant = parse(meaning);
+      if (!by_letter || !meant) return false;
+      return by_letter->dimension != meant->dimension || by_letter->offset != meant->offset ||
+             std::abs(by_letter->factor / meant->factor - 1.0L) > kSame;
+    });
   }
 
   std::optional<Entry> parse(const std::string& text) const {
@@ -324,12 +319,59 @@ std::optional<NumberAndRest> split_number(std::string_view text) {
   return result;
 }
 
+namespace {
+
+std::optional<Quantity> quantity_in(const NumberAndRest& parts, const std::optional<Unit>& unit) {
+  if (!unit) return std::nullopt;
+  return Quantity{std::string(parts.digits), *unit, unit->to_si(parts.number)};
+}
+
+}  // namespace
+
 std::optional<Quantity> parse_quantity(std::string_view text) {
   const auto parts = split_number(text);
   if (!parts) return std::nullopt;
-  const std::optional<Unit> unit = Unit::find(parts->rest);
-  if (!unit) return std::nullopt;
-  return Quantity{std::string(parts->digits), *unit, unit->to_si(parts->number)};
+  return quantity_in(*parts, Unit::find(parts->rest));
+}
+
+std::optional<Quantity> parse_quantity(std::string_view text, const Unit& expected) {
+  const auto parts = split_number(text);
+  if (!parts) return std::nullopt;
+  return quantity_in(*parts, find_unit(parts->rest, expected));
+}
+
+std::optional<Unit> find_unit(std::string_view written, const Unit& expected) {
+  const auto usual = Unit::find(written);
+  if (!usual || usual->same_dimension(expected)) return usual;
+  for (const std::string& spelling : Database::instance().meanings(trimmed(written)).spellings) {
+    const auto unit = Unit::find(spelling);
+    if (unit && unit->same_dimension(expected)) return unit;
+  }
+  return usual;
+}
+
+bool looks_like_unit(std::string_view written) {
+  return Unit::find(written).has_value() ||
+         !Database::instance().meanings(trimmed(written)).refusal.empty();
+}
+
+UnitReading reading_of_unit(std::string_view written) {
+  const auto unit = written.empty() ? Unit::of("1") : Unit::find(written);
+  if (!unit) return {std::nullopt, unknown_unit(written), ""};
+  const UnitMeanings meanings = Database::instance().meanings(trimmed(written));
+  if (meanings.dimension_decides)
+    return {std::nullopt, "unit " + in_quotes(written) + ", " + meanings.refusal, ""};
+  std::string assumed;
+  if (!meanings.refusal.empty() && meanings.spellings.size() > 1)
+    assumed = in_quotes(written) + " is taken as " + in_quotes(meanings.spellings.front()) + ", " +
+              meanings.refusal;
+  return {unit, "", assumed};
+}
+
+UnitReading reading_of_unit(std::string_view written, const Unit& expected) {
+  const auto unit = written.empty() ? Unit::of("1") : find_unit(written, expected);
+  if (!unit) return {std::nullopt, unknown_unit(written), ""};
+  return {unit, "", ""};
 }
 
 std::string format_quantity(double si, std::string_view unit, int digits) {
@@ -363,6 +405,8 @@ std::string unknown_unit(std::string_view unit) {
       "ms",  "min", "h",    "Hz",     "kHz",    "deg",  "rad", "rpm", "m/s", "km/h", "N",
       "kN",  "lbf", "N m",  "Pa",     "kPa",    "MPa",  "GPa", "bar", "psi", "N/mm", "N/mm^2",
       "N/m", "K",   "degC", "kg/m^3", "g/cm^3", "mbar", "%",   "1"};
+  const std::string refusal = Database::instance().meanings(trimmed(unit)).refusal;
+  if (!refusal.empty()) return "unit " + in_quotes(unit) + ", " + refusal;
   return "unknown unit " + in_quotes(unit) + did_you_mean(unit, kUsual);
 }
 

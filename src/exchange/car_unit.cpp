@@ -222,7 +222,11 @@ std::optional<Failure> CarUnit::start(double /*time*/) {
   }
   const std::lock_guard lock(shared_->turn);
   car::Car& car = *shared_->car;
-  car.guide = car::Guide{};  // statics need one
+  // Statics need a guide that holds; its line and axle are those of the car's file.
+  const car::Guide holds;
+  car.guide.along = holds.along;
+  car.guide.lateral = holds.lateral;
+  car.guide.yaw = holds.yaw;
   car.may_leave_road = given_[road_continues] != 0.0;
   const car::CarInputs now = inputs(car, 0.0);
   auto settled = car.settle(*road_, given_[speed], now);

@@ -12,7 +12,6 @@
 #include "base/text.h"
 #include "exchange/car_unit.h"
 #include "exchange/tire_unit.h"
-#include "formats/road/open_crg_header.h"
 #include "formats/road/road_file.h"
 #include "models/road/plane_road.h"
 
@@ -25,7 +24,6 @@ constexpr const char* kUnit = "unit.toml";
 constexpr const char* kModel = "model";
 constexpr const char* kFlatRoad = "kind = \"flat\"\n";
 constexpr std::size_t kLargestRoad = 256u << 20;  // bytes, as of OpenCRG
-constexpr int kDeepestReference = 4;              // of road files, likewise
 
 /// 64-bit FNV-1a over names and bytes [Fowler, Noll, Vo; IETF draft-eastlake-fnv].
 std::uint64_t hash_of(const UnitFiles& files, std::uint64_t hash) {
@@ -52,21 +50,19 @@ std::string hash_in_words(const UnitFiles& files) {
                      b & 0xffffffffffff);
 }
 
-/// The road's file and what it includes, under the names they have from its folder.
+/// The road's file and those it refers to, under the names they have from its folder.
 void add_road(UnitFiles& files, const fs::path& road) {
-  const bool may_include = formats::read_road_file(road).crg != nullptr;
-  fs::path name = road.filename();
-  for (int depth = 0; depth <= kDeepestReference; ++depth) {
-    const fs::path file = road.parent_path() / name;
-    files.emplace_back(name.generic_string(), read_text_file(file, kLargestRoad));
-    if (!may_include) return;
-    const auto header = formats::read_open_crg_header(files.back().second, file.string());
-    if (header.include.empty()) return;
-    name = (name.parent_path() / header.include).lexically_normal();
-    if (name.is_absolute() || *name.begin() == "..")
-      throw InputError({header.file, header.include_line},
-                       "refers to " + in_quotes(header.include) +
+  formats::read_road_file(road);  // refused here where it is none
+  const fs::path folder = (road.parent_path() / ".").lexically_normal();
+  for (const fs::path& file : formats::files_of_road(road)) {
+    const fs::path name = file.lexically_normal().lexically_relative(folder);
+    if (name.empty() || *name.begin() == "..")
+      throw InputError({road.string(), 0},
+                       "refers to " + in_quotes(file.string()) +
                            ", which cannot travel with it: expected a file beside or below it");
+    const auto same = [&](const auto& there) { return there.first == name.generic_string(); };
+    if (std::none_of(files.begin(), files.end(), same))
+      files.emplace_back(name.generic_string(), read_text_file(file, kLargestRoad));
   }
 }
 

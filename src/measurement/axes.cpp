@@ -8,45 +8,18 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "measurement/meaning/channel_sense.h"
 
 namespace latsch {
 namespace {
 
 using Eigen::Vector3d;
 
-std::string capitals(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return result;
-}
-
 /// Factors of Fx, Fy, Fz and of Mx, My, Mz.
 Wrench signs(AxisConvention from) {
-  switch (from) {
-    case AxisConvention::iso:
-      return {{1, 1, 1}, {1, 1, 1}};
-    case AxisConvention::adapted_sae:
-      return {{1, -1, 1}, {1, -1, -1}};
-    case AxisConvention::sae:
-      return {{1, -1, -1}, {1, -1, -1}};
-  }
-  return {};
-}
-
-double sign_of_alpha(AxisConvention from) { return from == AxisConvention::sae ? -1.0 : 1.0; }
-
-/// 1 for a channel that is the same in every convention.
-double sign_of(const std::string& channel, AxisConvention from) {
-  const std::string name = capitals(channel);
-  if (name == "SLIPANGL" || name == "ALPHA" || name == "SA") return sign_of_alpha(from);
-  const bool framed =
-      name.size() == 3 && std::string_view("WHC").find(name[2]) != std::string::npos;
-  if (name.size() != 2 && !framed) return 1.0;
-  const std::size_t axis = std::string_view("XYZ").find(name[1]);
-  if (axis == std::string::npos || (name[0] != 'F' && name[0] != 'M')) return 1.0;
-  const Wrench factors = signs(from);
-  return name[0] == 'F' ? factors.force[axis] : factors.moment[axis];
+  const auto sign = [&](ChannelSense sense) { return sign_to_iso(sense, from); };
+  return {{sign(ChannelSense::along_x), sign(ChannelSense::along_y), sign(ChannelSense::load)},
+          {sign(ChannelSense::about_x), sign(ChannelSense::about_y), sign(ChannelSense::about_z)}};
 }
 
 }  // namespace
@@ -85,7 +58,9 @@ Wrench to_iso(const Wrench& wrench, AxisConvention from) {
 }
 
 WheelSlip to_iso(const WheelSlip& slip, AxisConvention from) {
-  return {sign_of_alpha(from) * slip.alpha, slip.gamma, slip.kappa};
+  return {sign_to_iso(ChannelSense::slip, from) * slip.alpha,
+          sign_to_iso(ChannelSense::about_x, from) * slip.gamma,
+          slip.kappa};
 }
 
 Wrench in_frame(
@@ -118,8 +93,9 @@ double bounded_slip_of_kappa(double kappa) {
 Channels to_iso(const Channels& channels, AxisConvention from) {
   Channels result;
   for (Channel channel : channels.all()) {
-    const double sign = sign_of(channel.name, from);
-    for (double& value : channel.values) value *= sign;
+    const double sign = sign_to_iso(channel_senses(channel.name), from);
+    for (auto* numbers : {&channel.values, &channel.slopes})
+      for (double& value : *numbers) value *= sign;
     result.add(std::move(channel));
   }
   return result;

@@ -20,6 +20,19 @@
 //   |        | so α > 0 makes Fy < 0 | Fy > 0; as iso       | Fy < 0; -iso             |
 //   | γ      | about x: top to the   | as iso               | as iso                   |
 //   |        | right, makes Fy < 0   | makes Fy > 0         | makes Fy > 0             |
+//   | dx     | along x               | as iso               | as iso                   |
+//   | dy, dz | along y, z            | -iso                 | -iso                     |
+//   | steer  | about z               | -iso                 | -iso                     |
+//   | roll   | about x               | as iso               | as iso                   |
+//   | pitch  | about y               | -iso                 | -iso                     |
+//   | φt     | as α: with y and its  | as iso               | -iso                     |
+//   |        | definition            |                      |                          |
+//   | rack   | along y               | -iso                 | -iso                     |
+//
+// toe, camber and caster of a suspension, wheel travel, heights of road and posts, the speed of
+// rotation (positive rolling forward) and κ are defined without axes: they are the same in all. A
+// slope such as dy_by_Fy has the signs of both. meaning/channel_sense.h has every name and derives
+// the signs.
 //
 // `iso` is ISO 8855, TYDEX and what Magic Formula tools call ISO; inside the program everything is
 // iso. Vy is the lateral velocity of the wheel in the axes of its column: with y to the right it
@@ -84,8 +97,8 @@ Wrench in_frame(
 double kappa_of_bounded_slip(double lambda);
 double bounded_slip_of_kappa(double kappa);
 
-/// The channels of a test in iso. Forces, moments and slip angle are known by their names in TYDEX
-/// (FYW, MZH, SLIPANGL) or short (Fy, Mz, alpha, SA), in any case; the others stay as they are.
+/// The channels of a test in iso, with their slopes. Every channel that the convention defines is
+/// turned, by whatever spelling (meaning/channel_words.h); a name that is not known stays as it is.
 Channels to_iso(const Channels& channels, AxisConvention from);
 
 }  // namespace latsch

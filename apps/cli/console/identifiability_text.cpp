@@ -19,11 +19,6 @@ using correlation::Study;
 constexpr double kStrongCorrelation = 0.9;
 constexpr size_t kShownGains = 6;
 
-std::string note_on(const DesignVariable& v, const Confidence& c, int i, const DesignPoint& point) {
-  if (c.held[i] == Bound::none) return "";
-  return fmt::format(", held at its bound {}", shown(v, point.values[i]));
-}
-
 void print_spectrum(const Study& study, const Confidence& c) {
   say("\nDirections of the variables, from the best determined to the least\n");
   say("  {:>15} {:>22}  {}\n", "singular value", "deviation, % of range", "direction");
@@ -132,23 +127,18 @@ void print_missed(const Study& study, const std::vector<correlation::MissedValue
 }
 
 void print_intervals(const Study& study, const Identifiability& result) {
-  const Confidence& c = result.identification.confidence();
   for (int i = 0; i < study.space.size(); ++i) {
     const DesignVariable& v = study.space[i];
     const Interval interval = correlation::reported_interval(study, result, i);
     const std::string shift = correlation::shift_text(study, result, i);
-    say("  {:<{}} {:<16} 95 %: {}{}{}\n",
+    say("  {:<{}} {:<16} 95 %: {}{}\n",
         v.name,
         name_width(study.space.variables()),
         correlation::value_text(study.space, i, result.best.values[i], interval),
-        correlation::interval_text(study.space, i, interval),
-        shift.empty() ? "" : ", mesh and step: " + shift,
-        note_on(v, c, i, result.best));
+        correlation::interval_text(study, result, i),
+        shift.empty() ? "" : ", mesh and step: " + shift);
   }
   for (const std::string& remark : correlation::remarks(study, result)) say("  {}\n", remark);
-  if (std::isnan(c.sigma)) {
-    say("  No more measured values than variables: state the noise of the experiments\n");
-  }
 }
 
 void print_identifiability(const Study& study, const Identifiability& result) {

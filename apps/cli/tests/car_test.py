@@ -75,6 +75,39 @@ class OnRoads(Cars):
         self.write_grid("round.crg", "$ROAD_CRG_OPTS\nborder_mode_u = 3\n$\n")
         self.run_on(self.filed("round.crg", start='["18.5 m", "0 m"]'))
 
+    # Below the left wheels alone: the right ones roll on the ground beside it, which the file has too.
+    def test_a_kerb_from_a_file_has_ground_beside_it(self):
+        kerb = 'kind = "kerb"\nshape = "triangle"\npitch = "800 mm"\nwidth = "800 mm"\nheight = "10 mm"\ncount = 2\nstart = ["0 m", "0.2 m"]\n'
+        (self.folder / "kerb.toml").write_text(kerb)
+        self.latsch("road", self.folder / "kerb.toml", "--triangles", self.folder / "kerb.rdf")
+        words, filed = self.run_on("[kerb]\n" + kerb), self.run_on(self.filed("kerb.rdf"))
+        for corner in CORNERS:
+            a, b = words[f"pushrod_{corner}"], filed[f"pushrod_{corner}"]
+            size = math.sqrt(sum(x * x for x in a) / len(a))
+            self.assertLess(math.sqrt(sum((x - y) ** 2 for x, y in zip(a, b)) / len(a)), 0.001 * size)
+
+    # The axle that pulls has its place in the file; drag shifts the same load whichever it is.
+    def test_drag_starts_in_balance_and_keeps_the_speed(self):
+        text = self.car.read_text()
+        for drives in ("", 'drives = "front"\n', 'drives = "both"\n'):
+            self.car.write_text(text + '\n[aero]\narea = "1.2 m^2"\nmap = [["0 mm", "0 mm", 1.4, 1.7]]\ndrag = 0.9\n'
+                                       f'drag_height = "0.3 m"\n[driver]\nline = "0 mm"\n{drives}')
+            record = self.run_on("", code=None)
+            for speed in record["speed"]:
+                self.assertAlmostEqual(speed, 30.0, delta=1e-3)
+        self.car.write_text(text + '\n[driver]\ndrives = "left"\n')
+        self.assertIn("driver.drives", self.run_on("", code=WRONG_INPUT))
+
+    # 60 m/s, maps of several weights on rigid joints: what found no rest.
+    def test_downforce_on_rigid_joints_finds_rest(self):
+        text = self.car.read_text()
+        for times in (1.0, 2.0, 3.0):
+            self.car.write_text(text + f'\n[aero]\narea = "1.2 m^2"\nmap = [["0 mm", "0 mm", {times}, {1.2 * times}]]\n')
+            test = '{kind = "kerb", speed = "60 m/s", run_in = "0.01 s", duration = "0.01 s"}'
+            record = self.columns(test)
+            down = 9.80665 * (220.0 + 2.0 * 2.0 * (0.8 + 1.0 + 0.4 + 0.3 + 0.4 + 4.0 + 8.2)) + 0.5 * 1.2 * 3600.0 * 1.2 * 2.2 * times
+            self.assertAlmostEqual(sum(record[f"Fz_{c}"][0] for c in CORNERS), down, delta=1e-6 * down)
+
     # On a level road: q A (C_f + C_r) more than the weight, of constant coefficients.
     def test_air_presses_it_down(self):
         still = self.run_on("", code=None)
@@ -238,13 +271,37 @@ class Refused(Cars):
             self.assertIn(words, self.latsch("test", self.car, SHORT, code=WRONG_INPUT))
             self.car.write_text(original)
 
+    # Every model file of the studies by itself: cars, suspensions, rings, .tir.
+    def test_check_takes_every_model_file(self):
+        for file in ("kerb/baseline.toml", "kerb/front_rigid.toml", "kerb/slick_ring.toml", "kerb/slick.tir", "tires/passenger_205_55R16.toml"):
+            path = STUDIES / file
+            text = self.latsch("check", path)
+            self.assertIn("Numbers a study may vary", text, file)
+            self.assertIn("Everything is in order", text, file)
+        self.assertIn("mirrored on the right", self.latsch("check", STUDIES / "kerb/baseline.toml"))
+        broken = self.folder / "kerb" / "broken.toml"
+        broken.write_text(self.car.read_text().replace("[front]\n", "[front]\ncambr = \"1 deg\"\n", 1))
+        self.assertIn("front.cambr", self.latsch("check", broken, code=WRONG_INPUT))
+
+    # A tire that says no side is told of where it is used, and taken for a left one.
+    def test_a_tire_without_a_side_is_told_of(self):
+        tire = self.folder / "kerb" / "slick.tir"
+        for arguments in (("check", self.car), ("check", tire), ("test", self.car, SHORT)):
+            self.assertNotIn("TYRESIDE", self.latsch(*arguments))
+        tire.write_text(tire.read_text().replace("TYRESIDE = 'LEFT'\n", ""))
+        for arguments in (("check", self.car), ("check", tire), ("test", self.car, SHORT),
+                          ("export", self.car, "--fmu", "3.0", "-o", self.folder / "car.fmu")):
+            self.assertIn("states no TYRESIDE", self.latsch(*arguments))
+
     def test_keys_that_are_unknown(self):
         self.assertIn('unknown key "chassis.mas", did you mean "mass"?', self.complaint((r"\[chassis\]", '[chassis]\nmas = "3 kg"')))
 
     def test_spectra_that_cannot_be(self):
         for test, words in (('{kind = "four_post", duration = "1 s", segment = "2 s"}', "longer than the record"),
                             ('{kind = "four_post", duration = "1 s", band = ["9 Hz", "3 Hz"]}', "a lower and a higher"),
-                            ('{kind = "four_post", duration = "1 s", band = ["3.2 Hz", "3.4 Hz"]}', "holds no line")):
+                            ('{kind = "four_post", duration = "1 s", band = ["3.2 Hz", "3.4 Hz"]}', "holds no line"),
+                            ('{kind = "four_post", spectra = true, band = ["0.25 Hz", "20 Hz"]}', "the sweep goes from 0.5 to 30 Hz"),
+                            ('{kind = "four_post", spectra = true, duration = "3 s", from = "0.5 Hz"}', "holds no two periods below 0.6667 Hz")):
             self.assertIn(words, self.latsch("test", self.car, test, code=WRONG_INPUT))
 
 

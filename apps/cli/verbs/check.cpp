@@ -2,6 +2,7 @@
 // latsch check: reads a study, its model and its measurements, and says what it understood.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -10,7 +11,9 @@
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
 #include "cli/console/implausible.h"
+#include "cli/console/ledgers.h"
 #include "cli/console/tables.h"
+#include "cli/run/model_source.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/refinement.h"
@@ -186,6 +189,63 @@ int check_derivatives(const std::string& file, const experiment::Language& langu
   return all_agree ? kDone : kFailed;
 }
 
+/// The numbers of one thing, as of material.RUBBER, in one line: by unit, the first and last name,
+/// how many, the smallest and largest.
+std::string many_in_words(const std::vector<std::string>& paths, const Document& numbers) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> by_unit;
+  for (const std::string& path : paths) {
+    const std::string unit = numbers.unit(path);
+    auto known = std::find_if(
+        by_unit.begin(), by_unit.end(), [&](const auto& one) { return one.first == unit; });
+    if (known == by_unit.end()) known = by_unit.insert(known, {unit, {}});
+    known->second.push_back(path);
+  }
+  std::string text;
+  for (const auto& [unit, same] : by_unit) {
+    const auto name = [](const std::string& path) { return path.substr(path.rfind('.') + 1); };
+    double low = numbers.get(same.front()), high = low;
+    for (const std::string& path : same) {
+      low = std::min(low, numbers.get(path));
+      high = std::max(high, numbers.get(path));
+    }
+    if (!text.empty()) text += "; ";
+    text += name(same.front());
+    if (same.size() > 1) text += fmt::format(" ... {} ({})", name(same.back()), same.size());
+    text += " " + format_number(low, 6);
+    if (same.size() > 1) text += " to " + format_number(high, 6);
+    if (unit != "1") text += " " + unit;
+  }
+  return text;
+}
+
+/// Each number in its line, those of one thing that has many of them in one line.
+void print_numbers(const Document& numbers, const std::string& file) {
+  constexpr std::size_t kFew = 6;
+  std::vector<std::pair<std::string, std::vector<std::string>>> things;
+  for (const std::string& path : numbers.paths()) {
+    const std::size_t dot = path.rfind('.');
+    const std::string thing = dot == path.npos ? "" : path.substr(0, dot);
+    if (things.empty() || things.back().first != thing) things.push_back({thing, {}});
+    things.back().second.push_back(path);
+  }
+  bool shortened = false;
+  for (const auto& [thing, paths] : things) {
+    if (!thing.empty() && paths.size() > kFew) {
+      say("  {:<40} {}\n", thing + ".*", many_in_words(paths, numbers));
+      shortened = true;
+      continue;
+    }
+    for (const std::string& path : paths) {
+      const std::string unit = numbers.unit(path);
+      say("  {:<40} {}{}\n",
+          path,
+          format_number(numbers.get(path), 6),
+          unit == "1" ? "" : " " + unit);
+    }
+  }
+  if (shortened) say("  {:<40} each by itself: latsch show {}\n", "", file);
+}
+
 /// A model alone, in a file of another program: what it is, what was assumed for it, the numbers a
 /// study may vary.
 void check_model(const std::string& file, const experiment::Language& language) {
@@ -201,8 +261,8 @@ void check_model(const std::string& file, const experiment::Language& language) 
     const double value = numbers.get(path);
     const std::string unit = numbers.unit(path);
     answer()["numbers"].push_back({{"path", path}, {"value", value}, {"unit", unit}});
-    say("  {:<40} {}{}\n", path, format_number(value, 6), unit == "1" ? "" : " " + unit);
   }
+  print_numbers(numbers, file);
   for (const std::string& note : kind.notes(file)) warn(note, {file, 0});
   say("\nEverything is in order. Next: a test of it, latsch test {} TEST, or a study with model = "
       "\"{}\"\n",
@@ -210,8 +270,20 @@ void check_model(const std::string& file, const experiment::Language& language) 
       std::filesystem::path(file).filename().string());
 }
 
+/// Whether a file is a model of some kind: a car, a suspension, a tire; what else is read as a
+/// study and refused as one.
+bool is_model(const std::string& file, const experiment::Language& language) {
+  if (!experiment::is_document(file)) return true;
+  if (is_study(file)) return false;
+  const Node root = Document::read(file).root();
+  if (root.has("kind")) return language.find_kind(root.text("kind")) != nullptr;
+  return std::any_of(language.kinds.begin(), language.kinds.end(), [&](const auto* kind) {
+    return kind->recognizes(file);
+  });
+}
+
 void check(const std::string& file, const experiment::Language& language) {
-  if (!experiment::is_document(file)) return check_model(file, language);
+  if (is_model(file, language)) return check_model(file, language);
   const Study study = correlation::read_study(file, language);
   reject_implausible(study);
   study.specimens->check(study);
@@ -224,6 +296,8 @@ void check(const std::string& file, const experiment::Language& language) {
   print_constraints(study.space);
   say("\nExperiments\n");
   print_experiments(study);
+  say("\nFiles\n");
+  const std::size_t doubts = say_ledgers(study, true);
   if (!study.constraints.empty()) say("\nConstraints on channels\n");
   for (const auto& constraint : study.constraints) {
     say("  {:<16} {}\n", constraint.name, in_words(constraint));
@@ -244,7 +318,14 @@ void check(const std::string& file, const experiment::Language& language) {
       journal_in_words(study),
       correlation::in_words(study.run.on_failure));
   print_trials_so_far(study);
-  say("\nEverything is in order. Next: latsch run {}\n", file);
+  if (doubts > 0)
+    say("\n{} of what the files say {} in doubt (the warnings). Else everything is in order. Next: "
+        "latsch run {}\n",
+        doubts,
+        doubts == 1 ? "is" : "are",
+        file);
+  else
+    say("\nEverything is in order. Next: latsch run {}\n", file);
 }
 
 }  // namespace
@@ -257,7 +338,10 @@ void add_check(CommandLine& app, Program& program) {
       "Examples:\n  latsch check studies/tire_b_twin/study.toml\n"
       "  latsch check studies/race_tire_mf/study.toml --derivatives");
   auto file = std::make_shared<std::string>();
-  verb.add_option("study", *file, "Study file (TOML); a model alone: .inp, .tir").required();
+  verb.add_option("study",
+                  *file,
+                  "Study file (TOML); a model alone: a car, a suspension, a tire, .inp, .tir")
+      .required();
   auto derivatives = std::make_shared<bool>(false);
   verb.add_flag(
       "--derivatives",

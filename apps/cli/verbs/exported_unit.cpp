@@ -34,6 +34,8 @@ void write_fmu(const std::string& file,
                const experiment::Language& language) {
   if (output.empty()) throw InputError("export --fmu: expected the package to write, -o FILE.fmu");
   const ModelSource source = model_source(file, language);
+  if (!is_study(file))
+    for (const std::string& note : source.kind->notes(file)) warn(note, {file, 0});
   const auto files = exchange::unit_files(*source.kind, source.numbers, road);
   const auto fmi = version == "2.0" ? exchange::FmiVersion::fmi2 : exchange::FmiVersion::fmi3;
   exchange::UnitTitle title;
@@ -54,10 +56,13 @@ void say_sti(const std::string& file, const experiment::Language& language) {
   const experiment::SpecimenKind& kind = language.kind_of_file(file);
   if (!experiment::can(kind, {experiment::Rolls::kName}))
     throw InputError({file, 0}, "is a " + kind.in_words() + ", which does not roll");
-  kind.check(kind.read(file));
-  say("library   {}\nfunction  dtyre_ (Fortran: DTYRE; C: dtyre)\ntire file {}\n",
+  const Document numbers = kind.read(file);
+  kind.check(numbers);
+  for (const std::string& note : kind.notes(file)) warn(note, {file, 0});
+  say("library   {}\nfunction  dtyre_ (Fortran: DTYRE; C: dtyre)\ntire file {}\ntire      {}\n",
       library("latsch_sti.so").string(),
-      fs::absolute(file).string());
+      fs::absolute(file).string(),
+      kind.describe(numbers));
 }
 
 }  // namespace latsch::cli

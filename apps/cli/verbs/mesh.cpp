@@ -155,7 +155,9 @@ int place(const TireDescription& tire, const MeshOptions& options) {
                          {"free_degrees_of_freedom", found->unknowns},
                          {"error_before", found->error_before},
                          {"error", found->error},
-                         {"worst", found->worst}};
+                         {"worst", found->worst},
+                         {"stopped", found->stopped}};
+  if (!found->stopped.empty()) warn(found->stopped + "; the best mesh before it is kept");
   say("\n{} columns, {} sectors, {} unknowns: largest error of growth and {} modes{} {:.2f} -> "
       "{:.2f} % ({}), estimated\n{}\n",
       2 * (found->columns.size() - 1),

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch road: what a tire finds on a road at given points.
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <nlohmann/json.hpp>
 
 #include "base/document.h"
@@ -57,9 +60,10 @@ Channels ask(const formats::RoadFile& file,
 
 /// A kerb in words as a road file of triangles.
 void write_triangles(const RoadOptions& options) {
-  constexpr double kApproach = 3.0;  // m: a car stands on it before the kerb
+  // m: a car runs in on it, at 60 m/s for 0.2 s; its other wheels are beside the kerb.
+  constexpr double kApproach = 20.0, kBeside = 4.0;
   const Node root = Document::read(options.road).root();
-  const auto mesh = road::kerb_triangles(road::read_kerb(root), kApproach);
+  const auto mesh = road::kerb_triangles(road::read_kerb(root), kApproach, kBeside);
   root.close();
   write_text_file(options.triangles, formats::rdf_text(mesh, "made from " + options.road));
   say_written(options.triangles);
@@ -73,6 +77,14 @@ int road(const RoadOptions& options) {
   }
   const formats::RoadFile file = formats::read_road_file(options.road);
   for (const std::string& warning : file.warnings) warn(warning);
+  if (!file.unused.empty())
+    warn(fmt::format("not used: {}", fmt::join(file.unused, ", ")), {options.road, 0});
+  // The table may be piped on; what is kept must not stand in it.
+  if (!options.output.empty() || answers_in_json())
+    for (const std::string& key : file.kept) {
+      say("not of the surface: {}\n", key);
+      answer()["kept"].push_back(key);
+    }
   const auto points = formats::CsvTable::read(options.points);
   points.expect_only({"x", "y", "time"});
   const auto x = points.si_numbers("x", "m"), y = points.si_numbers("y", "m");

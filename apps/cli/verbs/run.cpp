@@ -15,6 +15,7 @@
 #include "cli/console/console.h"
 #include "cli/console/identifiability_text.h"
 #include "cli/console/implausible.h"
+#include "cli/console/ledgers.h"
 #include "cli/console/tables.h"
 #include "cli/run/interrupt.h"
 #include "cli/run/served_studies.h"
@@ -54,6 +55,18 @@ void print_result(const Study& study, const Run& run, const Journal& journal) {
   const double off = violation(*best.outcome);
   if (off > kFulfilled) {
     say("No step fulfills all constraints; the best one is off by {:.2g} of a scale\n", off);
+  }
+}
+
+/// How modes were compared with the best trial, where that is not plain.
+void print_remarks(const Study& study, const DesignPoint& best, const Journal& journal) {
+  const Channels recording = correlation::end_of_stage(best, journal).recording;
+  for (const correlation::StudyExperiment& experiment : study.experiments) {
+    if (!experiment.fitted) continue;
+    const auto comparison = experiment.observable->compare(recording, experiment.objective);
+    if (!comparison) continue;
+    for (const std::string& remark : experiment.observable->remarks(*comparison))
+      say("{}: {}\n", experiment.name, remark);
   }
 }
 
@@ -223,6 +236,7 @@ int fit(const Asked& asked, const experiment::Language& language) {
   Workers workers(study);
   if (workers.served(study, /*in_stages=*/true)) return kDone;
   reject_implausible(study);
+  say_ledgers(study, true);
   catch_interrupts();
   std::optional<correlation::StageEnd> before;
   Asked once = asked;
@@ -239,6 +253,7 @@ int fit(const Asked& asked, const experiment::Language& language) {
     if (k + 1 == correlation::stage_count(study)) {
       correlation::take_noise(stage, study);
       print_result(study, fitted.run, journal);
+      print_remarks(study, best, journal);
       const DesignPoint shown = best_of_journal(study, best, journal);
       const auto depth = fitted.run.end == RunEnd::converged ? correlation::Depth::intervals
                                                              : correlation::Depth::at_the_point;

@@ -2,12 +2,17 @@
 // latsch show: what was read from a file, with units, on the terminal or as a page.
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "base/file.h"
 #include "cli/console/console.h"
 #include "cli/verbs/shown_page.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/study/ledgers/study_ledgers.h"
+#include "correlation/study/study.h"
 
 namespace latsch::cli {
 namespace {
@@ -50,16 +55,58 @@ void print_table(const ShownTable& table) {
   for (const auto& row : table.rows) print_row(row);
 }
 
+bool is_recording(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::vector<std::string> endings = {".csv", ".txt", ".dat", ".mat", ".tdx", ".tydex"};
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+/// Where the whole study can be read, it is known who uses a column.
+void name_users(const std::string& file, const experiment::Language& language, ShownFile& shown) {
+  if (shown.ledgers.empty()) return;
+  std::vector<Ledger> known;
+  try {
+    known = correlation::ledgers_of(correlation::read_study(file, language));
+  } catch (const InputError&) {
+    return;  // what the measurement alone says stays
+  }
+  std::erase_if(shown.tables,
+                [](const ShownTable& table) { return table.heads == ledger_heads(); });
+  std::erase_if(shown.facts, [&](const std::string& fact) {
+    return fact.starts_with("? ") ||
+           std::any_of(shown.ledgers.begin(), shown.ledgers.end(), [&](const Ledger& ledger) {
+             return fact.ends_with(": " + in_one_line(ledger));
+           });
+  });
+  const auto before = std::exchange(shown.ledgers, {});
+  for (const Ledger& ledger : known)
+    if (std::any_of(before.begin(), before.end(), [&](const Ledger& one) {
+          return one.file == ledger.file;
+        }))
+      show_ledger(ledger, true, shown);
+}
+
 int show(const std::string& file,
          const std::string& html,
          const std::string& axes,
-         const std::string& measurement) {
-  const ShownFile shown = measurement.empty() ? shown_file(file, axis_convention_of(axes))
-                                              : shown_measurements(file, measurement);
+         const std::string& measurement,
+         const experiment::Language& language) {
+  ShownFile shown = measurement.empty()
+                        ? shown_file(file, axis_convention_of(axes.empty() ? "iso" : axes))
+                        : shown_measurements(file, measurement);
+  if (is_recording(file))
+    show_ledger_of(
+        file, axes.empty() ? std::nullopt : std::optional(axis_convention_of(axes)), shown);
+  else
+    name_users(file, language, shown);
   // First the page: `latsch show FILE --html PAGE | head` ends the program at the tenth line.
   if (!html.empty()) write_text_file(html, shown_page(file, shown));
   answer()["kind"] = shown.kind;
   answer()["facts"] = shown.facts;
+  for (const Ledger& ledger : shown.ledgers)
+    answer()["ledgers"].push_back(correlation::json_of(ledger));
   for (const ShownTable& table : shown.tables)
     answer()["tables"].push_back(
         {{"title", table.title}, {"heads", table.heads}, {"rows", table.rows}});
@@ -78,7 +125,8 @@ int show(const std::string& file,
 void add_show(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("show", "What was read from a file: units, axes, channels");
   verb.footer(
-      "Reads TYDEX (.tdx), tables (.csv), MATLAB (.mat), tires (.tir), roads (.crg, .rdf, .toml),\n"
+      "Reads TYDEX (.tdx), tables (.csv, .dat), MATLAB (.mat), tires (.tir), roads (.crg, .rdf, "
+      ".toml),\n"
       "decks (.inp); of a study its measurements, of any other .toml its numbers in SI.\n\n"
       "Examples:\n  latsch show cornering.tdx --axes sae --html cornering.html\n"
       "  latsch show study.toml --measurement cornering --html cornering.html");
@@ -86,11 +134,14 @@ void add_show(CommandLine& app, Program& program) {
   auto html = std::make_shared<std::string>();
   verb.add_option("file", *file, "File to look at").required();
   verb.add_option("--html", *html, "Page with plots and tables to write");
-  auto axes = std::make_shared<std::string>("iso");
-  verb.add_option("--axes", *axes, "Signs the file has: iso, adapted_sae or sae; shown are iso's");
+  auto axes = std::make_shared<std::string>();
+  verb.add_option(
+      "--axes", *axes, "Signs the file has: iso unless given, adapted_sae or sae; shown are iso's");
   auto measurement = std::make_shared<std::string>();
   verb.add_option("--measurement", *measurement, "Of a study: the one [measurement.NAME] to show");
-  verb.callback([=, &program] { program.exit_code = show(*file, *html, *axes, *measurement); });
+  verb.callback([=, &program] {
+    program.exit_code = show(*file, *html, *axes, *measurement, program.language);
+  });
 }
 
 }  // namespace latsch::cli

@@ -48,8 +48,7 @@ ShownFile shown_bushing(const std::filesystem::path& bus) {
   const BushingParameters& bushing = file.bushing;
   ShownFile shown;
   shown.kind = "Bushing (.bus)";
-  for (const std::string& section : file.unused)
-    shown.facts.push_back("not read: [" + section + "]");
+  for (const std::string& key : file.unused) shown.facts.push_back("not read: " + key);
   ShownTable table{"Axes, in SI", {"axis", "points", "stiffness at rest", "damping", "unit"}, {}};
   for (int axis = 0; axis < 6; ++axis) {
     const multibody::ForceCurve* curve = curve_of(bushing, axis);

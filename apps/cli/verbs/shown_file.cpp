@@ -11,8 +11,9 @@
 #include "base/document.h"
 #include "base/text.h"
 #include "cli/verbs/plot_units.h"
+#include "correlation/laboratory/measurement.h"
 #include "experiment/kinds/inp_numbers.h"
-#include "formats/mesh/inp_deck.h"
+#include "formats/deck/inp_deck.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/mat_file.h"
 #include "formats/tables/tydex_file.h"
@@ -109,6 +110,16 @@ ShownFile show_mat(const std::filesystem::path& path, AxisConvention axes) {
   }
   shown.tables.push_back(std::move(table));
   if (vectors) show_channels(to_iso(file.channels(), axes), false, shown);
+  return shown;
+}
+
+/// Of a test consortium: the recording alone.
+ShownFile show_dat(const std::filesystem::path& path, AxisConvention axes) {
+  const auto measurement = correlation::read_measurement(path, axes);
+  ShownFile shown;
+  shown.kind = "Recording (.dat)";
+  shown.facts = measurement.words();
+  show_channels(measurement.channels(), false, shown);
   return shown;
 }
 
@@ -230,6 +241,7 @@ ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes) {
       {".tydex", [&](const Path& path) { return show_tydex(path, axes); }},
       {".csv", [&](const Path& path) { return show_csv(path, axes); }},
       {".mat", [&](const Path& path) { return show_mat(path, axes); }},
+      {".dat", [&](const Path& path) { return show_dat(path, axes); }},
       {".tir", shown_tire},
       {".bus", shown_bushing},
       {".crg", shown_road},

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "experiment/language/test.h"
 #include "measurement/axes.h"
 #include "measurement/channels.h"
+#include "measurement/ledger.h"
 #include "report/line_plot.h"
 
 namespace latsch::cli {
@@ -23,6 +25,7 @@ struct ShownFile {
   std::string kind;  // "TYDEX 1.3"
   std::vector<std::string> facts;
   std::vector<ShownTable> tables;
+  std::vector<Ledger> ledgers;
   std::vector<experiment::Test::Picture> pictures;
   std::vector<report::LinePlot> plots;
 };
@@ -33,6 +36,14 @@ ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes);
 
 /// Every [measurement.NAME] of a study, or `only` one of them.
 ShownFile shown_measurements(const std::filesystem::path& study, const std::string& only = "");
+/// Adds the ledger of what was read: a table, its doubts as facts. `with_users`: of a study, where
+/// it is known who uses a column.
+void show_ledger(const Ledger& ledger, bool with_users, ShownFile& shown);
+/// The same of a table or recording alone, with the axes it is said to have; a file that is none
+/// says so in a fact.
+void show_ledger_of(const std::filesystem::path& file,
+                    std::optional<AxisConvention> axes,
+                    ShownFile& shown);
 ShownFile shown_tire(const std::filesystem::path& tir);
 ShownFile shown_bushing(const std::filesystem::path& bus);
 ShownFile shown_road(const std::filesystem::path& road);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A Magic Formula tire to look at: its file as written, and what the tire does.
+#include <map>
+
 #include "cli/verbs/shown_file.h"
 #include "experiment/kinds/slip_plots.h"
 #include "formats/tire/tir_file.h"
@@ -12,10 +14,21 @@ ShownFile shown_tire(const std::filesystem::path& tir) {
   ShownFile shown;
   shown.kind = "Magic Formula tire (.tir)";
   shown.facts = file.notes;
-  ShownTable table{"As written", {"section", "key", "value", "comment"}, {}};
+  std::map<int, const formats::TirKey*> taken;  // by line
+  for (const formats::TirKey& key : file.keys) taken[key.line] = &key;
+  ShownTable table{"As written, and what it is taken for",
+                   {"section", "key", "value", "taken as", "remark", "comment"},
+                   {}};
   for (const auto& section : file.source.sections()) {
     for (const auto& entry : section.entries()) {
-      table.rows.push_back({section.name(), entry.key, entry.value, entry.comment});
+      const auto key = taken.find(entry.line);
+      const bool known = key != taken.end();
+      table.rows.push_back({section.name(),
+                            entry.key,
+                            entry.value,
+                            known && !key->second->parameter.empty() ? key->second->parameter : "-",
+                            known ? key->second->remark : "",
+                            entry.comment});
     }
   }
   shown.tables.push_back(std::move(table));

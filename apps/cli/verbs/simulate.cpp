@@ -5,6 +5,7 @@
 
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
+#include "cli/console/ledgers.h"
 #include "cli/console/parsed.h"
 #include "cli/console/tables.h"
 #include "cli/verbs/verbs.h"
@@ -23,6 +24,7 @@ int simulate(const std::string& file,
   for (const std::string& assignment : assignments) set_variable(study.space, assignment, point);
   say("{}\n\n", study.title);
   print_point(study.space, point);
+  say_ledgers(study, false);
   answer()["variables"] = answer_of(study.space, point);
 
   const auto channels = correlation::simulate_all(study, point);

@@ -14,6 +14,7 @@
 #include "base/text.h"
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
+#include "cli/console/ledgers.h"
 #include "cli/run/model_source.h"
 #include "cli/verbs/shown_page.h"
 #include "cli/verbs/verbs.h"
@@ -192,6 +193,7 @@ int test(const TestOptions& options, const experiment::Language& language) {
   if (!is_study(options.model)) {
     for (const std::string& note : model.kind->notes(options.model)) warn(note, {options.model, 0});
   }
+  warn_of_doubts(test->ledgers("the test"));
   refuse_signs(options.signs, *test);
   if (options.convergence) return say_convergence(*model.kind, model.numbers, *test);
   if (options.html.empty() && options.details.empty())

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "bindings/arrays.h"
@@ -17,6 +18,7 @@
 #include "bindings/models.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/search/study_method.h"
+#include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study_slopes.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/best_trial.h"
@@ -254,6 +256,13 @@ void bind_studies(py::module_& module) {
       .def_property_readonly(
           "method",
           [](const Read& s) { return std::string(name(correlation::method_of(*s.study).method)); })
+      .def_property_readonly("_ledger_json",
+                             [](const Read& s) {
+                               auto all = nlohmann::ordered_json::array();
+                               for (const Ledger& ledger : correlation::ledgers_of(*s.study))
+                                 all.push_back(correlation::json_of(ledger));
+                               return all.dump();
+                             })
       .def_property_readonly(
           "reason_without_slopes",
           [](const Read& s) { return correlation::reason_without_slopes(*s.study).value_or(""); },

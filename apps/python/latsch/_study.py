@@ -69,6 +69,13 @@ class Study(_latsch._Study):
     model(point=None): the Model as written, or at a point.
     """
 
+    @property
+    def ledger(self):
+        """What each column of each file was taken for: a list of dicts, one a file, with `file`, `summary`, `rows` (written,
+        taken_as, unit_written, unit, factor, offset, axes, used_by, state ...) and `doubts` (name, sentence, line, is_error).
+        """
+        return json.loads(self._ledger_json)
+
     def simulate(self, point):
         """All experiments at a point (n,), the predicted ones too: a Recording with channels "TEST/CHANNEL"."""
         values, units, _ = self._simulate(point)

@@ -66,7 +66,10 @@ double value_at(const DesignSpace& space, int variable, double u) {
 using Drive = std::function<bool(Optimizer&)>;
 
 IdentificationOptions options_for(const Study& study, Depth depth) {
-  return {.confidence = {.sigma = residual_sigma(study), .traits = residual_traits(study)},
+  constexpr double kLeastNoise = 1e-5;  // residuals are relative where no noise is stated
+  return {.confidence = {.sigma = residual_sigma(study),
+                         .least_noise = kLeastNoise,
+                         .traits = residual_traits(study)},
           .profiles = depth == Depth::profiles,
           .most_centers = depth == Depth::at_the_point ? 1 : IdentificationOptions{}.most_centers};
 }
@@ -167,6 +170,11 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
         "measurement, or the search ended early. The intervals are those of the spread seen.",
         c.excess));
   }
+  if (std::isnan(c.sigma)) {
+    all.emplace_back(
+        "There are no more measured values than variables, so how exact they are cannot be seen "
+        "from the fit: no interval is known. State the noise of the experiments.");
+  }
   if (c.is_colored) {
     all.emplace_back(
         "Neighboring values share noise: the intervals count them as the fewer that they are "
@@ -185,6 +193,11 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
     all.push_back("Beside the point the model fails in " + one_sided +
                   ": its derivative is that of a single step.");
   }
+  for (const Eigen::VectorXd& direction : identification.unknown_directions()) {
+    all.push_back("Along " + direction_text(study.space, direction) +
+                  " differences tell no more than their own errors: as far as they show, the data "
+                  "leave it open.");
+  }
   if (study.refinement && !what.refined_shift) {
     all.emplace_back(
         "The refined model was not evaluated there, or failed: the intervals know nothing of mesh "
@@ -202,8 +215,9 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
   }
   if (c.left_to_gain > kEarly * c.threshold()) {
     all.emplace_back(
-        "The search ended early: its own derivatives promise more than an interval's worth. latsch "
-        "identify goes on from there.");
+        "The search ended early: derivatives taken afresh promise more than an interval's worth, "
+        "so "
+        "the point is no minimum yet. latsch identify goes on from there.");
   }
   int refits = 0, failed = 0;
   for (const Profile& profile : identification.profiles()) {
@@ -383,6 +397,32 @@ std::string interval_text(const DesignSpace& space, int variable, const Interval
   if (low) return "at least " + limit_text(space, variable, lower);
   if (high) return "at most " + limit_text(space, variable, upper);
   return "anywhere between the bounds";
+}
+
+namespace {
+
+/// "" where no bound holds it.
+std::string held_text(const Study& study, const Identifiability& what, int variable) {
+  constexpr double kThere = 1e-6;  // of the range
+  const auto i = static_cast<size_t>(variable);
+  const Bound held = what.identification.confidence().held[i];
+  if (held == Bound::none) return "";
+  const DesignVariable& v = study.space[variable];
+  const bool is_lower = held == Bound::lower;
+  const double u = study.space.to_unit(what.best)[i];
+  const bool is_there = is_lower ? u <= kThere : u >= 1.0 - kThere;
+  return fmt::format(", {} its bound {}",
+                     is_there ? "held at" : "its least squares at",
+                     format_quantity(is_lower ? v.lower : v.upper, v.unit, 5));
+}
+
+}  // namespace
+
+std::string interval_text(const Study& study, const Identifiability& what, int variable) {
+  const bool is_known = !std::isnan(what.identification.confidence().sigma);
+  const Interval interval = reported_interval(study, what, variable);
+  return (is_known ? interval_text(study.space, variable, interval) : "not known") +
+         held_text(study, what, variable);
 }
 
 }  // namespace latsch::correlation

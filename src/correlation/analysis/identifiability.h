@@ -78,6 +78,12 @@ std::string value_text(const DesignSpace& space,
 /// beyond the bounds, "anywhere" where both do. Digits as those of the value.
 std::string interval_text(const DesignSpace& space, int variable, const Interval& interval);
 
+/// The same of the reported interval; "not known" where there are no more residuals than variables
+/// and no noise is stated. With the bound that holds the variable, by its value: ", held at its
+/// bound 0.2 m". The best trial by the target may lie off the least squares: then ", its least
+/// squares at its bound 0.2 m".
+std::string interval_text(const Study& study, const Identifiability& what, int variable);
+
 /// "+0.012 MN/m^2": how far from the value found the refined model has it, with the digits of a
 /// value of that interval; "" where that is not known.
 std::string shift_text(const Study& study, const Identifiability& what, int variable);

@@ -2,45 +2,14 @@
 #include "correlation/laboratory/channel_names.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <string_view>
 
 #include "base/units.h"
+#include "measurement/meaning/channel_words.h"
 
 namespace latsch::correlation {
 namespace {
-
-struct Synonym {
-  std::string_view ours, unit, theirs;
-};
-
-constexpr std::array kSynonyms = {Synonym{"time", "s", "ET"},
-                                  Synonym{"time", "s", "RUNTIME"},
-                                  Synonym{"Vx", "m/s", "V"},
-                                  Synonym{"Vx", "m/s", "LONGVEL"},
-                                  Synonym{"omega", "rad/s", "N"},
-                                  Synonym{"omega", "rad/s", "WHROTSPD"},
-                                  Synonym{"alpha", "rad", "SA"},
-                                  Synonym{"alpha", "rad", "SLIPANGL"},
-                                  Synonym{"gamma", "rad", "IA"},
-                                  Synonym{"gamma", "rad", "INCLANGL"},
-                                  Synonym{"kappa", "1", "SR"},
-                                  Synonym{"kappa", "1", "LONGSLIP"},
-                                  Synonym{"p", "Pa", "P"},
-                                  Synonym{"p", "Pa", "INFLPRES"},
-                                  Synonym{"loaded_radius", "m", "RL"},
-                                  Synonym{"loaded_radius", "m", "DSTGRWHC"},
-                                  Synonym{"loaded_radius", "m", "R_l"},
-                                  Synonym{"R_e", "m", "RE"},
-                                  Synonym{"tread", "K", "TRDTEMP"},
-                                  Synonym{"tread_inner", "K", "TSTI"},
-                                  Synonym{"tread_center", "K", "TSTC"},
-                                  Synonym{"tread_outer", "K", "TSTO"},
-                                  Synonym{"road", "K", "RST"},
-                                  Synonym{"road", "K", "TRCKTEMP"},
-                                  Synonym{"ambient", "K", "AMBTMP"},
-                                  Synonym{"ambient", "K", "AMBITEMP"}};
 
 bool same(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
@@ -61,26 +30,19 @@ std::string force_or_moment(const std::string& name) {
   return upper;
 }
 
-/// In whatever unit.
-std::string synonym_of(const std::string& name) {
-  for (const Synonym& synonym : kSynonyms)
-    if (synonym.theirs == name) return std::string(synonym.ours);
-  return name;
-}
-
 }  // namespace
 
 std::string our_name(const std::string& name, const std::string& unit) {
-  const auto dimension = Unit::of(unit).dimension();
-  const auto has = [&](std::string_view other) { return Unit::of(other).dimension() == dimension; };
-  for (const Synonym& synonym : kSynonyms) {
-    // One letter means much: as it stands.
-    const bool meant = name.size() > 1 ? same(synonym.theirs, name) : synonym.theirs == name;
-    if (meant && has(synonym.unit)) return std::string(synonym.ours);
-  }
-  const std::string force = force_or_moment(name);
-  if (!force.empty() && has(force[0] == 'F' ? "N" : "N m")) return force;
-  return name;
+  const auto found = recognized(name);
+  if (!found || found->keeps_name) return name;
+  const bool is_of_dimension = Unit::of(unit).same_dimension(Unit::of(found->meaning->unit));
+  return is_of_dimension ? found->channel : name;
+}
+
+std::string dimension_of_name(const std::string& name) {
+  const auto found = recognized(name);
+  if (!found || name.size() < 2 || found->keeps_name) return "";
+  return std::string(found->meaning->unit);
 }
 
 std::string force_without_frame(const std::string& name) {
@@ -88,11 +50,17 @@ std::string force_without_frame(const std::string& name) {
 }
 
 NamedChannel find_named(const std::vector<std::string>& names, const std::string& wanted) {
-  for (const std::string& one : {wanted, synonym_of(wanted)})
-    if (std::find(names.begin(), names.end(), one) != names.end()) return {one, ""};
+  if (std::find(names.begin(), names.end(), wanted) != names.end()) return {wanted, ""};
+  const auto found = recognized(wanted);
+  const std::string ours = found ? found->channel : wanted;
+  if (found) {
+    if (std::find(names.begin(), names.end(), ours) != names.end()) return {ours, ""};
+    for (const std::string& name : names)
+      if (same_channel(name, ours)) return {name, ""};
+  }
   for (const std::string& name : names)
     for (const char* frame : {"W", "H", "C"})
-      if (same(name, wanted + frame)) return {name, frame};
+      if (same(name, ours + frame)) return {name, frame};
   return {};
 }
 

@@ -11,18 +11,42 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "correlation/laboratory/channel_names.h"
+#include "correlation/laboratory/record_ledger.h"
 #include "formats/tables/lab_table.h"
 #include "numerics/signals/butterworth.h"
 
 namespace latsch::correlation {
 namespace {
 
+/// The SI unit that a column of a known name has to have; empty for what is not known. One letter
+/// means much: "N" may be a load.
+std::string unit_of_name(const std::string& name) {
+  static const std::map<std::string, std::string> kOurs = {{"time", "s"},
+                                                           {"Vx", "m/s"},
+                                                           {"omega", "rad/s"},
+                                                           {"alpha", "rad"},
+                                                           {"gamma", "rad"},
+                                                           {"kappa", "1"},
+                                                           {"loaded_radius", "m"},
+                                                           {"R_e", "m"}};
+  if (name.size() < 2) return "";
+  if (const auto ours = kOurs.find(name); ours != kOurs.end()) return ours->second;
+  const std::string force = force_without_frame(name);
+  if (!force.empty()) return force[0] == 'F' ? "N" : "N m";
+  for (const char* unit : {"s", "m/s", "rad/s", "rad", "1", "Pa", "m", "K"})
+    if (our_name(name, unit) != name) return unit;
+  return "";
+}
+
 /// In our names; what two columns are called stays with the first.
 LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedColumn>& columns) {
   std::map<std::string, std::string> stated;  // theirs -> ours
   for (const auto& [ours, theirs] : columns) stated[theirs.column] = ours;
   LabRecord record;
-  record.left_out = table.left_out;
+  for (const auto& [theirs, why] : table.left_out) {
+    const auto found = stated.find(theirs);
+    record.left_out[found == stated.end() ? theirs : found->second] = why;
+  }
   record.header = table.header;
   std::set<std::string> taken;
   for (const auto& [theirs, ours] : stated) taken.insert(ours);
@@ -31,14 +55,19 @@ LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedC
     const auto found = stated.find(channel.name);
     std::string name = found == stated.end() ? our_name(channel.name, channel.unit) : found->second;
     if (found == stated.end() && !taken.insert(name).second) {
+      if (!columns.contains(name)) record.ambiguous[name].push_back(channel.name);
       name = channel.name;  // another column is called so
       if (!taken.insert(name).second) continue;
     }
+    const double sign = found == stated.end() ? 1.0 : columns.at(name).sign;
     record.channels.push_back({name, channel.unit, channel.values});
-    record.written[name] = {channel.name, table.units[k]};
+    if (sign < 0.0)
+      for (double& value : record.channels.back().values) value = -value;
+    record.written[name] = {channel.name, table.units[k], sign};
   }
   const std::size_t samples = record.channels.empty() ? 0 : record.channels[0].values.size();
   for (std::size_t i = 0; i < samples; ++i) record.places.push_back(table.place(i));
+  record.ledgers.push_back(ledger_of(table, record));
   return record;
 }
 
@@ -54,6 +83,8 @@ void append(const LabRecord& more, const std::string& file, LabRecord& record) {
     channel.values.insert(channel.values.end(), values.begin(), values.end());
   }
   record.places.insert(record.places.end(), more.places.begin(), more.places.end());
+  record.ledgers.insert(record.ledgers.end(), more.ledgers.begin(), more.ledgers.end());
+  record.ambiguous.insert(more.ambiguous.begin(), more.ambiguous.end());
 }
 
 /// Between gaps; those shorter than `least` become gaps.
@@ -112,10 +143,20 @@ LabRecord join_files(const std::vector<std::filesystem::path>& files,
                      const std::map<std::string, StatedColumn>& columns,
                      std::vector<std::string>& words) {
   std::map<std::string, std::string> units;
-  for (const auto& [ours, theirs] : columns) units[theirs.column] = theirs.unit;
+  std::map<std::string, std::string> ours_of;
+  for (const auto& [ours, theirs] : columns) {
+    units[theirs.column] = theirs.unit;
+    ours_of[theirs.column] = ours;
+    if (theirs.sign < 0.0)
+      words.push_back(ours + " is " + theirs.column + " with its sign changed");
+  }
+  const auto expected = [&](const std::string& theirs) {
+    const auto ours = ours_of.find(theirs);
+    return unit_of_name(ours == ours_of.end() ? theirs : ours->second);
+  };
   LabRecord record;
   for (const std::filesystem::path& file : files) {
-    LabRecord more = record_of(formats::read_lab_table(file, units), columns);
+    LabRecord more = record_of(formats::read_lab_table(file, units, expected), columns);
     words.push_back(fmt::format("{}: {} samples of {} channels",
                                 file.filename().string(),
                                 more.samples(),

@@ -13,12 +13,16 @@
 #include "correlation/laboratory/selection.h"
 #include "measurement/axes.h"
 #include "measurement/channels.h"
+#include "measurement/ledger.h"
 
 namespace latsch::correlation {
 
-/// A column of a file: its name, and its unit.
+/// A column of a file: its name, its unit, and the sign its values are taken with.
 struct StatedColumn {
   std::string column, unit;
+  double sign = 1.0;
+
+  bool operator==(const StatedColumn&) const = default;
 };
 
 struct LabRecord {
@@ -29,7 +33,9 @@ struct LabRecord {
   std::map<std::string, StatedColumn> written;  // how that has a channel
   std::map<std::string, std::string> left_out;  // columns that are no channels, and why
   std::map<std::string, AxisFrame>
-      turned_from;  // of channels that stand in another frame than there
+      turned_from;              // of channels that stand in another frame than there
+  std::vector<Ledger> ledgers;  // of each file
+  std::map<std::string, std::vector<std::string>> ambiguous;  // further columns of a channel
 
   std::size_t samples() const { return places.size(); }
   std::vector<std::string> names() const;

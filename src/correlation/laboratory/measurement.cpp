@@ -2,14 +2,17 @@
 #include "correlation/laboratory/measurement.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/text.h"
-#include "base/units.h"
+#include "base/unit_reading.h"
 #include "correlation/laboratory/frame_conversion.h"
 #include "correlation/laboratory/lab_record.h"
+#include "correlation/laboratory/record_ledger.h"
+#include "measurement/meaning/channel_words.h"
 
 namespace latsch::correlation {
 namespace {
@@ -53,7 +56,7 @@ std::vector<fs::path> read_files(const Node& table, const fs::path& folder) {
   return files;
 }
 
-/// "P_kPa [kPa]" -> "P_kPa", "kPa".
+/// "P_kPa [kPa]" -> "P_kPa", "kPa"; a "-" before the name changes the sign.
 std::map<std::string, StatedColumn> read_columns(const Node& table) {
   std::map<std::string, StatedColumn> columns;
   const auto stated = table.find_table("columns");
@@ -61,9 +64,22 @@ std::map<std::string, StatedColumn> read_columns(const Node& table) {
   for (const std::string& ours : stated->keys()) {
     const std::string text = stated->text(ours);
     const auto bracket = text.ends_with(']') ? text.rfind('[') : text.npos;
-    StatedColumn column{std::string(trimmed(text.substr(0, bracket))), ""};
-    if (bracket != text.npos)
-      column.unit = trimmed(text.substr(bracket + 1, text.size() - bracket - 2));
+    StatedColumn column{std::string(trimmed(std::string_view(text).substr(0, bracket))), ""};
+    if (column.column.starts_with('-')) {
+      column.sign = -1.0;
+      column.column = trimmed(std::string_view(column.column).substr(1));
+    }
+    if (column.column.empty())
+      stated->reject(ours, "is " + in_quotes(text) + ", a column without a name");
+    if (bracket != text.npos) {
+      column.unit = trimmed(std::string_view(text).substr(bracket + 1, text.size() - bracket - 2));
+      const UnitReading reading = reading_of_unit(column.unit);
+      if (!reading.unit)
+        stated->reject(ours, "is " + in_quotes(text) + ", which has " + reading.fault);
+    }
+    for (const auto& [other, before] : columns)
+      if (before.column == column.column)
+        stated->reject(ours, "is " + in_quotes(text) + ", the column that " + other + " is, too");
     columns[ours] = column;
   }
   return columns;
@@ -112,6 +128,7 @@ void read_zero(const Node& table, LabRecord& record, std::vector<std::string>& w
       zero->reject(
           "channels",
           "has " + in_quotes(name) + ", which is no channel" + did_you_mean(name, record.names()));
+    note_use(record, name, "zero");
     words.emplace_back();
     if (!take_zero(record, *channel, *window, words.back()))
       zero->reject("time",
@@ -133,6 +150,7 @@ void read_shift(const Node& table, LabRecord& record, std::vector<std::string>& 
   const double shift = table.quantity("shift", "s");
   Channel* time = record.find("time");
   if (!time) table.reject("shift", "needs a channel time, and there is none");
+  note_use(record, "time", "shift");
   for (double& value : time->values) value += shift;
   words.push_back("time shifted by " + format_quantity(shift, "s"));
 }
@@ -175,6 +193,7 @@ void read_sweeps(const Node& table,
   for (const std::string& key : sweep->keys()) {
     const Channel& channel = channel_of(*sweep, key, record);
     const std::string way = sweep->choice(key, {"rising", "falling"});
+    note_use(record, key, "sweep");
     const auto directions = directions_of(channel.values, stretches);
     std::vector<bool> mask;
     for (const int one : directions) mask.push_back(one == (way == "rising" ? 1 : -1));
@@ -190,6 +209,7 @@ void read_selection(const Node& table,
   if (!select) return;
   for (const std::string& key : select->keys()) {
     const Channel& channel = channel_of(*select, key, record);
+    note_use(record, key, "select");
     std::vector<bool> mask(record.samples(), false);
     std::string what;
     for (const std::string& text : windows_of(*select, key)) {
@@ -235,6 +255,9 @@ void tell_what_is_left(const LabRecord& record, std::vector<std::string>& words)
 void take(LabRecord record, Measurement::Told& told) {
   told.channels = record.table();
   told.left_out = std::move(record.left_out);
+  for (const auto& [channel, others] : record.ambiguous)
+    told.ambiguous[channel] = ambiguity(record, channel);
+  told.ledgers = std::make_shared<std::vector<Ledger>>(std::move(record.ledgers));
   told.written = std::move(record.written);
   told.turned_from = std::move(record.turned_from);
   told.places = std::move(record.places);
@@ -258,6 +281,7 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
     turn_axes(record, told.axes);
     told.words.push_back("signs of " + axes + (axes == "iso" ? "" : ", turned to iso"));
   }
+  note_axes(record, told.axes, table.has("axes"));
   told.recorded = record.table();
   read_zero(table, record, told.words);
   if (table.has("in_frame")) turn_frames(table, record, told);
@@ -272,22 +296,32 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   keep(record, kept);
   told.noise = read_noises(table, record);
   tell_what_is_left(record, told.words);
+  check_channels(record, table.has("axes"), true);
   for (const char* step : {"zero", "low_pass", "sweep", "every", "select"})
     if (table.has(step)) told.one_way.emplace_back(step);
   take(std::move(record), told);
   return Measurement(std::move(told));
 }
 
-Measurement read_measurement(const fs::path& file) {
+Measurement read_measurement(const fs::path& file, std::optional<AxisConvention> axes) {
   Measurement::Told told;
   told.name = file.filename().string();
   told.is_stated = false;
   told.files = {file};
   LabRecord record = join_files(told.files, {}, told.words);
   told.place = record.header;
+  told.axes = axes.value_or(AxisConvention::iso);
+  turn_axes(record, told.axes);
+  note_axes(record, told.axes, axes.has_value());
   told.recorded = record.table();
+  check_channels(record, axes.has_value(), false);
   take(std::move(record), told);
   return Measurement(std::move(told));
+}
+
+MeasuredFile read_measured_file(const fs::path& file, std::optional<AxisConvention> axes) {
+  const Measurement measurement = read_measurement(file, axes);
+  return {measurement.channels(), measurement.ledgers().front()};
 }
 
 NamedChannel Measurement::named(const std::string& channel) const {
@@ -332,13 +366,17 @@ const std::vector<double>& Measurement::values(const std::string& channel,
   const NamedChannel found = named(channel);
   const auto names = names_of(told_.channels);
   if (found.name.empty()) {
-    const auto reason = told_.left_out.find(channel);
+    std::vector<std::string> left_out;
+    for (const auto& [name, why] : told_.left_out) left_out.push_back(name);
+    const auto reason = told_.left_out.find(find_named(left_out, channel).name);
     if (reason != told_.left_out.end())
       throw InputError(told_.place, of + "column " + in_quotes(channel) + " " + reason->second);
     throw InputError(told_.place,
                      of + "column " + in_quotes(channel) + " is missing" +
                          did_you_mean(channel, names) + " (columns: " + list_of(names) + ")");
   }
+  if (const auto both = told_.ambiguous.find(found.name); both != told_.ambiguous.end())
+    throw InputError(told_.place, of + both->second);
   const Channel& values = *told_.channels.find(found.name);
   const Unit expected = Unit::of(unit), has = Unit::of(values.unit);
   if (!has.same_dimension(expected)) {
@@ -363,6 +401,92 @@ const std::vector<double>& Measurement::values(const std::string& channel,
                     std::count_if(gap, values.values.end(), is_gap),
                     values.values.size()));
   return values.values;
+}
+
+bool Measurement::could_be(const std::string& channel, const std::string& unit) const {
+  std::vector<std::string> left_out;
+  for (const auto& [name, why] : told_.left_out) left_out.push_back(name);
+  const NamedChannel found = named(channel);
+  if (found.name.empty()) return !find_named(left_out, channel).name.empty();
+  const Channel& values = *told_.channels.find(found.name);
+  const bool is_code = written(channel).column.size() == 1;  // "V" may be a voltage
+  return !is_code || Unit::of(values.unit).same_dimension(Unit::of(unit)) ||
+         written(channel).unit.empty();
+}
+
+void Measurement::note_use(const std::string& channel, const std::string& by) const {
+  const NamedChannel found = named(channel);
+  if (found.name.empty()) return;
+  const std::string& column = told_.written.at(found.name).column;
+  for (Ledger& ledger : *told_.ledgers)
+    if (LedgerRow* row = ledger.find_written(column)) Ledger::use(*row, by);
+}
+
+void Measurement::note_absent(const Absent& absent) const { absent_->push_back(absent); }
+
+std::vector<std::string> Measurement::columns_like(const std::string& channel,
+                                                   const std::string& unit) const {
+  std::vector<std::string> columns;
+  for (const Channel& one : told_.channels.all()) {
+    const StatedColumn& column = told_.written.at(one.name);
+    const bool fits = column.unit.empty() || Unit::of(one.unit).same_dimension(Unit::of(unit));
+    if (one.name == column.column && fits) columns.push_back(one.name);
+  }
+  for (const auto& [name, why] : told_.left_out) columns.push_back(name);
+  return look_like(channel, columns);
+}
+
+namespace {
+
+/// Columns that nobody uses and that may be a channel: of its dimension or of none, under a name
+/// that is not known.
+std::vector<std::string> unused_for(const Ledger& ledger, const std::string& unit) {
+  std::vector<std::string> names;
+  for (const LedgerRow& row : ledger.rows) {
+    if (row.state != LedgerState::not_used || !row.taken_as.empty()) continue;
+    const bool fits = row.unit_written.empty() ? unit != "1" || row.unit == "1"
+                                               : Unit::of(row.unit).same_dimension(Unit::of(unit));
+    if (fits) names.push_back("`" + row.written + "`");
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<Ledger> Measurement::ledgers() const {
+  constexpr std::size_t kMostNamed = 6;
+  std::vector<Ledger> ledgers = *told_.ledgers;
+  if (ledgers.empty()) return ledgers;
+  for (const Absent& absent : *absent_) {
+    const std::string instead =
+        absent.otherwise.empty() ? "left out" : "taken as " + absent.otherwise;
+    LedgerRow row;
+    row.taken_as = absent.channel;
+    row.state = LedgerState::assumed;
+    row.used_by = {absent.by};
+    row.remark = "is " + instead + " by " + absent.by;
+    ledgers.front().rows.push_back(std::move(row));
+    auto unused = unused_for(ledgers.front(), absent.unit);
+    if (unused.empty()) continue;
+    if (unused.size() > kMostNamed) unused.resize(kMostNamed);
+    const std::string& first = unused.front();
+    ledgers.front().doubts.push_back(
+        {first.substr(1, first.size() - 2),
+         fmt::format(
+             "{}: {} is {}: no column is called {}; not used: {}. Did you mean {}? Then say "
+             "columns = {{{} = {}}}{}",
+             absent.by,
+             absent.channel,
+             instead,
+             spellings_of(absent.channel),
+             fmt::join(unused, ", "),
+             unused.size() == 1 ? "it" : "one of them",
+             absent.channel,
+             in_quotes(first.substr(1, first.size() - 2)),
+             told_.is_stated ? "" : " in a [measurement.NAME]"),
+         told_.place});
+  }
+  return ledgers;
 }
 
 Laboratory read_laboratory(const Node& study, const fs::path& folder) {

@@ -3,11 +3,11 @@
 // test takes its conditions from it; what is not stated is not done.
 //
 //   [measurement.cornering]
-//   file = "run4.dat"               # .csv .txt .dat .mat .tdx; or files = ["run4.dat", ...]
+//   file = "run4.dat"               # .csv .txt .dat .mat .tdx .tda .tdb; or files = ["a.dat", ...]
 //   axes = "sae"                    # signs of the file: iso (unless given), adapted_sae, sae
 //   frame = "W"                     # of forces and moments whose names do not say it
 //   columns = {Fz = "LOAD", p = "P_kPa [kPa]"}  # our name = the file's column, with a unit where
-//                                               # the file states none
+//                                               # the file states none; "-LOAD" changes the sign
 //   zero = {channels = ["Fy"], time = "0 s .. 2 s"}  # less their means of that time
 //   in_frame = "W"                  # turned into these axes from those of frame or of the names,
 //                                   # by the record's gamma and loaded_radius (frame_conversion.h)
@@ -32,15 +32,8 @@
 //   measurement = "cornering"       # or a file, of which nothing needs to be said
 //
 // The steps are taken in the order above. Channels have our names and SI units, in iso axes,
-// whatever the file calls them:
-//
-//   ours           consortium  TYDEX     ours           consortium  TYDEX
-//   time           ET          RUNTIME   p              P           INFLPRES
-//   Vx             V           LONGVEL   loaded_radius  RL          DSTGRWHC
-//   omega          N           WHROTSPD  R_e            RE
-//   alpha          SA          SLIPANGL  tread_inner, tread_center, tread_outer   TSTI, TSTC, TSTO
-//   gamma          IA          INCLANGL  tread                      TRDTEMP
-//   kappa          SR          LONGSLIP  road, ambient  RST, AMBTMP TRCKTEMP, AMBITEMP
+// whatever the file calls them: measurement/meaning/channel_words.h has the vocabulary. Signs and
+// ranges of what is left are checked, and every file has a ledger (measurement/ledger.h).
 //
 // Forces and moments are Fx Fy Fz Mx My Mz, of TYDEX with the frame behind it: FyW. Gaps matter
 // only in channels that something needs.
@@ -49,6 +42,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,10 +69,12 @@ class Measurement {
     std::map<std::string, StatedColumn> written;   // how the file has a channel
     std::map<std::string, AxisFrame> turned_from;  // its frame there, where in_frame has turned it
     AxisConvention axes = AxisConvention::iso;
-    Channels recorded;            // as read, in our names and axes
-    Channels channels;            // what counts
-    std::vector<Place> places;    // of its samples
-    std::vector<double> numbers;  // of its samples, from 1
+    std::shared_ptr<std::vector<Ledger>> ledgers;  // of each file
+    std::map<std::string, std::string> ambiguous;  // channels that two columns are, in words
+    Channels recorded;                             // as read, in our names and axes
+    Channels channels;                             // what counts
+    std::vector<Place> places;                     // of its samples
+    std::vector<double> numbers;                   // of its samples, from 1
   };
   explicit Measurement(Told told) : told_(std::move(told)) {}
 
@@ -112,16 +108,44 @@ class Measurement {
   bool is_turned(const std::string& channel) const;
   const MeasurementNoise* noise(const std::string& channel) const;
 
+  /// Whether a test that takes a channel where it was recorded has to take it or be told why not: a
+  /// column is called so, whatever is wrong with its unit.
+  bool could_be(const std::string& channel, const std::string& unit) const;
+  /// The ledgers of its files: what each column was taken for, who uses it, and what is in doubt.
+  /// Complete once all who use the measurement were read.
+  std::vector<Ledger> ledgers() const;
+  /// Somebody uses a channel: "test steady", "experiment side_force". While a study is read.
+  void note_use(const std::string& channel, const std::string& by) const;
+  /// Somebody could have used a channel and found none; `otherwise`: what it takes instead.
+  struct Absent {
+    std::string channel, unit, by, otherwise;
+  };
+  void note_absent(const Absent& absent) const;
+  /// Columns that look like a channel of that unit and are taken for none: `Alhpa` for alpha.
+  std::vector<std::string> columns_like(const std::string& channel, const std::string& unit) const;
+
  private:
   NamedChannel named(const std::string& channel) const;
 
   Told told_;
+  std::shared_ptr<std::vector<Absent>> absent_ = std::make_shared<std::vector<Absent>>();
 };
 
 /// [measurement.NAME], files beside `folder`. Throws InputError naming file and line.
 Measurement read_measurement(const Node& table, const std::filesystem::path& folder);
-/// A file about which nothing is said.
-Measurement read_measurement(const std::filesystem::path& file);
+/// A file about which nothing is said, or only its axes.
+Measurement read_measurement(const std::filesystem::path& file,
+                             std::optional<AxisConvention> axes = std::nullopt);
+
+/// Any table or recording alone: channels in our names, SI and iso, and the ledger with every
+/// doubt. Throws InputError where the file cannot be read; a doubt that is an error is one that a
+/// study is refused for.
+struct MeasuredFile {
+  Channels channels;
+  Ledger ledger;
+};
+MeasuredFile read_measured_file(const std::filesystem::path& file,
+                                std::optional<AxisConvention> axes = std::nullopt);
 
 /// Every [measurement.NAME] of a study.
 using Laboratory = std::vector<std::shared_ptr<const Measurement>>;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "base/units.h"
+#include "base/unit_reading.h"
 
 namespace latsch::correlation {
 namespace {
@@ -26,12 +26,12 @@ void add_part(const Node& table,
   const auto reject = [&](const std::string& why) {
     table.reject(key, "is " + in_quotes(table.text(key)) + why + ", " + wanted_noise(unit));
   };
-  const auto quantity = parse_quantity(part);
+  const auto compared = Unit::find(unit);
+  const auto quantity = compared ? parse_quantity(part, *compared) : parse_quantity(part);
   if (!quantity) reject(", of which " + in_quotes(part) + " is no number with a unit");
   if (!std::isfinite(quantity->si) || !(quantity->si > 0.0)) {
     reject(", of which " + in_quotes(part) + " is not above 0");
   }
-  const auto compared = Unit::find(unit);
   const bool is_relative = quantity->unit.dimensionless();
   if (!is_relative && !(compared && quantity->unit.same_dimension(*compared))) {
     reject(", but what is compared is in " + unit);

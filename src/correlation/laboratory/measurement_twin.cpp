@@ -8,10 +8,9 @@
 
 #include "base/file.h"
 #include "base/text.h"
-#include "base/units.h"
+#include "base/unit_reading.h"
 #include "correlation/laboratory/frame_conversion.h"
 #include "formats/tables/csv_table.h"
-#include "formats/text/lab_units.h"
 #include "measurement/axes.h"
 
 namespace latsch::correlation {
@@ -85,9 +84,9 @@ std::filesystem::path write_twin(const Measurement& measurement,
     Channels turned;
     turned.add({measurement.name_of(channel), "", si});
     turned = to_iso(turned, measurement.axes());  // its own inverse
-    const Unit unit = *formats::find_lab_unit(column.unit);
+    const Unit unit = *reading_of_unit(column.unit).unit;
     for (const double value : turned.all()[0].values)
-      cells[column.column].push_back(unit.exact_number(value));
+      cells[column.column].push_back(unit.exact_number(column.sign * value));
   }
   const auto names = table.columns();
   std::string text = "# " + comment + "\n";

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/text.h"
-#include "base/units.h"
+#include "base/unit_reading.h"
 
 namespace latsch::correlation {
 namespace {
@@ -14,7 +14,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A number with its unit, or with that of the other end where it has none.
-std::optional<Quantity> quantity_of(std::string_view text, std::string_view other) {
+std::optional<Quantity> quantity_of(std::string_view text,
+                                    std::string_view other,
+                                    const Unit& expected) {
   const auto parts = split_number(text);
   if (!parts) return std::nullopt;
   std::string whole(text);
@@ -22,7 +24,7 @@ std::optional<Quantity> quantity_of(std::string_view text, std::string_view othe
     const auto others = split_number(other);
     whole += " " + std::string(others && !others->rest.empty() ? others->rest : "1");
   }
-  return parse_quantity(whole);
+  return parse_quantity(whole, expected);
 }
 
 }  // namespace
@@ -37,11 +39,11 @@ std::pair<std::optional<Window>, std::string> parse_window(const std::string& te
   if (at == text.npos) return {std::nullopt, example};
   const std::string_view left = trimmed(std::string_view(text).substr(0, at)),
                          right = trimmed(std::string_view(text).substr(at + 2));
-  const auto a = quantity_of(left, right), b = quantity_of(right, left);
+  const Unit expected = Unit::of(unit);
+  const auto a = quantity_of(left, right, expected), b = quantity_of(right, left, expected);
   const bool a_missing = left.empty() && !about, b_missing = right.empty() && !about;
   if ((!a && !a_missing) || (!b && !b_missing) || (a_missing && b_missing))
     return {std::nullopt, example};
-  const Unit expected = Unit::of(unit);
   for (const auto* end : {&a, &b})
     if (*end && !(*end)->unit.same_dimension(expected))
       return {std::nullopt, "expected a window in " + (unit == "1" ? "plain numbers" : unit)};

@@ -53,9 +53,9 @@ bool have_shapes(const std::vector<ModeRecord>& modes) {
 
 Eigen::MatrixXd likeness_matrix(const std::vector<ModeRecord>& measured,
                                 const std::vector<ModeRecord>& simulated,
+                                bool by_shape,
                                 double same_frequency) {
   Eigen::MatrixXd likeness(measured.size(), simulated.size());
-  const bool by_shape = have_shapes(measured) && have_shapes(simulated);
   const auto measured_group = groups_of(measured, same_frequency);
   const auto simulated_group = groups_of(simulated, same_frequency);
   for (Eigen::Index i = 0; i < likeness.rows(); ++i) {
@@ -98,7 +98,12 @@ ModePairing pair_modes(const std::vector<ModeRecord>& measured_modes,
   const auto measured = reordered(measured_modes, measured_order);
   const auto simulated = reordered(simulated_modes, simulated_order);
 
-  const Eigen::MatrixXd likeness = likeness_matrix(measured, simulated, settings.same_frequency);
+  ModePairing pairing;
+  pairing.is_by_shape = have_shapes(measured) && have_shapes(simulated);
+  // Modes in one group of equal frequency are all alike: their order pairs them already.
+  if (pairing.is_by_shape) pairing.close = {settings.same_frequency, 2.0 * settings.same_frequency};
+  const Eigen::MatrixXd likeness =
+      likeness_matrix(measured, simulated, pairing.is_by_shape, settings.same_frequency);
   Eigen::MatrixXd cost(likeness.rows(), likeness.cols());
   for (Eigen::Index i = 0; i < cost.rows(); ++i) {
     for (Eigen::Index j = 0; j < cost.cols(); ++j) {
@@ -108,9 +113,9 @@ ModePairing pair_modes(const std::vector<ModeRecord>& measured_modes,
     }
   }
 
-  ModePairing pairing;
   std::vector<bool> used(simulated.size(), false);
-  const std::vector<int> partner = numerics::assign(cost);
+  std::vector<int> partner = numerics::assign(cost);
+  if (!pairing.is_by_shape) take_mixed(measured, simulated, partner);
   for (size_t i = 0; i < measured.size(); ++i) {
     const int j = partner[i];
     if (j < 0) {

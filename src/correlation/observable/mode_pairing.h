@@ -10,11 +10,14 @@
 // The pairing is one to one: of all pairings it takes the one of the greatest summed likeness, and
 // among equals (two modes of one label, the two members of a pair) the one of the least frequency
 // difference. Pairs less alike than `min_likeness` are not made; both modes are then unmatched and
-// reported.
+// reported. A measured mode that found no mode of its name takes one of its n whose name may have
+// been mixed away, and the frequencies of pairs too close to be told apart are compared in their
+// order (close_modes.h).
 #pragma once
 
 #include <vector>
 
+#include "correlation/observable/close_modes.h"
 #include "experiment/rigs/mode_record.h"
 
 namespace latsch::correlation {
@@ -29,13 +32,15 @@ struct PairingSettings {
 struct ModePair {
   int measured = 0;       // index into the measured modes
   int simulated = 0;      // index into the simulated modes
-  double likeness = 0.0;  // subspace MAC, or 1 for an equal label
+  double likeness = 0.0;  // subspace MAC; 1 for an equal label, 0 for one that was mixed away
 };
 
 struct ModePairing {
   std::vector<ModePair> pairs;  // ascending in `measured`
   std::vector<int> missing;     // measured modes the simulation does not have
   std::vector<int> extra;       // simulated modes nobody measured
+  bool is_by_shape = false;     // likeness is a MAC
+  CloseModes close = {};        // what counts as too close
 };
 
 ModePairing pair_modes(const std::vector<ModeRecord>& measured,

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
+
+#include "correlation/observable/objective.h"
 
 namespace latsch::correlation {
 namespace {
@@ -98,6 +101,98 @@ TEST(PairModes, DoesNotDependOnTheOrderTheModesAreGivenIn) {
       pair_modes({labeled(120, 2, ModeType::radial), labeled(80, 2, ModeType::radial)},
                  {labeled(150, 2, ModeType::radial), labeled(100, 2, ModeType::radial)});
   EXPECT_EQ(partners(pairing), (std::vector<int>{0, 1}));
+}
+
+// A lateral mode of one n crosses a radial one: 80 Hz + 4 p against 81.5 Hz - p, coupled by k, which
+// keeps their frequencies 2 k apart. What each is called follows the larger part of its energy, of
+// which a share of `other` belongs to neither: near the crossing both are called radial.
+std::vector<ModeRecord> crossing(double p, double k, double other) {
+  const double a = 80.0 + 4.0 * p, b = 81.5 - p, half = 0.5 * (a - b);
+  const double root = std::hypot(half, k), lateral = root > 0.0 ? 0.5 * (1.0 + half / root) : 0.5;
+  const auto mode = [&](double f, double share) {
+    const bool is_lateral = (1.0 - other) * share > 0.5;
+    return labeled(f, 2, is_lateral ? ModeType::lateral : ModeType::radial);
+  };
+  return {mode(0.5 * (a + b) - root, 1.0 - lateral), mode(0.5 * (a + b) + root, lateral)};
+}
+
+TEST(CompareModes, FrequenciesAreContinuousThroughACrossingOfOneN) {
+  const std::vector<ModeRecord> measured{labeled(81.4, 2, ModeType::lateral),
+                                         labeled(81.7, 2, ModeType::radial)};
+  constexpr double kStep = 1e-4;  // of p: a frequency moves by at most 4 kStep, and where
+  constexpr double kMost =
+      15.0 * kStep / 81.0;  // names come to hold, over 1 %, by three times that
+  for (const double k : {0.0, 1e-6, 0.05, 0.15, 0.35}) {
+    for (const double other : {0.0, 0.1}) {
+      std::vector<double> last;
+      for (double p = -1.0; p < 2.0; p += kStep) {
+        const Comparison now = compare_modes(measured, crossing(p, k, other));
+        EXPECT_TRUE(now.pairing.missing.empty()) << "p " << p << " k " << k;
+        for (std::size_t i = 0; i < last.size(); ++i)
+          EXPECT_LT(std::abs(now.errors[i] - last[i]), kMost) << "p " << p << " k " << k;
+        last = now.errors;
+      }
+    }
+  }
+}
+
+// Farther than 2 % apart names hold, in whatever order.
+TEST(CompareModes, ModesOfOneNThatAreFarApartAreComparedByName) {
+  const auto now =
+      compare_modes({labeled(81.4, 2, ModeType::lateral), labeled(84.0, 2, ModeType::radial)},
+                    {labeled(81.0, 2, ModeType::radial), labeled(84.5, 2, ModeType::lateral)});
+  EXPECT_NEAR(now.errors[0], (81.4 - 84.5) / 81.4, 1e-12);
+  EXPECT_NEAR(now.errors[1], (84.0 - 81.0) / 84.0, 1e-12);
+}
+
+TEST(CompareModes, OfDifferentNOrPhaseNoOrderIsTaken) {
+  for (const auto& [n, phase] : {std::pair(3, 's'), std::pair(2, 'a')}) {
+    const auto now = compare_modes(
+        {labeled(81.4, 2, ModeType::lateral, 's'), labeled(81.7, n, ModeType::radial, phase)},
+        {labeled(81.5, n, ModeType::radial, phase), labeled(81.6, 2, ModeType::lateral, 's')});
+    EXPECT_NEAR(now.errors[0], (81.4 - 81.6) / 81.4, 1e-12);
+    EXPECT_NEAR(now.errors[1], (81.7 - 81.5) / 81.7, 1e-12);
+    EXPECT_EQ(now.compared[0].beside, -1);
+  }
+}
+
+// By central differences, where the share of names is between none and all.
+TEST(CompareModes, SlopesOfCloseModesAreThoseOfWhatIsCompared) {
+  const std::vector<ModeRecord> measured{labeled(81.4, 2, ModeType::lateral),
+                                         labeled(81.7, 2, ModeType::radial)};
+  const auto at = [&](double p, bool with_slopes) {
+    const std::vector<ModeRecord> modes{labeled(82.6 + 3.0 * p, 2, ModeType::lateral),
+                                        labeled(81.4 - 2.0 * p, 2, ModeType::radial)};
+    return compare_modes(
+        measured, modes, {}, with_slopes ? std::vector<double>{3.0, -2.0} : std::vector<double>{});
+  };
+  const Comparison here = at(0.0, true);
+  ASSERT_EQ(here.compared[0].beside, 1);
+  constexpr double kStep = 1e-6;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double slope = (at(kStep, false).errors[i] - at(-kStep, false).errors[i]) / (2.0 * kStep);
+    EXPECT_NEAR(here.slopes[i], slope, 1e-7);
+  }
+}
+
+// The lateral mode is not among those simulated, and the double radial mode is no mixture of it.
+TEST(PairModes, ADoubleModeIsNoPartnerForAnotherType) {
+  const auto pairing =
+      pair_modes({labeled(82, 2, ModeType::radial), labeled(84, 2, ModeType::lateral)},
+                 {labeled(82, 2, ModeType::radial), labeled(82, 2, ModeType::radial)});
+  EXPECT_EQ(pairing.missing, std::vector<int>{1});
+}
+
+TEST(CompareModes, ShapesThatComeTooCloseAreContinuousAsWell) {
+  const std::vector<ModeRecord> measured{ring_mode(81.4, 1, 0.0), ring_mode(81.7, 2, 0.0)};
+  std::vector<double> last;
+  constexpr double kStep = 1e-4;
+  for (double f = 81.0; f < 82.4; f += kStep) {
+    const Comparison now = compare_modes(measured, {ring_mode(f, 1, 0.0), ring_mode(81.7, 2, 0.0)});
+    for (std::size_t i = 0; i < last.size(); ++i)
+      EXPECT_LT(std::abs(now.errors[i] - last[i]), 4.0 * kStep / 81.0) << f;
+    last = now.errors;
+  }
 }
 
 }  // namespace

@@ -74,19 +74,20 @@ void ModeSet::draw(const ShownExperiment& shown, report::StudyReport& page) cons
   const auto found = simulated(shown.found);
   std::map<int, double> at_start;  // frequency by measured mode
   if (shown.initial) {
-    const auto modes = simulated(*shown.initial);
-    for (const ModePair& pair : shown.initial_comparison->pairing.pairs)
-      at_start[pair.measured] = modes[pair.simulated].frequency;
+    for (const ComparedFrequency& one : shown.initial_comparison->compared)
+      at_start[one.measured] = one.frequency;
   }
-  for (const ModePair& pair : shown.comparison.pairing.pairs) {
+  const ModePairing& pairing = shown.comparison.pairing;
+  for (std::size_t k = 0; k < pairing.pairs.size(); ++k) {
+    const ModePair& pair = pairing.pairs[k];
     const ModeRecord& measured = measured_[pair.measured];
     report::ModePair row;
     row.label = measured.label();
     row.measured = measured.frequency;
-    row.simulated = found[pair.simulated].frequency;
+    row.simulated = shown.comparison.compared[k].frequency;
     if (const auto at = at_start.find(pair.measured); at != at_start.end())
       row.initial = at->second;
-    if (measured.shape.size() > 0) row.likeness = pair.likeness;
+    if (pairing.is_by_shape) row.likeness = pair.likeness;
     if (shown.band) {
       modal.band.lower.push_back(shown.band->lower[static_cast<std::size_t>(pair.measured)]);
       modal.band.upper.push_back(shown.band->upper[static_cast<std::size_t>(pair.measured)]);
@@ -109,12 +110,13 @@ std::string ModeSet::table(const Channels& trial, const Comparison& comparison) 
                                  "MAC",
                                  "measured as",
                                  "simulated as");
-  for (const ModePair& pair : comparison.pairing.pairs) {
-    text += fmt::format("  {:12.2f} {:13.2f} {:9.2f} {:6.2f}  {:<22} {}\n",
+  for (std::size_t k = 0; k < comparison.pairing.pairs.size(); ++k) {
+    const ModePair& pair = comparison.pairing.pairs[k];
+    text += fmt::format("  {:12.2f} {:13.2f} {:9.2f} {:>6}  {:<22} {}\n",
                         measured_[pair.measured].frequency,
-                        found[pair.simulated].frequency,
+                        comparison.compared[k].frequency,
                         comparison.errors[pair.measured] * 100.0,
-                        pair.likeness,
+                        comparison.pairing.is_by_shape ? fmt::format("{:.2f}", pair.likeness) : "-",
                         measured_[pair.measured].label(),
                         found[pair.simulated].label());
   }
@@ -135,18 +137,32 @@ std::string ModeSet::table(const Channels& trial, const Comparison& comparison) 
                         "not measured",
                         found[j].label());
   }
+  for (const std::string& remark : remarks(comparison)) text += "  " + remark + "\n";
   return text;
+}
+
+std::vector<std::string> ModeSet::remarks(const Comparison& comparison) const {
+  std::vector<std::string> all =
+      remarks_on_close(measured_, comparison.pairing.close, comparison.compared);
+  for (const ModePair& pair : comparison.pairing.pairs) {
+    if (!comparison.pairing.is_by_shape && pair.likeness == 0.0)
+      all.push_back(remark_on_mixed(measured_[static_cast<std::size_t>(pair.measured)]));
+  }
+  return all;
 }
 
 std::pair<std::string, nlohmann::ordered_json> ModeSet::answer(const Channels& trial,
                                                                const Comparison& comparison) const {
   const auto found = simulated(trial);
   auto rows = nlohmann::ordered_json::array();
-  for (const ModePair& pair : comparison.pairing.pairs) {
+  for (std::size_t k = 0; k < comparison.pairing.pairs.size(); ++k) {
+    const ModePair& pair = comparison.pairing.pairs[k];
     rows.push_back({{"measured_Hz", json_of(measured_[pair.measured].frequency)},
-                    {"simulated_Hz", json_of(found[pair.simulated].frequency)},
+                    {"simulated_Hz", json_of(comparison.compared[k].frequency)},
                     {"error", json_of(comparison.errors[pair.measured])},
-                    {"likeness", json_of(pair.likeness)},
+                    {"likeness",
+                     comparison.pairing.is_by_shape ? nlohmann::ordered_json(json_of(pair.likeness))
+                                                    : nlohmann::ordered_json(nullptr)},
                     {"measured_as", measured_[pair.measured].label()},
                     {"simulated_as", found[pair.simulated].label()}});
   }

@@ -25,6 +25,7 @@ class ModeSet : public Observable {
                                            const MeasurementFiles& files) const override;
   void draw(const ShownExperiment& shown, report::StudyReport& page) const override;
   std::string table(const Channels& trial, const Comparison& comparison) const override;
+  std::vector<std::string> remarks(const Comparison& comparison) const override;
   std::pair<std::string, nlohmann::ordered_json> answer(
       const Channels& trial, const Comparison& comparison) const override;
 

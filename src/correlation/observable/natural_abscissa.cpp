@@ -13,7 +13,7 @@
 #include <numeric>
 
 #include "base/units.h"
-#include "formats/text/lab_units.h"
+#include "base/unit_reading.h"
 
 namespace latsch::correlation {
 namespace {
@@ -151,7 +151,7 @@ std::string unit_of_file(const Measurement& measurement,
                          const std::string& otherwise) {
   const std::string& written = measurement.written(channel).unit;
   if (written.empty()) return otherwise;
-  const auto unit = formats::find_lab_unit(written);
+  const auto unit = find_unit(written, Unit::of(measurement.unit(channel)));
   if (!unit || !unit->same_dimension(Unit::of(measurement.unit(channel)))) return otherwise;
   return Unit::find(unit->text()) ? unit->text() : otherwise;
 }

@@ -42,6 +42,8 @@ Comparison compare_values(const std::vector<double>& measured,
   comparison.differences = comparison.errors;
   comparison.pairing.missing = simulated.missing;
   comparison.delay = simulated.delay;
+  comparison.compared = simulated.compared;
+  for (const int mode : simulated.mixed) comparison.pairing.pairs.push_back({mode, -1, 0.0});
   comparison.value = mean_power(comparison.differences, settings.exponent);
   summarize_errors(comparison);
   const size_t rows = measured.size(), variables = simulated.slopes.size() / rows;
@@ -89,13 +91,20 @@ Comparison compare_modes(const std::vector<ModeRecord>& measured,
   comparison.pairing = pair_modes(measured, simulated, settings.pairing);
   comparison.errors.assign(measured.size(), settings.missing_mode);
   for (const ModePair& pair : comparison.pairing.pairs) {
-    comparison.errors[pair.measured] =
-        relative(measured[pair.measured].frequency, simulated[pair.simulated].frequency);  // (1)
-    for (size_t i = 0; i < variables; ++i) {
-      comparison.slopes[static_cast<size_t>(pair.measured) * variables + i] =
-          -slopes[i * modes + static_cast<size_t>(pair.simulated)] /
-          measured[pair.measured].frequency;
-    }
+    ComparedFrequency one{pair.measured, simulated[static_cast<size_t>(pair.simulated)].frequency};
+    for (size_t i = 0; i < variables; ++i)
+      one.slopes.push_back(slopes[i * modes + static_cast<size_t>(pair.simulated)]);
+    comparison.compared.push_back(std::move(one));
+  }
+  order_close(measured,
+              comparison.pairing.close,
+              /*needs_waves=*/!comparison.pairing.is_by_shape,
+              comparison.compared);
+  for (const ComparedFrequency& one : comparison.compared) {
+    const auto row = static_cast<size_t>(one.measured);
+    comparison.errors[row] = relative(measured[row].frequency, one.frequency);  // (1)
+    for (size_t i = 0; i < variables; ++i)
+      comparison.slopes[row * variables + i] = -one.slopes[i] / measured[row].frequency;
   }
   comparison.differences = comparison.errors;
   comparison.value = mean_power(comparison.differences, settings.exponent);

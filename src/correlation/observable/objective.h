@@ -16,6 +16,9 @@
 // done by comparing roots, d = (sqrt F_mea - sqrt F_sim) / sqrt F_mea. So both are settings of the
 // objective, and mean |df| and mean |dF| are always reported beside the target.
 //
+// f_i^sim of modes of one n too close to tell apart are taken in the order of their frequencies
+// (close_modes.h).
+//
 // A measured mode without a simulated partner counts as |df| = `missing_mode`, 1 unless set: as if
 // simulated at 0 Hz.
 #pragma once
@@ -49,6 +52,7 @@ struct Comparison {
   std::vector<double> errors;       // signed dF_j or df_i as in (1), (2), one a measured value; a
                                     // missing mode: missing_mode
   ModePairing pairing;              // modal experiments
+  std::vector<ComparedFrequency> compared = {};  // of modes: one a pair, as `pairing` has them
   /// d difference / d variable, a row a difference; empty: not known.
   std::vector<double> slopes = {};
   std::optional<FittedDelay> delay = {};  // of a curve whose delay is fitted
@@ -57,7 +61,9 @@ struct Comparison {
 /// What a trial has in the place of measured values, with its slopes: Channel::slopes.
 struct SimulatedValues {
   std::vector<double> values, slopes = {};
-  std::vector<int> missing = {};          // modes that are not there: 0 stands in their place
+  std::vector<int> missing = {};  // modes that are not there: 0 stands in their place
+  std::vector<ComparedFrequency> compared = {};  // of modes, as in a Comparison
+  std::vector<int> mixed = {};  // modes whose partner has another name: take_mixed()
   std::optional<FittedDelay> delay = {};  // of a curve whose delay is fitted
 };
 

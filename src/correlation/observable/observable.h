@@ -106,6 +106,8 @@ class Observable {
   virtual void draw(const ShownExperiment& shown, report::StudyReport& page) const = 0;
   /// For the console: a table, a line a value.
   virtual std::string table(const Channels& trial, const Comparison& comparison) const = 0;
+  /// What a person has to know of how it was compared, a sentence each.
+  virtual std::vector<std::string> remarks(const Comparison&) const { return {}; }
   /// For a program: the key and what stands there. Both stay what they are.
   virtual std::pair<std::string, nlohmann::ordered_json> answer(
       const Channels& trial, const Comparison& comparison) const = 0;

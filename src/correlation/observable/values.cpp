@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "base/text.h"
-#include "base/units.h"
+#include "base/unit_reading.h"
 #include "correlation/laboratory/measurement_twin.h"
 #include "correlation/observable/channel_value.h"
 #include "correlation/observable/compared_frame.h"
@@ -75,13 +75,44 @@ SimulatedValues Values::of_modes(const Channels& trial) const {
   const Channels recording = recording_of(test_part(m_.channel), trial);
   const std::vector<double>& values = recording[channel_part(m_.channel)];
   const auto modes = experiment::mode_records(recording);
+  std::vector<int> partner;
+  const std::vector<ModeRecord> named = named_modes();
+  for (const ModeRecord& mode : named) partner.push_back(experiment::find_mode(modes, mode));
+  const bool are_frequencies = channel_part(m_.channel) == "frequency";
   SimulatedValues found;
-  for (const std::string& label : m_.modes) {
-    const int lowest = experiment::find_mode(modes, *experiment::mode_of_label(label));
-    if (lowest < 0) found.missing.push_back(static_cast<int>(found.values.size()));
-    found.values.push_back(lowest < 0 ? 0.0 : values[lowest]);
+  if (are_frequencies) {
+    const std::vector<int> by_name = partner;
+    take_mixed(named, modes, partner);
+    for (std::size_t i = 0; i < named.size(); ++i)
+      if (by_name[i] != partner[i]) found.mixed.push_back(static_cast<int>(i));
   }
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    const int mode = static_cast<int>(i);
+    if (partner[i] < 0) found.missing.push_back(mode);
+    found.values.push_back(partner[i] < 0 ? 0.0 : values[static_cast<std::size_t>(partner[i])]);
+    if (are_frequencies && partner[i] >= 0) found.compared.push_back({mode, found.values.back()});
+  }
+  order_close(named, {}, /*needs_waves=*/true, found.compared);
+  for (const ComparedFrequency& one : found.compared)
+    found.values[static_cast<std::size_t>(one.measured)] = one.frequency;
   return found;
+}
+
+std::vector<ModeRecord> Values::named_modes() const {
+  std::vector<ModeRecord> named;
+  for (std::size_t i = 0; i < m_.modes.size(); ++i) {
+    named.push_back(*experiment::mode_of_label(m_.modes[i]));
+    named.back().frequency = m_.values[i];
+  }
+  return named;
+}
+
+std::vector<std::string> Values::remarks(const Comparison& comparison) const {
+  const std::vector<ModeRecord> named = named_modes();
+  std::vector<std::string> all = remarks_on_close(named, {}, comparison.compared);
+  for (const ModePair& pair : comparison.pairing.pairs)
+    all.push_back(remark_on_mixed(named[static_cast<std::size_t>(pair.measured)]));
+  return all;
 }
 
 Result<Comparison> Values::compare(const Channels& trial, const ObjectiveSettings& settings) const {
@@ -220,7 +251,10 @@ std::shared_ptr<const Values> read_values(const Node& table,
     }
   } else if (table.has("value")) {
     m.values = {table.quantity("value", m.unit)};
-    if (m.unit != "1") m.shown = parse_quantity(table.text("value"))->unit.text();
+    if (m.unit != "1") {
+      const auto written = parse_quantity(table.text("value"), Unit::of(m.unit));
+      m.shown = written->unit.text();
+    }
     if (table.has("of")) m.of = table.choice("of", names_of_values());
   } else {
     m.values = table.quantities("values", m.unit);

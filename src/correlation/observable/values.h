@@ -26,7 +26,8 @@
 //
 // An error is  d_i = (y_i^mea - y_i^sim) / scale_i,  the scale of a value its own size unless
 // given. Of several modes of one name the lowest is meant; one that is not there counts as 0, an
-// error of 100 %.
+// error of 100 %. Frequencies of modes of one n that lie too close to be told apart by their names
+// are compared in their order (close_modes.h).
 #pragma once
 
 #include <memory>
@@ -59,11 +60,13 @@ class Values : public Observable {
                                            const MeasurementFiles& files) const override;
   void draw(const ShownExperiment& shown, report::StudyReport& page) const override;
   std::string table(const Channels& trial, const Comparison& comparison) const override;
+  std::vector<std::string> remarks(const Comparison& comparison) const override;
   std::pair<std::string, nlohmann::ordered_json> answer(
       const Channels& trial, const Comparison& comparison) const override;
 
  private:
   SimulatedValues of_modes(const Channels& trial) const;
+  std::vector<ModeRecord> named_modes() const;
 
   Measurement m_;
 };

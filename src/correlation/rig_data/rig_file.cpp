@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/text.h"
-#include "base/units.h"
+#include "base/unit_reading.h"
 
 namespace latsch::correlation {
 namespace {
@@ -29,7 +29,8 @@ void read_channels(const Node& table, RigFile& rig) {
   for (const std::string& name : names) {
     if (!units->has(name)) continue;
     rig.units[name] = units->text(name);
-    if (!Unit::find(rig.units[name])) units->reject(name, "is " + unknown_unit(rig.units[name]));
+    const UnitReading reading = reading_of_unit(rig.units[name]);
+    if (!reading.unit) units->reject(name, "is " + reading.fault);
   }
 }
 

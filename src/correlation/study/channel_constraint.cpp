@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "base/units.h"
+#include "base/unit_reading.h"
 #include "correlation/observable/channel_value.h"
 
 namespace latsch::correlation {
@@ -31,7 +31,7 @@ std::string constrained_unit(const Node& table,
 /// The unit a person wrote a bound in.
 std::string written_unit(const Node& table, const char* key, const std::string& unit) {
   if (unit == "1") return unit;
-  const auto quantity = parse_quantity(table.text(key));
+  const auto quantity = parse_quantity(table.text(key), Unit::of(unit));
   return quantity ? quantity->unit.text() : unit;
 }
 

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
 #include "correlation/observable/force_curve.h"
+#include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/spring_testing.h"
 #include "correlation/study/study.h"
 #include "correlation/study/variables.h"
@@ -307,6 +309,99 @@ select = {p = "83 +- 1 kPa"}
   EXPECT_EQ(curve.abscissa, Abscissa::loaded_radius);
   EXPECT_EQ(curve.force, (std::vector<double>{500.0, 1000.0}));
   EXPECT_NEAR(curve.position[1], 0.2006, 1e-15);
+}
+
+/// The row of a column in the ledger of the record.
+LedgerRow ledger_row_of(const Study& study, const std::string& column) {
+  for (const Ledger& ledger : ledgers_of(study))
+    if (const LedgerRow* row = ledger.find_written(column)) return *row;
+  return {};
+}
+
+TEST_F(MeasuredStudy, HasALedgerOfWhatItsColumnsWereTakenFor) {
+  const Study study = read();
+  const LedgerRow alpha = ledger_row_of(study, "SA");
+  EXPECT_EQ(alpha.taken_as, "alpha");
+  EXPECT_EQ(alpha.unit_written, "deg");
+  EXPECT_EQ(alpha.unit, "rad");
+  EXPECT_NEAR(alpha.factor, 0.017453292519943295, 1e-18);
+  EXPECT_EQ(alpha.axes, "sae, -1");
+  EXPECT_EQ(alpha.line, 1);
+  EXPECT_EQ(alpha.used_by, std::vector<std::string>{"test steady"});
+  EXPECT_EQ(ledger_row_of(study, "FY").used_by, std::vector<std::string>{"experiment side_force"});
+  EXPECT_EQ(ledger_row_of(study, "t_s").used_by, std::vector<std::string>{"select"});
+  EXPECT_EQ(ledger_row_of(study, "SL").state, LedgerState::not_used);
+  const std::string line = in_one_line(ledgers_of(study).front());
+  EXPECT_NE(line.find("4 used"), std::string::npos) << line;
+  EXPECT_NE(line.find("`SL`"), std::string::npos) << line;
+  EXPECT_NE(line.find("kappa is taken as 0 by test steady"), std::string::npos) << line;
+}
+
+TEST_F(MeasuredStudy, TakesASlipAngleByAnySpelling) {
+  const auto expected = read().tests.front().text;
+  for (const char* name : {"Slip Angle [deg]",
+                           "Schräglaufwinkel [deg]",
+                           "alpha [deg]",
+                           "ALPHA [deg]",
+                           "slip_angle [deg]",
+                           "SlipAngle [deg]"}) {
+    edit_record("SA [deg]", name);
+    EXPECT_EQ(read().tests.front().text, expected) << name;
+  }
+}
+
+TEST_F(MeasuredStudy, NeverLeavesOutASlipAngleSilently) {
+  edit_record("SA [deg]", "SA");
+  std::string found = complaint([&] { read(); });
+  EXPECT_NE(found.find("\"SA\""), std::string::npos) << found;
+  EXPECT_NE(found.find("unit"), std::string::npos) << found;
+  edit_record("SA [deg]", "Alhpa [deg]");  // looks like it
+  found = complaint([&] { read(); });
+  EXPECT_NE(found.find("columns = {alpha = \"Alhpa\"}"), std::string::npos) << found;
+  EXPECT_NE(found.find("without = [\"alpha\"]"), std::string::npos) << found;
+  const std::string from = "{from = \"measurement.cornering\"}";
+  EXPECT_EQ(
+      complaint([&] { read(from, "{from = \"measurement.cornering\", without = [\"alpha\"]}"); }),
+      "nothing");
+  found = complaint([&] { read(from, "{from = \"measurement.cornering\", without = [\"Fz\"]}"); });
+  EXPECT_NE(found.find("without"), std::string::npos) << found;
+  edit_record("SA [deg]", "channel 7 [deg]");  // does not look like anything: a warning
+  const Study study = read();
+  const auto doubts = ledgers_of(study).front().doubts;
+  EXPECT_TRUE(std::any_of(doubts.begin(), doubts.end(), [](const LedgerDoubt& doubt) {
+    return doubt.name == "channel 7" && !doubt.is_error &&
+           doubt.sentence.find("alpha is taken as 0") != std::string::npos;
+  }));
+}
+
+// No axes are stated, and every load is negative.
+TEST_F(MeasuredStudy, RefusesLoadsBelowZeroWithTheWayOut) {
+  const std::string found = complaint([&] { read("axes = \"sae\"\n", ""); });
+  EXPECT_NE(found.find("\"FZ\""), std::string::npos) << found;
+  EXPECT_NE(found.find("axes = \"sae\""), std::string::npos) << found;
+}
+
+TEST_F(MeasuredStudy, WarnsOfASideForceOfTheOtherSign) {
+  std::string text = kRecord;
+  write_text_file(folder_ / "record.csv",
+                  "t_s,SA [deg],FZ [N],FY [N],SL,who\n0,4,4000,3100,0,ann\n"
+                  "1,-4,4000,-3000,,ann\n2,2,2000,1000,0,bob\n");
+  const Study study = read("axes = \"sae\"\n", "");
+  const auto doubts = ledgers_of(study).front().doubts;
+  EXPECT_TRUE(std::any_of(doubts.begin(), doubts.end(), [](const LedgerDoubt& doubt) {
+    return doubt.name == "FY" && !doubt.is_error;
+  }));
+}
+
+TEST_F(MeasuredStudy, RefusesTwoColumnsForOneChannelByBothNames) {
+  edit_record(",SL,who", ",Slip angle [deg],who");
+  std::string found = complaint([&] { read(); });
+  EXPECT_NE(found.find("\"SA\" and \"Slip angle\""), std::string::npos) << found;
+  EXPECT_EQ(complaint([&] {
+              read("columns = {time = \"t_s [s]\"}",
+                   "columns = {time = \"t_s [s]\", alpha = \"SA\"}");
+            }),
+            "nothing");
 }
 
 }  // namespace

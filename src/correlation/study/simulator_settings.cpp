@@ -6,7 +6,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
-#include "base/units.h"
+#include "base/unit_reading.h"
 #include "correlation/study/variables.h"
 
 namespace latsch::correlation {
@@ -24,10 +24,12 @@ OutputReader::Quantity parse_quantity_name(const Node& table, const std::string&
   if (open != std::string::npos) {
     const std::size_t close = text.find(']', open);
     quantity.unit = text.substr(open + 1, close - open - 1);
-    if (close == std::string::npos || !Unit::find(quantity.unit)) {
-      table.reject(
-          "quantities",
-          "has " + in_quotes(text) + R"(, expected a name and a unit such as "force [N]")");
+    const UnitReading reading = reading_of_unit(quantity.unit);
+    if (close == std::string::npos || !reading.unit) {
+      table.reject("quantities",
+                   "has " + in_quotes(text) +
+                       R"(, expected a name and a unit such as "force [N]")" +
+                       (reading.unit ? "" : " (" + reading.fault + ")"));
     }
   }
   if (quantity.name.empty()) table.reject("quantities", "has a quantity without a name");
@@ -134,7 +136,8 @@ DesignVariable read_free_variable(const Node& table) {
   variable.name = table.name();
   variable.place = table.place();
   variable.unit = table.has("unit") ? table.text("unit") : written_unit(table);
-  if (!Unit::find(variable.unit)) table.reject("unit", "is " + unknown_unit(variable.unit));
+  const UnitReading reading = reading_of_unit(variable.unit);
+  if (!reading.unit) table.reject("unit", "is " + reading.fault);
   const std::string si = si_unit(Unit::of(variable.unit).dimension());
   variable.lower = table.quantity("lower", si);
   variable.upper = table.quantity("upper", si);

@@ -119,10 +119,49 @@ std::optional<std::string> reason_against(const SpecimenKind& kind,
 
 namespace {
 
-/// The conditions of a test that were measured, for {from = "measurement.NAME"}.
+/// Conditions that a table leaves out by without = ["kappa"].
+std::vector<std::string> left_out_of(const Node& table,
+                                     const std::vector<experiment::MeasuredCondition>& conditions) {
+  if (!table.has("without")) return {};
+  std::vector<std::string> optional;
+  for (const auto& condition : conditions)
+    if (!condition.is_needed) optional.push_back(condition.channel);
+  const auto without = table.texts("without");
+  for (const std::string& name : without)
+    if (std::find(optional.begin(), optional.end(), name) == optional.end())
+      table.reject("without",
+                   "has " + in_quotes(name) +
+                       (optional.empty() ? ", but the test needs all that it takes"
+                                         : ", expected one of " + list_of(optional)));
+  return without;
+}
+
+/// A condition that the measurement lacks: an error where a column looks like it.
+void take_absent(const Node& table,
+                 const experiment::MeasuredCondition& condition,
+                 const Measurement& measurement,
+                 const std::string& by) {
+  const auto alike = measurement.columns_like(condition.channel, condition.unit);
+  if (!alike.empty())
+    table.reject(
+        "from",
+        fmt::format("is {0}, whose column {1} looks like {2}, but is not called so, and {2} would "
+                    "be {3}. Put columns = {{{2} = {1}}} into [{4}], or without = [\"{2}\"] beside "
+                    "from to leave it out",
+                    in_quotes(table.text("from")),
+                    in_quotes(alike.front()),
+                    condition.channel,
+                    condition.otherwise.empty() ? "left out" : "taken as " + condition.otherwise,
+                    table.text("from")));
+  measurement.note_absent({condition.channel, condition.unit, by, condition.otherwise});
+}
+
+/// The conditions of a test that were measured, for {from = "measurement.NAME"}. `by`: who takes
+/// them, for the ledger.
 Channels measured_conditions(const Node& table,
                              const std::vector<experiment::MeasuredCondition>& conditions,
-                             const Laboratory& laboratory) {
+                             const Laboratory& laboratory,
+                             const std::string& by) {
   const std::string from = table.text("from");
   std::vector<std::string> names;
   for (const auto& one : laboratory) names.push_back("measurement." + one->name());
@@ -134,10 +173,16 @@ Channels measured_conditions(const Node& table,
                                     : did_you_mean(from, names) + "; there are " + list_of(names)));
   const Measurement& measurement = *laboratory[static_cast<std::size_t>(found - names.begin())];
   Channels channels;
+  const auto without = left_out_of(table, conditions);
   for (const auto& condition : conditions) {
     const std::string channel =
         conditions.size() == 1 ? table.text("channel", condition.channel) : condition.channel;
-    if (!condition.is_needed && !measurement.has(channel)) continue;
+    if (std::find(without.begin(), without.end(), condition.channel) != without.end()) continue;
+    if (!condition.is_needed && !measurement.could_be(channel, condition.unit)) {
+      take_absent(table, condition, measurement, by);
+      continue;
+    }
+    measurement.note_use(channel, by);
     const auto& values = measurement.values(channel, condition.unit);
     const std::string frame = measurement.frame(channel);
     if (!frame.empty() && !condition.frame.empty() && !is_same_in(channel, frame, condition.frame))
@@ -161,7 +206,8 @@ StudyTest read_study_test(const Node& table,
   std::string resolved;  // what it takes from measurements
   bool is_in_identity = false;
   const auto measured = [&](const Node& from, const auto& conditions) {
-    const Channels channels = measured_conditions(from, conditions, laboratory);
+    const Channels channels =
+        measured_conditions(from, conditions, laboratory, "test " + table.name());
     if (conditions.front().is_in_identity)
       is_in_identity = true;
     else

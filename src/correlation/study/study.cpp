@@ -14,6 +14,7 @@
 #include "correlation/study/program_specimens.h"
 #include "correlation/study/refinement.h"
 #include "correlation/study/simulator_settings.h"
+#include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study_slopes.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
@@ -266,6 +267,7 @@ Study read(const Document& document,
               {}};
   study.specimens = std::move(what.model.specimens);
   study.tests = std::move(what.tests);
+  study.laboratory = laboratory;
   check_priors(root, study.space, study.experiments);
   for (const Node& constraint : root.named_tables("constraint")) {
     study.constraints.push_back(read_channel_constraint(constraint, known_channels(study.tests)));
@@ -298,6 +300,7 @@ Study read(const Document& document,
   study.stages = read_stages(root, document, study);
   study.refinement = read_refinement(root, document, study, language, laboratory);
   root.close();
+  if (measurements == Measurements::required) refuse_doubtful(ledgers_of(study));
   study.search_key = search_key(study);
   return study;
 }

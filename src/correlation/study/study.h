@@ -86,6 +86,7 @@ struct Study {
   std::vector<StudyTest> tests = {};                // of the study, and the experiments' own
   std::vector<ChannelConstraint> constraints = {};  // on channels; linear ones are of the space
 
+  Laboratory laboratory = {};  // every [measurement.NAME], for their ledgers
   StartSettings start = {};
   std::vector<StageSettings> stages = {};  // none: one run, as [optimizer] says
   std::optional<Refinement> refinement = {};

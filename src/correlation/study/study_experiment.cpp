@@ -238,6 +238,25 @@ std::optional<MeasurementNoise> noise_of(const StudyExperiment& experiment) {
                    ". Experiments compare its channels as y = \"cleat/...\"");
 }
 
+/// Channels of a measurement that an experiment compares, for its ledger.
+void note_uses(const Measurement& measured, const StudyExperiment& experiment) {
+  const std::string by = "experiment " + experiment.name;
+  constexpr std::string_view kBy = "_by_";
+  for (const std::string& asked : experiment.observable->asks()) {
+    const std::string channel = last_part(asked);
+    const std::size_t slope = channel.find(kBy);
+    if (measured.has(channel) || slope == channel.npos) {
+      measured.note_use(channel, by);
+      continue;
+    }
+    measured.note_use(channel.substr(0, slope), by);
+    measured.note_use(channel.substr(slope + kBy.size()), by);
+  }
+  if (experiment.observable->kind() != "load_deflection") return;
+  for (const char* channel : {"deflection", "loaded_radius", "Fz", "spread"})
+    measured.note_use(channel, by);
+}
+
 }  // namespace
 
 StudyExperiment read_experiment(const Node& table,
@@ -272,6 +291,8 @@ StudyExperiment read_experiment(const Node& table,
     experiment.observable =
         read_load_deflection(table, context, measured.get(), experiment.objective, tests);
   }
+  if (measured) note_uses(*measured, experiment);
+  experiment.read_from = measured;
   experiment.estimates_noise = experiment.fitted && is_estimated(table);
   if (!is_estimated(table)) {
     experiment.noise = read_noise(table, experiment.observable->unit());

@@ -61,6 +61,7 @@ struct StudyExperiment {
   RobustLoss loss = {};
   std::filesystem::path measurement_file;  // of a [measurement.NAME] the first; empty: none
   std::shared_ptr<const Measurement> measurement = {};  // nullptr: the observable read the file
+  std::shared_ptr<const Measurement> read_from = {};    // the same, stated or not: its ledger
   std::filesystem::path shapes_file;                    // empty: no shapes
   int measured_modes = 0;                               // how many there are, or will be in a twin
   std::shared_ptr<const Observable> observable = {};

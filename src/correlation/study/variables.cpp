@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "base/units.h"
+#include "base/unit_reading.h"
 
 namespace latsch::correlation {
 namespace {
@@ -23,8 +23,8 @@ std::string unit_of(const Node& table,
 }
 
 /// "N/mm^2" of "22.3 N/mm^2".
-std::string written_unit(const std::string& text) {
-  const auto quantity = parse_quantity(text);
+std::string written_unit(const std::string& text, const std::string& si) {
+  const auto quantity = parse_quantity(text, Unit::of(si));
   return quantity ? quantity->unit.text() : "1";
 }
 
@@ -60,7 +60,7 @@ DesignVariable read_variable(const Node& table, const Document& model) {
   variable.lower = table.quantity("lower", unit);
   variable.upper = table.quantity("upper", unit);
   variable.initial = table.quantity("initial", unit);
-  variable.unit = unit == "1" ? "1" : written_unit(table.text("initial"));
+  variable.unit = unit == "1" ? "1" : written_unit(table.text("initial"), unit);
   variable.scale = table.choice("scale", {"linear", "logarithmic"}, "linear") == "linear"
                        ? Scale::linear
                        : Scale::logarithmic;

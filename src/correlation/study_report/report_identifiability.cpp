@@ -89,8 +89,7 @@ report::Identifiability identifiability_page(const Study& study,
     page.variables.push_back(v.name);
     const Interval interval = reported_interval(study, what, i);
     page.values.push_back(value_text(study.space, i, what.best.values[i], interval));
-    page.intervals.push_back(interval_text(study.space, i, interval) +
-                             (c.held[i] == Bound::none ? "" : ", held at its bound"));
+    page.intervals.push_back(interval_text(study, what, i));
     if (what.refined_shift) page.shifts.push_back(shift_text(study, what, i));
     page.deviations.push_back(c.deviation(i));
     page.directions.push_back(direction_text(study.space, c.directions.col(i)));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/validation/suite.h"
 
+#include "correlation/study/ledgers/study_ledgers.h"
+
 namespace latsch::correlation {
 namespace {
 
@@ -69,6 +71,7 @@ Suite read_suite(const std::filesystem::path& file,
     suite.checks.push_back(std::move(check));
   }
   root.close();
+  for (const auto& measurement : laboratory) refuse_doubtful(measurement->ledgers());
   return suite;
 }
 

@@ -8,6 +8,8 @@
 
 #include "base/random.h"
 #include "base/scratch_folder_testing.h"
+#include "base/unit_words/unit_spellings_testing.h"
+#include "base/units.h"
 
 namespace latsch {
 namespace {
@@ -37,6 +39,32 @@ TEST(OutputReader, TableHasItsUnitsInTheFile) {
   expect_failure(reader, "time [s],y [mm]\n0,1\n", "z");
   expect_failure(reader, "time [s],z [kg]\n0,1\n", "kg");
   expect_failure(reader, "", "output \"out\" (table)");
+}
+
+// Every spelling of the table: the number by hand, or a failure that names unit and line.
+TEST(OutputReader, UnitsOfTablesAreThoseOfAllReaders) {
+  int count = 0;
+  for (const UnitSpelling& spelling : unit_spellings::kAll) {
+    const std::string unit = spelling.written;
+    const OutputReader reader{.kind = Kind::table, .quantities = {{"z", spelling.si}}};
+    const auto channels = read(reader,
+                               "\"z [" +
+                                   (unit == "\""            ? "\"\""
+                                    : unit.starts_with('[') ? unit.substr(1)
+                                                            : unit) +
+                                   (unit.starts_with('[') ? "" : "]") + "\"\n7\n");
+    if (!channels.ok()) {
+      EXPECT_TRUE(std::isnan(spelling.factor)) << channels.failure().reason;
+      EXPECT_NE(channels.failure().reason.find("file:1: column \"z\""), std::string::npos)
+          << channels.failure().reason;
+      continue;
+    }
+    ASSERT_FALSE(std::isnan(spelling.factor)) << unit;
+    EXPECT_NEAR(channels->front().values[0] / (7.0 * spelling.factor + spelling.offset), 1.0, 1e-12)
+        << unit;
+    ++count;
+  }
+  EXPECT_GT(count, 400);
 }
 
 TEST(OutputReader, ColumnsSkipTheirHeader) {

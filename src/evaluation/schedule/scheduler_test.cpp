@@ -103,7 +103,7 @@ TEST(RunOptimizer, EndsAfterTheLargestNumberOfSteps) {
 }
 
 TEST(RunOptimizer, SaysWhyItEnded) {
-  EXPECT_EQ(run_simulated({.workers = 2}, nullptr).ending.find("at a minimum"), 0u);
+  EXPECT_EQ(run_simulated({.workers = 2}, nullptr).ending.find("where no direction gains"), 0u);
   InlineExecutor fails([](const DesignPoint&) { return Result<Channels>(Failure{"no"}); });
   Gss gss(scheduler_space());
   const auto run = run_optimizer(gss, scheduler_target, fails, nullptr);

@@ -2,16 +2,22 @@
 // A car as a kind of specimen: its file names those of its suspensions and tires, which are tables
 // of its numbers, "front_suspension.bushing.ubj.y", "front_tire.sidewall.radial.stiffness". A file
 // in which they are tables already, as it is written, is read as it stands.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <set>
 
 #include "base/document_parts.h"
 #include "base/text.h"
 #include "experiment/kinds/films_of_tests.h"
 #include "experiment/kinds/suspension_scene.h"
+#include "experiment/kinds/tir_numbers.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
 #include "models/car/car_reader.h"
 #include "models/suspension/suspension_reader.h"
+#include "models/tire/mirrored_tire.h"
 #include "report/report.h"
 
 namespace latsch::experiment {
@@ -25,17 +31,49 @@ namespace {
 
 constexpr std::array<const char*, 2> kAxles = {"front", "rear"};
 
-/// The kind of a tire that rolls, by what its numbers say of themselves.
-const SpecimenKind& tire_kind(const Document& tire, const std::string& part) {
+/// The keys of a car's tires; those of the right side are for what is no mirror image of the left.
+constexpr std::array<const char*, 2> kOfSides = {"_tire", "_tire_right"};
+
+std::string tire_key(std::size_t axle, std::size_t side) {
+  return std::string(kAxles[axle]) + kOfSides[side];
+}
+
+/// The kind of a tire that rolls, by what its numbers say of themselves; of a .tir, which say
+/// nothing, by what the car says.
+const SpecimenKind& tire_kind(const Node& car, const Document& tire, const std::string& part) {
   const std::vector<const SpecimenKind*> kinds = {
       &ring_tire_kind(), &rigid_ring_kind(), &magic_formula_kind()};
-  if (!tire.root().has("kind")) return magic_formula_kind();
+  const std::string key = part.substr(0, part.find('_')) + "_tire_kind";
+  if (!tire.root().has("kind"))
+    return car.choice(key, {"magic_formula", "rigid_ring"}, "magic_formula") == "rigid_ring"
+               ? rigid_ring_kind()
+               : magic_formula_kind();
   const std::string name = tire.root().text("kind");
+  if (car.has(key) && name != car.text(key))
+    car.reject(key, "is for a .tir, but " + part + " says of itself that it is a " + name);
   for (const SpecimenKind* kind : kinds)
     if (kind->name() == name) return *kind;
   throw InputError({tire.file(), 0},
                    part + " is of kind " + in_quotes(name) +
                        ", which does not roll: expected a flexible ring, a rigid ring or a .tir");
+}
+
+/// As a tire was measured; what has no side of its own is of the left.
+TireSide side_of(const Document& tire) {
+  const Node root = tire.root();
+  return root.has("side") && root.text("side") == "right" ? TireSide::right : TireSide::left;
+}
+
+/// What no reader asks for is a mistyped key: a car without the air that its file was to have.
+void refuse_unknown(const Node& car) {
+  std::set<std::string> known = {"kind", "title", "gravity", "chassis", "aero", "driver"};
+  for (const char* axle : kAxles)
+    for (const char* of : {"", "_suspension", "_tire", "_tire_right", "_tire_kind"})
+      known.insert(std::string(axle) + of);
+  for (const std::string& key : car.keys())
+    if (!known.contains(key))
+      car.reject(key,
+                 fmt::format("is no key of a car, expected one of: {}", fmt::join(known, ", ")));
 }
 
 class CarSpecimen : public Specimen, public Drives, public HasAxles {
@@ -45,8 +83,11 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles {
     const std::array<const std::optional<car::SpringTireParameters>*, 2> springs = {
         &file_.front_spring_tire, &file_.rear_spring_tire};
     for (std::size_t axle = 0; axle < 2; ++axle) {
-      const std::string part = std::string(kAxles[axle]) + "_tire";
+      const std::string part = tire_key(axle, 0), right = tire_key(axle, 1);
       if (!numbers.root().has(part)) {
+        for (const std::string& key : {right, part + "_kind"})
+          if (numbers.root().has(key))
+            numbers.root().reject(key, "stands without " + part + ", the tire of the left side");
         if (!*springs[axle])
           throw InputError({numbers.file(), 0},
                            part + " is missing, expected the file of a tire, or a table [" +
@@ -55,16 +96,23 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles {
           tires_[2 * axle + side] = std::make_unique<car::SpringTire>(**springs[axle]);
         continue;
       }
-      const Document tire = part_of(numbers, part);
-      const auto specimen = tire_kind(tire, part).build(tire);
-      for (std::size_t side = 0; side < 2; ++side)
-        tires_[2 * axle + side] = specimen->find<Rolls>()->tire();
+      for (std::size_t side = 0; side < 2; ++side) {
+        const std::string key = side == 1 && numbers.root().has(right) ? right : part;
+        const Document tire = part_of(numbers, key);
+        const auto specimen = tire_kind(numbers.root(), tire, key).build(tire);
+        tires_[2 * axle + side] = mounted(specimen->find<Rolls>()->tire(),
+                                          side_of(tire),
+                                          side == 0 ? TireSide::left : TireSide::right);
+      }
     }
+    refuse_unknown(numbers.root());
   }
 
   Result<std::unique_ptr<car::Car>> car(const car::CarInputs& at_rest) const override {
     auto car = car::Car::make(file_.parameters, tires_, at_rest);
-    if (car) (*car)->guide.y = file_.driver_line;
+    if (!car) return car;
+    (*car)->guide.y = file_.driver_line;
+    (*car)->guide.drives = file_.drives;
     return car;
   }
 
@@ -119,28 +167,67 @@ class CarKind : public SpecimenKind {
   std::string name() const override { return "car"; }
   std::string in_words() const override { return "car"; }
   std::string file() const override { return "a TOML file with kind = \"car\""; }
-  int version() const override { return 2; }
+  int version() const override { return 3; }
   std::vector<std::string> abilities() const override { return abilities_of<CarSpecimen>(); }
 
   bool recognizes(const std::filesystem::path&) const override { return false; }
   Document read(const std::filesystem::path& file) const override {
     const Document written = Document::read(file);
     Document document = written;
-    for (const char* axle : kAxles) {
-      const std::string suspension = std::string(axle) + "_suspension",
-                        tire = std::string(axle) + "_tire";
+    for (std::size_t axle = 0; axle < 2; ++axle) {
+      const std::string suspension = std::string(kAxles[axle]) + "_suspension";
       if (!has_part(written, suspension))
         document = with_part(
             document, suspension, suspension_kind().read(named_file(file, written, suspension)));
-      if (!written.root().has(tire) || has_part(written, tire)) continue;
-      const std::filesystem::path named = named_file(file, written, tire);
-      const SpecimenKind& kind = named.extension() == ".tir"
-                                     ? magic_or_rigid(named)
-                                     : tire_kind(Document::read(named), tire);
-      document = with_part(document, tire, kind.read(named));
+      for (std::size_t side = 0; side < 2; ++side) {
+        const std::string tire = tire_key(axle, side);
+        if (!written.root().has(tire) || has_part(written, tire)) continue;
+        const std::filesystem::path named = named_file(file, written, tire);
+        const Document of =
+            named.extension() == ".tir" ? read_tir_numbers(named) : Document::read(named);
+        document = with_part(document, tire, tire_kind(written.root(), of, tire).read(named));
+      }
     }
     CarSpecimen{document};
     return document;
+  }
+  /// Those of its tires; and which of them stand as mirror images.
+  std::vector<std::string> notes(const std::filesystem::path& file) const override {
+    const Document written = Document::read(file);
+    std::vector<std::string> notes;
+    std::set<std::filesystem::path> told;
+    for (std::size_t axle = 0; axle < 2; ++axle)
+      for (std::size_t side = 0; side < 2; ++side) {
+        const std::string tire = tire_key(axle, side);
+        if (!written.root().has(tire) || has_part(written, tire)) continue;
+        const std::filesystem::path named = named_file(file, written, tire);
+        if (!told.insert(named).second) continue;
+        const Document of =
+            named.extension() == ".tir" ? read_tir_numbers(named) : Document::read(named);
+        for (std::string& note : tire_kind(written.root(), of, tire).notes(named))
+          notes.push_back(std::move(note));
+      }
+    return notes;
+  }
+  std::string describe(const Document& numbers) const override {
+    std::string words = SpecimenKind::describe(numbers);
+    for (std::size_t axle = 0; axle < 2; ++axle) {
+      const Node root = numbers.root();
+      if (!root.has(tire_key(axle, 0))) continue;
+      words += fmt::format("; {} tires: ", kAxles[axle]);
+      const Document left = part_of(numbers, tire_key(axle, 0));
+      words += side_in_words(left);
+      if (root.has(tire_key(axle, 1))) {
+        const Document right = part_of(numbers, tire_key(axle, 1));
+        words += fmt::format(", right one of a file of its own, {}{}",
+                             side_in_words(right),
+                             side_of(right) == TireSide::left ? ", mirrored" : "");
+      } else {
+        words +=
+            side_of(left) == TireSide::left ? ", mirrored on the right" : ", mirrored on the left";
+      }
+    }
+    return words;
   }
   std::unique_ptr<Specimen> build(const Document& numbers,
                                   std::unique_ptr<Specimen>) const override {
@@ -174,10 +261,6 @@ class CarKind : public SpecimenKind {
     if (!std::filesystem::is_regular_file(named))
       written.root().reject(part, "is no file: there is no " + named.string());
     return named;
-  }
-  /// Of a .tir, as the program takes one that is given to it alone.
-  static const SpecimenKind& magic_or_rigid(const std::filesystem::path& file) {
-    return rigid_ring_kind().recognizes(file) ? rigid_ring_kind() : magic_formula_kind();
   }
 };
 

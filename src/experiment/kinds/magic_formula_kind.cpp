@@ -93,8 +93,11 @@ class MagicFormulaKind : public SpecimenKind {
     return file.extension() == ".tir";
   }
   Document read(const std::filesystem::path& file) const override { return read_tir_numbers(file); }
+  std::string describe(const Document& numbers) const override {
+    return SpecimenKind::describe(numbers) + ", " + side_in_words(numbers);
+  }
   std::vector<std::string> notes(const std::filesystem::path& file) const override {
-    return formats::read_tir(file).notes;
+    return tir_notes(file);
   }
   std::unique_ptr<Specimen> build(const Document& numbers,
                                   std::unique_ptr<Specimen>) const override {

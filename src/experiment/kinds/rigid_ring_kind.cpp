@@ -37,6 +37,12 @@ class RigidRingKind : public SpecimenKind {
 
   bool recognizes(const std::filesystem::path&) const override { return false; }
   Document read(const std::filesystem::path& file) const override { return read_tir_numbers(file); }
+  std::string describe(const Document& numbers) const override {
+    return SpecimenKind::describe(numbers) + ", " + side_in_words(numbers);
+  }
+  std::vector<std::string> notes(const std::filesystem::path& file) const override {
+    return tir_notes(file);
+  }
   std::unique_ptr<Specimen> build(const Document& numbers,
                                   std::unique_ptr<Specimen>) const override {
     return std::make_unique<RigidRingSpecimen>(numbers);

@@ -2,6 +2,7 @@
 // The flexible ring as a kind of specimen.
 #include "experiment/kinds/rolling_scene.h"
 #include "experiment/kinds/rolling_specimen.h"
+#include "experiment/kinds/tir_numbers.h"
 #include "experiment/rigs/vibration_rig.h"
 #include "models/ring_tire/description/ring_reader.h"
 #include "models/ring_tire/ring/ring_tire.h"
@@ -45,6 +46,19 @@ class RingTireKind : public SpecimenKind {
   std::vector<std::string> abilities() const override { return abilities_of<RingSpecimen>(); }
 
   bool recognizes(const std::filesystem::path&) const override { return false; }
+  std::string describe(const Document& numbers) const override {
+    return SpecimenKind::describe(numbers) + ", " + side_in_words(numbers);
+  }
+  /// A ring without ply steer and cone is its own mirror image.
+  std::vector<std::string> notes(const std::filesystem::path& file) const override {
+    const Document numbers = Document::read(file);
+    const auto belt = ring_tire::read_ring_tire(numbers.root()).belt;
+    if (numbers.root().has("side") || (belt.bending_twist == 0.0 && belt.conicity == 0.0))
+      return {};
+    return {file.string() +
+            ": has ply steer or conicity and states no side: it is taken for a tire of the left "
+            "side (side = \"left\"); a car puts its mirror image on the right"};
+  }
   Document read(const std::filesystem::path& file) const override {
     Document document = Document::read(file);
     RingSpecimen{document};  // what is wrong is said of the file as it stands

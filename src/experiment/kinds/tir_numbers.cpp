@@ -69,6 +69,24 @@ std::string list(const std::vector<double>& values, const char* unit) {
 
 }  // namespace
 
+std::vector<std::string> tir_notes(const std::filesystem::path& file) {
+  formats::TirFile tir = formats::read_tir(file);
+  if (const auto* model = tir.source.find("MODEL"); model && !model->find("TYRESIDE"))
+    tir.notes.push_back(
+        fmt::format("{}: [MODEL] states no TYRESIDE: it is taken for a tire of the left side "
+                    "(LEFT); a car puts "
+                    "its mirror image on the right",
+                    file.string()));
+  return std::move(tir.notes);
+}
+
+std::string side_in_words(const Document& numbers) {
+  const Node root = numbers.root();
+  const std::string side = root.has("side") ? root.text("side") : "left";
+  return side == "symmetric" ? "symmetric, put on a car as of the left side"
+                             : "of the " + side + " side";
+}
+
 Document read_tir_numbers(const std::filesystem::path& file) {
   const Parameters p = formats::read_tir(file).parameters;
   std::string text = fmt::format("formula = \"{}\"\nside = \"{}\"\nuse_mode = {}\n",

@@ -19,6 +19,7 @@
 #include "experiment/rigs/measured_conditions.h"
 #include "experiment/rigs/rig_slopes.h"
 #include "measurement/channels.h"
+#include "measurement/ledger.h"
 #include "models/suspension/sign_views.h"
 
 namespace latsch::report {
@@ -64,6 +65,9 @@ class Test {
   virtual std::vector<std::string> needs() const = 0;
   /// Files it reads beside its own; what they hold is part of its identity.
   virtual std::vector<std::filesystem::path> files() const { return {}; }
+  /// What the test took each column of its tables for, one ledger a file or a measurement's
+  /// numbers; empty where it reads none. `by`: "test steady".
+  virtual std::vector<Ledger> ledgers(const std::string& /*by*/) const { return {}; }
   /// From where to where a channel goes by which others are told (time, deflection), as far as the
   /// test alone says; nullopt where a run has to.
   virtual std::optional<Reach> reach(const std::string&) const { return std::nullopt; }

@@ -4,6 +4,9 @@
 //   deflections = {from = "measurement.pressed"}                # its channel deflection
 //   speed = {from = "measurement.slow", channel = "drum_speed"} # or another one of it
 //
+//   states = {from = "measurement.run", without = ["kappa"]}    # left out though a column looks
+//                                                               # like it
+//
 // It becomes numbers when the study is read, and a journal depends on these numbers alone: not on
 // the file they stand in, nor on what was measured beside them.
 #pragma once
@@ -26,6 +29,7 @@ struct MeasuredCondition {
   bool is_needed = false;       // else left out where it was not recorded
   std::string frame = "";       // of a force
   bool is_in_identity = false;  // of the test, with what it makes of it; else the samples count
+  std::string otherwise = "";   // what is taken where it was not recorded: "0"
 };
 
 /// Those that a table such as {from = "measurement.cornering"} names. InputError naming the place:

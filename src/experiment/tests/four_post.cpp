@@ -15,11 +15,13 @@
 //   sample_step = "1 ms"                 # of the record, a multiple of it; default
 //   spectra = true                       # adds channels over frequency; in recorded posts to the
 //                                        # signal of the mode that is stated; default false
-//   segment = "4 s"                      # of Welch's method; default, or all of a shorter record
-//   band = ["0.5 Hz", "30 Hz"]           # the lines that are kept; those of the sweep unless given
+//   segment = "4 s"                      # of Welch's method for densities, and 1/segment the
+//                                        # distance of lines; default, or all of a shorter record
+//   band = ["0.5 Hz", "30 Hz"]           # the lines that are kept; those of the sweep unless
+//                                        # given, inside of what the posts' record holds
 //
-// Its channels: time, forces of the push-rods (pushrod_FL ..., compression positive), of the tires
-// on their hubs (Fz_FL ...), accelerations of hubs and body upward, spring travel, heave, roll and
+// Its channels: time, forces of the push-rods (pushrod_FL ..., compression positive), of the road
+// on the tires (Fz_FL ...), accelerations of hubs and body upward, spring travel, heave, roll and
 // pitch, heights of the posts (post_FL ...). Over frequency: densities psd_pushrod_FL ..., transfer
 // functions tf_pushrod_FL ..., their phases and coherences. Signs and units: docs/car.md.
 #include <fmt/format.h>
@@ -97,18 +99,20 @@ class FourPost : public Test {
   Result<Channels> run(Specimen& specimen) const override {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
-    auto record = experiment::run(**car, test_);
-    if (!record || !frequencies_.are_recorded) return record;
+    if (!frequencies_.are_recorded) return experiment::run(**car, test_);
+    const auto record = experiment::run(**car, until_it_rests());
+    if (!record) return record;
+    Channels all = as_posts_moved(*record);
     const Channels more = over_frequency(*record);
-    for (const Channel& channel : more.all()) record->add(channel);
-    return record;
+    for (const Channel& channel : more.all()) all.add(channel);
+    return all;
   }
   Result<Details> details(Specimen& specimen) const override {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
-    const auto record = experiment::run(**car, test_);
+    const auto record = experiment::run(**car, until_it_rests());
     if (!record) return record.failure();
-    return four_post_details(*record, over_frequency(*record));
+    return four_post_details(as_posts_moved(*record), over_frequency(*record));
   }
   bool has_film() const override { return true; }
   Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
@@ -122,6 +126,23 @@ class FourPost : public Test {
   }
 
  private:
+  /// Responses need a record that ends at rest (rigs/car/post_spectra.h).
+  FourPostTest until_it_rests() const {
+    FourPostTest test = test_;
+    test.still = 3.0;
+    return test;
+  }
+  /// Without that end.
+  Channels as_posts_moved(const Channels& record) const {
+    const auto count = static_cast<std::size_t>(
+        std::lround((test_.times.back() - test_.times.front()) / test_.sample_step) + 1);
+    Channels cut;
+    for (Channel channel : record.all()) {
+      channel.values.resize(std::min(count, channel.values.size()));
+      cut.add(std::move(channel));
+    }
+    return cut;
+  }
   Channels over_frequency(const Channels& record) const {
     return spectra(record, frequencies_.mode, 1.0 / test_.sample_step, frequencies_.settings);
   }
@@ -176,11 +197,46 @@ FourPostTest recorded_posts(const Node& root,
 
 constexpr std::array<const char*, 4> kModes = {"heave", "pitch", "roll", "warp"};
 
-/// `from` and `to`: of the band where nothing is said, Hz.
-Frequencies read_frequencies(
-    const Node& root, PostMode mode, const FourPostTest& test, double from, double to) {
+constexpr double kFewestPeriods = 2.0;  // in a record, of what it tells
+
+/// Frequencies that the posts' record does not hold: a response there is that of rounding.
+void refuse_beyond(const Node& root,
+                   const FourPostTest& test,
+                   const PostSweep* sweep,
+                   const PostSpectra& band) {
+  constexpr double kNear = 1e-9;
+  const double lowest = kFewestPeriods / test.times.back();
+  const auto reject = [&](const std::string& why) { root.reject("band", why); };
+  if (band.from < lowest * (1.0 - kNear))
+    reject(fmt::format(
+        "begins at {:.4g} Hz, but a record of {:.4g} s holds no two periods below {:.4g} Hz: a "
+        "longer one or a higher band is needed",
+        band.from,
+        test.times.back(),
+        lowest));
+  if (!sweep) return;
+  if (band.from < sweep->from * (1.0 - kNear) || band.to > sweep->to * (1.0 + kNear))
+    reject(fmt::format(
+        "is {:.4g} to {:.4g} Hz, but the sweep goes from {:.4g} to {:.4g} Hz and holds nothing "
+        "beyond: expected a band inside of it, or another from and to",
+        band.from,
+        band.to,
+        sweep->from,
+        sweep->to));
+}
+
+/// `from` and `to`: of the band where nothing is said, Hz; with the sweep that the posts follow.
+Frequencies read_frequencies(const Node& root,
+                             PostMode mode,
+                             const FourPostTest& test,
+                             double from,
+                             double to,
+                             const PostSweep* sweep = nullptr) {
   Frequencies read{.mode = mode, .settings = {.from = from, .to = to}};
   read.are_recorded = root.flag("spectra", false);
+  // Recorded posts hold what they hold; a sweep states its own.
+  if (!sweep) read.settings.from = std::max(from, kFewestPeriods / test.times.back());
+  read.settings.moving = test.times.back();
   PostSpectra& settings = read.settings;
   const double lasts = test.times.back();
   settings.segment =
@@ -194,6 +250,7 @@ Frequencies read_frequencies(
     settings.from = band[0];
     settings.to = band[1];
   }
+  if (read.are_recorded) refuse_beyond(root, test, sweep, settings);
   const double highest = 0.5 / test.sample_step;
   settings.to = std::min(settings.to, highest);
   if (std::floor(settings.to * settings.segment) < std::ceil(settings.from * settings.segment))
@@ -233,7 +290,7 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
   test.heights = made.heights;
   return std::make_unique<FourPost>(
       test,
-      read_frequencies(root, which, test, sweep.from, sweep.to),
+      read_frequencies(root, which, test, sweep.from, sweep.to, &sweep),
       fmt::format("four posts, {} from {:.3g} to {:.3g} Hz, {:.3g} mm",
                   mode,
                   sweep.from,

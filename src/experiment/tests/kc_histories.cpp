@@ -25,7 +25,8 @@ Histories::Histories(const Node& root,
   const auto recorded = find_measured(root, "loads");
   if (recorded) {
     std::vector<MeasuredCondition> conditions;
-    for (const Prescribed& load : loads) conditions.push_back({load.name, load.unit});
+    for (const Prescribed& load : loads)
+      conditions.push_back({.channel = load.name, .unit = load.unit, .otherwise = "0"});
     const Channels channels = take_measured(*recorded, conditions, source.measured);
     for (const Channel& channel : channels.all()) values_[channel.name] = channel.values;
     if (values_.empty())

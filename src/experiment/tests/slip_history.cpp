@@ -55,6 +55,12 @@ class SlipHistoryTest : public Test {
   std::vector<std::filesystem::path> files() const override {
     return file_.empty() ? std::vector<std::filesystem::path>{} : std::vector{file_};
   }
+  std::vector<Ledger> ledgers(const std::string& by) const override {
+    if (file_.empty()) return {};  // the measurement has its own
+    Ledger ledger = ledger_of_states(history_, by);
+    if (LedgerRow* time = ledger.find_written("time")) Ledger::use(*time, by);
+    return {std::move(ledger)};
+  }
   std::optional<long> samples() const override { return history_.rows(); }
   Result<Channels> run(Specimen& specimen) const override {
     return specimen.find<HasSteadyStates>()->slip_history(history_, {});

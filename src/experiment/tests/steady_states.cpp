@@ -71,6 +71,10 @@ class SteadyStatesTest : public Test {
   std::vector<std::filesystem::path> files() const override {
     return file_.empty() ? std::vector<std::filesystem::path>{} : std::vector{file_};
   }
+  std::vector<Ledger> ledgers(const std::string& by) const override {
+    if (file_.empty()) return {};  // the measurement has its own
+    return {ledger_of_states(states_, by)};
+  }
   std::optional<long> samples() const override { return states_.rows(); }
   Result<Channels> run(Specimen& specimen) const override {
     return specimen.find<HasSteadyStates>()->steady(states_, conventions_);

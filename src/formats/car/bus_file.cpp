@@ -132,7 +132,6 @@ BusFile bus_file_from(const TeimOrbit& file) {
   const TeimOrbitUnits units = file.units();
   const TeimOrbitSection& dampings = file.section("DAMPING");
   BusFile result;
-  std::set<std::string> known = {"MDI_HEADER", "UNITS", "DAMPING"};
   for (std::size_t axis = 0; axis < kBusAxes.size(); ++axis) {
     const BusScale scale = bus_scale_of(axis, units);
     const std::string curve = std::string(kBusAxes[axis]) + "_CURVE",
@@ -144,10 +143,8 @@ BusFile bus_file_from(const TeimOrbit& file) {
                                    key,
                                    dampings.find(key)->value));
     set_axis(result.bushing, axis, read_points(file.section(curve), scale), damping);
-    known.insert(curve);
   }
-  for (const TeimOrbitSection& section : file.sections())
-    if (!known.contains(section.name())) result.unused.push_back(section.name());
+  result.unused = file.unread();
   return result;
 }
 

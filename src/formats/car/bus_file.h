@@ -25,7 +25,7 @@ namespace latsch::formats {
 
 struct BusFile {
   multibody::BushingParameters bushing;
-  std::vector<std::string> unused;  // sections that have no meaning here
+  std::vector<std::string> unused;  // "[SECTION] KEY": what has no meaning here
 };
 
 /// InputError naming file and line: a section that is missing, a unit that is not known, fewer than

@@ -170,9 +170,13 @@ TEST(BusFile, SaysWhatIsWrongAndWhere) {
   }
 }
 
-TEST(BusFile, NamesSectionsItLeavesOut) {
+TEST(BusFile, NamesSectionsAndKeysItLeavesOut) {
   const BusFile file = bus_of(std::string(kRubber) + "[CONSTANTS]\nSCALE = 1\n");
-  EXPECT_EQ(file.unused, std::vector<std::string>{"CONSTANTS"});
+  EXPECT_EQ(file.unused, std::vector<std::string>{"[CONSTANTS]"});
+  const BusFile preloaded =
+      bus_of(changed(kRubber, "[DAMPING]\n", "[DAMPING]\nFX_PRELOAD = 200\n"));
+  EXPECT_EQ(preloaded.unused, std::vector<std::string>{"[DAMPING] FX_PRELOAD"});
+  EXPECT_TRUE(bus_of(kRubber).unused.empty());
 }
 
 TEST(BusFile, ASpoiledFileIsABushingWithoutFaultOrAnInputError) {

@@ -6,7 +6,7 @@
 // measures strain logarithmically, which differs by the order of the strain.
 #pragma once
 
-#include "formats/mesh/inp_deck.h"
+#include "formats/deck/inp_deck.h"
 #include "models/fe_tire/element/materials.h"
 
 namespace latsch::formats {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "formats/mesh/hexahedron.h"
-#include "formats/mesh/inp_deck.h"
+#include "formats/deck/inp_deck.h"
 #include "models/fe_tire/element/mesh.h"
 
 namespace latsch::formats {

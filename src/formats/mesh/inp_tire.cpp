@@ -6,12 +6,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "formats/mesh/element_axes.h"
 #include "formats/mesh/inp_materials.h"
 #include "formats/mesh/mesh_surface.h"
 #include "formats/mesh/rotational_symmetry.h"
+#include "formats/mesh/tied_corners.h"
 
 namespace latsch::formats {
 namespace {
@@ -161,6 +163,7 @@ class TireReader {
       node_index_[number] = index;
       ring_.X.col(index) = to_wheel(deck_.nodes.at(number));
     }
+    take_ties();
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       Hex x;
       for (int a = 0; a < 8; ++a) {
@@ -172,6 +175,21 @@ class TireReader {
         throw InputError(element.place,
                          fmt::format("element {} is inverted or degenerate", element.number));
       }
+    }
+  }
+
+  void take_ties() {
+    for (const auto& [number, tie] : deck_.ties) {
+      const auto node = node_index_.find(number);
+      if (node == node_index_.end()) continue;  // of no element of the tire
+      const auto lower = node_index_.find(tie.lower), upper = node_index_.find(tie.upper);
+      if (lower == node_index_.end() || upper == node_index_.end())
+        throw InputError(
+            tie.place,
+            fmt::format("node {} is tied to a node that is not part of the tire", number));
+      if (held_.count(number) && held_.at(number) != 0)
+        throw InputError(tie.place, fmt::format("node {} is tied and held", number));
+      ties_[node->second] = {lower->second, upper->second, tie.at};
     }
   }
 
@@ -300,6 +318,9 @@ class TireReader {
         kind.push_back(rebar.layer);
         kind.push_back(std::llround(rebar.zeta * kDepths));
       }
+      for (const int node : elements_[e])
+        if (const auto tie = ties_.find(node); tie != ties_.end())
+          kind.push_back(std::llround(tie->second.at * kDepths));
       ring_.kind.push_back(kinds.emplace(kind, kinds.size()).first->second);
     }
   }
@@ -338,16 +359,18 @@ class TireReader {
     const Sector sector = find_sector(ring_);
     Mesh& mesh = tire_.mesh;
     mesh.sectors = sector.sectors;
-    mesh.X.resize(3, static_cast<Eigen::Index>(sector.nodes.size()));
+    const SectorNodes nodes = nodes_of(sector);
+    mesh.X.resize(3, nodes.count);
     for (std::size_t i = 0; i < sector.nodes.size(); ++i) {
-      mesh.X.col(static_cast<Eigen::Index>(i)) = ring_.X.col(sector.nodes[i]);
-      if (ring_.held[sector.nodes[i]]) mesh.clamped.push_back(static_cast<int>(i));
+      if (nodes.own[i] < 0) continue;
+      mesh.X.col(nodes.own[i]) = ring_.X.col(sector.nodes[i]);
+      if (ring_.held[sector.nodes[i]]) mesh.clamped.push_back(nodes.own[i]);
     }
     const std::set<std::pair<double, double>> treads = tread_places();
     for (std::size_t i = 0; i < sector.elements.size(); ++i) {
       const int e = sector.elements[i];
       Element element;
-      element.node = sector.connectivity[i];
+      place_corners(sector, nodes, static_cast<int>(i), element);
       element.solid = element.region = solid_[e];
       element.inner = inner_faces_.count(e) > 0;
       element.rebars = placed_.of_element[static_cast<std::size_t>(e)];
@@ -361,6 +384,56 @@ class TireReader {
     } catch (const InputError& error) {  // which knows no files
       throw InputError({deck_.file, 0}, error.what());
     }
+  }
+
+  /// The nodes of a sector that are tied to no line, in new numbers; -1: tied.
+  struct SectorNodes {
+    std::vector<int> own;
+    std::map<int, int> local;  // from the ring's numbers to those of the sector
+    int count = 0;
+  };
+
+  SectorNodes nodes_of(const Sector& sector) const {
+    SectorNodes nodes;
+    for (const int node : sector.nodes) {
+      nodes.local[node] = static_cast<int>(nodes.own.size());
+      nodes.own.push_back(ties_.count(node) ? -1 : nodes.count++);
+    }
+    return nodes;
+  }
+
+  /// The corners of an element of the sector: nodes, or places on the line between two of them.
+  void place_corners(const Sector& sector,
+                     const SectorNodes& nodes,
+                     int element_of_sector,
+                     Element& element) const {
+    const InpElement& written = deck_.elements.at(
+        element_numbers_[static_cast<std::size_t>(sector.elements[element_of_sector])]);
+    const int n = static_cast<int>(sector.nodes.size());
+    const auto tie_of = [&](int corner) -> std::optional<TiedNode> {
+      const auto tie = ties_.find(sector.nodes[corner % n]);
+      if (tie == ties_.end()) return std::nullopt;
+      const auto lower = nodes.local.find(tie->second.lower);
+      const auto upper = nodes.local.find(tie->second.upper);
+      if (lower == nodes.local.end() || upper == nodes.local.end())
+        throw InputError(written.place,
+                         fmt::format("element {} has a corner tied to nodes of another plane of "
+                                     "the tire",
+                                     written.number));
+      const int plane = corner - corner % n;
+      return TiedNode{lower->second + plane, upper->second + plane, tie->second.at};
+    };
+    const auto placed = tied_element(sector.connectivity[element_of_sector], tie_of);
+    if (!placed)
+      throw InputError(written.place,
+                       fmt::format("element {} has tied corners in other places than on one edge "
+                                   "of its thickness, alike in both planes",
+                                   written.number));
+    for (int a = 0; a < 8; ++a) {
+      const int corner = placed->node[a];
+      element.node[a] = nodes.own[corner % n] + (corner >= n ? nodes.count : 0);
+    }
+    element.tie = placed->tie;
   }
 
   /// Where an element's section is, (y, r) of its middle.
@@ -423,6 +496,7 @@ class TireReader {
   std::map<int, int> held_;                          // node number -> bits of the held directions
   std::set<int> ground_elements_, ground_nodes_;
   std::map<int, int> node_index_, element_index_;
+  std::map<int, TiedNode> ties_;  // of node indices
   std::vector<int> element_numbers_;
   std::vector<HexNodes> elements_;
   std::vector<int> solid_;

@@ -6,13 +6,16 @@
 // is found out and becomes one sector; a contact surface on part of the circumference is then
 // continued around it. Without contact, the outer faces that look outward are the tread.
 //
+// A corner that *EQUATION holds on the line between two nodes becomes an edge tie of its element
+// (tied_corners.h), no node.
+//
 // Elements are computed as the deck says: C3D8 with full integration, as CalculiX does, its
 // variants against locking (C3D8I, C3D8R, with H or without) by the solid shell.
 #pragma once
 
 #include <optional>
 
-#include "formats/mesh/inp_deck.h"
+#include "formats/deck/inp_deck.h"
 #include "formats/mesh/inp_rebars.h"
 #include "models/fe_tire/element/hex8.h"
 #include "models/fe_tire/element/materials.h"

@@ -8,6 +8,7 @@
 
 #include "formats/mesh/ccx_deck.h"
 #include "formats/mesh/inp_materials.h"
+#include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/reference_tires.h"
 
 namespace latsch::formats {
@@ -89,6 +90,46 @@ TEST(InpTire, WhatTheDeckWriterWritesComesBack) {
   EXPECT_NEAR(deck.ground->travel, 0.025, 1e-12);
   EXPECT_EQ(deck.ground->mu, 0.5);
   EXPECT_EQ(deck.mesh.sensors.size(), 5u);
+}
+
+/// Rows that end in the sidewall: corners of the many rows lie on the edges of the few.
+TireDescription tied_tire() {
+  TireDescription tire = small_tire();
+  tire.section.faces = {{{0.0}, {-0.6e-3}}, {{0.0}, {0.6e-3}}, {{0.0}, {1.7e-3}}};
+  tire.section.faces_to = 0.46;
+  return tire;
+}
+
+TEST(InpTire, CornersTiedByEquationsComeBackAsEdgeTiesWithTheSameResults) {
+  const TireDescription tire = tied_tire();
+  const Mesh written = build_mesh(tire);
+  const InpTire read = tire_from(parse_inp(deck_of(tire), "deck"));
+  const auto ties = [](const Mesh& mesh) {
+    int count = 0;
+    for (const Element& element : mesh.elements) count += element.tie.eta != 0 ? 1 : 0;
+    return count;
+  };
+  ASSERT_GT(ties(written), 0);
+  EXPECT_EQ(ties(read.mesh), ties(written));
+  expect_same(read.mesh, written, 1e-12);
+  for (std::size_t e = 0; e < written.elements.size(); ++e) {
+    EXPECT_EQ(read.mesh.elements[e].tie.eta, written.elements[e].tie.eta);
+    EXPECT_NEAR(read.mesh.elements[e].tie.lower, written.elements[e].tie.lower, 1e-11);
+    EXPECT_NEAR(read.mesh.elements[e].tie.upper, written.elements[e].tie.upper, 1e-11);
+  }
+  // Growth and the force on the ground, in the elements of the deck.
+  const auto results = [](const Mesh& mesh, const Materials& materials) {
+    fe_tire::FeTire pressed(mesh, materials, {.element = fe_tire::ElementKind::full_integration});
+    const auto inflated = pressed.inflate(2.6e5);
+    EXPECT_TRUE(inflated);
+    const auto states = pressed.press(*inflated, {}, {0.012});
+    EXPECT_TRUE(states);
+    return std::pair{inflated->growth, pressed.stand(states->back()).force.z()};
+  };
+  const auto [growth, force] = results(written, build_materials(tire));
+  const auto [growth_read, force_read] = results(read.mesh, read.materials);
+  EXPECT_NEAR(growth_read / growth, 1.0, 1e-8);
+  EXPECT_NEAR(force_read / force, 1.0, 1e-7);
 }
 
 TEST(InpTire, ElementsMayComeInAnyOfTheirTwentyFourNumberings) {

@@ -1,31 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/road/open_crg.h"
 
-#include "base/file.h"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "base/text.h"
+#include "formats/road/open_crg_checks.h"
 #include "formats/road/open_crg_grid.h"
 #include "formats/road/open_crg_header.h"
 #include "formats/road/open_crg_records.h"
+#include "formats/road/open_crg_references.h"
 #include "formats/text/text_encoding.h"
 
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kLargestCrg = 256u << 20;  // bytes
-constexpr int kDeepestReference = 4;             // files that refer to each other
-
-void check_size(std::string_view bytes, const std::string& file) {
-  if (bytes.size() > kLargestCrg) throw InputError({file, 0}, "is larger than 256 MB");
+/// Without #: the standard takes KRBI; digits are no such data.
+void settle_format(const std::string& bytes, OpenCrgHeader& header) {
+  if (!header.format.empty()) return;
+  const auto is_text = [](unsigned char c) { return (c >= 32 && c < 127) || c == 10 || c == 13; };
+  const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(header.data_begin);
+  if (std::all_of(begin, bytes.end(), is_text))
+    throw InputError({header.file, header.data_line},
+                     "begins data of no format, expected #:LRFI for digits");
+  header.format = "KRBI";
+  header.warnings.push_back(header.file +
+                            ": there is no format #:, taken as KRBI, as the standard "
+                            "says");
 }
 
-/// The file itself, or what it includes with its own options and modifiers in the place of those.
-OpenCrg assemble(const std::string& bytes, const OpenCrgHeader& header) {
+/// The last value of a channel; NaN where there is none.
+double last_of(OpenCrgHeader::Channel::Kind kind,
+               const OpenCrgHeader& header,
+               const OpenCrgRecords& records) {
+  for (std::size_t i = 0; i < header.channels.size(); ++i)
+    if (header.channels[i].kind == kind && records.rows > 0)
+      return records.at(records.rows - 1, static_cast<int>(i));
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// A file with data, and the options and modifiers that count for it.
+OpenCrg assemble(const std::string& bytes, OpenCrgHeader header) {
+  using Kind = OpenCrgHeader::Channel::Kind;
   if (header.data_begin == std::string_view::npos) {
     throw InputError({header.file, 0}, "has no data, expected a line $$$$ and records behind it");
   }
-  if (header.format.empty()) {
-    throw InputError({header.file, header.data_line}, "begins data of no format, expected #:LRFI");
-  }
+  settle_format(bytes, header);
   if (header.channels.empty()) {
     throw InputError({header.file, header.data_line}, "begins data without channels, expected D:");
   }
@@ -33,48 +54,42 @@ OpenCrg assemble(const std::string& bytes, const OpenCrgHeader& header) {
   result.file = header.file;
   result.comment = utf8_text(header.comment, header.file);
   result.format = header.format;
-  result.warnings = header.warnings;
   for (const auto* values : {&header.options, &header.modifiers}) {
     for (const auto& [name, value] : *values) {
-      result.statements.push_back(name + " = " + format_number(value.number));
+      auto& list = concerns_surface(name) ? result.statements : header.kept;
+      list.push_back(name + " = " + format_number(value.number));
     }
   }
+  settle_open_crg_modifiers(header);
   const OpenCrgRecords records =
       read_open_crg_records(bytes, header, expected_open_crg_rows(header));
+  compare_open_crg_end(header,
+                       {last_of(Kind::phi, header, records),
+                        last_of(Kind::slope, header, records),
+                        last_of(Kind::banking, header, records)});
   result.grid = open_crg_grid(header, records, result.gaps);
-  return result;
-}
-
-OpenCrg read_included(const std::filesystem::path& file, const OpenCrgHeader* outer, int depth) {
-  const std::string bytes = read_text_file(file, kLargestCrg);
-  OpenCrgHeader header = read_open_crg_header(bytes, file.string());
-  if (outer && !outer->options.empty()) header.options = outer->options;
-  if (outer && !outer->modifiers.empty()) header.modifiers = outer->modifiers;
-  if (header.include.empty()) return assemble(bytes, header);
-  const Place place{header.file, header.include_line};
-  if (depth == kDeepestReference)
-    throw InputError(place, "refers to a file that refers to files, too deep");
-  if (header.include.find('$') != header.include.npos) {
-    throw InputError(place, "has " + in_quotes(header.include) + ", expected a path without $");
-  }
-  OpenCrg result = read_included(file.parent_path() / header.include, &header, depth + 1);
-  result.warnings.insert(result.warnings.begin(), header.warnings.begin(), header.warnings.end());
+  result.warnings = std::move(header.warnings);
+  for (const std::string& statement : header.kept)
+    result.kept.push_back(utf8_text(statement, header.file));
   return result;
 }
 
 }  // namespace
 
-OpenCrg OpenCrg::read(const std::filesystem::path& file) { return read_included(file, nullptr, 0); }
+OpenCrg OpenCrg::read(const std::filesystem::path& file) {
+  ResolvedCrg resolved = resolve_open_crg(file);
+  return assemble(resolved.bytes, std::move(resolved.header));
+}
 
 OpenCrg OpenCrg::parse(std::string bytes, std::string file_name) {
-  check_size(bytes, file_name);
-  const OpenCrgHeader header = read_open_crg_header(bytes, file_name);
-  if (!header.include.empty()) {
-    throw InputError(
-        {header.file, header.include_line},
-        "refers to the file " + in_quotes(header.include) + ", which is not read here");
+  check_open_crg_size(bytes, file_name);
+  OpenCrgHeader header = read_open_crg_header(bytes, file_name);
+  if (!header.references.empty()) {
+    throw InputError({header.file, header.references.front().line},
+                     "refers to the file " + in_quotes(header.references.front().text) +
+                         ", which is not read here");
   }
-  return assemble(bytes, header);
+  return assemble(bytes, std::move(header));
 }
 
 }  // namespace latsch::formats

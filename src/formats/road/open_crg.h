@@ -6,7 +6,8 @@
 //   $ROAD_CRG                   reference_line_start_u = 0.0  ! and so on, any case, * is a comment
 //   $ROAD_CRG_OPTS              how the surface goes on beyond its data
 //   $ROAD_CRG_MODS              how it is scaled, mended and moved
-//   $ROAD_CRG_FILE              the rest stands in another file, found from the folder of this one
+//   $ROAD_CRG_MPRO              where on a map it lies: kept, not used
+//   $ROAD_CRG_FILE              the rest stands in other files (open_crg_references.h)
 //   $KD_DEFINITION
 //   #:LRFI                      L lines of 80 columns or K compact; D double or R single;
 //                               F digits or B binary, big-endian
@@ -25,6 +26,11 @@
 // of themselves. Points x, y of the line, where the file has them, are taken as they are. Of an
 // option or a modifier that comes twice, as LOG_EVAL does in a sample of the standard, the last one
 // counts, with a warning; a statement of $ROAD_CRG that comes twice is refused.
+//
+// All statements of the standard's tables are taken. Those that do not concern the surface (WGS 84
+// positions, map projections, offsets to a map, what a program checks, searches, warns and logs)
+// are kept to be shown; modifiers that make each other idle and ends of the line that its channels
+// contradict are told (open_crg_checks.h).
 #pragma once
 
 #include <filesystem>
@@ -39,7 +45,8 @@ struct OpenCrg {
   std::string file;
   std::string comment;                  // $CT
   std::string format;                   // "LRFI"
-  std::vector<std::string> statements;  // options and modifiers as written
+  std::vector<std::string> statements;  // options and modifiers of the surface, as written
+  std::vector<std::string> kept;        // "name = value": what does not concern the surface
   std::vector<std::string> warnings;  // for the user: what was read otherwise than it may be meant
   int gaps = 0;                       // heights that were missing in the file
   road::CrgGrid grid;

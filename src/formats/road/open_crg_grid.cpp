@@ -67,7 +67,13 @@ class GridBuilding {
     for (int row = 0; row < records_.rows; ++row) {
       values[row] = records_.at(row, at);
       if (row >= first && !(std::abs(values[row]) < kLargestPlace)) {
-        fail(fmt::format("record {} has no {} of the reference line", row + 1, name));
+        const bool binary = header_.format.size() > 2 && header_.format[2] == 'B';
+        fail(fmt::format("record {} has no {} of the reference line{}",
+                         row + 1,
+                         name,
+                         binary ? ": binary data are damaged where a program has converted their "
+                                  "line ends as of a text"
+                                : ""));
       }
     }
     return values;

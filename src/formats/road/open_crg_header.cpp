@@ -21,9 +21,9 @@ const std::vector<std::string> kRoad = {
     "reference_line_end_b",      "reference_line_end_s",     "reference_line_increment",
     "reference_line_offset_x",   "reference_line_offset_y",  "reference_line_offset_z",
     "reference_line_offset_phi", "long_section_v_right",     "long_section_v_left",
-    "long_section_v_increment"};
-// Of the options those below border_* and refline_continuation concern how a program searches and
-// reports, not the surface.
+    "long_section_v_increment",  "reference_line_start_lon", "reference_line_start_lat",
+    "reference_line_start_alt",  "reference_line_end_lon",   "reference_line_end_lat",
+    "reference_line_end_alt"};
 const std::vector<std::string> kOptions = {"border_mode_u",
                                            "border_mode_v",
                                            "border_offset_u",
@@ -47,7 +47,9 @@ const std::vector<std::string> kOptions = {"border_mode_u",
                                            "log_stat_freq",
                                            "check_eps",
                                            "check_inc",
-                                           "check_tol"};
+                                           "check_tol",
+                                           "check_pro",
+                                           "check_wgs"};
 const std::vector<std::string> kModifiers = {
     "scale_z_grid",        "scale_slope",         "scale_banking",       "scale_length",
     "scale_width",         "scale_curvature",     "grid_nan_mode",       "grid_nan_offset",
@@ -55,6 +57,17 @@ const std::vector<std::string> kModifiers = {
     "refline_offset_y",    "refline_offset_z",    "refpoint_u_fraction", "refpoint_u_offset",
     "refpoint_u",          "refpoint_v_fraction", "refpoint_v_offset",   "refpoint_v",
     "refpoint_x",          "refpoint_y",          "refpoint_z",          "refpoint_phi"};
+
+// $ROAD_CRG_MPRO: ellipsoids, the transformation between them, the map projection. Those that end
+// in _nm are names.
+const std::vector<std::string> kProjection = {
+    "gell_nm", "gell_a",  "gell_b",  "lell_nm", "lell_a",  "lell_b",  "tran_nm",
+    "tran_ds", "tran_rx", "tran_ry", "tran_rz", "tran_tx", "tran_ty", "tran_tz",
+    "proj_nm", "proj_f0", "proj_p0", "proj_l0", "proj_e0", "proj_n0"};
+
+bool is_globe(std::string_view name) {
+  return name.ends_with("_lon") || name.ends_with("_lat") || name.ends_with("_alt");
+}
 
 class HeaderReading {
  public:
@@ -68,8 +81,8 @@ class HeaderReading {
         header_.data_line = line_;
         return;
       }
-      if (line.starts_with('$')) {
-        section_ = section_of(line);
+      if (line.starts_with('$') && !is_path(line)) {
+        open_section(line);
       } else if (section_ == "$ct") {
         header_.comment.append(line).append("\n");
       } else {
@@ -100,12 +113,29 @@ class HeaderReading {
     return true;
   }
 
+  /// A path below $ROAD_CRG_FILE that begins with an environment variable: $roads/track.crg.
+  bool is_path(std::string_view line) const {
+    return section_ == "$road_crg_file" && line.size() > 1 && line[1] != '!' &&
+           line.find('/') != line.npos && line.find('/') < line.find_first_of(" \t!");
+  }
+
+  void open_section(std::string_view line) {
+    section_ = section_of(line);
+    header_.has_options = header_.has_options || section_ == "$road_crg_opts";
+    header_.has_modifiers = header_.has_modifiers || section_ == "$road_crg_mods";
+  }
+
   /// "" between sections.
   std::string section_of(std::string_view line) const {
     const std::string word = lower(line.substr(0, line.find_first_of(" \t!")));
     if (word == "$") return "";
-    static const std::vector<std::string> kSections = {
-        "$ct", "$road_crg", "$road_crg_opts", "$road_crg_mods", "$road_crg_file", "$kd_definition"};
+    static const std::vector<std::string> kSections = {"$ct",
+                                                       "$road_crg",
+                                                       "$road_crg_mpro",
+                                                       "$road_crg_opts",
+                                                       "$road_crg_mods",
+                                                       "$road_crg_file",
+                                                       "$kd_definition"};
     if (std::find(kSections.begin(), kSections.end(), word) != kSections.end()) return word;
     fail("unknown section " + in_quotes(word) + did_you_mean(word, kSections));
   }
@@ -119,12 +149,27 @@ class HeaderReading {
     if (section_ == "$road_crg_mods")
       return take_value(text, kModifiers, header_.modifiers, Twice::last);
     if (section_ == "$kd_definition") return take_definition(text);
+    if (section_ == "$road_crg_mpro") return take_projection(text);
     if (section_ == "$road_crg_file") {
-      header_.include += text;
-      header_.include_line = line_;
+      header_.references.push_back({std::string(text), line_});
       return;
     }
     fail("is " + in_quotes(text) + ", expected a section such as $ROAD_CRG");
+  }
+
+  /// Kept as it stands: it says where on the globe the road lies, not how it is shaped.
+  void take_projection(std::string_view text) {
+    const std::size_t middle = text.find('=');
+    const std::string name = lower(trimmed(text.substr(0, middle)));
+    if (std::find(kProjection.begin(), kProjection.end(), name) == kProjection.end())
+      fail("unknown statement " + in_quotes(name) + did_you_mean(name, kProjection));
+    const std::string_view value =
+        middle == text.npos ? std::string_view() : trimmed(text.substr(middle + 1));
+    const bool is_name = name.ends_with("_nm");
+    const auto number = parse_number(value);
+    if (is_name ? value.empty() : !number || !std::isfinite(*number))
+      fail(name + " is " + in_quotes(value) + ", expected a " + (is_name ? "name" : "number"));
+    header_.kept.push_back(name + " = " + std::string(value) + " (map projection)");
   }
 
   void take_value(std::string_view text,
@@ -136,17 +181,39 @@ class HeaderReading {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       fail("unknown statement " + in_quotes(name) + did_you_mean(name, known));
     }
-    const auto number = middle == text.npos ? std::nullopt : parse_number(text.substr(middle + 1));
+    const auto number = middle == text.npos ? std::nullopt : number_of(text.substr(middle + 1));
     if (!number || !std::isfinite(*number)) {
       fail(name + " is " +
            in_quotes(middle == text.npos ? std::string_view() : trimmed(text.substr(middle + 1))) +
            ", expected a number");
     }
     const auto [place, first] = values.insert({name, {*number, line_, header_.file}});
+    if (first && is_globe(name))
+      header_.kept.push_back(name + " = " + std::string(trimmed(text.substr(middle + 1))) +
+                             " (WGS 84, does not place the road)");
+    if (first && name.starts_with("reference_line_offset_"))
+      header_.kept.push_back(name + " = " + format_number(*number) +
+                             " (from the road's own axes to those of a map)");
     if (first) return;
     if (twice == Twice::refused) fail(name + " comes twice");
     warn_of_two(name, place->second, *number);
     place->second = {*number, line_, header_.file};
+  }
+
+  /// A number; also one whose exponent of 0 is written the wrong way round, as a sample of the
+  /// standard has it (2.000000000+e00), with a warning.
+  std::optional<double> number_of(std::string_view text) {
+    const auto number = parse_number(text);
+    const std::size_t wrong = text.find("+e");
+    if (number || wrong == text.npos) return number;
+    const std::string_view exponent = trimmed(text.substr(wrong + 2));
+    if (exponent.empty() || exponent.find_first_not_of('0') != exponent.npos) return std::nullopt;
+    const auto before = parse_number(text.substr(0, wrong));
+    if (before)
+      header_.warnings.push_back(header_.file + ":" + std::to_string(line_) + ": " +
+                                 in_quotes(trimmed(text)) + " is taken as " +
+                                 format_number(*before));
+    return before;
   }
 
   void warn_of_two(const std::string& name, const OpenCrgHeader::Value& before, double now) {
@@ -219,6 +286,12 @@ class HeaderReading {
 };
 
 }  // namespace
+
+bool concerns_surface(std::string_view name) {
+  return !is_globe(name) && !name.starts_with("reference_line_offset_") &&
+         !name.starts_with("check_") && !name.starts_with("warn_") && !name.starts_with("log_") &&
+         !name.starts_with("refline_search_");
+}
 
 OpenCrgHeader read_open_crg_header(std::string_view bytes, const std::string& file) {
   OpenCrgHeader header;

@@ -19,6 +19,11 @@ struct OpenCrgHeader {
     std::string file;
   };
   using Values = std::map<std::string, Value, std::less<>>;
+  /// One line of $ROAD_CRG_FILE.
+  struct Reference {
+    std::string text;
+    int line = 0;
+  };
   struct Channel {
     enum class Kind { section_number, section_place, u, x, y, phi, slope, banking };
     Kind kind = Kind::section_number;
@@ -29,13 +34,16 @@ struct OpenCrgHeader {
   std::string file;
   std::string comment;
   Values road, options, modifiers;  // by name in lower case
-  std::string format;               // "LRFI"
+  /// Whether the file has a section of options or modifiers, be it empty: it takes the place of
+  /// those of a file that it refers to.
+  bool has_options = false, has_modifiers = false;
+  std::vector<std::string> kept;  // "name = value": statements that do not concern the surface
+  std::string format;             // "LRFI"
   int format_line = 0;
   std::vector<Channel> channels;
   std::vector<std::string> warnings;  // file, line and what was read in what way
-  std::string include;                // of $ROAD_CRG_FILE
-  int include_line = 0;
-  std::size_t data_begin = 0;  // first byte behind the line $$$$; npos: there is none
+  std::vector<Reference> references;  // lines of $ROAD_CRG_FILE, as they stand
+  std::size_t data_begin = 0;         // first byte behind the line $$$$; npos: there is none
   int data_line = 0;
 
   std::optional<double> find(const Values& values, std::string_view name) const;
@@ -45,6 +53,10 @@ struct OpenCrgHeader {
                            std::string_view name,
                            const std::string& message) const;
 };
+
+/// Whether a statement acts on the surface; else it is a position on the globe, a map projection or
+/// what a program searches, checks, warns and logs.
+bool concerns_surface(std::string_view name);
 
 /// Throws InputError for a statement that is unknown or has no number, and for one of $ROAD_CRG
 /// that comes twice; of options and modifiers the last one counts, with a warning.

@@ -2,13 +2,17 @@
 #include "formats/road/open_crg.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 
 #include "base/error.h"
+#include "formats/road/road_file.h"
 
 namespace latsch::formats {
 namespace {
@@ -323,6 +327,215 @@ TEST(OpenCrg, FollowsAFileFromTheFolderOfTheOneThatNamesIt) {
   EXPECT_EQ(OpenCrg::read(folder / "twice.crg").warnings.size(), 1u);
   EXPECT_THROW(OpenCrg::read(folder / "self.crg"), InputError);
   std::filesystem::remove_all(folder);
+}
+
+// ASAM OpenCRG 1.2.0, tables of 3.4.2 to 3.4.5: every statement by the name it has there.
+TEST(OpenCrg, EveryStatementOfTheStandardsTablesIsTaken) {
+  const std::vector<std::string> road = {"REFERENCE_LINE_START_B",
+                                         "REFERENCE_LINE_END_B",
+                                         "REFERENCE_LINE_OFFSET_X",
+                                         "REFERENCE_LINE_OFFSET_Y",
+                                         "REFERENCE_LINE_OFFSET_Z",
+                                         "REFERENCE_LINE_OFFSET_PHI",
+                                         "REFERENCE_LINE_START_LON",
+                                         "REFERENCE_LINE_START_LAT",
+                                         "REFERENCE_LINE_START_ALT",
+                                         "REFERENCE_LINE_END_LON",
+                                         "REFERENCE_LINE_END_LAT",
+                                         "REFERENCE_LINE_END_ALT"};
+  const std::vector<std::string> options = {"BORDER_MODE_U",
+                                            "BORDER_MODE_V",
+                                            "BORDER_OFFSET_U",
+                                            "BORDER_OFFSET_V",
+                                            "BORDER_SMOOTH_UBEG",
+                                            "BORDER_SMOOTH_UEND",
+                                            "WARN_MSGS",
+                                            "WARN_CURV_LOCAL",
+                                            "WARN_CURV_GLOBAL",
+                                            "REFLINE_CONTINUATION",
+                                            "CHECK_EPS",
+                                            "CHECK_INC",
+                                            "CHECK_TOL",
+                                            "CHECK_PRO",
+                                            "CHECK_WGS"};
+  const std::vector<std::string> projection = {
+      "GELL_A = 6378137", "GELL_B = 6356752.3",   "GELL_NM = USERDEFINED", "TRAN_NM = HN7",
+      "TRAN_DS = 1e-6",   "TRAN_RX = 0",          "TRAN_RY = 0",           "TRAN_RZ = 0",
+      "TRAN_TX = 1",      "TRAN_TY = 2",          "TRAN_TZ = 3",           "LELL_A = 6377397.155",
+      "LELL_B = 6356079", "LELL_NM = BESSEL1841", "PROJ_NM = 'UTM_32U'",   "PROJ_F0 = 0.9996",
+      "PROJ_P0 = 0",      "PROJ_L0 = 9",          "PROJ_E0 = 5e5",         "proj_n0 = 0 ! here"};
+  std::string text = "$ROAD_CRG_OPTS\n";
+  for (const std::string& name : options) text += name + " = 0\n";
+  text += "$\n$ROAD_CRG_MPRO\n";
+  for (const std::string& statement : projection) text += statement + "\n";
+  text = with_section(text);
+  std::string parameters = "$ROAD_CRG\n";
+  for (const std::string& name : road) parameters += name + " = 0\n";
+  const OpenCrg file = OpenCrg::parse(with("$ROAD_CRG\n", parameters, text), "road.crg");
+  EXPECT_EQ(OpenCrg::parse(kPlain, "road.crg").grid.z, file.grid.z);
+  EXPECT_TRUE(file.warnings.empty()) << file.warnings.front();
+  // 10 road parameters, 8 options, 20 of the projection concern no surface.
+  EXPECT_EQ(file.kept.size(), 10u + 8u + 20u);
+  EXPECT_NE(std::find(file.kept.begin(), file.kept.end(), "proj_nm = 'UTM_32U' (map projection)"),
+            file.kept.end());
+  EXPECT_EQ(file.statements.size(), 7u);
+  expect_crg_message(with_section("$ROAD_CRG_MPRO\nPROJ_NN = 'UTM'\n"),
+                     "road.crg:9: ",
+                     "did you mean \"proj_nm\"");
+  expect_crg_message(with_section("$ROAD_CRG_MPRO\nPROJ_F0 = one\n"), "road.crg:9: ", "a number");
+}
+
+TEST(OpenCrg, StatementsThatContradictOrIdleEachOtherAreTold) {
+  const auto warnings = [](const std::string& modifiers) {
+    std::string all;
+    for (const std::string& one :
+         OpenCrg::parse(with_section("$ROAD_CRG_MODS\n" + modifiers), "road.crg").warnings)
+      all += one + "\n";
+    return all;
+  };
+  EXPECT_EQ(warnings("scale_z_grid = 2\n"), "");
+  EXPECT_EQ(
+      warnings("scale_z_grid = 0\n"),
+      "road.crg:9: scale_z_grid = 0 is ignored, as the standard says of factors on heights\n");
+  EXPECT_DOUBLE_EQ(z(road_of(with_section("$ROAD_CRG_MODS\nscale_z_grid = 0\n")), 2.0, 0.5), 0.09);
+  EXPECT_NE(
+      warnings("refpoint_x = 3\nrefline_offset_y = 2\n").find("refline_offset_y has no effect"),
+      std::string::npos);
+  EXPECT_NE(warnings("grid_nan_mode = 0\ngrid_nan_offset = 2\n").find("has no effect"),
+            std::string::npos);
+  expect_crg_message(with_section("$ROAD_CRG_MODS\nrefpoint_u = 1\nrefpoint_u_fraction = 0.5\n"),
+                     "road.crg:9: ",
+                     "keep one of them");
+  expect_crg_message(with_section("$ROAD_CRG_MODS\nrefpoint_v_fraction = 1.5\n"),
+                     "road.crg:9: ",
+                     "expected 0 to 1");
+  expect_crg_message(with_section("$ROAD_CRG_OPTS\nrefline_continuation = 2\n"),
+                     "road.crg:9: ",
+                     "expected 0 or 1");
+  // An offset of the reference point counts with and without a fraction, and beside a place.
+  const auto origin = [](const std::string& modifiers) {
+    return road_of(with_section("$ROAD_CRG_MODS\n" + modifiers)).point({0.0, 0.0});
+  };
+  EXPECT_DOUBLE_EQ(origin("refpoint_u_offset = 1.5\n").x(), -1.5);
+  EXPECT_DOUBLE_EQ(origin("refpoint_u_fraction = 0.5\nrefpoint_u_offset = 1\n").x(), -3.0);
+  EXPECT_DOUBLE_EQ(origin("refpoint_u = 1\nrefpoint_u_offset = 1\n").x(), -2.0);
+  EXPECT_DOUBLE_EQ(origin("refpoint_v_offset = 0.25\n").y(), -0.25);
+}
+
+// handmade_platform.crg of the standard's samples has it.
+TEST(OpenCrg, AnExponentWrittenTheWrongWayRoundIsReadWhereItIsZero) {
+  const OpenCrg file =
+      OpenCrg::parse(with_section("$ROAD_CRG_MODS\nscale_z_grid = 2.000000000+e00\n"), "road.crg");
+  EXPECT_DOUBLE_EQ(z(CrgRoad(file.grid), 2.0, 0.5), 0.18);
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_NE(file.warnings[0].find("road.crg:9: \"2.000000000+e00\" is taken as 2"),
+            std::string::npos);
+  expect_crg_message(with_section("$ROAD_CRG_MODS\nscale_z_grid = 2.0+e01\n"),
+                     "road.crg:9: ",
+                     "expected a number");
+}
+
+TEST(OpenCrg, AnEndThatTheLineDoesNotHaveIsTold) {
+  const auto warnings = [](const std::string& statements) {
+    return OpenCrg::parse(with("$ROAD_CRG\n", "$ROAD_CRG\n" + statements), "road.crg").warnings;
+  };
+  EXPECT_TRUE(warnings("reference_line_end_s = 0\nreference_line_end_b = 0\n").empty());
+  EXPECT_EQ(warnings("reference_line_start_b = 0.05\nreference_line_end_b = 0.05\n").size(), 0u);
+  for (const char* end : {"s", "b"}) {
+    const auto said = warnings(std::string("reference_line_end_") + end + " = 0.1\n");
+    ASSERT_EQ(said.size(), 1u) << end;
+    EXPECT_NE(said[0].find("which counts all along it"), std::string::npos) << said[0];
+  }
+  EXPECT_EQ(warnings("reference_line_start_phi = 0\nreference_line_end_phi = 1\n").size(), 1u);
+  EXPECT_EQ(warnings("reference_line_start_phi = 0\nreference_line_end_phi = 6.2831853\n").size(),
+            0u);
+}
+
+TEST(OpenCrg, WithoutAFormatDataAreKrbiWithAWarning) {
+  std::string head = with("#:LRFI\n", "");
+  head = head.substr(0, head.find("$$$$")) + "$$$$\n";
+  std::string data;
+  for (int i = 0; i < 15; ++i) data += std::string("\x3f\x80\x00\x00", 4);  // 1.0F, big-endian
+  const OpenCrg file = OpenCrg::parse(head + data, "road.crg");
+  EXPECT_EQ(file.format, "KRBI");
+  EXPECT_EQ(file.grid.z, std::vector<double>(15, 1.0));
+  ASSERT_EQ(file.warnings.size(), 1u);
+  EXPECT_NE(file.warnings[0].find("taken as KRBI"), std::string::npos);
+}
+
+/// Files in a folder of their own, removed at the end.
+class CrgFolder {
+ public:
+  CrgFolder()
+      : path_(std::filesystem::temp_directory_path() / ("crgs" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(path_ / "roads");
+  }
+  ~CrgFolder() { std::filesystem::remove_all(path_); }
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name) << text;
+    return path_ / name;
+  }
+  std::filesystem::path refer(const std::string& name, const std::string& lines) const {
+    return write(name, "$CT\n$\n$ROAD_CRG_FILE\n" + lines + "$\n");
+  }
+  std::string complaint(const std::filesystem::path& file) const {
+    try {
+      OpenCrg::read(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+// 3.4.6: several files, paths on several lines, environment variables; of what is defined twice the
+// last one counts, and a section of the referring file before those of files it refers to.
+TEST(OpenCrg, SeveralReferencesAreSeveralFiles) {
+  const CrgFolder folder;
+  folder.write("plain.crg", kPlain);
+  folder.write("roads/far.crg", with_section("$ROAD_CRG_MODS\nscale_z_grid = 5\n"));
+  folder.write("double.crg", "$CT\n$\n$ROAD_CRG_MODS\nSCALE_Z_GRID = 2\n$\n");
+  folder.write("triple.crg", "$CT\n$\n$ROAD_CRG_MODS\nSCALE_Z_GRID = 3\n$\n");
+  const auto height = [](const std::filesystem::path& file) {
+    return z(CrgRoad(OpenCrg::read(file).grid), 2.0, 0.5) / 0.09;
+  };
+  EXPECT_DOUBLE_EQ(height(folder.refer("a.crg", "double.crg\nplain.crg\n")), 2.0);
+  EXPECT_DOUBLE_EQ(height(folder.refer("b.crg", "plain.crg ! data\n* no\n ./double.crg\n")), 2.0);
+  EXPECT_DOUBLE_EQ(height(folder.refer("c.crg", "double.crg\ntriple.crg\nplain.crg\n")), 3.0);
+  EXPECT_EQ(
+      OpenCrg::read(folder.refer("c.crg", "double.crg\ntriple.crg\nplain.crg\n")).warnings.size(),
+      1u);
+  EXPECT_DOUBLE_EQ(height(folder.refer("d.crg", "roads/f\nar.crg\n")), 5.0);
+  EXPECT_DOUBLE_EQ(height(folder.refer("e.crg", "roads/far.crg\ndouble.crg\n")), 2.0);
+  EXPECT_DOUBLE_EQ(height(folder.refer("f.crg", "e.crg\n")), 2.0);
+  // An empty section of modifiers takes those of the other file away.
+  EXPECT_DOUBLE_EQ(height(folder.refer("g.crg", "roads/far.crg\n$\n$ROAD_CRG_MODS\n")), 1.0);
+  ::setenv("latsch_test_roads", "roads", 1);
+  EXPECT_DOUBLE_EQ(height(folder.refer("h.crg", "$latsch_test_roads/far.crg\n")), 5.0);
+  EXPECT_NE(folder.complaint(folder.refer("i.crg", "  $latsch_no_such/far.crg\n"))
+                .find("environment variable \"latsch_no_such\" is not set"),
+            std::string::npos);
+  EXPECT_NE(folder.complaint(folder.refer("j.crg", "plain.crg\nnowhere.crg\n"))
+                .find("j.crg:5: refers to"),
+            std::string::npos);
+  EXPECT_NE(
+      folder.complaint(folder.refer("k.crg", "double.crg\ntriple.crg\n")).find("none has data"),
+      std::string::npos);
+  folder.refer("m.crg", "l.crg\n");
+  EXPECT_NE(folder.complaint(folder.refer("l.crg", "m.crg\n")).find("refers back to it"),
+            std::string::npos);
+  EXPECT_NE(folder.complaint(folder.write("n.crg", with_section("$ROAD_CRG_FILE\nplain.crg\n")))
+                .find("expected one of both"),
+            std::string::npos);
+  const auto road = folder.write("o.crg",
+                                 "$ROAD_CRG\nreference_line_increment = 2\n$\n"
+                                 "$ROAD_CRG_FILE\nplain.crg\n$\n");
+  ASSERT_EQ(OpenCrg::read(road).warnings.size(), 1u);
+  EXPECT_NE(OpenCrg::read(road).warnings[0].find("its $ROAD_CRG has no effect"), std::string::npos);
+  EXPECT_EQ(files_of_road(folder.refer("f.crg", "e.crg\n")).size(), 4u);
 }
 
 struct Reference {

@@ -62,6 +62,7 @@ class RdfReading {
           "METHOD is " + in_quotes(method) +
               R"(, expected "2D", "3D" with [NODES] or "3D_SPLINE" with [DATA_POINTS])");
     }
+    result_.unused = file_.unread();
     return std::move(result_);
   }
 
@@ -74,7 +75,6 @@ class RdfReading {
   }
 
   const TeimOrbitEntry* find(const char* key) {
-    asked_.insert(key);
     const TeimOrbitEntry* entry = parameters_->find(key);
     return entry || parameters_ == &model_ ? entry : model_.find(key);
   }
@@ -115,10 +115,6 @@ class RdfReading {
           std::move(road), angle, Eigen::Vector3d(0.0, 0.0, offset));
     }
     result_.road = std::move(road);
-    for (const TeimOrbitEntry& entry : parameters_->entries()) {
-      if (!asked_.contains(entry.key) && parameters_ != &model_)
-        result_.unused.push_back(entry.key);
-    }
   }
 
   std::unique_ptr<road::Road> read_type(const std::string& type) {
@@ -446,7 +442,6 @@ class RdfReading {
   TeimOrbitUnits units_;
   const TeimOrbitSection& model_;
   const TeimOrbitSection* parameters_;
-  std::set<std::string> asked_;
   RoadFile result_;
 };
 

@@ -4,10 +4,9 @@
 #include <fmt/format.h>
 
 #include "base/document.h"
-#include "base/file.h"
 #include "base/text.h"
 #include "formats/road/open_crg.h"
-#include "formats/road/open_crg_header.h"
+#include "formats/road/open_crg_references.h"
 #include "models/road/road_reader.h"
 
 namespace latsch::formats {
@@ -31,6 +30,7 @@ RoadFile read_crg(const std::filesystem::path& file) {
                                      format_number(grid.v.front(), 6),
                                      format_number(grid.v.back(), 6)));
   for (const std::string& statement : crg.statements) result.facts.push_back(statement);
+  result.kept = std::move(crg.kept);
   auto surface = std::make_unique<road::CrgRoad>(std::move(crg.grid));
   result.crg = surface.get();
   result.road = std::move(surface);
@@ -47,15 +47,8 @@ std::string ending_of(const std::filesystem::path& file) {
 }  // namespace
 
 std::vector<std::filesystem::path> files_of_road(const std::filesystem::path& file) {
-  constexpr std::size_t kLargest = 256u << 20;  // bytes, as of OpenCRG
-  std::vector<std::filesystem::path> files = {file};
-  if (ending_of(file) != ".crg") return files;
-  for (;;) {
-    const auto& last = files.back();
-    const auto header = read_open_crg_header(read_text_file(last, kLargest), last.string());
-    if (header.include.empty()) return files;
-    files.push_back(last.parent_path() / header.include);
-  }
+  if (ending_of(file) != ".crg") return {file};
+  return resolve_open_crg(file).files;
 }
 
 RoadFile read_road_file(const std::filesystem::path& file) {

@@ -27,7 +27,8 @@ namespace latsch::formats {
 struct RoadFile {
   std::string kind;                   // "OpenCRG", "Adams drum", "Adams triangles", "drum"
   std::vector<std::string> facts;     // what was read, for a person
-  std::vector<std::string> unused;    // keys of a .rdf that have no meaning here
+  std::vector<std::string> unused;    // "[SECTION] KEY" of a .rdf that have no meaning here
+  std::vector<std::string> kept;      // statements of a .crg that do not concern its surface
   std::vector<std::string> warnings;  // with file and line
   std::unique_ptr<const road::Road> road;
   const road::CrgRoad* crg = nullptr;             // where it is one

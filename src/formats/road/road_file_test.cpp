@@ -55,7 +55,11 @@ TEST(RdfFile, ObstaclesStandWhereTheirParametersSay) {
   EXPECT_NEAR(z(plank, 1.195), 0.015, kRounding);
   EXPECT_EQ(plank.road->at(1.1, 0, 0).friction, 0.45);
   EXPECT_EQ(plank.road->at(0.1, 0, 0).friction, 0.9);
-  EXPECT_EQ(plank.unused, std::vector<std::string>{"COLOR"});
+  EXPECT_EQ(plank.unused, std::vector<std::string>{"[PARAMETERS] COLOR"});
+  EXPECT_TRUE(road_2d("plank", "HEIGHT = 20\nSTART = 1000\nLENGTH = 200\n").unused.empty());
+  // A misspelled key, one in another section, one whose value would be another model.
+  EXPECT_EQ(road_2d("flat", "MUE = 0.5\n[GRAPHICS]\nLENGTH = 3\n[OFFSET]\nZ = 1\n").unused,
+            (std::vector<std::string>{"[PARAMETERS] MUE", "[GRAPHICS]", "[OFFSET]"}));
   const RoadFile oblique =
       road_2d("plank", "HEIGHT = 20\nSTART = 1000\nLENGTH = 200\nDIRECTION = 45\n");
   EXPECT_EQ(z(oblique, 1.1, 0.0), 0.02);

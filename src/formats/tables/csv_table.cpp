@@ -6,35 +6,19 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <set>
 
 #include "base/file.h"
 #include "base/text.h"
-#include "base/units.h"
+#include "base/unit_reading.h"
+#include "formats/tables/csv_header.h"
 #include "formats/text/csv_fields.h"
+#include "formats/text/text_encoding.h"
 
 namespace latsch::formats {
 namespace {
 
 constexpr std::size_t kLargestTable = 1u << 30;  // bytes
 constexpr int kStride = 1024;                    // rows between two places that are kept
-
-/// "force [N]" -> "force", "N".
-std::pair<std::string_view, std::string_view> split_unit(std::string_view cell) {
-  cell = trimmed(cell);
-  if (!cell.ends_with(']')) return {cell, {}};
-  const auto bracket = cell.rfind('[');
-  if (bracket == cell.npos) return {cell, {}};
-  return {trimmed(cell.substr(0, bracket)),
-          trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2))};
-}
-
-std::string_view without_square_brackets(std::string_view unit) {
-  unit = trimmed(unit);
-  if (unit.size() >= 2 && unit.front() == '[' && unit.back() == ']')
-    unit = trimmed(unit.substr(1, unit.size() - 2));
-  return unit;
-}
 
 std::string called(std::string_view column) { return "column " + in_quotes(column); }
 
@@ -51,27 +35,21 @@ CsvTable CsvTable::parse(std::string text, std::string file_name) {
 CsvTable CsvTable::parse(std::shared_ptr<const MappedFile> source, std::string file_name) {
   CsvTable table;
   table.file_ = std::move(file_name);
-  table.source_ = std::move(source);
+  table.source_ = utf8_file(std::move(source), table.file_);
   CsvFields fields(table.source_, table.file_);
-  fields.expect_text();
   table.decimal_comma_ = fields.separator() != ',';
+  CsvHeader header = read_csv_header(fields, table.file_);
   CsvFields::Row row;
-  if (!fields.next(row))
-    throw InputError({table.file_, 0}, "is empty, expected a line of column names");
-  table.read_header(row);
   CsvFields::Mark mark = fields.mark();
-  for (bool first = true; fields.next(row); first = false) {
-    if (row.cells.size() != table.columns_.size())
+  while (fields.next(row)) {
+    if (row.cells.size() != header.columns.size())
       throw InputError({table.file_, row.line},
-                       fmt::format("has {} {}, expected {} as in the header (line {})",
-                                   row.cells.size(),
-                                   row.cells.size() == 1 ? "field" : "fields",
-                                   table.columns_.size(),
-                                   table.header_line_));
-    const bool units = first && table.take_units(row);
-    if (!units && table.rows_++ % kStride == 0) table.marks_.push_back(mark);
+                       wrong_number_of_fields(row.cells.size(), header, fields.separator()));
+    if (table.rows_++ % kStride == 0) table.marks_.push_back(mark);
     mark = fields.mark();
   }
+  table.header_line_ = header.line;
+  table.columns_ = std::move(header.columns);
   return table;
 }
 
@@ -94,40 +72,7 @@ CsvFields::Row CsvTable::row_of(CsvFields& fields, int wanted) const {
   return row;
 }
 
-void CsvTable::read_header(const CsvFields::Row& row) {
-  header_line_ = row.line;
-  std::set<std::string_view> names;
-  for (const std::string_view cell : row.cells) {
-    const auto [name, unit] = split_unit(cell);
-    if (name.empty()) throw InputError(header_place(), "has a column without a name");
-    if (!names.insert(name).second) throw InputError(header_place(), called(name) + " comes twice");
-    columns_.push_back({std::string(name), std::string(unit)});
-  }
-}
-
-bool CsvTable::take_units(const CsvFields::Row& row) {
-  for (const Column& column : columns_)
-    if (!column.unit.empty()) return false;
-  bool any = false;
-  for (const std::string_view cell : row.cells) {
-    const std::string_view unit = without_square_brackets(cell);
-    if (unit.empty() || unit == "-") continue;
-    if (unit != "1" && parse_number(unit)) return false;
-    if (!Unit::find(unit)) return false;
-    any = any || unit != "1";
-  }
-  if (!any) return false;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const std::string_view unit = without_square_brackets(row.cells[i]);
-    columns_[i].unit = unit == "-" ? "" : unit;
-  }
-  return true;
-}
-
-bool CsvTable::has(std::string_view column) const {
-  return std::any_of(
-      columns_.begin(), columns_.end(), [&](const Column& c) { return c.name == column; });
-}
+bool CsvTable::has(std::string_view column) const { return place_of(column) >= 0; }
 
 const std::string& CsvTable::unit(std::string_view column) const {
   return columns_[index(column)].unit;
@@ -137,16 +82,29 @@ bool CsvTable::has_unit(std::string_view column) const { return !unit(column).em
 
 std::vector<std::string> CsvTable::columns() const {
   std::vector<std::string> names;
-  for (const Column& column : columns_) names.push_back(column.name);
+  for (const TableColumn& column : columns_) names.push_back(column.name);
   return names;
 }
 
+int CsvTable::place_of(std::string_view column) const {
+  for (const auto text : {&TableColumn::name, &TableColumn::title})
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      if (columns_[i].*text == column) return static_cast<int>(i);
+  return -1;
+}
+
 int CsvTable::index(std::string_view column) const {
-  for (std::size_t i = 0; i < columns_.size(); ++i)
-    if (columns_[i].name == column) return static_cast<int>(i);
-  throw InputError(header_place(),
-                   called(column) + " is missing" + did_you_mean(column, columns()) +
-                       " (columns: " + list_of(columns()) + ")");
+  const int place = place_of(column);
+  if (place < 0)
+    throw InputError(header_place(), missing_columns({std::string(column)}, columns()));
+  return place;
+}
+
+void CsvTable::expect_columns(const std::vector<std::string>& needed) const {
+  std::vector<std::string> missing;
+  for (const std::string& column : needed)
+    if (!has(column)) missing.push_back(column);
+  if (!missing.empty()) throw InputError(header_place(), missing_columns(missing, columns()));
 }
 
 double CsvTable::number_or_gap(const CsvFields::Row& row, int column, const Unit& unit) const {
@@ -166,39 +124,42 @@ double CsvTable::number_or_gap(const CsvFields::Row& row, int column, const Unit
   return std::isfinite(si) ? si : std::nan("");
 }
 
-double CsvTable::number(const CsvFields::Row& row, int column, const Unit& unit) const {
+double CsvTable::number(const CsvFields::Row& row,
+                        int column,
+                        const Unit& unit,
+                        DecimalMarks& marks) const {
   const double si = number_or_gap(row, column, unit);
-  if (std::isfinite(si)) return si;
   const std::string_view cell = trimmed(row.cells[static_cast<std::size_t>(column)]);
+  if (std::isfinite(si)) {
+    if (decimal_comma_) marks.take(cell, row.line);
+    return si;
+  }
   throw InputError({file_, row.line},
                    columns_[static_cast<std::size_t>(column)].name + " " +
-                       (cell.empty() ? "is empty" : "is " + in_quotes(cell)) +
-                       ", expected a finite number");
+                       (cell.empty() ? "is empty, expected a finite number"
+                                     : "is " + in_quotes(cell) +
+                                           reason_of_no_number(cell, "files with commas")));
 }
 
 Unit CsvTable::unit_of(int column, std::string_view unit) const {
-  const Unit expected = Unit::of(unit);
-  const auto& [name, given] = columns_[static_cast<std::size_t>(column)];
-  const auto written = Unit::find(given.empty() ? "1" : given);
-  if (!written) throw InputError(header_place(), called(name) + " has " + unknown_unit(given));
-  if (written->same_dimension(expected)) return *written;
-  const DimensionWords words = words_for(expected);
-  throw InputError(header_place(),
-                   called(name) + (given.empty() ? " has no unit" : " is in " + in_quotes(given)) +
-                       ", expected " + words.noun + ", such as " +
-                       in_quotes(name + " [" + std::string(unit) + "]"));
+  TableColumn one = columns_[static_cast<std::size_t>(column)];
+  return unit_of_column(one, std::string(unit), {file_, one.unit_line});
 }
 
 void CsvTable::for_blocks(
     const std::vector<Wanted>& wanted,
     int most,
     const std::function<void(std::vector<std::vector<double>>&)>& block) const {
+  std::vector<std::string> needed;
+  for (const Wanted& one : wanted) needed.push_back(one.column);
+  expect_columns(needed);
   std::vector<int> places;
   std::vector<Unit> units;
   for (const Wanted& one : wanted) {
     places.push_back(index(one.column));
     units.push_back(unit_of(places.back(), one.unit));
   }
+  DecimalMarks marks(file_);
   std::vector<std::vector<double>> values(wanted.size());
   const auto expected = static_cast<std::size_t>(std::min(most, rows_));
   for (auto& column : values) column.reserve(expected);
@@ -207,7 +168,7 @@ void CsvTable::for_blocks(
   for (int i = 0; i < rows_; ++i) {
     fields.next(row);
     for (std::size_t k = 0; k < places.size(); ++k)
-      values[k].push_back(number(row, places[k], units[k]));
+      values[k].push_back(number(row, places[k], units[k], marks));
     if ((i + 1) % most != 0 && i + 1 < rows_) continue;
     block(values);
     for (auto& column : values) column.clear();
@@ -220,24 +181,40 @@ std::vector<std::vector<double>> CsvTable::numbers(const std::vector<Wanted>& wa
   return all;
 }
 
-std::vector<std::vector<double>> CsvTable::numbers_and_gaps(const std::vector<Wanted>& wanted,
-                                                            std::vector<int>& lines) const {
+CsvTable::Gaps CsvTable::numbers_and_gaps(const std::vector<Wanted>& wanted) const {
   std::vector<int> places;
   std::vector<Unit> units;
   for (const Wanted& one : wanted) {
     places.push_back(index(one.column));
     units.push_back(one.unit.empty() ? Unit::of("1") : unit_of(places.back(), one.unit));
   }
-  std::vector<std::vector<double>> values(wanted.size());
-  for (auto& column : values) column.reserve(static_cast<std::size_t>(rows_));
+  Gaps gaps{std::vector<std::vector<double>>(wanted.size()), {}, {}};
+  gaps.texts.resize(wanted.size());
+  for (auto& column : gaps.values) column.reserve(static_cast<std::size_t>(rows_));
+  std::vector<bool> has_number(wanted.size(), false);
+  DecimalMarks marks(file_);
   CsvFields fields = data();
   CsvFields::Row row;
   for (int i = 0; i < rows_ && fields.next(row); ++i) {
-    lines.push_back(row.line);
-    for (std::size_t k = 0; k < places.size(); ++k)
-      values[k].push_back(number_or_gap(row, places[k], units[k]));
+    gaps.lines.push_back(row.line);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const double value = number_or_gap(row, places[k], units[k]);
+      gaps.values[k].push_back(value);
+      const std::string_view cell = trimmed(row.cells[static_cast<std::size_t>(places[k])]);
+      if (std::isfinite(value)) {
+        has_number[k] = true;
+        if (decimal_comma_) marks.take(cell, row.line);
+      } else if (gaps.texts[k].empty() && !parse_number(cell) && !is_gap_word(cell)) {
+        gaps.texts[k] = fmt::format("is {} in line {}{}",
+                                    in_quotes(cell),
+                                    row.line,
+                                    reason_of_no_number(cell, "files with commas"));
+      }
+    }
   }
-  return values;
+  for (std::size_t k = 0; k < wanted.size(); ++k)
+    if (!has_number[k]) gaps.texts[k].clear();
+  return gaps;
 }
 
 std::vector<double> CsvTable::numbers(std::string_view column, std::string_view unit) const {
@@ -279,9 +256,9 @@ std::string CsvTable::text(std::string_view column, int wanted) const {
 
 Channels CsvTable::channels() const {
   std::vector<Wanted> wanted;
-  for (const Column& column : columns_) {
-    const auto unit = Unit::find(column.unit.empty() ? "1" : column.unit);
-    wanted.push_back({column.name, unit ? si_unit(unit->dimension()) : "1"});
+  for (TableColumn column : columns_) {
+    const Unit unit = unit_of_column(column, "", {file_, column.unit_line});
+    wanted.push_back({column.name, si_unit(unit.dimension())});
   }
   auto values = numbers(wanted);
   Channels channels;
@@ -291,7 +268,7 @@ Channels CsvTable::channels() const {
 }
 
 void CsvTable::expect_only(const std::vector<std::string>& known) const {
-  for (const Column& column : columns_)
+  for (const TableColumn& column : columns_)
     if (std::find(known.begin(), known.end(), column.name) == known.end())
       throw InputError(header_place(),
                        "unknown " + called(column.name) + did_you_mean(column.name, known));

@@ -6,10 +6,10 @@
 //   5.0,             812,       "lateral, 1"    mm;         kN              semicolons or tabs)
 //                                               5,0;        0,812
 //
-// The unit of a column stands in brackets behind its name or in a second row that holds units
-// alone. Columns without one are plain numbers or texts. Empty lines and lines that begin with #
-// are skipped; CRLF, a byte order mark and quoted fields, also with line ends in them, are
-// understood [RFC 4180].
+// The unit of a column stands in brackets behind its name (table_column.h) or in a second row
+// (csv_header.h); base/unit_reading.h says which spellings are known. Columns without one are plain
+// numbers or texts. Empty lines and lines that begin with # are skipped; CRLF, a byte order mark,
+// Windows-1252 and quoted fields, also with line ends in them, are understood [RFC 4180].
 //
 // A file is mapped, not copied, and of its rows only some places are kept: a table of 1 GB takes
 // some megabytes besides the columns that are asked for. Each call that gives columns reads the
@@ -25,6 +25,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "formats/tables/table_column.h"
 #include "formats/text/csv_fields.h"
 #include "measurement/channels.h"
 
@@ -45,7 +46,9 @@ class CsvTable {
   bool has_unit(std::string_view column) const;
   /// As written; empty where the table names none.
   const std::string& unit(std::string_view column) const;
-  /// Names in the order of the file.
+  /// Every column as the header states it.
+  const std::vector<TableColumn>& header() const { return columns_; }
+  /// Names in the order of the file. A column is also found by its whole title, "force [N]".
   std::vector<std::string> columns() const;
   Place place(int row) const;
   Place header_place() const { return {file_, header_line_}; }
@@ -62,10 +65,16 @@ class CsvTable {
   void for_blocks(const std::vector<Wanted>& columns,
                   int rows,
                   const std::function<void(std::vector<std::vector<double>>&)>& block) const;
-  /// The same with gaps: NaN where a cell is no finite number. The lines of all rows go to `lines`;
-  /// an empty unit asks for the numbers as they are written.
-  std::vector<std::vector<double>> numbers_and_gaps(const std::vector<Wanted>& columns,
-                                                    std::vector<int>& lines) const;
+  /// The same with gaps: NaN where a cell is no finite number.
+  struct Gaps {
+    std::vector<std::vector<double>> values;
+    std::vector<int> lines;  // of all rows
+    /// Of a column that has numbers, the first cell that is neither one nor a word for a gap:
+    /// `is "1,234" in line 7, expected ...`. Empty where there is none.
+    std::vector<std::string> texts;
+  };
+  /// An empty unit asks for the numbers as they are written.
+  Gaps numbers_and_gaps(const std::vector<Wanted>& columns) const;
   /// The unit to ask for where a column that names none is in SI: `unit`, or "1".
   std::string si_or_plain(std::string_view column, std::string_view unit) const {
     return has_unit(column) ? std::string(unit) : "1";
@@ -80,29 +89,25 @@ class CsvTable {
   /// Every column, each in the SI unit of its dimension; all must be numbers.
   Channels channels() const;
 
+  /// Throws, naming all of them, where some of the `needed` columns are missing.
+  void expect_columns(const std::vector<std::string>& needed) const;
   /// Throws for a column that is not among the `known`.
   void expect_only(const std::vector<std::string>& known) const;
 
  private:
-  struct Column {
-    std::string name;
-    std::string unit;  // empty: none is given
-  };
-
+  int place_of(std::string_view column) const;  // -1: it is missing
   int index(std::string_view column) const;
   Unit unit_of(int column, std::string_view unit) const;
-  double number(const CsvFields::Row& row, int column, const Unit& unit) const;
+  double number(const CsvFields::Row& row, int column, const Unit& unit, DecimalMarks& marks) const;
   double number_or_gap(const CsvFields::Row& row, int column, const Unit& unit) const;
   CsvFields data() const;  // at the first row
   CsvFields::Row row_of(CsvFields& fields, int row) const;
-  void read_header(const CsvFields::Row& row);
-  bool take_units(const CsvFields::Row& row);
 
   std::string file_;
   std::shared_ptr<const MappedFile> source_;
   bool decimal_comma_ = false;
   int header_line_ = 0;
-  std::vector<Column> columns_;
+  std::vector<TableColumn> columns_;
   int rows_ = 0;
   std::vector<CsvFields::Mark> marks_;  // of every kStride-th row of data
 };

@@ -75,9 +75,10 @@ TEST(CsvTableComplaint, NamesFileLineFoundAndExpected) {
   EXPECT_EQ(table_complaint("force [N]\n1\ninf\n", force),
             "t.csv:3: force is \"inf\", expected a finite number");
   EXPECT_EQ(table_complaint("force [N];b\n1.234,5;2\n", force),
-            "t.csv:2: force is \"1.234,5\", expected a finite number");
+            "t.csv:2: force is \"1.234,5\", expected a number without thousands separators");
   EXPECT_EQ(table_complaint("force [N],b\n1,2\n1,2,3\n", force),
-            "t.csv:3: has 3 fields, expected 2 as in the header (line 1)");
+            "t.csv:3: has 3 fields, expected 2 as in the header (line 1); decimal commas need "
+            "semicolons or tabs between the columns");
   EXPECT_EQ(table_complaint("force [kNn]\n1\n", force),
             "t.csv:1: column \"force\" has unknown unit \"kNn\", did you mean \"kN\"?");
   EXPECT_EQ(table_complaint("force [bar]\n1\n", force),
@@ -87,8 +88,9 @@ TEST(CsvTableComplaint, NamesFileLineFoundAndExpected) {
   EXPECT_EQ(table_complaint("forse [N],b\n1,2\n", force),
             "t.csv:1: column \"force\" is missing, did you mean \"forse\"? (columns: \"forse\" or "
             "\"b\")");
-  EXPECT_EQ(table_complaint("a,a\n1,2\n", force), "t.csv:1: column \"a\" comes twice");
-  EXPECT_EQ(table_complaint("a,\n1,2\n", force), "t.csv:1: has a column without a name");
+  EXPECT_EQ(table_complaint("a,a\n1,2\n", force),
+            "t.csv:1: column \"a\" comes twice, as column 1 and 2");
+  EXPECT_EQ(table_complaint("a,\n1,2\n", force), "t.csv:1: has a column without a name: column 2");
   EXPECT_EQ(table_complaint("a,b\n\"1,2\n", force), "t.csv:2: a quote is opened and never closed");
   EXPECT_EQ(table_complaint("a,b\n\"1\"x,2\n", force),
             "t.csv:2: text follows a closing quote, expected \",\"");

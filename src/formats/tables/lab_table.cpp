@@ -4,81 +4,131 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
-#include "base/file.h"
+#include "base/mapped_file.h"
 #include "base/text.h"
-#include "base/units.h"
+#include "base/unit_reading.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/mat_file.h"
 #include "formats/tables/tydex_file.h"
-#include "formats/text/lab_units.h"
 #include "formats/text/letter_case.h"
+#include "formats/text/text_encoding.h"
 
 namespace latsch::formats {
 namespace {
 
 using Units = std::map<std::string, std::string>;
 
+constexpr std::size_t kMostColumns = 10000;                    // of a .dat
 constexpr std::size_t kLargestLabFile = std::size_t{1} << 30;  // bytes
 
 /// A column as the file has it.
 struct LabColumn {
-  std::string name, unit;      // as the file states it
-  std::vector<double> values;  // NaN: a gap
-  bool is_si = false;          // else in `unit`
+  TableColumn source;
+  std::vector<double> values = {};  // NaN: a gap
+  bool is_si = false;               // else in the unit of `source`
+  std::string fault = {};           // of its cells
 };
+
+void expect_once(const std::vector<LabColumn>& columns, const Place& header) {
+  std::map<std::string, int> places;
+  for (const LabColumn& column : columns) {
+    const auto [before, is_new] = places.emplace(column.source.name, column.source.place);
+    if (!is_new)
+      throw InputError(header,
+                       fmt::format("column {} comes twice, as column {} and {}",
+                                   in_quotes(column.source.name),
+                                   before->second,
+                                   column.source.place));
+  }
+}
+
+/// Units that the caller states for columns that have none.
+void take_stated_units(std::vector<LabColumn>& columns, const Units& units, const Place& header) {
+  std::vector<std::string> names, missing;
+  for (const LabColumn& column : columns) names.push_back(column.source.name);
+  for (const auto& [name, unit] : units) {
+    const auto found = std::find_if(columns.begin(), columns.end(), [&](const LabColumn& column) {
+      return column.source.name == name || column.source.title == name;
+    });
+    if (found == columns.end()) {
+      missing.push_back(name);
+      continue;
+    }
+    found->source.name = name;
+    const int line = found->source.unit_line;
+    take_stated_unit(found->source, unit, {header.file, line > 0 ? line : header.line});
+  }
+  if (!missing.empty()) throw InputError(header, missing_columns(missing, names));
+}
 
 /// Columns in SI, with units that the caller states for those that have none.
 void add_columns(std::vector<LabColumn> columns,
                  const Units& units,
+                 const ExpectedUnit& expected,
                  const Place& header,
                  LabTable& table) {
-  std::vector<std::string> names;
-  for (const LabColumn& column : columns) names.push_back(column.name);
-  for (const auto& [name, unit] : units) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-      throw InputError(header,
-                       "column " + in_quotes(name) + " is missing" + did_you_mean(name, names) +
-                           " (columns: " + list_of(names) + ")");
-    LabColumn& column = columns[static_cast<std::size_t>(found - names.begin())];
-    if (!column.unit.empty() && column.unit != unit)
-      throw InputError(
-          header,
-          name + " is in " + in_quotes(column.unit) + ", but was said to be in " + in_quotes(unit));
-    column.unit = unit;
-  }
+  expect_once(columns, header);
+  take_stated_units(columns, units, header);
   table.header = header;
   for (LabColumn& column : columns) {
-    const auto unit = find_lab_unit(column.unit);
-    if (!unit) {
-      table.left_out[column.name] = "has " + unknown_unit(column.unit);
+    TableColumn& source = column.source;
+    const std::string wanted =
+        expected && !source.unit.empty() ? expected(source.name) : std::string();
+    const bool is_known =
+        units.contains(source.name) || (expected && !expected(source.name).empty());
+    const Place place{header.file, source.unit_line > 0 ? source.unit_line : header.line};
+    const std::string unit_fault = fault_of_unit(source, wanted);
+    if (is_known && !unit_fault.empty()) throw InputError(place, unit_fault);
+    if (is_known && !column.fault.empty())
+      throw InputError(header, source.name + " " + column.fault);
+    if (!unit_fault.empty() || !column.fault.empty()) {
+      const std::size_t has = unit_fault.find(" has ");
+      table.left_out[source.name] =
+          has == unit_fault.npos ? column.fault : unit_fault.substr(has + 1);
       continue;
     }
+    const Unit unit = unit_of_column(source, wanted, place);
     if (!column.is_si)
-      for (double& value : column.values) value = unit->to_si(value);
-    table.channels.add({column.name, si_unit(unit->dimension()), std::move(column.values)});
-    table.units.push_back(column.unit);
+      for (double& value : column.values) value = unit.to_si(value);
+    table.channels.add({source.name, si_unit(unit.dimension()), std::move(column.values)});
+    // A word with several meanings as the one that was taken.
+    table.units.push_back(source.unit.empty() || unit.text() == source.unit ? source.unit
+                                                                            : unit.text());
+    table.columns.push_back(std::move(source));
   }
 }
 
-LabTable read_csv(const std::filesystem::path& file, const Units& units) {
+LabTable table_of(const std::filesystem::path& file) {
+  return {file.string(), {}, {}, {}, {}, {}, {file.string(), 0}};
+}
+
+LabTable read_csv(const std::filesystem::path& file,
+                  const Units& units,
+                  const ExpectedUnit& expected) {
   const CsvTable csv = CsvTable::read(file);
-  LabTable table{file.string(), {}, {}, {}, {}, {file.string(), 0}};
+  LabTable table = table_of(file);
   std::vector<CsvTable::Wanted> wanted;
   std::vector<LabColumn> columns;
-  for (const std::string& name : csv.columns()) {
-    const std::string& written = csv.unit(name);
-    const auto unit = Unit::find(written);
-    const bool is_si = !written.empty() && unit;  // converted from the digits, to the last bit
-    wanted.push_back({name, is_si ? si_unit(unit->dimension()) : ""});
-    columns.push_back({name, written, {}, is_si});
+  for (const TableColumn& source : csv.header()) {
+    const std::string known = expected && !source.unit.empty() ? expected(source.name) : "";
+    const bool is_si = !source.unit.empty() && fault_of_unit(source, known).empty();
+    // Converted from the digits, to the last bit.
+    std::string si = known;
+    if (is_si && si.empty()) si = si_unit(reading_of_unit(source.unit).unit->dimension());
+    wanted.push_back({source.name, is_si ? si : ""});
+    columns.push_back({source, {}, is_si});
   }
-  auto values = csv.numbers_and_gaps(wanted, table.lines);
-  for (std::size_t k = 0; k < columns.size(); ++k) columns[k].values = std::move(values[k]);
-  add_columns(std::move(columns), units, csv.header_place(), table);
+  CsvTable::Gaps gaps = csv.numbers_and_gaps(wanted);
+  table.lines = std::move(gaps.lines);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    columns[k].values = std::move(gaps.values[k]);
+    columns[k].fault = std::move(gaps.texts[k]);
+  }
+  add_columns(std::move(columns), units, expected, csv.header_place(), table);
   return table;
 }
 
@@ -91,11 +141,6 @@ std::vector<std::string_view> fields_of(std::string_view line, bool tabs) {
     line = end == line.npos ? std::string_view() : line.substr(end + 1);
   }
   return fields;
-}
-
-double number_or_gap(std::string_view field) {
-  const auto number = parse_number(field);
-  return number && std::isfinite(*number) ? *number : std::nan("");
 }
 
 struct Line {
@@ -114,48 +159,112 @@ std::vector<Line> lines_of(std::string_view text) {
   return lines;
 }
 
-bool all_units(const std::vector<std::string_view>& fields) {
-  return std::all_of(fields.begin(), fields.end(), [](std::string_view f) {
-    return find_lab_unit(f).has_value();
-  });
+/// Names that consortia use, to tell a line of names from a line about the run.
+bool is_usual_name(std::string_view word) {
+  static constexpr std::array<std::string_view, 22> kNames = {
+      "ET", "V",  "N",   "SA",  "IA",  "RL",   "RE",   "P",    "FX",     "FY", "FZ",
+      "MX", "MZ", "NFX", "NFY", "RST", "TSTI", "TSTC", "TSTO", "AMBTMP", "SR", "SL"};
+  return std::find(kNames.begin(), kNames.end(), capitals(word)) != kNames.end();
+}
+
+std::size_t count_units(const std::vector<std::string_view>& fields) {
+  return static_cast<std::size_t>(std::count_if(
+      fields.begin(), fields.end(), [](std::string_view f) { return looks_like_unit(f); }));
+}
+
+/// Whether the last line before the numbers holds units of the `names` above it.
+bool holds_units(const std::vector<std::string_view>& names,
+                 const std::vector<std::string_view>& units) {
+  if (names.size() != units.size()) return false;
+  const auto named = std::count_if(names.begin(), names.end(), is_usual_name);
+  const auto blank = std::count(units.begin(), units.end(), "");
+  const std::size_t words = units.size() - static_cast<std::size_t>(blank);
+  return words > 0 &&
+         (2 * count_units(units) >= words || 2 * static_cast<std::size_t>(named) >= names.size());
+}
+
+std::vector<LabColumn> columns_named(const std::vector<std::string_view>& names, const Line& line) {
+  std::vector<LabColumn> columns;
+  for (const std::string_view name : names) {
+    LabColumn column{column_of_title(name)};
+    column.source.line = column.source.unit_line = line.number;
+    column.source.place = static_cast<int>(columns.size() + 1);
+    columns.push_back(std::move(column));
+  }
+  return columns;
 }
 
 /// The line of names and below it, where it stands, that of units: the last before the numbers.
 std::vector<LabColumn> header_of(const std::vector<Line>& before, bool tabs) {
-  const std::string_view last = before.back().text;
-  std::vector<LabColumn> columns;
+  const Line& last = before.back();
   if (before.size() > 1) {
-    for (const std::string_view name : fields_of(trimmed(before[before.size() - 2].text), tabs))
-      columns.push_back({std::string(name), "", {}});
+    const Line& names = before[before.size() - 2];
+    std::vector<LabColumn> columns = columns_named(fields_of(trimmed(names.text), tabs), names);
     // The last channels may be plain numbers, whose units are blank.
-    auto units = fields_of(last, tabs);
+    auto units = fields_of(last.text, tabs);
     while (tabs && units.size() < columns.size()) units.emplace_back();
     while (units.size() > columns.size() && units.back().empty()) units.pop_back();
-    if (units.size() == columns.size() && all_units(units)) {
-      for (std::size_t k = 0; k < units.size(); ++k) columns[k].unit = units[k];
+    if (holds_units(fields_of(trimmed(names.text), tabs), units)) {
+      for (std::size_t k = 0; k < units.size(); ++k) {
+        columns[k].source.unit = units[k];
+        columns[k].source.unit_line = last.number;
+      }
       return columns;
     }
-    columns.clear();
   }
-  for (const std::string_view name : fields_of(trimmed(last), tabs))
-    columns.push_back({std::string(name), "", {}});
-  return columns;
+  return columns_named(fields_of(trimmed(last.text), tabs), last);
 }
 
-LabTable read_dat(const std::filesystem::path& file, const Units& units) {
-  const std::string text = read_text_file(file, kLargestLabFile);
-  std::vector<Line> lines = lines_of(text);
-  const auto numbers = std::find_if(lines.begin(), lines.end(), [](const Line& line) {
-    return parse_number(fields_of(trimmed(line.text), false).front()).has_value();
-  });
-  if (numbers == lines.begin() || numbers == lines.end())
-    throw InputError({file.string(), 0},
-                     numbers == lines.end() ? "has no line of numbers"
-                                            : "begins with numbers, expected names before them");
+/// "1" is also the unit of plain numbers, with other units behind it.
+bool begins_with_number(const Line& line) {
+  const auto fields = fields_of(trimmed(line.text), false);
+  if (!parse_number(fields.front())) return false;
+  return fields.front() != "1" || std::none_of(fields.begin(), fields.end(), [](auto field) {
+           return !parse_number(field) && !is_gap_word(field) && looks_like_unit(field);
+         });
+}
+
+/// Where no line begins with a number: why.
+[[noreturn]] void no_line_of_numbers(const std::vector<Line>& lines, const std::string& file) {
+  for (const Line& line : lines) {
+    const auto first = trimmed(fields_of(trimmed(line.text), false).front());
+    const bool separated = first.find(',') != first.npos || first.find(';') != first.npos;
+    if (!separated || first.find_first_of("0123456789") == first.npos) continue;
+    throw InputError({file, line.number},
+                     "begins with " + in_quotes(first) +
+                         ", expected a number: decimal commas are not read in a .dat, and numbers "
+                         "with commas or semicolons between them make a .csv");
+  }
+  throw InputError({file, 0}, "has no line of numbers");
+}
+
+/// One number of a .dat: a gap, or an error where the cell is neither.
+double cell_of_dat(std::string_view field, const LabColumn& column, const Place& place) {
+  if (const auto number = parse_number(field))
+    return std::isfinite(*number) ? *number : std::nan("");
+  if (is_gap_word(field)) return std::nan("");
+  throw InputError(
+      place, column.source.name + " is " + in_quotes(field) + reason_of_no_number(field, "a .dat"));
+}
+
+LabTable read_dat(const std::filesystem::path& file,
+                  const Units& stated,
+                  const ExpectedUnit& expected) {
+  const std::string text = utf8_text(read_settled_file(file, kLargestLabFile), file.string());
+  const std::vector<Line> lines = lines_of(text);
+  if (lines.empty()) throw InputError({file.string(), 0}, "is empty, expected a line of names");
+  const auto numbers = std::find_if(lines.begin(), lines.end(), begins_with_number);
+  if (numbers == lines.end()) no_line_of_numbers(lines, file.string());
+  if (numbers == lines.begin())
+    throw InputError({file.string(), 0}, "begins with numbers, expected names before them");
   const std::vector<Line> before(lines.begin(), numbers);
   const bool tabs = before.back().text.find('\t') != std::string_view::npos;
+  LabTable table = table_of(file);
+  for (const Line& line : before)
+    if (fields_of(line.text, tabs).size() > kMostColumns)
+      throw InputError({table.file, line.number},
+                       fmt::format("has more than {} columns", kMostColumns));
   std::vector<LabColumn> columns = header_of(before, tabs);
-  LabTable table{file.string(), {}, {}, {}, {}, {file.string(), 0}};
   for (auto line = numbers; line != lines.end(); ++line) {
     const auto fields = fields_of(line->text, tabs);
     const bool ends_in_tab = fields.size() == columns.size() + 1 && fields.back().empty();
@@ -167,35 +276,70 @@ LabTable read_dat(const std::filesystem::path& file, const Units& units) {
                                    columns.size()));
     table.lines.push_back(line->number);
     for (std::size_t k = 0; k < columns.size(); ++k)
-      columns[k].values.push_back(number_or_gap(fields[k]));
+      columns[k].values.push_back(cell_of_dat(fields[k], columns[k], {table.file, line->number}));
   }
-  add_columns(std::move(columns), units, {table.file, before.back().number}, table);
+  const int header = columns.front().source.line;
+  add_columns(std::move(columns), stated, expected, {table.file, header}, table);
   return table;
 }
 
-LabTable read_mat(const std::filesystem::path& file, const Units& units) {
-  LabTable table{
-      file.string(), MatFile::read(file).channels(units), {}, {}, {}, {file.string(), 0}};
-  for (const Channel& channel : table.channels.all()) table.units.push_back(channel.unit);
+LabTable read_mat(const std::filesystem::path& file,
+                  const Units& units,
+                  const ExpectedUnit& expected) {
+  LabTable table = table_of(file);
+  auto [channels, columns] = MatFile::read(file).named_channels(units, expected);
+  table.channels = std::move(channels);
+  for (const TableColumn& column : columns) table.units.push_back(column.unit);
+  table.columns = std::move(columns);
   return table;
 }
 
-LabTable read_tydex(const std::filesystem::path& file, const Units& units) {
+LabTable read_tydex(const std::filesystem::path& file,
+                    const Units& units,
+                    const ExpectedUnit& expected) {
   TydexFile tydex = TydexFile::read(file);
-  LabTable table{file.string(), {}, {}, std::move(tydex.lines), {}, {file.string(), 0}};
+  LabTable table = table_of(file);
+  table.lines = std::move(tydex.lines);
   std::vector<LabColumn> columns;
+  const auto add =
+      [&](const std::string& name, const std::string& unit, int line, std::vector<double> values) {
+        TableColumn source{.name = name, .unit = unit, .title = name};
+        source.line = source.unit_line = line;
+        source.place = static_cast<int>(columns.size() + 1);
+        columns.push_back({std::move(source), std::move(values), true});
+      };
   for (std::size_t k = 0; k < tydex.descriptions.size(); ++k) {
+    const auto& about = tydex.descriptions[k];
     const Channel& channel = tydex.channels.all()[k];
-    columns.push_back({channel.name, tydex.descriptions[k].unit, channel.values, true});
+    add(channel.name, about.unit, about.line, channel.values);
   }
   for (const TydexFile::Entry& constant : tydex.constants) {
     if (!constant.number || tydex.channels.find(constant.name)) continue;
-    columns.push_back({constant.name,
-                       constant.unit,
-                       std::vector<double>(table.lines.size(), *constant.number),
-                       true});
+    add(constant.name,
+        constant.unit,
+        constant.line,
+        std::vector<double>(table.lines.size(), *constant.number));
   }
-  add_columns(std::move(columns), units, {table.file, 0}, table);
+  // The values are in SI already, in the dimension that the reader of TYDEX took.
+  std::map<std::string, std::string> taken;
+  for (const Channel& channel : tydex.channels.all()) taken[channel.name] = channel.unit;
+  for (const TydexFile::Entry& constant : tydex.constants)
+    taken.insert({constant.name, constant.si_unit});
+  const auto in_file = [&](const std::string& name) {
+    const auto unit = taken.find(name);
+    return unit == taken.end() ? std::string() : unit->second;
+  };
+  for (LabColumn& column : columns) {
+    const std::string wanted = expected ? expected(column.source.name) : std::string();
+    const std::string si = in_file(column.source.name);
+    if (wanted.empty() || column.source.unit.empty() ||
+        Unit::of(si).same_dimension(Unit::of(wanted)))
+      continue;
+    column.source.unit =
+        Unit::find(column.source.unit)->same_dimension(Unit::of(si)) ? column.source.unit : si;
+    throw InputError({table.file, column.source.line}, fault_of_unit(column.source, wanted));
+  }
+  add_columns(std::move(columns), units, in_file, {table.file, 0}, table);
   return table;
 }
 
@@ -205,18 +349,22 @@ Place LabTable::place(std::size_t sample) const {
   return {file, sample < lines.size() ? lines[sample] : 0};
 }
 
-LabTable read_lab_table(const std::filesystem::path& file, const Units& units) {
-  using Reader = LabTable (*)(const std::filesystem::path&, const Units&);
+LabTable read_lab_table(const std::filesystem::path& file,
+                        const Units& units,
+                        const ExpectedUnit& expected) {
+  using Reader = LabTable (*)(const std::filesystem::path&, const Units&, const ExpectedUnit&);
   static const std::vector<std::pair<std::string, Reader>> kReaders = {{".csv", read_csv},
                                                                        {".txt", read_csv},
                                                                        {".dat", read_dat},
                                                                        {".mat", read_mat},
                                                                        {".tdx", read_tydex},
-                                                                       {".tydex", read_tydex}};
+                                                                       {".tydex", read_tydex},
+                                                                       {".tda", read_tydex},
+                                                                       {".tdb", read_tydex}};
   const std::string ending = lower(file.extension().string());
   std::vector<std::string> endings;
   for (const auto& [known, reader] : kReaders) {
-    if (known == ending) return reader(file, units);
+    if (known == ending) return reader(file, units, expected);
     endings.push_back(known);
   }
   throw InputError({file.string(), 0},

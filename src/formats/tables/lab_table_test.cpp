@@ -77,6 +77,84 @@ TEST_F(LabTables, AreRefusedInWords) {
             std::string::npos);
 }
 
+// A line of units with an unknown one became the line of names.
+TEST_F(LabTables, AnUnknownUnitOfADatIsNoName) {
+  const LabTable table = read("a.dat", "run 4\nET\tSA\tFZ\tNFX\nsec\tdegg\tN\t\n1\t2\t3\t4\n");
+  EXPECT_EQ(table.channels["FZ"], std::vector<double>{3.0});
+  EXPECT_EQ(table.left_out.at("SA"), "has unknown unit \"degg\", did you mean \"deg\"?");
+  EXPECT_EQ(table.columns.back().name, "NFX");
+  EXPECT_EQ(table.columns.back().place, 4);
+  EXPECT_EQ(table.columns.front().unit, "sec");
+  EXPECT_EQ(table.columns.front().unit_line, 3);
+  const auto expected = [](const std::string& name) {
+    return std::string(name == "SA" ? "rad" : "");
+  };
+  EXPECT_THROW(read_lab_table(folder_ / "a.dat", {}, expected), InputError);
+  // All units unknown, all names usual.
+  EXPECT_EQ(read("b.dat", "run\nSA\tFZ\nfoo\tbaz\n1\t2\n").left_out.size(), 2u);
+}
+
+TEST_F(LabTables, DecimalCommasAndThousandsOfADatAreRefusedByTheirReason) {
+  EXPECT_NE(complaint("a.dat", "run\nET\tFZ\nsec\tN\n0,5\t2,5\n")
+                .find("a.dat:4: begins with \"0,5\", expected a number: decimal commas are not "
+                      "read in a .dat"),
+            std::string::npos);
+  EXPECT_NE(complaint("a.dat", "run\nET\tFZ\nsec\tN\n1\t2,5\n")
+                .find("a.dat:4: FZ is \"2,5\", a decimal comma"),
+            std::string::npos);
+  EXPECT_NE(complaint("a.dat", "run\nET\tFZ\nsec\tN\n1\t1,234.5\n")
+                .find("a.dat:4: FZ is \"1,234.5\", expected a number without thousands separators"),
+            std::string::npos);
+  EXPECT_NE(complaint("a.dat", "ET,FZ\nsec,N\n1,2\n").find("between them make a .csv"),
+            std::string::npos);
+}
+
+TEST_F(LabTables, TwoColumnsOfOneNameAndTooManyAreRefused) {
+  EXPECT_NE(complaint("a.dat", "run\nET\tFZ\tFZ\nsec\tN\tN\n1\t2\t3\n")
+                .find("a.dat:2: column \"FZ\" comes twice, as column 2 and 3"),
+            std::string::npos);
+  std::string names = "run\n", numbers = "1";
+  for (int i = 0; i < 1'000'000; ++i) names += "\tc" + std::to_string(i), numbers += "\t1";
+  EXPECT_NE(complaint("b.dat", names + "\n" + numbers + "\n").find("more than 10000 columns"),
+            std::string::npos);
+  std::string csv;
+  for (int i = 0; i < 1'000'000; ++i) csv += "c" + std::to_string(i) + ",";
+  EXPECT_NE(complaint("b.csv", csv + "x\n").find("b.csv:1: has more than 10000 fields"),
+            std::string::npos);
+  EXPECT_NE(complaint("e.dat", "").find("is empty"), std::string::npos);
+  EXPECT_NE(complaint("e.csv", "").find("is empty"), std::string::npos);
+}
+
+// Signs of units in the encodings of Windows programs.
+TEST_F(LabTables, AreReadInUtf8AndWindows1252AndNotInUtf16) {
+  for (const std::string head : {"SA [\xc2\xb0],x [\xc2\xb5m],y [\xce\xbcm]\n",
+                                 "\xef\xbb\xbfSA [\xc2\xb0],x [\xc2\xb5m],y [\xc2\xb5m]\n",
+                                 "SA [\xb0],x [\xb5m],y [\xb5m]\n"}) {
+    const LabTable table = read("a.csv", head + "180,1,1\n");
+    EXPECT_NEAR(table.channels["SA"][0], std::numbers::pi, 1e-15);
+    EXPECT_NEAR(table.channels["x"][0], 1e-6, 1e-20);
+    EXPECT_NEAR(table.channels["y"][0], 1e-6, 1e-20);
+  }
+  EXPECT_EQ(read("p.csv", "a [\x89]\n7\n").channels["a"][0], 0.007);  // per mille
+  EXPECT_NEAR(
+      read("a.dat", "run\nET\tSA\nsec\t\xb0\n1\t180\n").channels["SA"][0], std::numbers::pi, 1e-15);
+  std::string utf16 = "\xff\xfe";
+  for (const char c : std::string("Fz [N]\n1\n")) utf16 += std::string({c, '\0'});
+  for (const char* name : {"u.csv", "u.dat", "u.tdx"})
+    for (const std::string& text : {utf16, utf16.substr(2)})
+      EXPECT_NE(complaint(name, text).find(std::string(name) + ": is UTF-16 text, expected UTF-8"),
+                std::string::npos)
+          << complaint(name, text);
+}
+
+TEST_F(LabTables, AThousandIsNoOne) {
+  EXPECT_NE(complaint("a.csv", "t [s];F [N]\n0.5;1,234\n").find("a separator of thousands?"),
+            std::string::npos);
+  EXPECT_NE(complaint("a.csv", "t [s];F [N]\n0,5;1\n1;1.234\n").find("a.csv:3: has the number "),
+            std::string::npos);
+  EXPECT_EQ(read("a.csv", "t [s];F [N]\n0,5;1,234\n").channels["F"][0], 1.234);
+}
+
 TEST_F(LabTables, KeepGapsAndTextsOfCsv) {
   const LabTable table =
       read("a.csv", "# note\nFz [kN],Fy,who,odd [furlongs per]\n1,,ann,1\n2,3,,2\n", {{"Fy", "N"}});

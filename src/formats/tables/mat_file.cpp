@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/tables/mat_file.h"
 
+#include <fmt/format.h>
 #include <matio.h>
 
 #include <algorithm>
@@ -8,17 +9,17 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/file.h"
+#include "base/mapped_file.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "formats/tables/mat_v5.h"
-#include "formats/text/lab_units.h"
 
 namespace latsch::formats {
 namespace {
 
 constexpr std::size_t kLargestMatFile = 512u << 20;  // bytes
 constexpr int kDeepestStruct = 16;
+constexpr std::size_t kMostVectors = 10000;
 
 /// What matio read of a file of version 7.3.
 class Hdf5Reading {
@@ -141,7 +142,7 @@ bool MatVariable::is_vector() const {
 }
 
 MatFile MatFile::read(const std::filesystem::path& file) {
-  std::string bytes = read_text_file(file, kLargestMatFile);
+  std::string bytes = read_settled_file(file, kLargestMatFile);
   if (bytes.starts_with("MATLAB 7.3")) {
     MatFile result;
     result.file = file.string();
@@ -180,8 +181,9 @@ void take_listed_units(const std::vector<MatVariable>& variables,
 
 }  // namespace
 
-Channels MatFile::channels(const std::map<std::string, std::string>& units) const {
-  std::map<std::string, std::string> written = units;
+MatFile::Named MatFile::named_channels(const std::map<std::string, std::string>& units,
+                                       const ExpectedUnit& expected) const {
+  std::map<std::string, std::string> written;
   std::set<std::string> names;
   for (const MatVariable& variable : variables) {
     const std::size_t dot = variable.name.rfind('.');
@@ -192,28 +194,41 @@ Channels MatFile::channels(const std::map<std::string, std::string>& units) cons
     }
   }
   take_listed_units(variables, written);
-  Channels channels;
+  Named result;
   for (const MatVariable& variable : variables) {
     if (!variable.is_vector()) continue;
     const std::string holder = holder_of(variable.name);
-    const std::string name = written.contains(holder) ? holder : variable.name;
-    const auto unit_text = written.find(name);
-    const std::string text = unit_text == written.end() ? "1" : unit_text->second;
-    const auto unit = find_lab_unit(text);
-    if (!unit) throw InputError({file, 0}, name + " has " + unknown_unit(text));
-    if (!names.insert(name).second) throw InputError({file, 0}, in_quotes(name) + " comes twice");
-    Channel channel{name, si_unit(unit->dimension()), {}};
-    for (const double value : variable.values) channel.values.push_back(unit->to_si(value));
-    channels.add(std::move(channel));
+    const bool is_held = written.contains(holder) || units.contains(holder);
+    TableColumn column{.name = is_held ? holder : variable.name, .title = variable.name};
+    column.place = static_cast<int>(names.size() + 1);
+    if (!names.insert(column.name).second)
+      throw InputError({file, 0}, in_quotes(column.name) + " comes twice");
+    if (names.size() > kMostVectors)
+      throw InputError({file, 0}, fmt::format("has more than {} vectors", kMostVectors));
+    if (const auto unit = written.find(column.name); unit != written.end())
+      column.unit = trimmed(unit->second);
+    if (const auto unit = units.find(column.name); unit != units.end())
+      take_stated_unit(column, unit->second, {file, 0});
+    const std::string wanted =
+        expected && !column.unit.empty() ? expected(column.name) : std::string();
+    const Unit unit = unit_of_column(column, wanted, {file, 0});
+    Channel channel{column.name, si_unit(unit.dimension()), {}};
+    channel.values.reserve(variable.values.size());
+    for (const double value : variable.values) channel.values.push_back(unit.to_si(value));
+    result.channels.add(std::move(channel));
+    result.columns.push_back(std::move(column));
   }
-  for (const auto& [name, unit] : units) {
-    if (names.contains(name)) continue;
+  std::vector<std::string> missing;
+  for (const auto& [name, unit] : units)
+    if (!names.contains(name)) missing.push_back(name);
+  const std::vector<std::string> there(names.begin(), names.end());
+  if (missing.size() == 1)
     throw InputError({file, 0},
-                     "has no vector " + in_quotes(name) +
-                         did_you_mean(name, std::vector<std::string>(names.begin(), names.end())));
-  }
-  if (channels.empty()) throw InputError({file, 0}, "has no vector of numbers");
-  return channels;
+                     "has no vector " + in_quotes(missing[0]) + did_you_mean(missing[0], there) +
+                         " (vectors: " + list_of(there) + ")");
+  if (!missing.empty()) throw InputError({file, 0}, missing_columns(missing, there));
+  if (result.channels.empty()) throw InputError({file, 0}, "has no vector of numbers");
+  return result;
 }
 
 }  // namespace latsch::formats

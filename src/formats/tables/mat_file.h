@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/tables/table_column.h"
 #include "measurement/channels.h"
 
 namespace latsch::formats {
@@ -37,12 +38,21 @@ struct MatFile {
   /// Version 5 only.
   static MatFile parse(std::string bytes, std::string file_name);
 
-  /// Every vector of numbers as a channel in SI. Its unit is that of `units`, by name; or a text
-  /// beside it in its struct: S.unit (or units) of S.data (or value, values), which then is called
-  /// S; or listed beside the names of all, channel.units{2} with channel.name{2}. Without any it is
-  /// a plain number. Throws InputError for a unit that is unknown, a name in `units` that is no
-  /// vector, and where no vector is there.
-  Channels channels(const std::map<std::string, std::string>& units = {}) const;
+  /// Every vector of numbers as a channel in SI. Its unit is a text beside it in its struct: S.unit
+  /// (or units) of S.data (or value, values), which then is called S; or listed beside the names of
+  /// all, channel.units{2} with channel.name{2}; or that of `units`, by name, where the file states
+  /// none. Without any it is a plain number. `expected` says which unit a name has to have.
+  /// Throws InputError for a unit that is unknown, of another dimension or not the stated one, a
+  /// name in `units` that is no vector, and where no vector is there.
+  struct Named {
+    Channels channels;
+    std::vector<TableColumn> columns;  // of each channel
+  };
+  Named named_channels(const std::map<std::string, std::string>& units = {},
+                       const ExpectedUnit& expected = {}) const;
+  Channels channels(const std::map<std::string, std::string>& units = {}) const {
+    return named_channels(units).channels;
+  }
 };
 
 }  // namespace latsch::formats

@@ -15,9 +15,9 @@
 
 namespace latsch::formats {
 
-/// `units` of channels by name, for MAT files, which have none. Throws InputError naming file and
-/// line: no header, ragged rows, a cell that is not a finite
-/// number, an unknown unit, a name that comes twice, an ending it does not know, more than 2 GB.
+/// `units` of channels by name, for those that state none in the file. Throws
+/// InputError naming file and line: no header, ragged rows, a cell that is not a finite number, an
+/// unknown unit, a name that comes twice, an ending it does not know, more than 2 GB.
 Channels read_recording(const std::filesystem::path& file,
                         const std::map<std::string, std::string>& units = {});
 

@@ -8,10 +8,9 @@
 #include <limits>
 #include <set>
 
-#include "base/file.h"
+#include "base/mapped_file.h"
 #include "base/text.h"
-#include "base/units.h"
-#include "formats/text/lab_units.h"
+#include "base/unit_reading.h"
 #include "formats/text/letter_case.h"
 #include "formats/text/text_encoding.h"
 
@@ -153,7 +152,7 @@ class Reading {
     if (entry.name.find_first_of(" \t") != entry.name.npos) entry.name = capitals(words.front());
     if (entry.text.empty() && line.find('\t') != line.npos && words.size() >= 2) {
       entry.text = words.back();
-      const bool unit = words.size() >= 3 && find_lab_unit(words[words.size() - 2]);
+      const bool unit = words.size() >= 3 && looks_like_unit(words[words.size() - 2]);
       entry.unit = unit ? words[words.size() - 2] : std::string_view();
       entry.comment.clear();
     } else if (entry.text.empty() && number_of(entry.unit)) {
@@ -185,20 +184,19 @@ class Reading {
 
   /// Throws for no unit and for one of the wrong dimension where the name tells it.
   Unit unit_of(const std::string& name, const std::string& written, bool strict) const {
-    const auto unit = find_lab_unit(written);
     const TydexName* known = find_tydex_name(name);
-    if (!unit) {
-      const bool told = known && !known->si_unit.empty();
-      const Unit si = Unit::of(told ? known->si_unit : "1");
-      fail(line_,
-           name +
-               (told ? fmt::format(" ({}, such as \"{}\")", words_for(si).noun, known->si_unit)
-                     : "") +
-               " has " + unknown_unit(written));
-    }
-    if (!strict || !known || known->si_unit.empty()) return *unit;
-    const Unit expected = Unit::of(known->si_unit);
-    if (unit->same_dimension(expected)) return *unit;
+    const bool told = known && !known->si_unit.empty();
+    const Unit expected = Unit::of(told ? known->si_unit : "1");
+    const UnitReading reading =
+        told ? reading_of_unit(written, expected) : reading_of_unit(written);
+    if (!reading.unit)
+      fail(
+          line_,
+          name +
+              (told ? fmt::format(" ({}, such as \"{}\")", words_for(expected).noun, known->si_unit)
+                    : "") +
+              " has " + reading.fault);
+    if (!strict || !told || reading.unit->same_dimension(expected)) return *reading.unit;
     fail(line_,
          name + (written.empty() ? " has no unit" : " is in " + in_quotes(written)) +
              ", expected " + words_for(expected).noun + " (" + std::string(known->meaning) +
@@ -291,7 +289,7 @@ class Reading {
 }  // namespace
 
 TydexFile TydexFile::read(const std::filesystem::path& file) {
-  return parse(read_text_file(file, kLargestTydex), file.string());
+  return parse(read_settled_file(file, kLargestTydex), file.string());
 }
 
 TydexFile TydexFile::parse(std::string text, std::string file_name) {

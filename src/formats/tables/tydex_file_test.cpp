@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "formats/text/lab_units.h"
+#include "base/units.h"
 
 namespace latsch::formats {
 namespace {
@@ -147,7 +147,7 @@ TEST(TydexFile, SaysWhereAndWhatIsWrong) {
 
 TEST(LabUnits, AreUnderstoodAsARigMeansThem) {
   const auto is = [](std::string_view text, std::string_view unit) {
-    const auto found = find_lab_unit(text);
+    const auto found = Unit::find(text);
     return found && found->same_dimension(Unit::of(unit)) &&
            found->to_si(7.0L) == Unit::of(unit).to_si(7.0L);
   };
@@ -169,7 +169,7 @@ TEST(LabUnits, AreUnderstoodAsARigMeansThem) {
                                                         {"psi", "psi"}}) {
     EXPECT_TRUE(is(text, unit)) << text;
   }
-  EXPECT_FALSE(find_lab_unit("quux"));
+  EXPECT_FALSE(Unit::find("quux"));
 }
 
 // Cornering tests on a flat belt at 25 mph; the files' names tell load and pressure.

@@ -22,15 +22,6 @@ CsvFields::CsvFields(std::shared_ptr<const MappedFile> source, std::string file)
   if (skip_to_row()) separator_ = find_separator();
 }
 
-void CsvFields::expect_text() const {
-  const auto zero = text_.find('\0');
-  source_->let_go(text_.size());
-  if (zero == text_.npos) return;
-  throw InputError(
-      {file_, 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + zero, '\n'))},
-      "holds a zero byte, expected a text file in UTF-8");
-}
-
 void CsvFields::skip_line() {
   at_ = std::min(text_.find('\n', at_), text_.size());
   if (at_ < text_.size()) {

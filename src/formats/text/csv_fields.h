@@ -25,10 +25,8 @@ class CsvFields {
     int line = 1;
   };
 
-  /// The text is not copied.
+  /// The text is not copied. It is UTF-8 (text_encoding.h).
   CsvFields(std::shared_ptr<const MappedFile> source, std::string file);
-  /// Throws InputError for a zero byte anywhere.
-  void expect_text() const;
 
   /// ';', tab or ',': the first of them that stands outside of quotes in the first row.
   char separator() const { return separator_; }

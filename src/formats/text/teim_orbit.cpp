@@ -2,13 +2,14 @@
 #include "formats/text/teim_orbit.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/file.h"
 #include "base/text.h"
+#include "base/unit_reading.h"
 #include "formats/text/letter_case.h"
 
 namespace latsch::formats {
@@ -202,8 +203,10 @@ TeimOrbitSection::TeimOrbitSection(std::string name,
 const TeimOrbitEntry* TeimOrbitSection::find(std::string_view key) const {
   const std::string wanted = capitals(key);
   const TeimOrbitEntry* found = nullptr;
+  read_->insert(line_);
   for (const TeimOrbitEntry& entry : entries_) {
     if (entry.key != wanted) continue;
+    read_->insert(entry.line);
     if (found != nullptr && found->value != entry.value)
       throw InputError(place(entry.line),
                        fmt::format("{} is {}, but line {} says {}; keep one of them",
@@ -261,8 +264,16 @@ std::string TeimOrbitSection::text(std::string_view key, std::string_view fallba
 const TeimOrbitTable* TeimOrbitSection::find_table(std::string_view block) const {
   const std::string wanted = capitals(block);
   for (const TeimOrbitTable& table : tables_)
-    if (table.block == wanted) return &table;
+    if (table.block == wanted) {
+      read_->insert(table.line);
+      return &table;
+    }
   return nullptr;
+}
+
+const std::vector<TeimOrbitTable>& TeimOrbitSection::tables() const {
+  for (const TeimOrbitTable& table : tables_) read_->insert(table.line);
+  return tables_;
 }
 
 std::vector<double> TeimOrbitSection::numbers(const TeimOrbitRow& row, std::size_t width) const {
@@ -309,100 +320,37 @@ const TeimOrbitSection& TeimOrbit::section(std::string_view name) const {
 
 namespace {
 
-/// Names of units in Adams property files, and their SI values.
-const std::map<std::string, std::map<std::string, double>>& unit_names() {
-  static const std::map<std::string, std::map<std::string, double>> names = {
-      {"LENGTH",
-       {{"METER", 1.0},
-        {"METERS", 1.0},
-        {"M", 1.0},
-        {"MM", 1e-3},
-        {"MILLIMETER", 1e-3},
-        {"MILLIMETERS", 1e-3},
-        {"CM", 1e-2},
-        {"CENTIMETER", 1e-2},
-        {"KM", 1e3},
-        {"KILOMETER", 1e3},
-        {"INCH", 0.0254},
-        {"IN", 0.0254},
-        {"FOOT", 0.3048},
-        {"FT", 0.3048},
-        {"MILE", 1609.344}}},
-      {"FORCE",
-       {{"NEWTON", 1.0},
-        {"N", 1.0},
-        {"KILONEWTON", 1e3},
-        {"KNEWTON", 1e3},
-        {"KN", 1e3},
-        {"POUND_FORCE", 4.4482216152605},
-        {"LBF", 4.4482216152605},
-        {"KPOUND_FORCE", 4448.2216152605},
-        {"KILOGRAM_FORCE", 9.80665},
-        {"KG_FORCE", 9.80665},
-        {"KGF", 9.80665},
-        {"OUNCE_FORCE", 0.27801385095378125},
-        {"DYNE", 1e-5}}},
-      {"ANGLE",
-       {{"RADIAN", 1.0},
-        {"RADIANS", 1.0},
-        {"RAD", 1.0},
-        {"DEGREE", std::numbers::pi / 180.0},
-        {"DEGREES", std::numbers::pi / 180.0},
-        {"DEG", std::numbers::pi / 180.0}}},
-      {"MASS",
-       {{"KG", 1.0},
-        {"KILOGRAM", 1.0},
-        {"GRAM", 1e-3},
-        {"G", 1e-3},
-        {"TONNE", 1e3},
-        {"MEGAGRAM", 1e3},
-        {"POUND_MASS", 0.45359237},
-        {"LBM", 0.45359237},
-        {"KPOUND_MASS", 453.59237},
-        {"OUNCE_MASS", 0.028349523125},
-        {"SLUG", 14.593902937206364}}},
-      {"TIME",
-       {{"SECOND", 1.0},
-        {"SECONDS", 1.0},
-        {"SEC", 1.0},
-        {"S", 1.0},
-        {"MILLISECOND", 1e-3},
-        {"MSEC", 1e-3},
-        {"MS", 1e-3},
-        {"MINUTE", 60.0},
-        {"MIN", 60.0},
-        {"HOUR", 3600.0}}},
-      {"PRESSURE",
-       {{"PASCAL", 1.0},
-        {"PA", 1.0},
-        {"N/M^2", 1.0},
-        {"N/M2", 1.0},
-        {"KPASCAL", 1e3},
-        {"KILOPASCAL", 1e3},
-        {"KPA", 1e3},
-        {"MPASCAL", 1e6},
-        {"MEGAPASCAL", 1e6},
-        {"MPA", 1e6},
-        {"BAR", 1e5},
-        {"PSI", 6894.757293168361},
-        {"KSI", 6894757.293168361}}},
-  };
-  return names;
-}
+/// The keys of [UNITS], the dimension of each and names that Adams writes, for messages.
+struct UnitKey {
+  std::string_view key, si, names;
+};
+constexpr UnitKey kUnitKeys[] = {
+    {"LENGTH", "m", "'meter', 'mm', 'cm', 'km', 'inch', 'foot' or 'mile'"},
+    {"FORCE", "N", "'newton', 'knewton', 'pound_force', 'kilogram_force', 'ounce_force' or 'dyne'"},
+    {"ANGLE", "rad", "'radians' or 'degrees'"},
+    {"MASS", "kg", "'kg', 'gram', 'megagram', 'pound_mass', 'ounce_mass' or 'slug'"},
+    {"TIME", "s", "'second', 'millisecond', 'minute' or 'hour'"},
+    {"PRESSURE", "Pa", "'pascal', 'kpascal', 'mpascal', 'bar' or 'psi'"},
+};
 
 double factor(const TeimOrbitSection& section, const std::string& key, double fallback) {
   const TeimOrbitEntry* entry = section.find(key);
   if (entry == nullptr) return fallback;
-  const std::map<std::string, double>& names = unit_names().at(key);
-  const auto found = names.find(capitals(entry->value));
-  if (found != names.end()) return found->second;
-  std::vector<std::string> known;
-  for (const auto& [name, value] : names) known.push_back(name);
-  throw InputError(section.place(entry->line),
-                   fmt::format("{} = {} is no unit that is known, expected {}",
-                               key,
-                               in_quotes(entry->value),
-                               list_of(known)));
+  const auto* known = std::find_if(std::begin(kUnitKeys),
+                                   std::end(kUnitKeys),
+                                   [&](const UnitKey& one) { return one.key == key; });
+  const Unit expected = Unit::of(known->si);
+  const UnitReading reading = reading_of_unit(entry->value, expected);
+  if (reading.unit && reading.unit->same_dimension(expected) && reading.unit->to_si(0.0L) == 0.0)
+    return reading.unit->to_si(1.0L);
+  throw InputError(
+      section.place(entry->line),
+      fmt::format("{} = {} {}, expected {} such as {}",
+                  key,
+                  in_quotes(entry->value),
+                  reading.unit ? "is a unit of something else" : "is refused: " + reading.fault,
+                  words_for(expected).noun,
+                  known->names));
 }
 
 }  // namespace
@@ -418,6 +366,25 @@ TeimOrbitUnits TeimOrbit::units() const {
   units.time = factor(*section, "TIME", 1.0);
   units.pressure = factor(*section, "PRESSURE", units.force / (units.length * units.length));
   return units;
+}
+
+std::vector<std::string> TeimOrbit::unread() const {
+  std::vector<std::string> unread;
+  for (const TeimOrbitSection& section : sections_) {
+    if (section.name_ == "MDI_HEADER") continue;
+    const bool holds = !section.entries_.empty() || !section.tables_.empty();
+    if (holds && section.read_->empty()) {
+      unread.push_back(fmt::format("[{}]", section.name_));
+      continue;
+    }
+    for (const TeimOrbitEntry& entry : section.entries_)
+      if (!section.read_->contains(entry.line))
+        unread.push_back(fmt::format("[{}] {}", section.name_, entry.key));
+    for (const TeimOrbitTable& table : section.tables_)
+      if (!section.read_->contains(table.line))
+        unread.push_back(fmt::format("[{}] {{{}}}", section.name_, fmt::join(table.heads, " ")));
+  }
+  return unread;
 }
 
 std::string TeimOrbit::with_values(

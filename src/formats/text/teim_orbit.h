@@ -19,6 +19,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,11 +62,13 @@ class TeimOrbitSection {
   Place place(int line) const { return {*file_, line}; }
 
   const std::vector<TeimOrbitEntry>& entries() const { return entries_; }
-  const std::vector<TeimOrbitTable>& tables() const { return tables_; }
+  /// Marks them as read.
+  const std::vector<TeimOrbitTable>& tables() const;
   /// Sub-blocks in the order of the file, also those without rows.
   const std::vector<std::string>& blocks() const { return blocks_; }
 
   /// nullptr where there is none. InputError where the key stands twice with different values.
+  /// Marks the key as read.
   const TeimOrbitEntry* find(std::string_view key) const;
   bool has(std::string_view key) const { return find(key) != nullptr; }
   /// A finite number as written, in the units of the file.
@@ -83,9 +86,12 @@ class TeimOrbitSection {
 
  private:
   friend class TeimOrbitReader;
+  friend class TeimOrbit;
   std::string name_;
   std::shared_ptr<const std::string> file_;
   int line_;
+  /// Lines of the keys and tables that somebody read, and of the section where one looked for any.
+  std::shared_ptr<std::set<int>> read_ = std::make_shared<std::set<int>>();
   std::vector<TeimOrbitEntry> entries_;
   std::vector<TeimOrbitTable> tables_;
   std::vector<std::string> blocks_;
@@ -116,6 +122,10 @@ class TeimOrbit {
   const TeimOrbitSection& section(std::string_view name) const;
   /// InputError for a unit that is not known.
   TeimOrbitUnits units() const;
+
+  /// What nobody has looked for so far: "[SECTION] KEY", "[SECTION] {table}", and "[SECTION]" of
+  /// which nothing was. A reader calls it at its end, and tells. [MDI_HEADER] describes the file.
+  std::vector<std::string> unread() const;
 
   /// The file with some values replaced (as written, with quotes where they need them); every other
   /// byte stays.

@@ -102,7 +102,7 @@ TEST(TeimOrbit, ComplaintsNameFileLineAndWhatWasExpected) {
   EXPECT_EQ(orbit_complaint("[A]\nFNOMIN = 2\nfnomin = 3\n", fnomin),
             "t.tir:3: FNOMIN is \"3\", but line 2 says \"2\"; keep one of them");
   EXPECT_NE(orbit_complaint("[UNITS]\nLENGTH='furlong'\n", [](const TeimOrbit& f) { f.units(); })
-                .find("t.tir:2: LENGTH = \"furlong\" is no unit that is known, expected"),
+                .find("t.tir:2: LENGTH = \"furlong\" is refused: unknown unit"),
             std::string::npos);
   EXPECT_EQ(orbit_complaint(std::string("[A]\nB\0 = 2\n", 11)),
             "t.tir:2: a zero byte: this is no text file");

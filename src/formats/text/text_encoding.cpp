@@ -11,33 +11,68 @@ namespace {
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-std::string from_latin_1(std::string_view bytes) {
+/// Bytes 0x80 to 0x9f of Windows-1252 [unicode.org, CP1252.TXT]; 0 where it has no character.
+constexpr char16_t kWindows[32] = {0x20ac, 0,      0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021,
+                                   0x02c6, 0x2030, 0x0160, 0x2039, 0x0152, 0,      0x017d, 0,
+                                   0,      0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014,
+                                   0x02dc, 0x2122, 0x0161, 0x203a, 0x0153, 0,      0x017e, 0x0178};
+
+void append_utf8(char16_t code, std::string& text) {
+  if (code < 0x80) {
+    text += static_cast<char>(code);
+  } else if (code < 0x800) {
+    text += static_cast<char>(0xc0 | (code >> 6));
+    text += static_cast<char>(0x80 | (code & 0x3f));
+  } else {
+    text += static_cast<char>(0xe0 | (code >> 12));
+    text += static_cast<char>(0x80 | ((code >> 6) & 0x3f));
+    text += static_cast<char>(0x80 | (code & 0x3f));
+  }
+}
+
+std::string from_windows_1252(std::string_view bytes) {
   std::string text;
   text.reserve(bytes.size() + bytes.size() / 8);
   for (const char c : bytes) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code < 0x80) {
-      text += c;
-    } else {
-      text += static_cast<char>(0xc0 | (code >> 6));
-      text += static_cast<char>(0x80 | (code & 0x3f));
-    }
+    const auto byte = static_cast<unsigned char>(c);
+    const bool own = byte >= 0x80 && byte < 0xa0 && kWindows[byte - 0x80] != 0;
+    append_utf8(own ? kWindows[byte - 0x80] : byte, text);
   }
   return text;
+}
+
+/// Throws for UTF-16 and for zero bytes, which no text of one byte a character has.
+void expect_text(std::string_view bytes, const std::string& file) {
+  const auto zero = bytes.find('\0');
+  // Without a byte order mark, every ASCII letter of UTF-16 still has a zero byte.
+  const bool alternates = zero <= 1 && bytes.size() > 3 && bytes[zero + 2] == '\0';
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff") || alternates)
+    throw InputError({file, 0}, "is UTF-16 text, expected UTF-8: save it as UTF-8");
+  if (zero == bytes.npos) return;
+  const auto line = std::count(bytes.begin(), bytes.begin() + static_cast<long>(zero), '\n') + 1;
+  throw InputError({file, static_cast<int>(line)},
+                   "holds a zero byte, expected a text file in UTF-8");
+}
+
+bool is_ascii(std::string_view bytes) {
+  return std::none_of(bytes.begin(), bytes.end(), [](char c) { return (c & 0x80) != 0; });
 }
 
 }  // namespace
 
 std::string utf8_text(std::string bytes, const std::string& file) {
-  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
-    throw InputError({file, 0}, "is UTF-16 text, expected UTF-8 or Latin-1");
-  }
+  expect_text(bytes, file);
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.erase(0, 3);
-  if (const auto zero = bytes.find('\0'); zero != bytes.npos) {
-    const auto line = std::count(bytes.begin(), bytes.begin() + zero, '\n') + 1;
-    throw InputError({file, static_cast<int>(line)}, "has a zero byte, expected text");
-  }
-  return is_utf8(bytes) ? bytes : from_latin_1(bytes);
+  return is_utf8(bytes) ? bytes : from_windows_1252(bytes);
+}
+
+std::shared_ptr<const MappedFile> utf8_file(std::shared_ptr<const MappedFile> source,
+                                            const std::string& file) {
+  const std::string_view bytes = source->text();
+  expect_text(bytes, file);
+  const bool is_kept = is_ascii(bytes) || is_utf8(bytes);
+  source->let_go(bytes.size());
+  return is_kept ? source : std::make_shared<const MappedFile>(from_windows_1252(bytes));
 }
 
 std::string_view columns_of(std::string_view line, std::size_t first, std::size_t count) {

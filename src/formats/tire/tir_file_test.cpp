@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/tire/tir_file.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "base/file.h"
 #include "base/spoiled_text_testing.h"
+#include "formats/tire/tir_ledger.h"
 
 namespace latsch::formats {
 namespace {
@@ -86,12 +88,203 @@ TEST(TirFile, ComplaintsNameFileLineAndWhatWasExpected) {
   EXPECT_EQ(tir_complaint(replaced("FNOMIN=4", "FNOMIN=-4")),
             "t.tir:19: FNOMIN is -4, expected a positive number");
   EXPECT_EQ(tir_complaint(replaced("FITTYP=61", "FITTYP=63")),
-            "t.tir:9: FITTYP is 63, expected 6 or 21 (MF 5.2), 61 or 62");
+            "t.tir:9: FITTYP is 63, expected 5, 6, 21, 51 or 52 (MF 5.2), 60 or 61 (MF 6.1), "
+            "62 (MF 6.2)");
   EXPECT_EQ(tir_complaint(replaced("PXX9=3", "FNOMIN=5")),
             "t.tir:25: FNOMIN is 5, but line 19 says 4; keep one of them");
   EXPECT_EQ(
       tir_complaint(replaced("PCY1=1.3", "PCY1=1,3")),
       "t.tir:24: PCY1 is \"1,3\", expected a finite number; decimals are written with a point");
+}
+
+TEST(TirFile, EveryFitTypeIsTakenForWhatItIs) {
+  const std::vector<std::pair<const char*, Version>> types = {{"5", Version::mf52},
+                                                              {"6", Version::mf52},
+                                                              {"21", Version::mf52},
+                                                              {"51", Version::mf52},
+                                                              {"52", Version::mf52},
+                                                              {"60", Version::mf61},
+                                                              {"61", Version::mf61},
+                                                              {"62", Version::mf62},
+                                                              {"'MF52'", Version::mf52},
+                                                              {"'mf6.1'", Version::mf61},
+                                                              {"62.0", Version::mf62}};
+  for (const auto& [type, version] : types)
+    EXPECT_EQ(
+        parse_tir(replaced("FITTYP=61", std::string("FITTYP=") + type), "t.tir").parameters.version,
+        version)
+        << type;
+  for (const char* format :
+       {"pac2002", "Pac2002", "PAC2002", "MF-Tyre", "mf_tyre", "MF_05", "mf-05"})
+    EXPECT_EQ(
+        parse_tir(replaced("FITTYP=61", fmt::format("property_file_format='{}'", format)), "t.tir")
+            .parameters.version,
+        Version::mf52)
+        << format;
+  EXPECT_EQ(
+      parse_tir(replaced("FITTYP=61", "PROPERTY_FILE_FORMAT='MF6.2'"), "t.tir").parameters.version,
+      Version::mf62);
+  for (const char* type : {"0", "7", "63", "6.5", "'PAC'"})
+    EXPECT_NE(tir_complaint(replaced("FITTYP=61", std::string("FITTYP=") + type))
+                  .find("expected 5, 6, 21, 51 or 52"),
+              std::string::npos)
+        << type;
+}
+
+TEST(TirFile, OtherModelsAreNamedAndRefusedWithAndWithoutAFitType) {
+  const std::vector<std::pair<std::string, const char*>> formats = {{"PAC89", "of 1989"},
+                                                                    {"pac94", "of 1994"},
+                                                                    {"PAC-TIME", "PAC-TIME"},
+                                                                    {"PAC_MC", "motorcycle"},
+                                                                    {"FTire", "flexible ring"},
+                                                                    {"521", "5.2.1"},
+                                                                    {"5.2.1", "5.2.1"},
+                                                                    {"UA", "Arizona"},
+                                                                    {"Fiala", "Fiala"},
+                                                                    {"CDTire", "flexible"},
+                                                                    {"TMeasy", "TMeasy"}};
+  for (const auto& [format, what] : formats) {
+    for (const char* fit : {"", "FITTYP=6\n"}) {
+      const std::string said =
+          tir_complaint(replaced("FITTYP=61", fit + ("PROPERTY_FILE_FORMAT='" + format + "'")));
+      EXPECT_NE(said.find("PROPERTY_FILE_FORMAT is \"" + format + "\""), std::string::npos) << said;
+      EXPECT_NE(said.find(what), std::string::npos) << said;
+    }
+  }
+  EXPECT_NE(tir_complaint(replaced("FITTYP=61", "PROPERTY_FILE_FORMAT='SWIFT-TYRE'"))
+                .find("SWIFT, a rigid ring"),
+            std::string::npos);
+  EXPECT_EQ(tir_complaint(replaced("FITTYP=61", "PROPERTY_FILE_FORMAT='SWIFT-TYRE'\nFITTYP=21")),
+            "");
+  EXPECT_NE(tir_complaint(replaced("FITTYP=61", "PROPERTY_FILE_FORMAT='PACK2002'"))
+                .find("did you mean \"PAC2002\""),
+            std::string::npos);
+  EXPECT_NE(tir_complaint(replaced("FITTYP=61", "PROPERTY_FILE_FORMAT='PAC2002'\nFITTYP=61"))
+                .find("keep one of them"),
+            std::string::npos);
+  EXPECT_NE(tir_complaint(replaced("FITTYP=61", "TYPE='MOTORCYCLE'\nFITTYP=52")).find("motorcycle"),
+            std::string::npos);
+  EXPECT_NE(tir_complaint(replaced("FITTYP=61", "")).find("neither FITTYP nor"), std::string::npos);
+}
+
+TEST(TirFile, KeysOfPac2002AreTakenByTheirOtherNames) {
+  std::string text = replaced("FITTYP=61", "PROPERTY_FILE_FORMAT='PAC2002'");
+  text.replace(text.find("INFLPRES=2.5\nNOMPRES=2.5\n"), 25, "IP=2.0\nIP_NOM=2.5\n");
+  text +=
+      "[SCALING_COEFFICIENTS]\nLIP=0.8\nLCZ=1.5\n[OVERTURNING_COEFFICIENTS]\nQPX1=0.1\n"
+      "[ALIGNING_COEFFICIENTS]\nQPZ1=0.2\nQPZ2=0.3\n[VERTICAL]\nQPFZ1=0.7\nQV2=0.04\n"
+      "QFZ1=25\n";
+  const TirFile tir = parse_tir(text, "t.tir");
+  const Parameters& p = tir.parameters;
+  EXPECT_DOUBLE_EQ(p.INFLPRES, 2.0e5);
+  EXPECT_DOUBLE_EQ(p.NOMPRES, 0.8 * 2.5e5);
+  EXPECT_DOUBLE_EQ(p.VERTICAL_STIFFNESS, 1.5 * 2e5);
+  EXPECT_EQ(p.PPMX1, 0.1);
+  EXPECT_EQ(p.PPZ1, 0.2);
+  EXPECT_EQ(p.PPZ2, 0.3);
+  EXPECT_EQ(p.PFZ1, 0.7);
+  EXPECT_EQ(p.Q_V2, 0.04);
+  // What changes is written in the file's own spelling and scale.
+  Parameters changed = p;
+  changed.PPZ1 = -0.25;
+  changed.Q_FCX = 0.01;
+  changed.VERTICAL_STIFFNESS = 1.5 * 1.9e5;
+  const std::string rewritten = tir_text(tir, changed);
+  EXPECT_NE(rewritten.find("QPZ1=-0.25"), std::string::npos) << rewritten;
+  EXPECT_NE(rewritten.find("VERTICAL_STIFFNESS=0.19 "), std::string::npos) << rewritten;
+  EXPECT_NE(rewritten.find("QFCX1"), std::string::npos) << rewritten;
+  EXPECT_EQ(parse_tir(rewritten, "r.tir").parameters.VERTICAL_STIFFNESS,
+            changed.VERTICAL_STIFFNESS);
+}
+
+TEST(TirFile, EveryKeyHasARowThatSaysWhatItWasTakenFor) {
+  std::string text = kSmall;
+  text +=
+      "[TURNSLIP_COEFFICIENTS]\nPDYP1=0.4\n[VERTICAL]\nDYNAMIC_STIFFNESS=1\nQFZ1=0\n"
+      "BOTTOMING_RADIUS=10\n[MODEL]\nFE_METHOD='YES'\nFILE_NOTE='x'\n[BOTTOMING_CURVE]\n"
+      "{pen fz}\n0 0\n1 1\n[ALIGNING_COEFFICIENTS]\nPDY1=1\nQDZI=1\n";
+  const TirFile tir = parse_tir(text, "t.tir");
+  std::size_t entries = 0;
+  for (const auto& section : tir.source.sections()) entries += section.entries().size();
+  EXPECT_EQ(tir.keys.size(), entries + 2);  // and the tables SHAPE, BOTTOMING_CURVE
+  const auto remark = [&](const std::string& key) {
+    for (const TirKey& row : tir.keys)
+      if (row.key == key) return row.parameter + "|" + row.remark;
+    return std::string("none");
+  };
+  EXPECT_EQ(remark("PCY1"), "PCY1|");
+  EXPECT_EQ(remark("PDYP1"), "PDYP1|acts in turn slip (USE_MODE 5, turn_slip = \"on\")");
+  EXPECT_EQ(remark("PXX9"), "|is not known here");
+  EXPECT_NE(remark("FE_METHOD").find("friction ellipse"), std::string::npos);
+  const Ledger ledger = ledger_of(tir);
+  EXPECT_EQ(ledger.rows.size(), tir.keys.size());
+  EXPECT_EQ(ledger.find_written("PCY1")->state, LedgerState::used);
+  EXPECT_EQ(ledger.find_written("PXX9")->state, LedgerState::doubtful);
+  EXPECT_EQ(ledger.find_written("FE_METHOD")->state, LedgerState::not_used);
+  EXPECT_EQ(ledger.find_written("UNLOADED_RADIUS")->factor, 1e-3);
+  const auto told = [&](const std::string& part) {
+    for (const std::string& note : tir.notes)
+      if (note.find(part) != std::string::npos) return true;
+    return false;
+  };
+  EXPECT_TRUE(told("DYNAMIC_STIFFNESS = 1 has no effect"));
+  EXPECT_TRUE(told("FE_METHOD = YES has no effect"));
+  EXPECT_FALSE(told("QFZ1"));  // 0 says nothing
+  EXPECT_TRUE(told("[BOTTOMING_CURVE] holds a table that is not read"));
+  EXPECT_TRUE(told("PDY1 stands in [ALIGNING_COEFFICIENTS], it belongs to [LATERAL_COEFFICIENTS]"));
+  EXPECT_TRUE(
+      told("QDZI is not known here; it stays in the file, without effect, did you mean "
+           "\"QDZ1\"?"));
+  EXPECT_TRUE(told("FILE_NOTE is not known"));
+  EXPECT_TRUE(told("ANGLE is no radian"));
+}
+
+TEST(TirFile, ScalesRangesAndStrayLinesAreCheckedForWhatTheyMean) {
+  const auto with = [](const std::string& more) { return kSmall + more; };
+  for (const char* scale : {"LFZO", "LCX", "LMUX", "LKX", "LCY", "LMUY", "LKY"})
+    EXPECT_NE(
+        tir_complaint(with(fmt::format("[SCALING_COEFFICIENTS]\n{} = 0\n", scale)))
+            .find(std::string(scale) + " is 0: a scaling factor that the equations divide by"),
+        std::string::npos)
+        << scale;
+  for (const char* scale : {"LIP = 0", "LCZ = -1"})
+    EXPECT_NE(tir_complaint(with(std::string("[SCALING_COEFFICIENTS]\n") + scale + "\n"))
+                  .find("expected a number above 0"),
+              std::string::npos);
+  const TirFile quiet = parse_tir(with("[SCALING_COEFFICIENTS]\nLTR = 0\nLHY = 0\n"), "t.tir");
+  bool told = false;
+  for (const std::string& note : quiet.notes)
+    told = told || note.find("LHY, LTR are 0: what they scale is left out") != std::string::npos;
+  EXPECT_TRUE(told);
+  EXPECT_NE(
+      tir_complaint(replaced("ALPMAX=30", "ALPMIN=40\nALPMAX=30")).find("ALPMIN is above ALPMAX"),
+      std::string::npos);
+  EXPECT_NE(tir_complaint(replaced("[VERTICAL]\nFNOMIN=4", "[UNITS]\nFNOMIN=4"))
+                .find("FNOMIN stands in [UNITS], expected [VERTICAL]"),
+            std::string::npos);
+  EXPECT_NE(tir_complaint(replaced("[UNITS]\n", "[DIMENSION]\n"))
+                .find("is a unit and stands in [DIMENSION]"),
+            std::string::npos);
+  EXPECT_NE(tir_complaint(with("[DIMENSION]\nTYRESIDE='LEFT'\n")).find("expected [MODEL]"),
+            std::string::npos);
+  // A key that stands twice: the same is told, another is refused, also where nobody reads it.
+  EXPECT_NE(tir_complaint(with("[VERTICAL]\nXYZ = 1\nXYZ = 2\n")).find("keep one of them"),
+            std::string::npos);
+}
+
+TEST(TirFile, AFileWithoutUnitsAndAMirroredModeAreTold) {
+  std::string text = kSmall;
+  text.erase(0, text.find("[MODEL]"));
+  text.replace(text.find("TYRESIDE"), 8, "USE_MODE=-12\nTYRESIDE");
+  const TirFile tir = parse_tir(text, "t.tir");
+  EXPECT_EQ(tir.parameters.use_mode, 12);
+  const auto told = [&](const std::string& part) {
+    for (const std::string& note : tir.notes)
+      if (note.find(part) != std::string::npos) return true;
+    return false;
+  };
+  EXPECT_TRUE(told("there is no section [UNITS]; all numbers are taken as SI"));
+  EXPECT_TRUE(told("USE_MODE is -12: the minus asks for the tire's mirror image"));
 }
 
 TEST(TirFile, ANewFileAndAChangedOneReadBackTheSame) {

@@ -79,7 +79,7 @@ bool CarState::operator==(const CarState& other) const {
     };
     if (a.wheel.spin && b.wheel.spin && !same(*a.wheel.spin, *b.wheel.spin)) return false;
   }
-  return bodies == other.bodies && speed == other.speed && rack == other.rack;
+  return bodies == other.bodies && speed == other.speed && rack == other.rack && trim == other.trim;
 }
 
 Car::Car(const CarParameters& parameters, const multibody::TransientSettings& settings)
@@ -206,31 +206,76 @@ Vector6d Car::acceleration_of_wheel(int corner, const Motion& motion) const {
   return acceleration;
 }
 
+namespace {
+
+double critical(double stiffness, double inertia) { return 2.0 * std::sqrt(stiffness * inertia); }
+
+}  // namespace
+
+Vector3d Car::off_guide(const Pose& chassis, const GuidePoint& point) const {
+  const Vector3d rest = mechanism_->bodies()[at(parts_.chassis)].origin;
+  return {chassis.place.x() - rest.x() - point.x,
+          chassis.place.y() - rest.y() - point.y - guide.y,
+          std::atan2(chassis.turn(1, 0), chassis.turn(0, 0))};
+}
+
 void Car::add_guide(const Motion& motion,
                     const GuidePoint& point,
                     std::vector<Wrench>& wrenches) const {
-  const auto index = at(parts_.chassis);
-  const Pose& pose = motion.poses[index];
   Vector6d rate = Vector6d::Zero();
   if (motion.rates) rate = motion.rates->segment<6>(6 * parts_.chassis);
+  const Vector3d off = off_guide(motion.poses[at(parts_.chassis)], point);
   const double mass = mechanism_->mass(), yaw_inertia = parameters_.chassis.body.inertia(2, 2);
-  const auto damping = [](double stiffness, double inertia) {
-    return 2.0 * std::sqrt(stiffness * inertia);
-  };
-  const Vector3d rest = mechanism_->bodies()[index].origin;
-  const double yaw = std::atan2(pose.turn(1, 0), pose.turn(0, 0));
   Wrench wrench{.body = parts_.chassis};
-  constexpr double kStill = 1e3;  // at rest it holds so much harder: the car stays where it is
   const auto hold = [&](int axis, double k, double inertia, double from, double rate_from) {
-    const double c = motion.rates ? damping(k, inertia) : 0.0;
+    const double c = motion.rates ? critical(k, inertia) : 0.0;
     if (!motion.rates) k *= kStill;
     wrench.value[axis] = -k * from - c * rate_from;
     wrench.slopes(axis, axis) = -k - motion.share * c;
   };
-  hold(0, guide.along, mass, pose.place.x() - rest.x() - point.x, rate[0] - point.speed);
-  hold(1, guide.lateral, mass, pose.place.y() - rest.y() - point.y - guide.y, rate[1]);
-  hold(5, guide.yaw, yaw_inertia, yaw, rate[5]);
+  hold(0, guide.along, mass, off.x(), rate[0] - point.speed);
+  hold(1, guide.lateral, mass, off.y(), rate[1]);
+  hold(5, guide.yaw, yaw_inertia, off.z(), rate[5]);
   wrenches.push_back(wrench);
+}
+
+void Car::add_guide(const Motion& motion,
+                    const GuidePoint& point,
+                    const Trim& trim,
+                    std::vector<Wrench>& wrenches) const {
+  const std::size_t first = wrenches.size();
+  add_guide(motion, point, wrenches);
+  Wrench& chassis = wrenches[first];
+  // A guide that does not hold does not begin with anything either.
+  if (guide.lateral > 0.0) chassis.value[1] += trim.lateral;
+  if (guide.yaw > 0.0) chassis.value[5] += trim.yaw;
+  const double pull = chassis.value[0] + trim.along;
+  chassis.value[0] = chassis.slopes(0, 0) = 0.0;
+  if (guide.along > 0.0) add_pull(motion, pull, trim, wrenches);
+}
+
+void Car::add_pull(const Motion& motion,
+                   double pull,
+                   const Trim& trim,
+                   std::vector<Wrench>& wrenches) const {
+  for (int corner = 0; corner < kCorners; ++corner) {
+    const double share = 0.5 * guide.drives[is_front(corner) ? 0 : 1];
+    if (share == 0.0) continue;
+    const Vector3d force(share * pull, 0.0, 0.0);
+    const int upright = parts_.corners[at(corner)].upright;
+    const Vector3d arm = motion.poses[at(upright)].turn * wheel_center_in_upright(corner);
+    Wrench wheel{.body = upright};
+    wheel.value << force, arm.cross(force);
+    wheel.slopes.bottomRightCorner<3, 3>() = multibody::cross(force) * multibody::cross(arm);
+    wrenches.push_back(wheel);
+    const int chassis = is_front(corner) ? parts_.chassis : parts_.chassis_rear;
+    const Vector3d across = motion.poses[at(chassis)].turn.col(1);
+    const double torque = share * pull * trim.arm[at(corner)];
+    Wrench reaction{.body = chassis};
+    reaction.value.tail<3>() = -torque * across;
+    reaction.slopes.bottomRightCorner<3, 3>() = torque * multibody::cross(across);
+    wrenches.push_back(reaction);
+  }
 }
 
 void Car::add_air(const Motion& motion, double speed, std::vector<Wrench>& wrenches) const {
@@ -334,7 +379,7 @@ void Car::add_wheels(const CarState& state,
     wrenches.push_back(wrench);
     driven += inputs.drive[at(corner)];
   }
-  add_guide(motion, guide, wrenches);
+  add_guide(motion, guide, state.trim, wrenches);
   if (motion.rates) add_air(motion, (*motion.rates)[6 * parts_.chassis], wrenches);
   if (driven != 0.0) {
     Wrench reaction{.body = parts_.chassis_rear};

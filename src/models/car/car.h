@@ -9,7 +9,10 @@
 // which vibrates faster than they do, takes two steps meanwhile, on tires' forces, loads and a rack
 // that change evenly. A guide keeps the car on its line and at its speed in a driver's place:
 // springs and dampers between the chassis and a point that goes straight on at constant speed, soft
-// against the tires.
+// against the tires. Across and in yaw it holds the chassis at its center of mass. Along it pulls
+// as a driven axle does whose shafts come from the chassis: P on the wheel centers and -P r, r the
+// loaded radius, on the chassis, together a force at the contact. It begins with what it has to
+// bear (drag, rolling losses, side forces of the tires): the car starts in balance.
 #pragma once
 
 #include <array>
@@ -33,6 +36,16 @@ struct Guide {
   double lateral = 2e4;  // N/m; damped critically with the car's mass
   double yaw = 5e4;      // N m/rad
   double along = 2e4;    // N/m
+  /// Shares of the front and the rear axle in the pull along; together 1.
+  std::array<double, 2> drives = {0.0, 1.0};
+};
+
+/// What the guide does before its point and the car part: it is the same all the way.
+struct Trim {
+  double along = 0.0, lateral = 0.0;   // N
+  double yaw = 0.0;                    // N m
+  std::array<double, kCorners> arm{};  // m, wheel center over the road: of the pull's reaction
+  bool operator==(const Trim&) const = default;
 };
 
 /// Where the guide is: by how far it has gone along x, m, at which speed, on which line.
@@ -68,7 +81,8 @@ struct CarState {
   multibody::MechanismState bodies;
   std::array<WheelState, kCorners> wheels;
   double speed = 0.0;  // m/s, of the guide
-  double rack = 0.0;   // m, and loads: of the last step's inputs
+  Trim trim;
+  double rack = 0.0;  // m, and loads: of the last step's inputs
   std::vector<multibody::Load> loads;
 
   double time() const { return bodies.time; }
@@ -120,9 +134,15 @@ class Car {
   /// The pose of a material point of a body that was at `at_rest`.
   Eigen::Vector3d point(const CarState& state, int body, const Eigen::Vector3d& at_rest) const;
 
-  /// What the guide does to the chassis, with its slopes.
+  /// What the guide does to the chassis, with its slopes, where it stands: along it holds the
+  /// chassis' center, so that statics and linear models have its slope there.
   void add_guide(const multibody::Motion& motion,
                  const GuidePoint& point,
+                 std::vector<multibody::Wrench>& wrenches) const;
+  /// The same in motion: along it pulls by the driven axle, with what it began with.
+  void add_guide(const multibody::Motion& motion,
+                 const GuidePoint& point,
+                 const Trim& trim,
                  std::vector<multibody::Wrench>& wrenches) const;
 
   /// What air does to the chassis at a forward speed, with its slopes; nothing without a map.
@@ -133,6 +153,9 @@ class Car {
   multibody::Equilibrium& statics() { return *statics_; }
 
  private:
+  /// The guide's springs hold so much harder at rest than in motion: the car stays where it is.
+  static constexpr double kStill = 1e3;
+
   Car(const CarParameters& parameters, const multibody::TransientSettings& settings);
   /// Tires as straight lines about the place where they are, for statics.
   struct LineTire {
@@ -140,10 +163,22 @@ class Car {
     multibody::Vector6d beside = multibody::Vector6d::Zero();  // what else acts at the wheel center
   };
   using LineTires = std::array<LineTire, kCorners>;
+  /// With the pull of `trim`, to which what the guide still held along is added: N, in `held`.
   Result<multibody::Rest> stand(const LineTires& tires,
                                 double speed,
                                 const CarInputs& inputs,
-                                const multibody::Rest& from);
+                                const multibody::Rest& from,
+                                Trim& trim,
+                                double* held = nullptr);
+  /// P by the driven axle: on its wheel centers, its reaction on the chassis.
+  void add_pull(const multibody::Motion& motion,
+                double pull,
+                const Trim& trim,
+                std::vector<multibody::Wrench>& wrenches) const;
+  /// How far the car has sunk where it rests, in words, at its worst corner.
+  std::string sunk(const multibody::Rest& rest, const LineTires& tires, double speed) const;
+  /// How far the chassis is from the guide's line and heading there, m, m, rad.
+  Eigen::Vector3d off_guide(const multibody::Pose& chassis, const GuidePoint& point) const;
   /// Static equilibrium on tires that are pressed down, at rest or spinning.
   Result<multibody::Rest> settle_on_tires(CarState& state,
                                           LineTires& lines,

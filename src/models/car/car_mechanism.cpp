@@ -210,8 +210,14 @@ class Builder {
     bodies_.push_back(body_of(
         "the rocker " + name,
         multibody::mass_of_rods({{pivot, rod}, {pivot, damper}}, inboard.rocker_mass, 0.01)));
-    multibody::BushingParameters bearing{Vector3d::Constant(inboard.bearing),
-                                         {inboard.bearing_tilt, inboard.bearing_tilt, 0.0}};
+    // Where the push-rod's joint is rigid its bearing is none of a softer car.
+    constexpr double kTiltArm = 0.03;  // m: from stiffness against travel to that against tilting
+    const multibody::BushingParameters& joint = corner.bushings[DoubleWishbone::kPushrodInner];
+    const double stiff = joint.rigid ? std::max(inboard.bearing, joint.stiffness.maxCoeff())
+                                     : inboard.bearing,
+                 tilt = joint.rigid ? std::max(inboard.bearing_tilt, kTiltArm * kTiltArm * stiff)
+                                    : inboard.bearing_tilt;
+    multibody::BushingParameters bearing{Vector3d::Constant(stiff), {tilt, tilt, 0.0}};
     bearing.damping = inboard.bearing_damping * bearing.stiffness;
     bearing.rotational_damping = inboard.bearing_damping * bearing.rotational;
     joints_.push_back({name + "_rocker",

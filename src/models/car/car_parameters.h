@@ -41,6 +41,7 @@ struct Inboard {
   /// Third element: on the sum of both sides' extensions.
   std::optional<SpringUnit> heave;
   /// Bearing of the rocker: stiffness across and against tilting; about its axis it turns freely.
+  /// Beside a rigid joint of the push-rod it is as stiff as that.
   double bearing = 1e8;           // N/m
   double bearing_tilt = 1e5;      // N m/rad
   double bearing_damping = 1e-4;  // s, times stiffness

@@ -168,6 +168,9 @@ CarFile read_car(const Node& root) {
   file.rear_spring_tire = read_spring_tire(root, "rear");
   if (const auto driver = root.find_table("driver")) {
     file.driver_line = driver->quantity("line", "m", Range::between(-10.0, 10.0), 0.0);
+    const std::string axle = driver->choice("drives", {"rear", "front", "both"}, "rear");
+    if (axle == "front") file.drives = {1.0, 0.0};
+    if (axle == "both") file.drives = {0.5, 0.5};
     driver->close();
   }
   root.table("chassis").close();

@@ -5,8 +5,12 @@
 //   title = "Student race car"
 //   front_suspension = "front.toml"      # kind = "suspension", a left one; the right is its mirror
 //   rear_suspension = "rear.toml"        # image
-//   front_tire = "tire.toml"             # any tire that rolls, or front_spring_tire below
-//   rear_tire = "tire.toml"
+//   front_tire = "tire.toml"             # any tire that rolls, or [front.spring_tire] below. Of
+//   rear_tire = "tire.toml"              # what the file says to be of the left side (TYRESIDE of
+//                                        # a .tir, side of a ring; left where it says nothing) the
+//                                        # mirror image is on the right, and the other way about
+//   front_tire_right = "right.tir"       # of the right side what is no mirror image: its file
+//   front_tire_kind = "magic_formula"    # what a .tir is taken for: default; or "rigid_ring"
 //   [chassis]                            # all that is sprung
 //   mass = "180 kg"
 //   center = ["0.75 m", "0 m", "0.28 m"]
@@ -46,11 +50,15 @@
 //   drag_height = "0.3 m"
 //   [driver]
 //   line = "0 mm"                        # to the left of the line that is asked of him
+//   drives = "rear"                      # the axle that pulls against drag and rolling losses:
+//                                        # default; or "front", "both" (half each)
 //   [front.spring_tire]                  # in the place of front_tire: a vertical spring
 //   radius = "235 mm"
 //   stiffness = "117 N/mm"
 //   damping = "300 N s/m"
 #pragma once
+
+#include <array>
 
 #include "base/document.h"
 #include "models/car/car_parameters.h"
@@ -62,7 +70,8 @@ struct CarFile {
   CarParameters parameters;
   /// Of the axles that name no tire.
   std::optional<SpringTireParameters> front_spring_tire, rear_spring_tire;
-  double driver_line = 0.0;  // m
+  double driver_line = 0.0;                   // m
+  std::array<double, 2> drives = {0.0, 1.0};  // shares of front and rear axle in what pulls
 };
 
 /// Of the whole with its suspensions, not its tires: the tables front_tire and rear_tire are left

@@ -27,7 +27,9 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 Result<Rest> Car::stand(const LineTires& tires,
                         double speed,
                         const CarInputs& inputs,
-                        const Rest& from) {
+                        const Rest& from,
+                        Trim& trim,
+                        double* held) {
   const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {
     for (int corner = 0; corner < kCorners; ++corner) {
       const CornerParts& parts = parts_.corners[at(corner)];
@@ -47,10 +49,69 @@ Result<Rest> Car::stand(const LineTires& tires,
     }
     const GuidePoint start = inputs.guide.value_or(GuidePoint{0.0, 0.0, 0.0});
     add_guide(motion, {0.0, 0.0, start.y}, wrenches);
+    add_pull(motion, trim.along, trim, wrenches);
     add_air(motion, speed, wrenches);
   };
   const std::array<double, kDrivers> drivers = {inputs.rack};
-  return statics_->solve({.loads = inputs.loads, .drivers = drivers, .outside = &outside}, from);
+  const multibody::Standing standing{
+      .loads = inputs.loads, .drivers = drivers, .outside = &outside};
+  auto found = statics_->solve(standing, from);
+  // From as it is drawn, shares are those of the whole load.
+  if (!found) found = statics_->solve(standing, statics_->unloaded());
+  if (!found)
+    return Failure{found.failure().reason + "; " + sunk(statics_->reached(), tires, speed)};
+  const double off = off_guide(found->poses[at(parts_.chassis)], {0.0, 0.0, 0.0}).x();
+  const double left = -kStill * guide.along * off;
+  trim.along += left;
+  if (held) *held = left;
+  return found;
+}
+
+std::string Car::sunk(const Rest& rest, const LineTires& tires, double speed) const {
+  const Pose& chassis = rest.poses[at(parts_.chassis)];
+  int worst = kFL;
+  std::array<double, kCorners> risen{}, pressed{}, shortened{};
+  for (int corner = 0; corner < kCorners; ++corner) {
+    const CornerParts& parts = parts_.corners[at(corner)];
+    const Vector3d center = motion_of_wheel(corner, rest.poses, nullptr).center;
+    const Vector3d drawn =
+        chassis.at(parts.wheel_center - mechanism_->bodies()[at(parts_.chassis)].origin);
+    risen[at(corner)] = center.z() - drawn.z();
+    const LineTire& tire = tires[at(corner)];
+    const double force = tire.force + tire.stiffness * (tire.height - center.z());
+    pressed[at(corner)] = tire.stiffness > 0.0 ? force / tire.stiffness : 0.0;
+    if (parts.unit >= 0)
+      shortened[at(corner)] = -transient_->assembly().extension(parts.unit, rest.poses);
+    if (risen[at(corner)] > risen[at(worst)]) worst = corner;
+  }
+  std::string words = fmt::format(
+      "as it rested last it had sunk most at {}: the wheel stands {:.3g} mm higher in the car than "
+      "drawn, the tire is pressed by some {:.3g} mm of its radius of {:.4g} mm",
+      kCornerNames[at(worst)],
+      1e3 * risen[at(worst)],
+      1e3 * pressed[at(worst)],
+      1e3 * tires_[at(worst)]->free_radius());
+  if (const int unit = parts_.corners[at(worst)].unit; unit >= 0)
+    words += fmt::format(", its spring unit shortened by {:.3g} mm of {:.4g} mm",
+                         1e3 * shortened[at(worst)],
+                         1e3 * mechanism_->rest_length(unit));
+  if (!parameters_.aero || speed == 0.0) return words;
+  const AeroMap& air = *parameters_.aero;
+  const auto floor_at = [&](const Axle& axle, double height) {
+    const Vector3d origin = mechanism_->bodies()[at(parts_.chassis)].origin;
+    return chassis.at(Vector3d(axle.corner.wheel_center.x(), 0.0, height) - origin).z();
+  };
+  const double front = floor_at(parameters_.front, air.floor_front),
+               rear = floor_at(parameters_.rear, air.floor_rear);
+  const double down =
+      0.5 * air.density * speed * speed * air.area * air.at(front, rear).downforce.sum();
+  return words + fmt::format(
+                     ". There the downforce would be {:.4g} N, {:.2g} times the weight, the floor "
+                     "{:.3g} mm above z = 0 in front and {:.3g} mm behind",
+                     down,
+                     down / (mechanism_->mass() * parameters_.gravity),
+                     1e3 * front,
+                     1e3 * rear);
 }
 
 namespace {
@@ -83,6 +144,12 @@ struct RollIn {
         steps(static_cast<int>(std::ceil(duration * speed / 0.012))) {}
 };
 
+/// m, of the wheel center over the road.
+double arm_over(const road::Road& road, const WheelState& wheel) {
+  const Vector3d& center = wheel.motion.center;
+  return center.z() - road.height(center.x(), center.y(), 0.0);
+}
+
 Failure no_stand(int corner, const std::string& why) {
   return {fmt::format("the tire {} does not stand on the road: {}", kCornerNames[at(corner)], why)};
 }
@@ -94,7 +161,7 @@ Result<Rest> Car::settle_on_tires(CarState& state,
                                   const road::Road& road,
                                   const CarInputs& inputs) {
   constexpr int kMost = 40;
-  constexpr double kEnough = 1e-5;  // of the car's weight, at each tire
+  constexpr double kEnough = 1e-8, kUsual = 1e-5;  // of the car's weight, at each tire
   const double weight = mechanism_->mass() * parameters_.gravity;
   const Eigen::VectorXd rates = straight_on(mechanism_->bodies().size(), state.speed);
   Rest rest = statics_->unloaded();
@@ -104,13 +171,20 @@ Result<Rest> Car::settle_on_tires(CarState& state,
       return Failure{std::move(trouble)};
     const double ground = road.height(drawn.center.x(), drawn.center.y(), 0.0);
     lines[at(corner)] = {.stiffness = 2e5, .height = ground + tires_[at(corner)]->free_radius()};
+    state.trim.arm[at(corner)] = tires_[at(corner)]->free_radius();
   }
-  double worst = 0.0;
+  double worst = 0.0, before = 0.0;
+  std::array<double, kCorners> touching;  // N/m, of each tire as it stood on the road last
+  touching.fill(lines[kFL].stiffness);
+  int touched = 0;                          // tires, in the last round
   for (int i = 0; i < kMost; ++i) {
-    auto stood = stand(lines, state.speed, inputs, rest);
+    double held = 0.0;
+    auto stood = stand(lines, state.speed, inputs, rest, state.trim, &held);
     if (!stood) return stood;
     rest = std::move(*stood);
-    worst = 0.0;
+    before = worst;
+    worst = std::abs(held);
+    const int stood_on = std::exchange(touched, 0);
     for (int corner = 0; corner < kCorners; ++corner) {
       LineTire& line = lines[at(corner)];
       WheelState& wheel = state.wheels[at(corner)];
@@ -120,22 +194,43 @@ Result<Rest> Car::settle_on_tires(CarState& state,
       wheel.motion.spin_rate = state.speed / (radius - std::max(0.0, radius - z) / 3.0);
       wheel.tire = tires_[at(corner)]->clone();
       const auto hub = wheel.tire->settle(wheel.motion, road, 0.0);
-      if (!hub) return no_stand(corner, hub.failure().reason);
+      if (!hub)
+        return Failure{no_stand(corner, hub.failure().reason).reason + "; " +
+                       sunk(rest, lines, state.speed)};
       wheel.hub = *hub;
       const double force = (wheel.motion.carrier * hub->force).z();
       worst = std::max(worst, std::abs(line.force + line.stiffness * (line.height - z) - force));
-      // The secant through the last place, where it is one of a tire.
+      // The secant through the last place, where it is one of a tire; none of one in the air, as
+      // long as three stand.
       const double secant = (force - line.force) / (line.height - z);
-      if (i > 0 && std::abs(z - line.height) > 1e-9 && secant > 0.1 * line.stiffness &&
-          secant < 10.0 * line.stiffness)
-        line.stiffness = secant;
+      if (force > 0.0) {
+        ++touched;
+        if (line.stiffness == 0.0)
+          line.stiffness = touching[at(corner)];
+        else if (i > 0 && std::abs(z - line.height) > 1e-9 && secant > 0.1 * line.stiffness &&
+                 secant < 10.0 * line.stiffness)
+          line.stiffness = secant;
+        touching[at(corner)] = line.stiffness;
+      } else if (stood_on > 2) {
+        line.stiffness = 0.0;
+      }
       take(line, wheel);
+      // A pull whose arm has changed is another one.
+      constexpr double kArm = 1.0;  // m, over which a moment becomes loads of tires
+      double& arm = state.trim.arm[at(corner)];
+      const double was = std::exchange(arm, arm_over(road, wheel));
+      worst = std::max(worst, std::abs(state.trim.along * (arm - was)) / kArm);
     }
+    // As near as the tires are told, or until no round brings it nearer.
     if (i > 0 && worst < kEnough * weight) break;
+    if (i > 0 && worst < kUsual * weight && worst > 0.5 * before) break;
   }
   if (worst < 1e-3 * weight) return rest;
-  return Failure{fmt::format(
-      "the car finds no rest on its tires: {:.3g} N are left of {:.4g} N", worst, weight)};
+  return Failure{
+      fmt::format("the car finds no rest on its tires: {:.3g} N are left of {:.4g} N; {}",
+                  worst,
+                  weight,
+                  sunk(rest, lines, state.speed))};
 }
 
 Result<Rest> Car::roll_in(CarState& state,
@@ -159,7 +254,7 @@ Result<Rest> Car::roll_in(CarState& state,
   }
   for (int round = 0; round < RollIn::kRounds; ++round) {
     if (round >= RollIn::kHeld) {
-      auto stood = stand(lines, state.speed, inputs, rest);
+      auto stood = stand(lines, state.speed, inputs, rest, state.trim);
       if (!stood) return stood;
       rest = std::move(*stood);
     }
@@ -211,6 +306,11 @@ Result<CarState> Car::settle(const road::Road& road, double speed, const CarInpu
     if (!rest) return rest.failure();
   }
   const GuidePoint start = inputs.guide.value_or(GuidePoint{0.0, speed, 0.0});
+  // As the guide held it at rest, so it begins: what is left of that the springs would have.
+  const Vector3d off = off_guide(rest->poses[at(parts_.chassis)], {0.0, 0.0, start.y});
+  state.trim.along += guide.along * off.x();
+  state.trim.lateral = (1.0 - kStill) * guide.lateral * off.y();
+  state.trim.yaw = (1.0 - kStill) * guide.yaw * off.z();
   state.rack = inputs.rack;
   state.loads = inputs.loads;
   const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {

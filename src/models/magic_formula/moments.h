@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Overturning moment (4.E69) with the terms QSX12-QSX14 of MF-Tyre 6.1, and rolling resistance
-// moment (A48) of [Besselink et al. 2010], of MF 5.2 without pressure. Below FZMIN both fade with
-// the load; the rolling resistance also with the sliding of a locked wheel.
+// moment (A48) of [Besselink et al. 2010]; that of MF 5.2 goes with Fz, and with the terms QSY5 to
+// QSY8 where a file has them, as PAC2002 does. Below FZMIN both fade with the load; the rolling
+// resistance also with the sliding of a locked wheel.
 #if defined(LATSCH_MAGIC_FORMULA_MOMENTS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_MAGIC_FORMULA_MOMENTS
 #undef LATSCH_MAGIC_FORMULA_MOMENTS
@@ -57,17 +58,20 @@ LATSCH_INLINE R rolling_resistance(const TireOf<R>& tire, const OperatingPoint<R
   const R v = abs(o.Vx * tire.per_LONGVL);
   R factor = p.QSY1 + p.QSY2 * Fx * tire.per_FNOMIN + p.QSY3 * v + p.QSY4 * (v * v) * (v * v);
   R My;
+  const bool camber = !tire.mf52 || matters(p.QSY5) || matters(p.QSY6);
+  if (camber) factor = factor + (p.QSY5 + p.QSY6 * (Fz * tire.per_FNOMIN)) * o.gamma * o.gamma;
   if (tire.mf52) {
     My = -p.UNLOADED_RADIUS * Fz * p.LMY * factor;
+    if (matters(p.QSY7) || matters(p.QSY8)) My = My * (o.load_power * o.pressure_power);
   } else {
-    factor = factor + (p.QSY5 + p.QSY6 * (Fz * tire.per_FNOMIN)) * o.gamma * o.gamma;
     My = -p.UNLOADED_RADIUS * p.FNOMIN * p.LMY * factor *
          (o.load_power * o.pressure_power);  // (A48)
   }
   My = My * o.sign_Vx;
-  // Between rolling and locked the moment fades; it turns where the wheel spins backwards.
+  // Between rolling and locked the moment fades; it turns where the wheel spins backwards. The
+  // limits lie as far from a locked wheel (kappa = -1) on both sides.
   const R high = p.VXLOW / select(o.Vx == 0.0, R(kEpsilon), abs(o.Vx)) - 1.0;
-  const R low = -1.0 - p.VXLOW - high;
+  const R low = -2.0 - high;
   const R& kappa = o.kappa_given;
   const auto fading = ((kappa >= low) & (kappa <= high));
   if (any(fading)) {

@@ -30,6 +30,9 @@ struct BushingParameters {
     bool operator==(const Part&) const = default;
   };
   std::vector<Part> parts = {};
+  /// Stands for a joint without compliance that turns freely (rod_spin.h): alike along all axes, no
+  /// rotational stiffness, no parts that turn.
+  bool rigid = false;
   bool operator==(const BushingParameters&) const = default;
 };
 

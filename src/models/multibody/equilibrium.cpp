@@ -25,24 +25,45 @@ Result<Poses> Equilibrium::solve(std::span<const Load> loads, const Poses* start
 
 Result<Rest> Equilibrium::solve(const Standing& standing, const Rest& before) {
   iterations_ = 0;
-  Rest reached = before;
-  double share = 0.0, more = 1.0;
-  std::string trouble;
-  for (int halvings = 0; share < 1.0;) {
-    Rest next = reached;
-    trouble = newton(next, standing, share + more);
-    if (trouble.empty()) {
-      reached = std::move(next);
-      share += more;
-      more = std::min(more, 1.0 - share);
-    } else if (++halvings > settings_.halvings) {
-      return Failure{fmt::format("no equilibrium beyond {:.3g} of the load: {}", share, trouble)};
-    } else {
+  held_.resize(0);
+  Rest at_once = before;
+  const std::string trouble = newton(at_once, standing, 1.0);
+  if (!trouble.empty()) return follow(standing, before, trouble);
+  at_once.drivers.assign(standing.drivers.begin(), standing.drivers.end());
+  return at_once;
+}
+
+Result<Rest> Equilibrium::follow(const Standing& standing,
+                                 const Rest& before,
+                                 const std::string& trouble_at_once) {
+  reached_ = before;
+  share_ = 0.0;
+  assemble(before, standing, 0.0);
+  held_ = -assembly_.forces();
+  if (!held_.allFinite())
+    return Failure{"no equilibrium: the start has forces that are no numbers"};
+  std::string trouble = trouble_at_once;
+  double more = 0.5;
+  for (int halvings = 1; share_ < 1.0;) {
+    Rest next = reached_;
+    const double share = std::min(1.0, share_ + more);
+    if (std::string why = damped_newton(next, standing, share); !why.empty()) {
+      trouble = std::move(why);
+      if (++halvings > settings_.halvings) {
+        held_.resize(0);
+        return Failure{
+            fmt::format("no equilibrium beyond {:.3g} of the load: {}", share_, trouble)};
+      }
       more *= 0.5;
+      continue;
     }
+    reached_ = std::move(next);
+    share_ = share;
   }
-  reached.drivers.assign(standing.drivers.begin(), standing.drivers.end());
-  return reached;
+  held_.resize(0);
+  Rest found = reached_;
+  found.drivers.assign(standing.drivers.begin(), standing.drivers.end());
+  return found;
 }
 
 void Equilibrium::assemble(const Rest& rest, const Standing& standing, double share) {
@@ -56,42 +77,109 @@ void Equilibrium::assemble(const Rest& rest, const Standing& standing, double sh
                      standing.loads,
                      share,
                      standing.outside ? *standing.outside : kNothing);
+  if (held_.size() > 0) assembly_.forces() += (1.0 - share) * held_;
 }
 
+double Equilibrium::enough() const { return std::max(settings_.force, assembly_.rounding()); }
+
+std::string Equilibrium::end_of_newton(Rest& rest) {
+  if (!(assembly_.turned() <= settings_.most))
+    return assembly_.most_turned(rest.poses) + ": it would be torn off";
+  if (!rest.memories.empty()) {
+    const Memories before = rest.memories;
+    assembly_.remember({.poses = rest.poses, .memories = &before, .drivers = drivers_},
+                       rest.memories);
+  }
+  return {};
+}
+
+namespace {
+
+/// Every pose by `scale` times its part of the step.
+void move_all(Poses& poses, const Eigen::VectorXd& step, double scale) {
+  for (std::size_t k = 0; k < poses.size(); ++k)
+    poses[k].move(scale * step.segment<6>(6 * static_cast<Eigen::Index>(k)));
+}
+
+/// rad: the most that a body turns in a step.
+double turn_of(const Eigen::VectorXd& step) {
+  double turn = 0.0;
+  for (Eigen::Index k = 0; k < step.size(); k += 6)
+    turn = std::max(turn, step.segment<3>(k + 3).norm());
+  return turn;
+}
+
+std::string nothing_holds(const std::string& body) {
+  return fmt::format(
+      "nothing holds {}: a direction of it meets no stiffness (a rod whose bushings have no "
+      "rotational stiffness spins freely)",
+      body);
+}
+
+}  // namespace
+
 std::string Equilibrium::newton(Rest& rest, const Standing& standing, double share) {
-  const double enough = std::max(settings_.force, assembly_.rounding());
   for (int i = 0; i <= settings_.iterations; ++i) {
     assemble(rest, standing, share);
     left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
-    if (left_ <= enough) {
-      if (!(assembly_.turned() <= settings_.most))
-        return assembly_.most_turned(rest.poses) + ": it would be torn off";
-      if (!rest.memories.empty()) {
-        const Memories before = rest.memories;
-        assembly_.remember({.poses = rest.poses, .memories = &before, .drivers = drivers_},
-                           rest.memories);
-      }
-      return {};
-    }
+    if (left_ <= enough()) return end_of_newton(rest);
     if (!std::isfinite(left_) || i == settings_.iterations) break;
     if (!assembly_.J().factorize())
-      return fmt::format(
-          "nothing holds {}: a direction of it meets no stiffness (a rod whose bushings have no "
-          "rotational stiffness spins freely)",
+      return nothing_holds(
           mechanism_.bodies()[static_cast<std::size_t>(assembly_.J().singular_body())].name);
     ++iterations_;
     step_ = assembly_.forces();
     assembly_.J().solve(step_);
-    double turn = 0.0;
-    for (Eigen::Index k = 0; k < step_.size(); k += 6)
-      turn = std::max(turn, step_.segment<3>(k + 3).norm());
+    const double turn = turn_of(step_);
     const double scale = turn > settings_.turn ? settings_.turn / turn : 1.0;
-    for (std::size_t k = 0; k < rest.poses.size(); ++k)
-      rest.poses[k].move(-scale * step_.segment<6>(6 * static_cast<Eigen::Index>(k)));
+    move_all(rest.poses, step_, -scale);
   }
   return fmt::format("{:.3g} N are left after {} corrections, {}",
                      left_,
                      settings_.iterations,
+                     assembly_.most_turned(rest.poses));
+}
+
+bool Equilibrium::go_on(Rest& rest, const Standing& standing, double share) {
+  constexpr double kShortest = 1.0 / 256.0;  // of a correction
+  const BlockElimination J = assembly_.J();  // the trials have tangents of their own
+  const Eigen::VectorXd correction = step_;
+  const double turn = turn_of(correction), length = correction.norm();
+  const Poses start = rest.poses;
+  double scale = turn > settings_.turn ? settings_.turn / turn : 1.0;
+  for (; scale >= kShortest; scale *= 0.5) {
+    rest.poses = start;
+    move_all(rest.poses, correction, -scale);
+    assemble(rest, standing, share);
+    left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
+    if (left_ <= enough()) return true;
+    if (!std::isfinite(left_)) continue;
+    Eigen::VectorXd next = assembly_.forces();
+    J.solve(next);
+    if (next.norm() <= (1.0 - 0.25 * scale) * length) return true;
+  }
+  return false;
+}
+
+std::string Equilibrium::damped_newton(Rest& rest, const Standing& standing, double share) {
+  constexpr int kIterations = 50;
+  assemble(rest, standing, share);
+  left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
+  double before = left_;
+  for (int i = 0; i < kIterations; ++i) {
+    if (left_ <= enough()) return end_of_newton(rest);
+    if (!assembly_.J().factorize())
+      return nothing_holds(
+          mechanism_.bodies()[static_cast<std::size_t>(assembly_.J().singular_body())].name);
+    ++iterations_;
+    step_ = assembly_.forces();
+    assembly_.J().solve(step_);
+    if (!step_.allFinite()) break;
+    if (!go_on(rest, standing, share)) break;
+    before = left_;
+  }
+  return fmt::format("{:.3g} N are left, no correction brings it nearer, {}",
+                     before,
                      assembly_.most_turned(rest.poses));
 }
 

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Statics of a mechanism: poses at which the elements' wrenches r and the load balance,
 //   r(x) + w(x) = 0,   J = d(r + w)/dx,   x <- x - J^-1 (r + w)          Newton's method, exact J
-// and what follows from the last J: compliance and slopes in the stiffnesses p,
+// Where that finds nothing, everything comes on in shares s: whatever the start x0 leaves
+// unbalanced (weight, preloads, loads, air, tires, drivers) is held and let go evenly,
+//   r(x) + w(x; s) - (1 - s) (r(x0) + w(x0; 0)) = 0,   s from 0, where x0 rests, to 1
+// with corrections d = -J^-1 (r + w) that are halved as long as the next one by the same J is no
+// shorter, |J^-1 (r + w)(x + l d)| > (1 - l/4) |d|: lengths, not forces, so that stiff joints,
+// which any turn strains, allow long steps [Deuflhard 2011, Newton Methods for Nonlinear Problems:
+// the natural monotonicity test].
+// What follows from the last J: compliance and slopes in the stiffnesses p,
 //   dy/dp = -λ' dr/dp   with   J' λ = dy/dx                               adjoint
 #pragma once
 
@@ -16,18 +23,18 @@ namespace latsch::multibody {
 
 struct EquilibriumSettings {
   double force = 1e-6;  // N and N m: the largest that may be left, or what rounding leaves
-  int iterations = 20;  // of Newton's method; then the load is halved
-  int halvings = 6;     // of the part of the load that is added at once
+  int iterations = 20;  // of Newton's method; then the load comes on in shares
+  int halvings = 8;     // of the share that is added at once: an end is found to 1/256 of the load
   double turn = 0.3;    // rad: no body turns more in one correction
   double most = 1.2;    // rad: a bushing turned more is near the end of its angles, and torn
 };
 
 /// What acts on a mechanism that comes to rest. In shares where it has to be: loads from none,
-/// drivers from where they were.
+/// drivers from where they were, all else from where the start was in balance.
 struct Standing {
   std::span<const Load> loads = {};
   std::span<const double> drivers = {};  // m; none: all zero
-  const Outside* outside = nullptr;      // whole from the beginning
+  const Outside* outside = nullptr;
 };
 
 /// Poses at rest, what friction remembers of the way there, and where drivers were.
@@ -50,6 +57,9 @@ class Equilibrium {
   /// Of the last solve.
   int iterations() const { return iterations_; }
   double left() const { return left_; }  // N, N m
+  /// After a solve that failed: as it rested last, and under which share of what acts, 0 .. 1.
+  const Rest& reached() const { return reached_; }
+  double share() const { return share_; }
 
   /// Makes J at these poses under these loads that of the calls below. Empty, or which part nothing
   /// holds.
@@ -64,13 +74,23 @@ class Equilibrium {
   Eigen::MatrixXd by_stiffness(const Poses& poses, const Eigen::MatrixXd& by_pose) const;
 
  private:
+  /// Empty, or why no rest was found there.
   std::string newton(Rest& rest, const Standing& standing, double share);
+  std::string damped_newton(Rest& rest, const Standing& standing, double share);
+  /// Corrects the poses as long as that brings them nearer; false: no length of the step does.
+  bool go_on(Rest& rest, const Standing& standing, double share);
+  std::string end_of_newton(Rest& rest);
+  /// In shares, from a start that is held in balance.
+  Result<Rest> follow(const Standing& standing, const Rest& before, const std::string& trouble);
   void assemble(const Rest& rest, const Standing& standing, double share);
+  double enough() const;
 
   const Mechanism& mechanism_;
   EquilibriumSettings settings_;
   Assembly assembly_;
-  Eigen::VectorXd step_;
+  Eigen::VectorXd step_, held_;  // held: what keeps the start in balance; empty: nothing does
+  Rest reached_;
+  double share_ = 0.0;
   std::vector<double> drivers_;
   int iterations_ = 0;
   double left_ = 0.0;

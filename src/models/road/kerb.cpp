@@ -64,8 +64,8 @@ Profile kerb_profile(const Kerb& kerb) {
   return {};
 }
 
-TriangleMesh kerb_triangles(const Kerb& kerb, double approach) {
-  assert(approach > kFlank);
+TriangleMesh kerb_triangles(const Kerb& kerb, double approach, double beside) {
+  assert(approach > kFlank && (beside == 0.0 || beside > kFlank));
   const Profile section = kerb_profile(kerb);
   std::vector<Profile::Point> along{{-approach, 0.0}};
   for (int i = 0; i < kerb.count; ++i) {
@@ -78,7 +78,12 @@ TriangleMesh kerb_triangles(const Kerb& kerb, double approach) {
   along.push_back({kerb.count * kerb.pitch + approach, 0.0});
   along = without_flanks(std::move(along));
   std::vector<Profile::Point> across{{0.0, 1.0}, {kerb.width, 1.0}};
-  if (kerb.ramp > 0.0) across = section_across(kerb).points();
+  if (kerb.ramp > 0.0 || beside > 0.0) across = section_across(kerb).points();
+  if (beside > 0.0) {
+    across.insert(across.begin(), {-beside, 0.0});
+    across.push_back({kerb.width + beside, 0.0});
+    across = without_flanks(std::move(across));
+  }
   TriangleMesh mesh;
   const Eigen::Rotation2Dd turn(kerb.angle);
   for (const Profile::Point& s : along) {
@@ -92,9 +97,11 @@ TriangleMesh kerb_triangles(const Kerb& kerb, double approach) {
     const bool kerb_here = row > 0 && row + 2 < std::ssize(along);
     const double friction = kerb_here ? kerb.friction : kerb.road_friction;
     for (int column = 0; column + 1 < columns; ++column) {
+      const bool is_ground = beside > 0.0 && (column == 0 || column + 2 == columns);
+      const double here = is_ground ? kerb.road_friction : friction;
       const int k = row * columns + column;
-      mesh.triangles.push_back({{k, k + columns, k + 1}, friction});
-      mesh.triangles.push_back({{k + 1, k + columns, k + columns + 1}, friction});
+      mesh.triangles.push_back({{k, k + columns, k + 1}, here});
+      mesh.triangles.push_back({{k + 1, k + columns, k + columns + 1}, here});
     }
   }
   return mesh;

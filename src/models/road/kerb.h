@@ -38,8 +38,9 @@ Profile kerb_profile(const Kerb& kerb);
 
 ProfileRoad kerb_road(const Kerb& kerb);
 
-/// The same as triangles, for programs that read nothing else: as wide as the kerb, level for
-/// `approach` (m) before and behind it. Flanks fall over 0.01 mm.
-TriangleMesh kerb_triangles(const Kerb& kerb, double approach);
+/// The same as triangles, for programs that read nothing else: level for `approach` (m) before and
+/// behind it and for `beside` (m) on both sides, where a car's other wheels are; 0: as wide as the
+/// kerb. Flanks fall over 0.01 mm.
+TriangleMesh kerb_triangles(const Kerb& kerb, double approach, double beside = 0.0);
 
 }  // namespace latsch::road

@@ -18,8 +18,7 @@ using multibody::ForcePart;
 
 constexpr std::array<const char*, 6> kBushingAxes = {
     "x", "y", "z", "about_x", "about_y", "about_z"};
-constexpr double kRigid = 1e10;      // N/m: 0.1 nm a newton
-constexpr double kTurnsFreely = 10;  // N m/rad: enough that no rod spins
+constexpr double kRigid = 1e10;  // N/m: 0.1 nm a newton
 
 struct Units {
   const char *d, *f, *k, *c;
@@ -134,7 +133,7 @@ BushingParameters read_bushing(const Node& bushings, const std::string& name) {
       bushings.reject(
           name, fmt::format("has no {}, expected it here or in [bushing.all]", kBushingAxes[axis]));
     const auto index = static_cast<Eigen::Index>(axis);
-    k[index] = rigid ? (axis < 3 ? kRigid : kTurnsFreely) : curved ? 0.0 : value ? *value : *common;
+    k[index] = rigid ? (axis < 3 ? kRigid : 0.0) : curved ? 0.0 : value ? *value : *common;
     c[index] = damping_of(own, all, axis, k[index]);
     for (auto& part : parts) bushing.parts.push_back(std::move(part));
   }
@@ -142,6 +141,7 @@ BushingParameters read_bushing(const Node& bushings, const std::string& name) {
   bushing.rotational = k.tail<3>();
   bushing.damping = c.head<3>();
   bushing.rotational_damping = c.tail<3>();
+  bushing.rigid = rigid;
   for (const auto& part : bushing.parts)
     if (const std::string fault = multibody::fault_of(part.law); !fault.empty())
       bushings.reject(name, fault);

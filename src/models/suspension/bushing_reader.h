@@ -4,7 +4,8 @@
 //   [bushing.ubj]
 //   x = "12 kN/mm"                       # y, z: the same
 //   about_x = "200 N m/rad"              # about_y, about_z
-//   rigid = true                         # in the place of all six: 10^10 N/m and 10 N m/rad
+//   rigid = true                         # in the place of all six: 10^10 N/m, turns freely; of a
+//                                        # rod its spin alone is held (multibody/rod_spin.h)
 //   damping = "0.1 ms"                   # damping over stiffness, of all six
 //   viscous.x = "3 kN s/m"               # in the place of that along x; about_x in N m s/rad
 //   curve.x = [["-1 mm", "-9 kN"], ["0 mm", "0 kN"], ["1 mm", "12 kN"]]   # in the place of x:

@@ -92,7 +92,9 @@ TEST(BushingReader, PlayFrictionAndMaxwellStandBesideTheStiffness) {
 TEST(BushingReader, RigidIsStiffAgainstTravelAndTurnsFreely) {
   const BushingParameters bushing = ubj_of("rigid = true\n");
   EXPECT_EQ(bushing.stiffness, Eigen::Vector3d::Constant(1e10));
-  EXPECT_EQ(bushing.rotational, Eigen::Vector3d::Constant(10.0));
+  EXPECT_EQ(bushing.rotational, Eigen::Vector3d::Zero());
+  EXPECT_TRUE(bushing.rigid);
+  EXPECT_FALSE(ubj_of("").rigid);
   EXPECT_EQ(ubj_of("rigid = false\n", "rigid = true\n").stiffness.x(), 1.0);
   EXPECT_EQ(ubj_of("", "rigid = true\n").stiffness.x(), 1e10);
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "models/multibody/rod_spin.h"
 #include "models/suspension/kinematic_outputs.h"
 
 namespace latsch::suspension {
@@ -64,6 +65,7 @@ Result<CompliantCorner> compliant_five_links(const CornerGeometry& geometry,
     const std::size_t i = corner.joints.size();
     corner.joints.push_back({names[i], multibody::kGround, body, rod.inner, bushings[i]});
     corner.joints.push_back({names[i + 1], body, corner.upright, rod.outer, bushings[i + 1]});
+    multibody::hold_spin(corner.joints[i], corner.joints[i + 1]);
   }
   return corner;
 }

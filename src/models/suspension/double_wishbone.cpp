@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "models/multibody/rod_spin.h"
+
 namespace latsch::suspension {
 namespace {
 
@@ -98,6 +100,8 @@ std::vector<multibody::Joint> DoubleWishbone::joints() const {
                       i == kPushrodOuter ? pushrod_on : kPairs[i].second,
                       points[i],
                       bushings[i]});
+  multibody::hold_spin(joints[kPushrodInner], joints[kPushrodOuter]);
+  multibody::hold_spin(joints[kTrackrodInner], joints[kTrackrodOuter]);
   return joints;
 }
 

@@ -252,7 +252,7 @@ void Gss::observe(const DesignPoint& point, const Result<Score>& outcome) {
 
 std::string Gss::ending() const {
   if (!converged()) return {};
-  return state_->f < kInfinity ? "at a minimum: no direction gains with a step of the tolerance"
+  return state_->f < kInfinity ? "where no direction gains with a step of the tolerance"
                                : "without a result: every trial failed";
 }
 

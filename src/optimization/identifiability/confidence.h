@@ -19,6 +19,11 @@
 // the ends of a two-sided interval: s^2 t^2 where residuals are alike and independent. What such a
 // variable would explain if it were let go is no noise: s is estimated from what no variable can.
 //
+// A fit without noise, of a model to itself, leaves rounding of the simulations: less than
+// `least_noise`, or than a thousandth of the stated noise. In it V = 1, and a variable counts as
+// held by its bound only where it would leave it by more than that makes of it. So its intervals
+// follow from J alone, wherever the search began.
+//
 // Where s is stated and the residuals are larger than that explains, once in a thousand, either the
 // model cannot follow the measurement or the search has ended early: intervals then take the
 // spread that is seen, and `excess` says by how much it is larger.
@@ -67,6 +72,10 @@ struct ConfidenceOptions {
   /// Where the spread is estimated: no residual is computed more exactly. Keeps the intervals of a
   /// perfect fit, a model fitted to itself, from having no width at all.
   double least_sigma = 1e-9;
+  /// Where the spread is estimated: less of it is rounding of the simulations and no noise, so no
+  /// correlation of neighbors is looked for in it. In the unit of the residuals: of relative
+  /// differences 1e-5 is less than any laboratory leaves.
+  double least_noise = 1e-9;
   ResidualTraits traits = {};
 };
 

@@ -15,6 +15,7 @@ namespace {
 constexpr double kTolerance = 0.02;
 constexpr int kEvaluationsOfTheRefit = 30;  // and two a variable
 constexpr int kEvaluationsOfAShortRefit = 5;
+constexpr int kMostWeakRounds = 3;
 constexpr double kWorthwhile = 0.1;  // of a threshold: less moves an interval by a sixth of itself
 
 std::vector<double> numbers(const Eigen::VectorXd& u) { return {u.begin(), u.end()}; }
@@ -51,6 +52,9 @@ void Identification::begin_at(const DesignPoint& center) {
   r_.reset();
   branches_.clear();
   searches_.clear();
+  weak_.reset();
+  weak_rounds_ = 0;
+  unknown_.clear();
   const std::vector<double> u = space_.to_unit(center);
   const auto space = std::make_shared<const DesignSpace>(space_);
   for (int i = 0; i < space_.size(); ++i) {
@@ -88,7 +92,9 @@ void Identification::observe(const std::vector<Result<Evaluated>>& evaluated) {
     return;
   }
   look_for_better(evaluated);
-  if (refit_) {
+  if (weak_) {
+    weak_directions_observed(evaluated);
+  } else if (refit_) {
     refit_observed(used(evaluated.front()));
   } else {
     for (size_t k = 0; k < asked_.size(); ++k) branches_[asked_[k]].observe(used(evaluated[k]));
@@ -189,6 +195,7 @@ void Identification::take_slopes() {
   Linearization at{to_vector(space_.to_unit(center_)), *r_, {}};
   at.J.resize(r_->size(), n);
   lengths_.resize(n);
+  made_.curvature.resize(n);
   qualities_.clear();
   for (int i = 0; i < n; ++i) {
     const SlopeSearch& search = searches_[static_cast<size_t>(i)];
@@ -199,17 +206,52 @@ void Identification::take_slopes() {
     }
     at.J.col(i) = scale_.cwiseProduct(search.slope());
     lengths_[i] = search.length();
+    const bool is_straight = search.quality() == SlopeQuality::straight;  // else it has its remark
+    made_.curvature[i] = is_straight ? search.bend() * search.bend() * at.J.col(i).norm() : 0.0;
     qualities_.push_back(search.quality());
   }
+  made_.lengths = lengths_;
   linearized(std::move(at));
 }
 
-/// Round 1 is done.
+/// Round 1 is done, but for weak directions.
 void Identification::linearized(Linearization at) {
   wanted_.clear();
   at_ = std::move(at);
   confidence_ = latsch::confidence(*at_, options_.confidence);
   if (!std::isfinite(confidence_->sigma)) return;
+  if (!at_->is_exact && ask_weak_directions()) return;
+  after_slopes();
+}
+
+bool Identification::ask_weak_directions() {
+  weak_.emplace(space_, *at_, *confidence_, made_, options_.confidence);
+  for (const Eigen::VectorXd& u : weak_->wanted()) wanted_.push_back(space_.from_unit(numbers(u)));
+  if (wanted_.empty()) weak_.reset();
+  return weak_.has_value();
+}
+
+void Identification::weak_directions_observed(const std::vector<Result<Evaluated>>& evaluated) {
+  std::vector<std::optional<Eigen::VectorXd>> residuals;
+  for (const auto& one : evaluated) {
+    const auto rows = used(one);
+    residuals.push_back(rows ? std::optional(rows->r) : std::nullopt);
+  }
+  Eigen::MatrixXd J = weak_->checked(*at_, residuals);
+  unknown_.insert(unknown_.end(), weak_->unknown().begin(), weak_->unknown().end());
+  made_ = weak_->made();
+  const bool is_other = J != at_->J;
+  at_->J = std::move(J);
+  wanted_.clear();
+  if (is_other) confidence_ = latsch::confidence(*at_, options_.confidence);
+  // Slopes that were wrong had led to other directions than the weak ones.
+  if (is_other && ++weak_rounds_ < kMostWeakRounds && ask_weak_directions()) return;
+  weak_.reset();
+  after_slopes();
+}
+
+/// Round 1 is done, the weak directions checked.
+void Identification::after_slopes() {
   const double promised = confidence_->left_to_gain;
   const bool stays =
       centers_ >= options_.most_centers || !(promised > kWorthwhile * confidence_->threshold());

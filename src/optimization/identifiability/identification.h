@@ -5,7 +5,8 @@
 // Ask and tell, like an optimizer, but in rounds: all points of wanted() may be evaluated at once.
 //   1. the point and a step to both sides in each variable: the derivatives (slope_search.h),
 //      2n + 1 points, and more where these tell that another length is better; the point alone
-//      where the model tells its slopes there
+//      where the model tells its slopes there; moves along directions that are hardly felt, where
+//      these may be errors of the differences (weak_directions.h)
 //   2. a refit of all variables (broyden_fit.h), because the fit may have ended early or have
 //      minimized another target over the same residuals; without profiles only where the
 //      derivatives promise more, and a few steps of it
@@ -29,6 +30,7 @@
 #include "optimization/identifiability/confidence.h"
 #include "optimization/identifiability/profile.h"
 #include "optimization/identifiability/slope_search.h"
+#include "optimization/identifiability/weak_directions.h"
 
 namespace latsch {
 
@@ -61,6 +63,8 @@ class Identification {
   const DesignPoint& center() const { return center_; }
   /// How good the derivatives are, a variable each.
   const std::vector<SlopeQuality>& slopes() const { return qualities_; }
+  /// Directions of the unit cube along which differences tell nothing but their own errors.
+  const std::vector<Eigen::VectorXd>& unknown_directions() const { return unknown_; }
   /// Of the differences, a variable each, in the unit cube.
   const Eigen::VectorXd& lengths() const { return lengths_; }
   /// What the derivative in a variable is made of, and any other quantity's over the same trials:
@@ -90,6 +94,9 @@ class Identification {
   void ask_slopes();
   void take_slopes();
   void linearized(Linearization at);
+  bool ask_weak_directions();
+  void weak_directions_observed(const std::vector<Result<Evaluated>>& evaluated);
+  void after_slopes();
   double felt() const;
   void look_for_better(const std::vector<Result<Evaluated>>& evaluated);
   bool continues_at_better_point();
@@ -117,6 +124,10 @@ class Identification {
   std::vector<Eigen::Index> rows_;
   std::optional<Linearization> at_, best_;
   std::optional<Confidence> confidence_;
+  Differences made_;  // how J was
+  std::optional<WeakDirections> weak_;
+  int weak_rounds_ = 0;
+  std::vector<Eigen::VectorXd> unknown_;
   std::optional<BroydenFit> refit_;
   std::vector<ProfileBranch> branches_;  // down and up, variable by variable
   std::vector<int> asked_;               // branches that `wanted_` belongs to

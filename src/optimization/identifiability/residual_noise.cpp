@@ -66,7 +66,8 @@ ResidualTraits ResidualTraits::of(const std::vector<Eigen::Index>& rows) const {
 
 ResidualNoise::ResidualNoise(const Eigen::VectorXd& r,
                              const Eigen::MatrixXd& J,
-                             const ResidualTraits& traits)
+                             const ResidualTraits& traits,
+                             double least_seen)
     : deviations_(Eigen::VectorXd::Ones(r.size())) {
   const Eigen::Index m = r.size();
   if (!traits.deviations.empty()) {
@@ -101,7 +102,7 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& r,
     curve_sums_.push_back(sums(curve, curve.process));
     add(all, curve_sums_.back(), 1.0);
   }
-  if (freedom_ > 0.0 && sigma_of(all) > 0.0) {
+  if (freedom_ > 0.0 && sigma_of(all) > least_seen) {
     for (size_t k = 0; k < curves_.size(); ++k) {
       add(all, curve_sums_[k], -1.0);
       fit(curves_[k], all);

@@ -37,7 +37,13 @@ struct ResidualTraits {
 class ResidualNoise {
  public:
   /// From the residuals r at a fit and J of all that might explain them.
-  ResidualNoise(const Eigen::VectorXd& r, const Eigen::MatrixXd& J, const ResidualTraits& traits);
+  /// `least_seen`: a spread of the residuals at or below it is rounding of the simulations and no
+  /// noise, so no correlation is looked for in it. Rounding repeats from sample to sample as it
+  /// likes: an autoregression of it may be as good as a constant, and leaves nothing known.
+  ResidualNoise(const Eigen::VectorXd& r,
+                const Eigen::MatrixXd& J,
+                const ResidualTraits& traits,
+                double least_seen = 0.0);
 
   /// Standard deviation of a residual of deviation 1; NaN where nothing is left to estimate it
   /// from.

@@ -147,6 +147,7 @@ void SlopeSearch::finish(const Eigen::VectorXd& center) {
     slope_ = best->slope;
     terms_ = best->terms;
     length_ = best->length;
+    bend_ = best->bend;
     quality_ = best->bend <= kStraight ? SlopeQuality::straight : SlopeQuality::rough;
     return;
   }

@@ -48,6 +48,8 @@ class SlopeSearch {
   SlopeQuality quality() const { return quality_; }
   const Eigen::VectorXd& slope() const { return slope_; }
   double length() const { return length_; }
+  /// Of the length taken: the second difference over twice the change; 0 where it is not known.
+  double bend() const { return bend_; }
   /// What the slope is made of, and any other quantity's over the same points: the sum of
   /// weight * value, one of them at the center, offset 0.
   struct Term {
@@ -83,7 +85,7 @@ class SlopeSearch {
   SlopeQuality quality_ = SlopeQuality::unknown;
   Eigen::VectorXd slope_;
   std::vector<Term> terms_;
-  double length_ = 0.0;
+  double length_ = 0.0, bend_ = 0.0;
 };
 
 }  // namespace latsch

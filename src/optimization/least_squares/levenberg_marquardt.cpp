@@ -34,6 +34,10 @@ constexpr double kPromisesMuch = 1e-6;      // of f
 constexpr double kNothingIsLeft = 1e-20;    // of the first f: ten digits of the residuals
 constexpr double kRoundingIsLeft = 1e-10;   // of the first f: five digits, where steps fail
 constexpr double kExhaustedStep = 0.01;     // of the tolerance: a radius so short finds nothing
+// A range is too wide for the tolerance where the full step is shorter, and yet
+constexpr double kPromisesAllTheSame = 0.1;  // of f
+constexpr double kMuchIsLeft = 1e-6;         // of the first f
+constexpr double kNumbersOfTheCube = 1e-16;  // no two are closer
 
 enum class LevenbergMarquardtEnding {
   none,
@@ -233,16 +237,19 @@ struct LevenbergMarquardt::State {
       return s.p.lpNorm<Eigen::Infinity>();
     };
     const LevenbergMarquardtStep step = steps.within(radius);
+    const bool is_short = length(steps.full()) < options.step_tolerance;
+    const bool is_wide = is_short && steps.most_promised() > kPromisesAllTheSame * x.f &&
+                         x.f > kMuchIsLeft * f_first;
+    const double exhausted = is_wide ? kNumbersOfTheCube : kExhaustedStep * options.step_tolerance;
     if (x.f <= kNothingIsLeft * f_first) {
       end = End::nothing_left;
     } else if (!(steps.most_promised() > options.gain_tolerance * x.f)) {
       end = End::flat;
-    } else if (length(steps.full()) < options.step_tolerance) {
+    } else if (is_short && !is_wide) {
       end = End::short_step;
     } else if (is_slow(steps)) {
       end = End::slow;
-    } else if (!(step.promised > kPromisesNothing * x.f) ||
-               length(step) < kExhaustedStep * options.step_tolerance) {
+    } else if (!(step.promised > kPromisesNothing * x.f) || length(step) < exhausted) {
       const bool promises_much = steps.promised_by_one() > kPromisesMuch * x.f;
       end = has_failed                         ? End::edge
             : !promises_much                   ? End::flat

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/trust_region/fresh_slopes.h"
 
+#include <cmath>
+
 namespace latsch {
 namespace {
 
@@ -15,6 +17,10 @@ constexpr double kFarther = 3.0;  // in the noise
 constexpr double kTelling = 0.5;
 constexpr double kWorthARound = 1.0 - 1e-5;  // of the value: another one
 constexpr int kMostRounds = 8;
+/// Times what the residuals are: a move that changes them by more is too long for slopes.
+constexpr double kTooBlunt = 100.0;
+constexpr int kMostSharpened = 4;       // in a round
+constexpr int kMostStepsOfARound = 20;  // of a round, before their gains are held to be none
 
 }  // namespace
 
@@ -28,6 +34,9 @@ void FreshSlopes::begin_round(const TrustBox& box, const Eigen::MatrixXd& J) {
   misses_ = 0;
   has_failed_ = false;
   has_disappointed_ = false;
+  is_blind_ = false;
+  steps_ = 0;
+  sharpened_ = 0;
   reach_ = kReach;
   f_begin_ = box.f();
   ++rounds_;
@@ -36,7 +45,9 @@ void FreshSlopes::begin_round(const TrustBox& box, const Eigen::MatrixXd& J) {
 std::optional<Wanted> FreshSlopes::next(TrustBox& box, const PendingPoints<Wanted>& wanted) {
   while (true) {
     while (axis_ < frame_.axes()) {
-      if (auto probe = box.probe_by(frame_.T.col(axis_++), wanted)) return probe;
+      const int axis = axis_++;
+      if (auto probe = box.probe_by(frame_.T.col(axis), wanted)) return probe;
+      is_blind_ |= box.memory.failures() > 0 && !box.has_moved_along(axis, frame_);
     }
     if (!wanted.empty()) return std::nullopt;
     double noise = 0.0;
@@ -44,18 +55,56 @@ std::optional<Wanted> FreshSlopes::next(TrustBox& box, const PendingPoints<Wante
     deviation_ = m.target_deviation();
     const Wanted step = box.natural_step(m, frame_, reach_, wanted);
     const bool is_promising = step.length > 0.0;
-    if (is_promising && misses_ < kMostMisses) return step;
+    const bool crawls = steps_ >= kMostStepsOfARound;
+    if (is_promising && misses_ < kMostMisses && !crawls) {
+      ++steps_;
+      return step;
+    }
+    if (sharpen(box)) continue;
     const bool goes_farther = !pays_another_round(box) && noise > 0.0 && change_ < kFarther;
     if (!pays_another_round(box) && !goes_farther) {
-      ending_ = is_promising && has_failed_ ? Ending::edge
-                : noise > 0.0               ? Ending::noise
-                : is_promising              ? Ending::rough
-                                            : Ending::verified;
+      ending_ = is_blind_ && box.f() <= options_.f_least ? Ending::explained
+                : is_blind_                              ? Ending::blind
+                : is_promising && has_failed_            ? Ending::edge
+                : noise > 0.0                            ? Ending::noise
+                : is_promising                           ? Ending::rough
+                                                         : Ending::verified;
       return std::nullopt;
     }
     if (goes_farther) change_ = kFarther;
     begin_round(box, m.jacobian(Eigen::VectorXd::Zero(frame_.axes())) * frame_.inverse);
   }
+}
+
+void FreshSlopes::shorten(int axis, double factor) {
+  frame_.T.col(axis) *= factor;
+  frame_.inverse.row(axis) /= factor;
+  is_sharp_ = true;
+  ++sharpened_;
+}
+
+/// Whether the axes along which moves are too long for slopes have been shortened, to be probed
+/// again.
+bool FreshSlopes::sharpen(const TrustBox& box) {
+  const Eigen::VectorXd changes = box.changes_along(frame_);
+  if (!(changes.maxCoeff() > kTooBlunt)) return false;
+  is_blind_ |= sharpened_ >= kMostSharpened;
+  if (is_blind_) return false;
+  for (int k = 0; k < frame_.axes(); ++k)
+    if (changes[k] > kTooBlunt) shorten(k, 1.0 / changes[k]);
+  axis_ = 0;
+  steps_ = 0;
+  misses_ = 0;
+  reach_ = kReach;
+  return true;
+}
+
+void FreshSlopes::observe_failed_probe(double change) {
+  if (std::isfinite(change) && change > kTooBlunt && sharpened_ < kMostSharpened) {
+    --axis_;
+    return shorten(axis_, 1.0 / change);
+  }
+  is_blind_ = true;
 }
 
 bool FreshSlopes::pays_another_round(const TrustBox& box) const {

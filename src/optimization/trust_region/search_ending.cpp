@@ -16,6 +16,10 @@ std::string in_words(Ending ending) {
       return "at the edge of failed trials: steps that would gain fail";
     case Ending::rough:
       return "on rough ground: steps do not bring what slopes around the best point promise";
+    case Ending::blind:
+      return "without having seen a minimum: beside the best point trials fail, or the residuals "
+             "change by many times what they are however short the step; where the range of a "
+             "variable is that wide, narrow its bounds or give it a logarithmic scale";
     case Ending::known:
       return "at a minimum: the slopes the model brings promise nothing better";
     case Ending::explained:

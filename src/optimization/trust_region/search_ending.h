@@ -12,6 +12,7 @@ enum class Ending {
   noise,      // nor do they above noise and ripple
   edge,       // steps that gain fail
   rough,      // steps do not bring what fresh slopes promise
+  blind,      // along a direction no slope could be had
   known,      // the model's own slopes promise nothing
   explained,  // next to nothing is left of the residuals
   hopeless    // nothing ever succeeded

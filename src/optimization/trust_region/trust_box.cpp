@@ -252,6 +252,28 @@ ResidualKriging TrustBox::natural_model(const NaturalFrame& frame, double& noise
   return ResidualKriging(around, noise);
 }
 
+Eigen::VectorXd TrustBox::changes_along(const NaturalFrame& frame) const {
+  const ResidualSamples around = memory.around(center_, frame);
+  const double r = memory[center_].r.norm();
+  Eigen::VectorXd changes = Eigen::VectorXd::Zero(frame.axes());
+  if (!(r > 0.0)) return changes;
+  Eigen::VectorXd least = Eigen::VectorXd::Constant(frame.axes(), kInfinity);
+  for (Eigen::Index row = 0; row < around.Z.rows(); ++row) {
+    Eigen::Index axis;
+    const double y = around.Z.row(row).cwiseAbs().maxCoeff(&axis);
+    if (y > 0.0) least[axis] = std::min(least[axis], around.D.row(row).norm() / (r * y));
+  }
+  for (Eigen::Index k = 0; k < least.size(); ++k)
+    if (least[k] < kInfinity) changes[k] = least[k];
+  return changes;
+}
+
+bool TrustBox::has_moved_along(int axis, const NaturalFrame& frame) const {
+  constexpr double kTells = 0.05;  // of the axis
+  const ResidualSamples around = memory.around(center_, frame);
+  return around.Z.rows() > 0 && around.Z.col(axis).cwiseAbs().maxCoeff() > kTells;
+}
+
 Wanted TrustBox::natural_step(const ResidualKriging& m,
                               const NaturalFrame& frame,
                               double reach,

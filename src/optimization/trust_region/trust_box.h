@@ -100,6 +100,11 @@ class TrustBox {
                                  const PendingPoints<Wanted>& wanted) const;
   /// Of the samples which the frame brings near.
   ResidualKriging natural_model(const NaturalFrame& frame, double& noise) const;
+  /// By the same samples: how far the residuals change over a move of 1 along each axis, of their
+  /// norm, by the move mainly along it that changes them least; 0 where there is none.
+  Eigen::VectorXd changes_along(const NaturalFrame& frame) const;
+  /// Whether one of them tells anything of that axis.
+  bool has_moved_along(int axis, const NaturalFrame& frame) const;
   /// The step of that model as far as `reach` along the axes.
   Wanted natural_step(const ResidualKriging& m,
                       const NaturalFrame& frame,

@@ -127,7 +127,7 @@ void TrustRegionRun::observe(const DesignPoint& point,
   if (sample && sample->f < box_.explosion() && !box_.leaps(*sample)) {
     take(tried, {tried.u, sample->r, sample->J, sample->f, sample->stand_ins});
   } else {
-    take_failure(tried);
+    take_failure(tried, sample);
   }
   fill();
 }
@@ -157,12 +157,14 @@ void TrustRegionRun::take(const Wanted& tried, ResidualSample sample) {
   }
 }
 
-void TrustRegionRun::take_failure(const Wanted& tried) {
+void TrustRegionRun::take_failure(const Wanted& tried,
+                                  const std::optional<ResidualSample>& exploded) {
   box_.memory.add_failure(tried.u);
   ++failures_;
   if (tried.kind == Kind::start && !box_.has_center()) return start_again(tried.u);
   if (verification_) {
     if (tried.kind == Kind::step) verification_->observe_failed_step();
+    if (tried.kind == Kind::probe) verification_->observe_failed_probe(change_of(exploded));
     return;
   }
   if (failures_ >= kFailuresToGiveUp) {
@@ -170,6 +172,13 @@ void TrustRegionRun::take_failure(const Wanted& tried) {
   } else if (tried.kind == Kind::step && failures_ >= kFailuresToShrink) {
     box_.radius *= 0.5;
   }
+}
+
+/// Of the residuals from the center, of what they are there; NaN where the trial has none.
+double TrustRegionRun::change_of(const std::optional<ResidualSample>& sample) const {
+  if (!sample || !box_.has_center()) return std::numeric_limits<double>::quiet_NaN();
+  const Eigen::VectorXd& r = box_.memory[box_.center()].r;
+  return (sample->r - r).norm() / r.norm();
 }
 
 /// The one least known; none where the model brought its slopes, or the region is a point.
@@ -244,6 +253,7 @@ std::optional<Wanted> TrustRegionRun::next_to_verify() {
 /// Where it gained much, a search begins anew.
 void TrustRegionRun::judge_verifying_step(double gain, double promise) {
   verification_->observe_step(gain < kBadGain, promise);
+  if (verification_->is_sharp()) return;
   if (gain > kGoodGain && box_.f() < kWorthASearch * verification_->f_begin()) {
     box_.radius = kSettled * options_.initial_radius;
     disappointments_ = 0;

@@ -69,7 +69,8 @@ class TrustRegionRun {
   bool is_hopeless() const;
   // What an outcome makes of the box.
   void take(const Wanted& tried, ResidualSample sample);
-  void take_failure(const Wanted& tried);
+  void take_failure(const Wanted& tried, const std::optional<ResidualSample>& exploded);
+  double change_of(const std::optional<ResidualSample>& sample) const;
   void judge_verifying_step(double gain, double promise);
 
   ResidualTrustRegionOptions options_;

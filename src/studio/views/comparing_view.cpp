@@ -70,8 +70,7 @@ Json interval_of(const Side& side, const std::string& name) {
   if (!side.no_intervals.empty()) return "";
   for (int i = 0; i < side.study->space.size(); ++i)
     if (side.study->space[i].name == name)
-      return correlation::interval_text(
-          side.study->space, i, correlation::reported_interval(*side.study, *side.kept.what, i));
+      return correlation::interval_text(*side.study, *side.kept.what, i);
   return "";
 }
 

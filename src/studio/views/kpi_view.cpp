@@ -18,8 +18,8 @@ namespace {
 using correlation::Study;
 
 constexpr double kNextToNoWeight = 1e-6;  // of the largest
-constexpr double kAtBound = 1e-3;   // of the range
-constexpr double kMissed = 0.1;     // an error worth a remark
+constexpr double kAtBound = 1e-3;         // of the range
+constexpr double kMissed = 0.1;           // an error worth a remark
 
 std::string weight_flag(double weight, double largest) {
   return weight < kNextToNoWeight * largest ? "weight about zero: it does not count" : "";
@@ -124,9 +124,8 @@ Json variable_rows(const ShelvedStudy& shelved, const RecordedTrial& recorded) {
     const DesignVariable& v = study.space[i];
     std::string interval, flag = bound_flag(study.space, recorded.point, i);
     if (kept.what && kept.what->best == recorded.point) {
-      interval = correlation::interval_text(
-          study.space, i, correlation::reported_interval(study, *kept.what, i));
-      if (interval == "anywhere") flag = "no measurement excites it: it may be anywhere";
+      interval = correlation::interval_text(study, *kept.what, i);
+      if (interval.starts_with("anywhere")) flag = "no measurement excites it: it may be anywhere";
     }
     rows.push_back(
         {{"name", v.name},

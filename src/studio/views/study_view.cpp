@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "correlation/search/study_method.h"
+#include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study_experiment.h"
 #include "correlation/target/study_trials.h"
 #include "studio/views/json_values.h"
@@ -105,6 +106,10 @@ Json failures(const TrialTable& table) {
 Json warnings(const Study& study, const Sight& sight) {
   Json list = Json::array();
   if (!sight.error.empty()) list.push_back(sight.error);
+  for (const Ledger& ledger : correlation::ledgers_of(study))
+    for (const LedgerDoubt& doubt : ledger.doubts)
+      if (std::find(list.begin(), list.end(), Json(doubt.sentence)) == list.end())
+        list.push_back(doubt.sentence);  // the page shows each sentence once
   double largest = 0.0;
   for (const auto& experiment : study.experiments)
     if (experiment.fitted) largest = std::max(largest, experiment.objective.weight);
@@ -220,6 +225,9 @@ Json study_view(const ShelvedStudy& shelved, StudyRuns& runs) {
       view["constraints"].push_back(in_words(constraint));
     view["failures"] = failures(table);
     view["warnings"] = warnings(study, sight);
+    view["ledgers"] = Json::array();
+    for (const Ledger& ledger : correlation::ledgers_of(study))
+      view["ledgers"].push_back(correlation::json_of(ledger));
     return view;
   });
 }

@@ -94,6 +94,26 @@ export interface Study {
   constraints: string[];
   failures: FailureGroup[];
   warnings: string[];
+  ledgers?: Ledger[];
+}
+
+export interface LedgerRow {
+  written: string;
+  taken_as: string;
+  meaning: string;
+  unit_written: string;
+  unit: string;
+  factor: Value;
+  axes: string;
+  used_by: string[];
+  state: string; // "used", "not used", "assumed", "?"
+  remark: string;
+}
+
+export interface Ledger {
+  file: string;
+  summary: string;
+  rows: LedgerRow[];
 }
 
 export interface Convergence {

@@ -3,8 +3,8 @@
 //
 //   time                                   s
 //   pushrod_FL ... pushrod_RR              N, along the push-rod, compression positive
-//   Fz_FL ...                              N, of the road on the tire, upward; of tires that know
-//                                          no footprint, on the hub
+//   Fz_FL ...                              N, of the road on the tire: its contact's load, not the
+//                                          force on the hub, where the inertia of a belt acts too
 //   hub_FL ...                             m/s^2, of the wheel center, upward
 //   spring_FL ...                          m, extension of the spring unit against rest; 0 of bars
 //   body_z                                 m/s^2, of the chassis' center of mass, upward
@@ -30,8 +30,8 @@ std::array<std::string, car::kCorners> of_corners(const std::string& name);
 std::vector<std::pair<std::string, std::string>> car_channels(bool with_area);
 
 /// Looks at a run at every sample.
-using CarWatcher = std::function<void(
-    const car::Car&, const car::CarState&, const road::Road&, double time)>;
+using CarWatcher =
+    std::function<void(const car::Car&, const car::CarState&, const road::Road&, double time)>;
 
 class CarRecord {
  public:

@@ -60,7 +60,7 @@ Result<Channels> run(car::Car& car, const FourPostTest& test, const CarWatcher& 
   if (!state) return Failure{"on the four posts: " + state.failure().reason};
   CarRecord record(car, *state, false);
   const long every = std::lround(test.sample_step / test.step),
-             steps = std::lround((test.times.back() - test.times.front()) / test.step);
+             steps = std::lround((test.times.back() - test.times.front() + test.still) / test.step);
   std::array<std::vector<double>, 4> posts;
   const auto sample = [&] {
     const double time = state->time();

@@ -19,6 +19,7 @@ struct FourPostTest {
   std::vector<double> times;                   // s, evenly
   std::array<std::vector<double>, 4> heights;  // m, FL, FR, RL, RR
   double step = 2e-4, sample_step = 1e-3;      // s
+  double still = 0.0;  // s, on which the posts stand where they ended: until the car rests again
 };
 
 /// In which direction a sweep moves the four.

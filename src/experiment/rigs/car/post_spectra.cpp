@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/rigs/car/post_spectra.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "experiment/rigs/car/car_record.h"
+#include "numerics/signals/local_response.h"
 #include "numerics/signals/welch.h"
 
 namespace latsch::experiment {
@@ -46,20 +49,29 @@ Response response_of(const std::vector<double>& u,
                      const std::vector<double>& y,
                      double rate,
                      const PostSpectra& settings) {
-  const auto s = numerics::densities(u, y, rate, welch(rate, u.size(), settings.segment));
+  const auto moving =
+      settings.moving > 0.0
+          ? std::min(u.size(), static_cast<std::size_t>(std::lround(settings.moving * rate)) + 1)
+          : u.size();
+  const auto s = numerics::densities(std::span(u).first(moving),
+                                     std::span(y).first(moving),
+                                     rate,
+                                     welch(rate, moving, settings.segment));
   Response kept;
   for (std::size_t i = 0; i < s.frequency.size(); ++i) {
     if (s.frequency[i] < settings.from || s.frequency[i] > settings.to) continue;
-    // A post that stands still has no response, and no phase.
-    const bool moves = s.xx[i] > 0.0, answers = moves && s.yy[i] > 0.0;
-    const std::complex<double> h1 = moves ? s.xy[i] / s.xx[i] : 0.0;
     kept.frequency.push_back(s.frequency[i]);
     kept.post.push_back(s.xx[i]);
     kept.density.push_back(s.yy[i]);
-    kept.magnitude.push_back(std::abs(h1));
-    kept.phase.push_back(std::arg(h1));
-    kept.coherence.push_back(answers ? std::norm(s.xy[i]) / (s.xx[i] * s.yy[i]) : 0.0);
   }
+  constexpr double kHalfLine = 0.7;  // of a line's width, times the segment
+  const auto local =
+      numerics::local_response(u, y, rate, kept.frequency, {.width = kHalfLine / settings.segment});
+  for (const std::complex<double>& h : local.response) {
+    kept.magnitude.push_back(std::abs(h));
+    kept.phase.push_back(std::arg(h));
+  }
+  kept.coherence = local.coherence;
   return kept;
 }
 

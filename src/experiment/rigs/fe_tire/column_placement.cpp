@@ -94,22 +94,39 @@ Result<std::vector<TireDescription>> moved(const Judged& now,
     wanted = {best - 2, best, best + 2};
   }
   std::vector<TireDescription> meshes;
+  std::string too_many;
   for (const int sectors : wanted) {
     const placement::Way found = placement::way(now, changes, fixed, sectors, most);
     TireDescription mesh = now.tire;
     mesh.section.sectors = sectors;
     mesh = with_columns(std::move(mesh), rounded(placed(found.number, fixed, columns, found.rho)));
     if (const int least = build_mesh(mesh).free_dofs(); least > most) {
-      return Failure{fmt::format(
+      too_many = fmt::format(
           "{} columns between the ends of plies and rubbers make {} unknowns, more than the {} "
           "allowed: allow more, or take fewer sectors or rows",
           2 * (mesh.section.columns.size() - 1),
           least,
-          most)};
+          most);
+      continue;
     }
     meshes.push_back(std::move(mesh));
   }
+  if (meshes.empty()) return Failure{too_many};
   return meshes;
+}
+
+/// Columns moved where those of `now` err, and judged.
+Result<std::vector<Judged>> next_round(const Judged& now,
+                                       const placement::Start& start,
+                                       int modes,
+                                       const std::vector<double>& fixed,
+                                       int most,
+                                       bool choose_sectors) {
+  const auto changed = placement::changes(now, start, modes);
+  if (!changed) return changed.failure();
+  auto meshes = moved(now, *changed, fixed, most, choose_sectors);
+  if (!meshes) return meshes.failure();
+  return placement::judge(*meshes, start, modes);
 }
 
 /// Where the tire does not stand so low: minutes of work would end with that.
@@ -149,7 +166,8 @@ Result<ColumnPlacement> place_columns(const TireDescription& tire,
               mesh.unknowns,
               best.error_before,
               mesh.error,
-              mesh.worst};
+              mesh.worst,
+              {}};
     }
     if (round == settings.rounds) break;
     const Judged& now = *std::ranges::min_element(*judged, {}, &Judged::error);
@@ -159,19 +177,27 @@ Result<ColumnPlacement> place_columns(const TireDescription& tire,
                            settings.rounds,
                            now.tire.section.columns.size() - 1));
     }
-    const auto changed = placement::changes(now, *start, modes);
-    if (!changed) return changed.failure();
-    auto meshes = moved(now, *changed, fixed, most, settings.choose_sectors);
-    if (!meshes) return meshes.failure();
-    judged = placement::judge(*meshes, *start, modes);
-    if (!judged) return judged.failure();
+    auto next = next_round(now, *start, modes, fixed, most, settings.choose_sectors);
+    if (!next) {
+      if (best.columns.empty()) return next.failure();
+      best.stopped = fmt::format(
+          "round {} of {} was not finished: {}", round + 1, settings.rounds, next.failure().reason);
+      break;
+    }
+    judged = std::move(next);
   }
   if (settings.deflection <= 0.0) return best;
   TireDescription placed = with_columns(tire, best.columns);
   placed.section.sectors = best.sectors;
   ColumnPlacementSettings on_ground = settings;
   on_ground.unknowns = most;
-  return placement::exchange_columns(placed, on_ground, fixed, progress);
+  auto exchanged = placement::exchange_columns(placed, on_ground, fixed, progress);
+  if (exchanged) {
+    if (exchanged->stopped.empty()) exchanged->stopped = best.stopped;
+    return exchanged;
+  }
+  best.stopped = "columns were not exchanged on the ground: " + exchanged.failure().reason;
+  return best;
 }
 
 }  // namespace latsch

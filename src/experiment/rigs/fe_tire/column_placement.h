@@ -40,10 +40,14 @@ struct ColumnPlacement {
   /// Of the quantity that errs most, as estimated above.
   double error_before = 0.0, error = 0.0;
   std::string worst;  // its name: "growth", "lateral n=2"
+  /// Why not all rounds were gone through; what stands above is the best of those before. Empty
+  /// where they were.
+  std::string stopped = {};
 };
 
 /// `progress` is told each round before it begins. Fails where the tire cannot be inflated, and
-/// where the fewest columns make more unknowns than allowed.
+/// where the fewest columns make more unknowns than allowed in the first round; a later round that
+/// fails ends the search with the best so far.
 Result<ColumnPlacement> place_columns(const fe_tire::TireDescription& tire,
                                       const ColumnPlacementSettings& settings,
                                       const std::function<void(const std::string&)>& progress = {});

@@ -2,13 +2,17 @@
 #include "experiment/rigs/slip/slip_states.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 
 #include "base/text.h"
+#include "base/units.h"
 #include "measurement/axes.h"
+#include "measurement/meaning/channel_checks.h"
+#include "measurement/meaning/channel_words.h"
 #include "models/magic_formula/magic_formula_slopes.h"
 
 namespace latsch {
@@ -22,14 +26,16 @@ struct StateColumn {
   const char* name;
   const char* unit;
   double State::*member;
+  const char* otherwise;  // where it is not there
 };
-constexpr std::array<StateColumn, 7> kStateColumns = {{{"Fz", "N", &State::Fz},
-                                                       {"kappa", "1", &State::kappa},
-                                                       {"alpha", "rad", &State::alpha},
-                                                       {"gamma", "rad", &State::gamma},
-                                                       {"phit", "1/m", &State::phit},
-                                                       {"Vx", "m/s", &State::Vx},
-                                                       {"p", "Pa", &State::p}}};
+constexpr std::array<StateColumn, 7> kStateColumns = {
+    {{"Fz", "N", &State::Fz, ""},
+     {"kappa", "1", &State::kappa, "0"},
+     {"alpha", "rad", &State::alpha, "0"},
+     {"gamma", "rad", &State::gamma, "0"},
+     {"phit", "1/m", &State::phit, "0"},
+     {"Vx", "m/s", &State::Vx, "LONGVL of the tire"},
+     {"p", "Pa", &State::p, "INFLPRES of the tire"}}};
 
 struct AnswerColumn {
   const char* name;
@@ -58,16 +64,181 @@ bool same_name(const std::string& a, const std::string& b) {
   });
 }
 
+/// A column and the state it is; nullptr: none.
+struct Meant {
+  std::string column;
+  const StateColumn* state = nullptr;
+};
+
+const StateColumn* state_of(const formats::CsvTable& table, const std::string& column) {
+  for (const StateColumn& state : kStateColumns)
+    if (same_name(column, state.name)) return &state;
+  const auto found = recognized(column);
+  if (!found) return nullptr;
+  const std::string name =
+      found->channel == "FzW" ? std::string("Fz") : found->channel;  // states are in W
+  for (const StateColumn& state : kStateColumns) {
+    if (name != state.name) continue;
+    const std::string& written = table.unit(column);
+    const auto unit = Unit::find(written);
+    const bool fits = unit && unit->same_dimension(Unit::of(state.unit));
+    if (column.size() == 1 && !fits && !written.empty()) return nullptr;  // "V" may be a voltage
+    if (fits || Unit::of(state.unit).dimensionless() || !written.empty()) return &state;
+    throw InputError(
+        table.header_place(),
+        fmt::format("column {0} has no unit, and {1} is {2}: write it as {3}, or call the column "
+                    "{1}, which is in {4} where it has no unit",
+                    in_quotes(column),
+                    state.name,
+                    words_for(Unit::of(state.unit)).noun,
+                    in_quotes(column + " [" + std::string(state.unit) + "]"),
+                    state.unit));
+  }
+  return nullptr;
+}
+
+/// Every column in the order of the table. Throws InputError where two are one state, Fz is missing
+/// or one looks like a state that is missing.
+std::vector<Meant> meant_by(const formats::CsvTable& table) {
+  std::vector<Meant> all;
+  for (const std::string& column : table.columns()) {
+    const StateColumn* state = state_of(table, column);
+    for (const Meant& other : all)
+      if (state && other.state == state)
+        throw InputError(table.header_place(),
+                         same_name(other.column, column)
+                             ? fmt::format("{} comes twice", in_quotes(column))
+                             : fmt::format("columns {} and {} both are {}: expected one of them",
+                                           in_quotes(other.column),
+                                           in_quotes(column),
+                                           state->name));
+    all.push_back({column, state});
+  }
+  std::vector<std::string> unknown;
+  for (const Meant& one : all)
+    if (!one.state && !recognized(one.column)) unknown.push_back(one.column);
+  for (const StateColumn& state : kStateColumns) {
+    if (std::any_of(all.begin(), all.end(), [&](const Meant& one) { return one.state == &state; }))
+      continue;
+    const auto alike = look_like(state.name, unknown);
+    const std::string hint =
+        alike.empty()
+            ? ""
+            : fmt::format("; column {} looks like it: call it {}, or give it another name",
+                          in_quotes(alike.front()),
+                          state.name);
+    if (state.member == &State::Fz)
+      throw InputError(table.header_place(),
+                       "there is no column Fz; a table of states has Fz and any of kappa, alpha, "
+                       "gamma, phit, Vx, p" +
+                           hint);
+    if (!alike.empty())
+      throw InputError(table.header_place(),
+                       fmt::format("there is no column {}, which would be taken as {}{}",
+                                   state.name,
+                                   state.otherwise,
+                                   hint));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<experiment::MeasuredCondition> measured_states() {
   std::vector<experiment::MeasuredCondition> conditions;
   for (const StateColumn& column : kStateColumns) {
     const bool is_load = column.member == &State::Fz;
-    conditions.push_back(
-        {column.name, column.unit, is_load, is_load ? name_of(AxisFrame::W) : std::string()});
+    conditions.push_back({.channel = column.name,
+                          .unit = column.unit,
+                          .is_needed = is_load,
+                          .frame = is_load ? name_of(AxisFrame::W) : std::string(),
+                          .otherwise = column.otherwise});
   }
   return conditions;
+}
+
+Ledger ledger_of_states(const formats::CsvTable& table, const std::string& by) {
+  Ledger ledger{table.file()};
+  Channels states;
+  std::vector<formats::CsvTable::Wanted> wanted;
+  int place = 0;
+  std::vector<std::string> unused;
+  const auto meant = meant_by(table);
+  for (const auto& [column, state] : meant) {
+    LedgerRow row;
+    row.written = column;
+    row.line = table.header_place().line;
+    row.column = ++place;
+    row.unit_written = table.unit(column);
+    if (!state) {
+      if (const auto known = recognized(column)) row.meaning = known->meaning->words;
+      if (row.meaning.empty()) unused.push_back(column);
+      ledger.rows.push_back(std::move(row));
+      continue;
+    }
+    row.taken_as = state->name;
+    row.unit = state->unit;
+    if (const ChannelMeaning* known = find_meaning(state->name)) row.meaning = known->words;
+    if (const auto unit = Unit::find(row.unit_written); unit && !row.unit_written.empty()) {
+      row.offset = unit->to_si(0.0L);
+      row.factor = unit->to_si(1.0L) - row.offset;
+    }
+    row.axes = "iso";
+    Ledger::use(row, by);
+    if (row.unit_written.empty() && row.unit != "1")
+      row.remark = "no unit: " + row.unit + " is taken";
+    ledger.rows.push_back(std::move(row));
+    wanted.push_back({column, table.si_or_plain(column, state->unit)});
+  }
+  for (const StateColumn& state : kStateColumns) {
+    if (ledger.find_taken(state.name)) continue;
+    LedgerRow row;
+    row.taken_as = state.name;
+    row.state = LedgerState::assumed;
+    row.used_by = {by};
+    row.remark = std::string("is taken as ") + state.otherwise;
+    ledger.rows.push_back(std::move(row));
+    std::vector<std::string> may_be;
+    for (const std::string& column : unused) {
+      const auto unit = Unit::find(table.unit(column));
+      if (!table.has_unit(column) || !unit || unit->same_dimension(Unit::of(state.unit)))
+        may_be.push_back("`" + column + "`");
+    }
+    if (may_be.empty()) continue;
+    ledger.doubts.push_back(
+        {may_be.front().substr(1, may_be.front().size() - 2),
+         fmt::format(
+             "{}: {} is taken as {}: no column is called {}; not used: {}. Did you mean {}?",
+             by,
+             state.name,
+             state.otherwise,
+             spellings_of(state.name),
+             fmt::join(may_be, ", "),
+             may_be.size() == 1 ? "it" : "one of them"),
+         table.header_place()});
+  }
+  constexpr int kMostChecked = 1'000'000;  // rows: checks hold them all in memory
+  if (table.rows() > kMostChecked) {
+    ledger.doubts.push_back(
+        {"",
+         fmt::format("signs and ranges of {} rows are not checked, more than {}",
+                     table.rows(),
+                     kMostChecked),
+         {table.file(), 0}});
+    return ledger;
+  }
+  auto values = table.numbers(wanted);
+  std::size_t k = 0;
+  for (const auto& [column, state] : meant)
+    if (state) states.add({state->name, state->unit, std::move(values[k++])});
+  for (const ChannelDoubt& doubt : doubts_about(states)) {
+    const std::string column = ledger.find_taken(doubt.channel)->written;
+    ledger.doubts.push_back({column,
+                             "column " + in_quotes(column) + " " + doubt.sentence,
+                             table.place(static_cast<int>(doubt.sample)),
+                             doubt.is_error});
+  }
+  return ledger;
 }
 
 std::vector<std::string> for_slip_states(const formats::CsvTable& table,
@@ -80,26 +251,14 @@ std::vector<std::string> for_slip_states(const formats::CsvTable& table,
   std::vector<std::string> unused;
   std::vector<formats::CsvTable::Wanted> wanted;
   std::vector<double State::*> members;
-  std::array<bool, kStateColumns.size()> found{};
-  for (const std::string& column : table.columns()) {
-    const auto known = std::find_if(kStateColumns.begin(), kStateColumns.end(), [&](auto& c) {
-      return same_name(column, c.name);
-    });
-    if (known == kStateColumns.end()) {
+  for (const auto& [column, state] : meant_by(table)) {
+    if (!state) {
       unused.push_back(column);
       continue;
     }
-    bool& before = found[known - kStateColumns.begin()];
-    if (before)
-      throw InputError(table.header_place(), fmt::format("{} comes twice", in_quotes(column)));
-    before = true;
-    wanted.push_back({column, table.si_or_plain(column, known->unit)});
-    members.push_back(known->member);
+    wanted.push_back({column, table.si_or_plain(column, state->unit)});
+    members.push_back(state->member);
   }
-  if (!found[0])
-    throw InputError(table.header_place(),
-                     "there is no column Fz; a table of states has Fz and any of kappa, alpha, "
-                     "gamma, phit, Vx, p");
   std::vector<State> states;
   table.for_blocks(wanted, rows, [&](const std::vector<std::vector<double>>& values) {
     states.assign(values.front().size(), fallback);

@@ -3,9 +3,11 @@
 //
 //   Fz [N], kappa [1], alpha [deg], gamma [deg], phit [1/m], Vx [km/h], p [bar]
 //
-// Columns in any order and case, in any unit of their dimension, in SI where they have none. Fz has
-// to be there; slips and camber that are missing are 0, the speed is that of the measurement
-// (LONGVL), the pressure the file's own (INFLPRES). Columns of other names are not used.
+// Columns in any order, by any spelling (measurement/meaning/channel_words.h: SA, Radlast ...), in
+// any unit of their dimension. A column of one of these very names is in SI where it has no unit;
+// another spelling has to have one. Fz has to be there; slips and camber that are missing are 0,
+// the speed is that of the measurement (LONGVL), the pressure the file's own (INFLPRES). Columns of
+// other names are not used; one that looks like a state that is missing is an error.
 #pragma once
 
 #include <functional>
@@ -15,12 +17,16 @@
 #include "experiment/rigs/measured_conditions.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/channels.h"
+#include "measurement/ledger.h"
 #include "models/magic_formula/magic_formula.h"
 
 namespace latsch {
 
 /// Its columns, to be taken from a measurement: Fz, in W, has to be there.
 std::vector<experiment::MeasuredCondition> measured_states();
+
+/// What each column of such a table is taken for, what is assumed, and what is in doubt.
+Ledger ledger_of_states(const formats::CsvTable& table, const std::string& by);
 
 struct SlipStates {
   std::vector<magic_formula::State> states;

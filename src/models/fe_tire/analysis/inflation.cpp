@@ -26,6 +26,45 @@ struct SectorState {
   bool held = true;  // by a tangent that is positive, as the last iteration had it
 };
 
+/// "at y = 92 mm, r = 231 mm, in column 3 of 16 of the mesh": where a node or an element's middle
+/// stands before any load, and the column of elements it belongs to, from the +y bead.
+std::string place_in_words(const Mesh& mesh, const Eigen::Vector3d& X) {
+  constexpr double kMillimeters = 1e3;
+  const double r = std::hypot(X.x(), X.z());
+  int columns = 0, nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Element& element : mesh.elements) {
+    if (!element.inner) continue;  // one of each column
+    ++columns;
+    const Eigen::Vector3d middle = mesh.coordinates(element).rowwise().mean();
+    const double away = std::hypot(middle.y() - X.y(), std::hypot(middle.x(), middle.z()) - r);
+    if (away >= least) continue;
+    least = away;
+    nearest = columns;
+  }
+  return fmt::format("at y = {:.0f} mm, r = {:.0f} mm, in column {} of {} of the mesh",
+                     kMillimeters * X.y(),
+                     kMillimeters * r,
+                     nearest,
+                     columns);
+}
+
+std::string inverted_in_words(const Ring& ring, int element) {
+  const Mesh& mesh = ring.mesh();
+  const Eigen::Vector3d middle =
+      mesh.coordinates(mesh.elements[static_cast<std::size_t>(element)]).rowwise().mean();
+  return fmt::format("an element is inverted {}", place_in_words(mesh, middle));
+}
+
+/// Where the residual f is largest.
+std::string residual_in_words(const Ring& ring, const Eigen::VectorXd& f) {
+  Eigen::Index node = 0;
+  ring.expand(f).colwise().norm().maxCoeff(&node);
+  return fmt::format("the residual, {:.3g} N a sector, is largest {}",
+                     f.norm(),
+                     place_in_words(ring.mesh(), ring.mesh().X.col(node)));
+}
+
 /// d = K(0)^-1 f; K(0) is shifted until it is positive where it is not (taut cords under a poor
 /// predictor).
 Eigen::VectorXd newton_direction(const SectorBlocks& tangent,
@@ -60,7 +99,7 @@ bool newton(const RingElements& elements,
   Eigen::VectorXd f;
   int worst = 0;
   if (!assemble_sector(elements, now.x, pressure, now.alpha, f, &tangent, &worst)) {
-    why = fmt::format("section element {} is inverted", worst);
+    why = inverted_in_words(elements.ring(), worst);
     return false;
   }
   double last = std::numeric_limits<double>::infinity();
@@ -86,14 +125,15 @@ bool newton(const RingElements& elements,
           state = now;
           return true;
         }
-        why = valid ? fmt::format("residual {:.3g} N a sector does not fall", norm)
-                    : fmt::format("section element {} is inverted", worst);
+        why = valid ? "the residual does not fall: " + residual_in_words(elements.ring(), f)
+                    : inverted_in_words(elements.ring(), worst);
         return false;
       }
     }
     now = std::move(trial);
   }
-  why = fmt::format("residual {:.3g} N a sector after {} iterations", f.norm(), max_iterations);
+  why =
+      fmt::format("after {} iterations {}", max_iterations, residual_in_words(elements.ring(), f));
   return false;
 }
 
@@ -135,7 +175,7 @@ Result<Inflated> inflate_sector(const RingElements& elements,
   Eigen::VectorXd f, alpha = state.alpha;
   int worst = 0;
   if (!assemble_sector(elements, state.x, pressure, alpha, f, nullptr, &worst)) {
-    return Failure{fmt::format("inflation: section element {} is inverted before any load", worst)};
+    return Failure{fmt::format("inflation: {} before any load", inverted_in_words(ring, worst))};
   }
   const double reference = f.norm();
 
@@ -166,8 +206,10 @@ Result<Inflated> inflate_sector(const RingElements& elements,
       reached = next;
     } else if (++halvings > kMaxHalvings) {
       return Failure{
-          fmt::format("inflation stopped at {:.4g} of {:.4g} bar: {}; a wall that buckles or cords "
-                      "that carry nothing do this: check pressure, thicknesses and moduli",
+          fmt::format("inflation stopped at {:.4g} of {:.4g} bar: {}; a soft wall in few columns "
+                      "folds there: try shorter columns, [mesh] split_columns = 2 or a larger "
+                      "meridional; a wall that buckles or cords that carry nothing do this on "
+                      "every mesh: check pressure, thicknesses and moduli",
                       reached / 1e5,
                       pressure / 1e5,
                       why)};

@@ -2,9 +2,17 @@
 // The size molded into a tire's sidewall and what it says about the section.
 //
 //   225/50R16      metric: nominal width 225 mm, height 50 % of it, radial, rim of 16 inches
-//   16x7.5-10      racing: outer diameter, nominal width, rim, all in inches; - bias, R radial
+//   195/65R390     metric, rim in mm where it is 100 or more
+//   185R14C        metric without a ratio: height 82 % of the width
+//   59/80R63       inches: width 59, height 80 % of it; of two digits on a rim of 25 and more
+//   10.00R20       inches: width and rim; 11R22.5, 18.4-38, 40.00R57
+//   16x7.5-10      outer diameter, width, rim, all in inches; 138x41-84, 31x10.50R15LT
+//   1400x530R23    outer diameter and width in mm, rim in inches (aircraft)
 //
-// A prefix (P, LT) and service marks behind ("94W", "XL") are allowed and ignored.
+// R is radial, with or without the letter of a speed before it (ZR, VR, HR, SR); -, D, B are bias.
+// Small letters, a multiplication sign for x, prefixes (P, LT, ST, T, C, IF, VF, H, B), marks close
+// behind the rim (LT, C, M/C) and service marks after a blank ("94W", "XL") are allowed and
+// ignored.
 #pragma once
 
 #include <optional>
@@ -18,8 +26,11 @@ struct SizeDesignation {
   double width = 0.0;           // m, nominal: of the section (metric) or of the tread (racing)
   double outer_diameter = 0.0;  // m, nominal, inflated and unloaded
   double rim_diameter = 0.0;    // m, nominal
-  bool metric = true;
+  bool metric = true;           // else all in inches
   bool radial = true;
+  /// Relative deviations of a real tire that its designation allows; wide where it names no height.
+  double diameter_tolerance = 0.02;
+  double least_width = 0.94, most_width = 1.06;
 };
 
 /// Nothing where the text is no size designation.
@@ -28,7 +39,8 @@ std::optional<SizeDesignation> parse_size(const std::string& text);
 /// What is wrong with a section of this outer radius, overall width (m) and bead point for a tire
 /// of this size; empty where they agree. Tolerances: metric sizes follow the tire and rim
 /// standard's order of magnitude (diameter 2 %, width 6 %); a racing section is up to a third wider
-/// than its tread.
+/// than its tread; sizes without a height name the diameter within 8 % (10.00R20: 1054 mm, 11R22.5:
+/// 1054 mm, 18.4-38: 1750 mm, 40.00R57: 3594 mm).
 std::string size_conflict(const SizeDesignation& size,
                           double outer_radius,
                           double width,

@@ -210,7 +210,8 @@ void check_size(const Node& root, TireDescription& tire) {
   const auto size = parse_size(tire.size);
   if (!size)
     root.reject("size",
-                fmt::format("is \"{}\", expected a size such as \"225/50R16\" or \"16x7.5-10\"",
+                fmt::format("is \"{}\", expected a size such as \"225/50R16\", \"16x7.5-10\" or "
+                            "\"10.00R20\"",
                             tire.size));
   const OuterSize outer = outer_size(tire.section);
   const std::string conflict =

@@ -2,6 +2,8 @@
 // The file of a flexible ring tire. Every number has its unit and can be a design variable.
 //
 //   kind = "ring_tire"
+//   side = "left"                      # of the car, as it was measured: default; or "right". A car
+//                                      # puts its mirror image on the other side
 //   pressure = "2.4 bar"
 //
 //   [belt]

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "formats/mesh/inp_deck.h"
+#include "formats/deck/inp_deck.h"
 
 namespace latsch::formats {
 namespace {

@@ -4,8 +4,10 @@
 //
 // The part of the language a tire needs: nodes, eight-node elements, sets, hyperelastic and linear
 // materials, cylindrical orientations, sections, layers of rebars in embedded surface elements,
-// surfaces, one kind of contact, supports, face pressures, static and frequency steps. Everything
-// else is refused by name, for a card skipped in silence is a wrong model.
+// equations that hold a node on the line between two others, surfaces, one kind of contact,
+// supports, face pressures, static and frequency steps. Everything else is refused by name, for a
+// card skipped in silence is a wrong model: cards that are not known, their options
+// (inp_options.h), values of options that mean another model.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +20,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "formats/mesh/inp_units.h"
+#include "formats/deck/inp_units.h"
 
 namespace latsch::formats {
 
@@ -32,6 +34,14 @@ struct InpSurfaceElement {
 struct InpElement {
   int number = 0;
   std::array<int, 8> node;  // node numbers
+  Place place;
+};
+
+/// A node that equations hold on the straight line between two others, where it lies: x = (1 - at)
+/// x_lower + at x_upper, and its displacement likewise.
+struct InpTie {
+  int lower = 0, upper = 0;  // node numbers
+  double at = 0.0;           // 0 at the lower, 1 at the upper node
   Place place;
 };
 
@@ -151,6 +161,7 @@ struct InpDeck {
   std::vector<InpStep> steps;
   std::vector<InpRebars> rebars;
   std::vector<InpEmbedding> embeddings;
+  std::map<int, InpTie> ties;  // by the number of the tied node
   std::vector<InpNumber> numbers;
   int pressure = -1;  // number, of the last static step; -1: none
   InpUnits units;     // stated, else by the size of the mesh, else mm, N, tonne

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "formats/mesh/inp_cards.h"
+#include "formats/deck/inp_cards.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // What a deck names has to be in it.
 #pragma once
 
-#include "formats/mesh/inp_deck.h"
+#include "formats/deck/inp_deck.h"
 
 namespace latsch::formats {
 

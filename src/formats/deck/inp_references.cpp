@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "formats/mesh/inp_references.h"
+#include "formats/deck/inp_references.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "formats/mesh/inp_units.h"
+#include "formats/deck/inp_units.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "base/units.h"
+#include "base/unit_reading.h"
 #include "formats/text/letter_case.h"
 
 namespace latsch::formats {
@@ -37,7 +37,7 @@ InpUnits parse_units(std::string_view text, const Place& place) {
     const std::string_view name = without_blanks(text.substr(begin, comma - begin));
     begin = comma + 1;
     if (count == 3) break;
-    const auto unit = Unit::find(name);
+    const auto unit = find_unit(name, Unit::of(kSi[count]));
     if (!unit || !unit->same_dimension(Unit::of(kSi[count])))
       throw InputError(place,
                        fmt::format("{} is no unit of {}, expected units of length, force and mass "

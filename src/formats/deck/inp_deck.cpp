@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "formats/mesh/inp_deck.h"
+#include "formats/deck/inp_deck.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,10 @@
 #include <set>
 
 #include "base/file.h"
-#include "formats/mesh/inp_cards.h"
-#include "formats/mesh/inp_references.h"
+#include "formats/deck/inp_cards.h"
+#include "formats/deck/inp_equations.h"
+#include "formats/deck/inp_options.h"
+#include "formats/deck/inp_references.h"
 
 namespace latsch::formats {
 namespace {
@@ -27,6 +29,7 @@ class DeckReader {
   InpDeck read(const std::vector<InpCard>& cards) {
     for (const InpCard& card : cards) read_card(card);
     if (step_) throw InputError(step_->place, "*STEP is never closed, expected *END STEP");
+    deck_.ties = equations_.ties(deck_.nodes);
     note_pressure();
     check_references(deck_);
     return std::move(deck_);
@@ -47,6 +50,7 @@ class DeckReader {
         {"DENSITY", &DeckReader::density},
         {"ORIENTATION", &DeckReader::orientation},
         {"SOLID SECTION", &DeckReader::solid_section},
+        {"EQUATION", &DeckReader::equation},
         {"SURFACE", &DeckReader::surface},
         {"SURFACE INTERACTION", &DeckReader::interaction},
         {"SURFACE BEHAVIOR", &DeckReader::behavior},
@@ -85,8 +89,11 @@ class DeckReader {
           card.place,
           fmt::format(
               "keyword *{} is not supported{}", card.keyword.substr(0, 60), way_out(card.keyword)));
+    check_options(card);
     (this->*handler->second)(card);
   }
+
+  void equation(const InpCard& card) { equations_.add(card); }
 
   /// What a user can do about a keyword that other decks have.
   static std::string way_out(const std::string& keyword) {
@@ -568,6 +575,7 @@ class DeckReader {
   }
 
   InpDeck deck_;
+  InpEquations equations_;
   InpMaterial* material_ = nullptr;
   InpInteraction* interaction_ = nullptr;
   std::optional<InpStep> step_;

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// A car's doors: rest under air of several weights, rigid joints, balance with drag, tires of both
+// sides, transfer functions of four posts at their defaults. With --smoke a few of each.
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include "experiment/rigs/car/axle_kc_rig.h"
+#include "experiment/rigs/car/four_post_rig.h"
+#include "experiment/rigs/car/post_spectra.h"
+#include "models/car/car_linear.h"
+#include "models/car/race_car_testing.h"
+#include "models/road/plane_road.h"
+#include "table.h"
+
+namespace {
+
+using namespace latsch;
+using benchmarks::Table;
+using car::Car;
+using Eigen::Vector3d;
+
+constexpr double kArea = 1.2, kDensity = 1.2, kDragHeight = 0.35;
+
+void make_rigid(car::CarParameters& parameters) {
+  for (car::Axle* axle : {&parameters.front, &parameters.rear})
+    for (multibody::BushingParameters& bushing : axle->corner.bushings) {
+      bushing = {Vector3d::Constant(1e10), Vector3d::Zero(), Vector3d::Constant(1e6)};
+      bushing.rigid = true;
+    }
+}
+
+/// Of the race car with bump stops: downforce of so many weights at that speed, more the lower the
+/// floor is, and drag.
+car::CarParameters pressed(bool rigid, double speed, double times, double drag) {
+  car::CarParameters parameters = car::race_car(false);
+  if (rigid) make_rigid(parameters);
+  for (car::Axle* axle : {&parameters.front, &parameters.rear})
+    axle->inboard->unit.parts.push_back(multibody::ElasticCurve{multibody::ForceCurve(
+        {{-0.040, -12e3}, {-0.030, -2e3}, {-0.025, 0.0}, {0.0, 0.0}, {0.1, 0.0}})});
+  double mass = 0.0;
+  for (const auto& body : car::build(parameters).mechanism.bodies()) mass += body.mass;
+  const double q = 0.5 * kDensity * speed * speed * kArea;
+  const double all = times * mass * parameters.gravity / q;
+  car::AeroMap air;
+  air.area = kArea;
+  air.density = kDensity;
+  air.drag = drag;
+  air.drag_height = kDragHeight;
+  air.floor_front = 0.03;
+  air.floor_rear = 0.04;
+  const auto row = [&](double front, double rear) {
+    const double lower = 1.0 + 2.0 * (0.03 - front) + 1.5 * (0.04 - rear);
+    return car::AeroMap::Row{front, rear, 0.45 * all * lower, 0.55 * all * lower};
+  };
+  air.set_rows({row(-0.1, -0.1), row(-0.1, 0.05), row(0.04, -0.1), row(0.04, 0.05)});
+  parameters.aero = air;
+  return parameters;
+}
+
+struct Rested {
+  int cars = 0, at_rest = 0, in_words = 0;
+  double force = 0.0, moment = 0.0, slowed = 0.0;  // relative, relative, m/s
+};
+
+/// Sums over forces of the road against weight and air, by hand; moments about the ground's line.
+void judge(const Car& car, const car::CarState& state, double speed, Rested& rested) {
+  const car::CarParameters& of = car.parameters();
+  const car::AeroMap& air = *of.aero;
+  const auto at = [&](double x, double z) {
+    return car.point(state, car.parts().chassis, {x, 0.0, z});
+  };
+  const auto& bodies = car.mechanism().bodies();
+  const Vector3d front = at(of.front.corner.wheel_center.x(), air.floor_front),
+                 rear = at(of.rear.corner.wheel_center.x(), air.floor_rear);
+  const double q = 0.5 * air.density * speed * speed * air.area;
+  const Eigen::Vector2d down = q * air.at(front.z(), rear.z()).downforce;
+  double force = down.sum(), moment = down[0] * front.x() + down[1] * rear.x() -
+                                      q * air.drag * at(bodies[0].origin.x(), air.drag_height).z();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    force += bodies[i].mass * of.gravity;
+    moment += bodies[i].mass * of.gravity * state.bodies.poses[i].place.x();
+  }
+  const double all = force;
+  const auto Fz = car.vertical_forces(state);
+  for (std::size_t i = 0; i < car::kCorners; ++i) {
+    force -= Fz[i];
+    moment -= Fz[i] * state.wheels[i].motion.center.x();
+  }
+  rested.force = std::max(rested.force, std::abs(force) / all);
+  rested.moment = std::max(rested.moment, std::abs(moment) / (all * 1.55));
+}
+
+Rested rest_under_air(bool rigid, bool smoke) {
+  Rested rested;
+  const road::PlaneRoad flat;
+  for (double speed = 20.0; speed < 91.0; speed += smoke ? 70.0 : 10.0)
+    for (double times = 1.0; times < 5.5; times += smoke ? 4.0 : 1.0) {
+      ++rested.cars;
+      auto car = Car::make(pressed(rigid, speed, times, 0.9), car::spring_tires());
+      if (!car) throw std::runtime_error(car.failure().reason);
+      auto state = (*car)->settle(flat, speed, {});
+      if (!state) {
+        const std::string& why = state.failure().reason;
+        const bool words = why.find("had sunk most at") != std::string::npos;
+        rested.in_words += words ? 1 : 0;
+        fmt::print("  {:.0f} m/s, {:.0f} weights: {}\n", speed, times, why);
+        continue;
+      }
+      ++rested.at_rest;
+      judge(**car, *state, speed, rested);
+      const double lasts = smoke ? 0.05 : 0.3;
+      while (state->time() < lasts) {
+        if (const auto done = (*car)->advance(*state, 2e-4, flat, {}); !done)
+          throw std::runtime_error(done.failure().reason);
+        rested.slowed = std::max(rested.slowed, std::abs(state->bodies.rates[0] - speed));
+      }
+    }
+  return rested;
+}
+
+/// Wheel rate over the spring's of a corner at rest, by virtual work: the twist of an upright that
+/// five rods leave while its contact rises, what its wishbone and rocker make of it.
+double ratio_of_rates(const car::Axle& axle) {
+  using W = suspension::DoubleWishbone;
+  const auto& p = axle.corner.points;
+  const Vector3d c = axle.corner.wheel_center;
+  Eigen::Matrix<double, 6, 6> rows;
+  int row = 0;
+  for (const auto& [inner, outer] : {std::pair{W::kUcaFront, W::kUbj},
+                                     {W::kUcaRear, W::kUbj},
+                                     {W::kLcaFront, W::kLbj},
+                                     {W::kLcaRear, W::kLbj},
+                                     {W::kTrackrodInner, W::kTrackrodOuter}}) {
+    const Vector3d u = (p[outer] - p[inner]).normalized();
+    rows.row(row++) << u.transpose(), (p[outer] - c).cross(u).transpose();
+  }
+  rows.row(row) << 0.0, 0.0, 1.0, (axle.corner.contact - c).cross(Vector3d::UnitZ()).transpose();
+  const Eigen::Matrix<double, 6, 1> twist =
+      rows.partialPivLu().solve(Eigen::Matrix<double, 6, 1>::Unit(5));
+  // The push-rod of both axles stands on the upper wishbone, which turns about its own axis.
+  const Vector3d axis = (p[W::kUcaRear] - p[W::kUcaFront]).normalized(),
+                 lever = axis.cross(p[W::kUbj] - p[W::kUcaFront]),
+                 ball = twist.head<3>() + twist.tail<3>().cross(p[W::kUbj] - c);
+  const double turns = lever.dot(ball) / lever.squaredNorm();
+  const Vector3d outer = turns * axis.cross(p[W::kPushrodOuter] - p[W::kUcaFront]);
+  const car::Inboard& inboard = *axle.inboard;
+  const Vector3d rod = (p[W::kPushrodOuter] - p[W::kPushrodInner]).normalized();
+  const double rocker =
+      rod.dot(outer) / rod.dot(inboard.axis.cross(p[W::kPushrodInner] - inboard.pivot));
+  const Vector3d spring = (inboard.damper - inboard.damper_on_chassis).normalized();
+  const double ratio = rocker * spring.dot(inboard.axis.cross(inboard.damper - inboard.pivot));
+  return ratio * ratio;
+}
+
+double error_of_wheel_rate() {
+  car::CarParameters parameters = car::race_car(false);
+  make_rigid(parameters);
+  const car::CarMechanism car = car::build(parameters);
+  double worst = 0.0;
+  for (const bool front : {true, false}) {
+    experiment::AxleKcTest test;
+    test.front = front;
+    test.loads = Eigen::Matrix<double, 12, 1>::Zero();
+    test.rack = {0.0};
+    const auto found = experiment::axle_compliance(car, test);
+    if (!found) throw std::runtime_error(found.failure().reason);
+    const car::Axle& axle = front ? parameters.front : parameters.rear;
+    const double expected = ratio_of_rates(axle) * axle.inboard->unit.stiffness;
+    for (const char* side : {"L", "R"}) {
+      const double rate = 1.0 / (*found)[fmt::format("dz_{0}_by_Fz_{0}", side)][0];
+      worst = std::max(worst, std::abs(rate / expected - 1.0));
+    }
+  }
+  return worst;
+}
+
+/// The largest |H - H of the linear model|/|H| from 0.5 to 20 Hz at the defaults, of all sensors.
+double error_of_responses(experiment::PostMode mode) {
+  const auto car = Car::make(car::race_car(false), car::spring_tires());
+  const road::PlaneRoad flat;
+  const auto linear = car::linearize(**car, *(*car)->settle(flat, 0.0, {}), flat);
+  experiment::FourPostTest test = experiment::sweep_test({.mode = mode}, 1e-3);
+  test.still = 3.0;
+  const auto record = experiment::run(**car, test);
+  if (!record) throw std::runtime_error(record.failure().reason);
+  const Channels measured = experiment::spectra(*record, mode, 1000.0, {.moving = 20.0});
+  const std::array<double, 4> sign = experiment::signs_of(mode);
+  double worst = 0.0;
+  const std::vector<double>& f = measured["frequency"];
+  for (std::size_t i = 0; i < f.size() && f[i] <= 20.0; ++i) {
+    const Eigen::VectorXcd H = linear->response(f[i]) * Eigen::Vector4d(sign.data());
+    for (std::size_t k = 0; k < linear->names.size(); ++k) {
+      const std::string& sensor = linear->names[k];
+      if (mode == experiment::PostMode::roll && sensor == "body_z") continue;  // none, by symmetry
+      const auto found = std::polar(measured["tf_" + sensor][i], measured["phase_" + sensor][i]);
+      const auto expected = H[static_cast<Eigen::Index>(k)];
+      worst = std::max(worst, std::abs(found - expected) / std::abs(expected));
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  const bool smoke = count > 1 && std::string_view(words[1]) == "--smoke";
+  return benchmarks::guarded([smoke] {
+    Table table("car_doors");
+    for (const bool rigid : {true, false}) {
+      const Rested rested = rest_under_air(rigid, smoke);
+      const std::string joints = rigid ? "rigid joints" : "compliant joints";
+      table.row(fmt::format(
+                    "{}: {} cars, 20 to 90 m/s, 1 to 5 weights of downforce", joints, rested.cars),
+                fmt::format("{} at rest, {} in words", rested.at_rest, rested.in_words),
+                "all",
+                rested.at_rest + rested.in_words == rested.cars && rested.at_rest > 0);
+      table.row(joints + ": sum Fz against weight and downforce, largest",
+                fmt::format("{:.1e}", rested.force),
+                "<= 1e-6",
+                rested.force <= 1e-6);
+      table.row(joints + ": moment about the ground with drag, of sum Fz times wheelbase",
+                fmt::format("{:.1e}", rested.moment),
+                "<= 1e-6",
+                rested.moment <= 1e-6);
+      table.row(joints + ": speed kept with drag, largest change",
+                fmt::format("{:.1e} m/s", rested.slowed),
+                "<= 1e-3 m/s",
+                rested.slowed <= 1e-3);
+    }
+    const double rate = error_of_wheel_rate();
+    table.row("wheel rate on rigid joints against virtual work",
+              fmt::format("{:.1e}", rate),
+              "<= 1e-4",
+              rate <= 1e-4);
+    using experiment::PostMode;
+    for (const auto& [mode, name] : {std::pair{PostMode::heave, "heave"},
+                                     {PostMode::pitch, "pitch"},
+                                     {PostMode::roll, "roll"}}) {
+      if (smoke && mode != PostMode::heave) continue;
+      const double error = error_of_responses(mode);
+      table.row(fmt::format("four posts at their defaults, {}: response, 0.5 to 20 Hz", name),
+                fmt::format("{:.2f} %", 100.0 * error),
+                "<= 2 %",
+                error <= 0.02);
+    }
+    return table.exit_code();
+  });
+}

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/laboratory/record_ledger.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "correlation/laboratory/channel_names.h"
+#include "measurement/meaning/channel_checks.h"
+#include "measurement/meaning/channel_sense.h"
+#include "measurement/meaning/channel_words.h"
+
+namespace latsch::correlation {
+namespace {
+
+bool depends_on_axes(const std::string& channel) {
+  const ChannelSenses senses = channel_senses(channel);
+  return senses.is_known() && (sign_to_iso(senses, AxisConvention::sae) < 0.0 ||
+                               sign_to_iso(senses, AxisConvention::adapted_sae) < 0.0);
+}
+
+/// The rows of all files that became this channel.
+template <class Action>
+void for_rows_of(LabRecord& record, const std::string& channel, const Action& action) {
+  const Channel* found = record.find(channel);
+  if (!found) return;
+  const auto written = record.written.find(found->name);
+  if (written == record.written.end()) return;
+  for (Ledger& ledger : record.ledgers)
+    if (LedgerRow* row = ledger.find_written(written->second.column)) action(*row);
+}
+
+void name_meaning(LedgerRow& row) {
+  const auto known = recognized(row.taken_as);
+  if (known) row.meaning = known->meaning->words;
+}
+
+/// A known name whose values have no unit or one of another dimension.
+void note_dimension(LedgerRow& row) {
+  const std::string expected = dimension_of_name(row.written);
+  if (expected.empty() || Unit::of(row.unit).same_dimension(Unit::of(expected))) return;
+  row.state = LedgerState::doubtful;
+  row.remark = row.unit_written.empty()
+                   ? fmt::format("a known name without its dimension: {} is {}",
+                                 recognized(row.written)->channel,
+                                 words_for(Unit::of(expected)).noun)
+                   : fmt::format("a known name of another dimension: {} is {}",
+                                 recognized(row.written)->channel,
+                                 words_for(Unit::of(expected)).noun);
+}
+
+}  // namespace
+
+Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
+  Ledger ledger{table.file};
+  for (std::size_t k = 0; k < table.channels.all().size(); ++k) {
+    const Channel& channel = table.channels.all()[k];
+    LedgerRow row;
+    row.written = channel.name;
+    row.line = table.header.line;
+    row.column = static_cast<int>(k) + 1;
+    row.unit_written = table.units[k];
+    row.unit = channel.unit;
+    if (const auto unit = Unit::find(row.unit_written); unit && !row.unit_written.empty()) {
+      row.offset = unit->to_si(0.0L);
+      row.factor = unit->to_si(1.0L) - row.offset;
+    }
+    for (const auto& [ours, theirs] : record.written)
+      if (theirs.column == channel.name) row.taken_as = ours;
+    if (row.taken_as == row.written && !recognized(row.written) &&
+        !channel_senses(row.written).is_known())
+      row.taken_as.clear();
+    name_meaning(row);
+    note_dimension(row);
+    ledger.rows.push_back(std::move(row));
+  }
+  for (const auto& [name, why] : table.left_out) {
+    LedgerRow row;
+    row.written = name;
+    row.line = table.header.line;
+    row.state = LedgerState::doubtful;
+    row.remark = "left out: it " + why;
+    ledger.rows.push_back(std::move(row));
+  }
+  for (const LedgerRow& row : ledger.rows)
+    if (row.state == LedgerState::doubtful)
+      ledger.doubts.push_back({row.written,
+                               "column " + in_quotes(row.written) + " is not taken: " + row.remark,
+                               {ledger.file, row.line}});
+  return ledger;
+}
+
+void note_use(LabRecord& record, const std::string& channel, const std::string& by) {
+  for_rows_of(record, channel, [&](LedgerRow& row) { Ledger::use(row, by); });
+}
+
+void note_axes(LabRecord& record, AxisConvention axes, bool are_stated) {
+  const std::string name = axis_convention_names()[static_cast<std::size_t>(axes)];
+  for (Ledger& ledger : record.ledgers) {
+    bool matters = false;
+    for (LedgerRow& row : ledger.rows) {
+      const std::string& channel = row.taken_as.empty() ? row.written : row.taken_as;
+      const ChannelSenses senses = channel_senses(channel);
+      matters = matters || depends_on_axes(channel);
+      if (!senses.is_known())
+        row.axes = are_stated ? "not turned" : "";
+      else if (depends_on_axes(channel))
+        row.axes = fmt::format(
+            "{}{}, {:+.0f}", name, are_stated ? "" : " (assumed)", sign_to_iso(senses, axes));
+      else
+        row.axes = "the same in all";
+    }
+    if (are_stated || !matters) continue;
+    LedgerRow row;
+    row.taken_as = "axes";
+    row.state = LedgerState::assumed;
+    row.remark = "iso, because none are stated";
+    ledger.rows.push_back(std::move(row));
+  }
+}
+
+std::string ambiguity(const LabRecord& record, const std::string& channel) {
+  const auto others = record.ambiguous.find(channel);
+  const auto first = record.written.find(channel);
+  if (others == record.ambiguous.end() || first == record.written.end()) return "";
+  std::vector<std::string> columns = {first->second.column};
+  columns.insert(columns.end(), others->second.begin(), others->second.end());
+  std::string named;
+  for (const std::string& column : columns)
+    named += (named.empty() ? "" : " and ") + in_quotes(column);
+  return fmt::format(
+      "columns {} both are {}; say which by columns = {{{} = {}}} of a "
+      "[measurement.NAME]",
+      named,
+      channel,
+      channel,
+      in_quotes(columns.front()));
+}
+
+void check_channels(LabRecord& record, bool axes_are_stated, bool is_stated) {
+  if (record.ledgers.empty()) return;
+  const auto file_of = [&](const Place& place) -> Ledger& {
+    for (Ledger& ledger : record.ledgers)
+      if (ledger.file == place.file) return ledger;
+    return record.ledgers.front();
+  };
+  for (const auto& [channel, others] : record.ambiguous)
+    record.ledgers.front().doubts.push_back(
+        {others.front(), ambiguity(record, channel), record.header});
+  const auto fitting = axes_are_stated ? std::vector<std::string>() : conventions_that_fit(record);
+  const bool as_iso = std::find(fitting.begin(), fitting.end(), "iso") != fitting.end();
+  const std::string where = is_stated ? "" : " in a [measurement.NAME] of the file";
+  std::string way_out;
+  if (!axes_are_stated && !as_iso && !fitting.empty())
+    way_out = fmt::format(
+        "; no axes are stated, so iso is taken, but the signs are as in {}: say axes = {}{}",
+        list_of(fitting),
+        in_quotes(fitting.back()),
+        where);
+  for (const ChannelDoubt& doubt : doubts_about(record.table())) {
+    const auto written = record.written.find(doubt.channel);
+    const std::string column =
+        written == record.written.end() ? doubt.channel : written->second.column;
+    const Place place =
+        doubt.sample < record.places.size() ? record.places[doubt.sample] : record.header;
+    Ledger& ledger = file_of(place);
+    std::string out = way_out;
+    if (doubt.all_loads_negative && out.empty())
+      out = fmt::format(
+          "; turn the column by columns = {{{} = \"-{}\"}}{}", doubt.channel, column, where);
+    ledger.doubts.push_back({column,
+                             fmt::format("column {}{} {}{}",
+                                         in_quotes(column),
+                                         column == doubt.channel ? "" : " (" + doubt.channel + ")",
+                                         doubt.sentence,
+                                         out),
+                             place,
+                             doubt.is_error});
+    if (LedgerRow* row = ledger.find_written(column)) {
+      row->state = LedgerState::doubtful;
+      row->remark = doubt.sentence;
+    }
+  }
+}
+
+}  // namespace latsch::correlation

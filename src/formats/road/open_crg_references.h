@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that refer to files: $ROAD_CRG_FILE [ASAM OpenCRG 1.2.0, 3.4.6].
+//
+//   $ROAD_CRG_FILE
+//   control.crg                       several files: options, modifiers and data apart
+//   ../roads/
+//   track.crg                         a path on several lines
+//   $roads/track.crg                  an environment variable
+//
+// The standard lets a section name several files and lets a path go over several lines, and does
+// not say which is which. A path ends here with a line that ends in ".crg" or that completes the
+// name of a file that exists. Paths are relative to the folder of the file that names them. Of what
+// several files define, the last one counts; sections of the referring file itself, be they empty,
+// count before those of files that it refers to.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "formats/road/open_crg_header.h"
+
+namespace latsch::formats {
+
+/// A file with data and the options and modifiers that count for it.
+struct ResolvedCrg {
+  std::string bytes;     // of the file with the data
+  OpenCrgHeader header;  // of the same, with the options and modifiers that count
+  std::vector<std::filesystem::path> files;  // all that were opened, the first one first
+};
+
+/// Throws InputError: a file that is not there or refers to itself, a variable that is not set, no
+/// data, data beside a reference.
+ResolvedCrg resolve_open_crg(const std::filesystem::path& file);
+
+/// "is larger than 256 MB"
+void check_open_crg_size(std::string_view bytes, const std::string& file);
+
+}  // namespace latsch::formats

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/tables/table_column.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/text.h"
+#include "base/unit_reading.h"
+#include "formats/text/letter_case.h"
+
+namespace latsch::formats {
+namespace {
+
+constexpr std::size_t kMostNamed = 30;       // names in one message
+constexpr std::size_t kMostCompared = 1000;  // names among which the nearest is looked for
+
+/// Letters in round brackets that are units there; others are frames, sides and axles.
+bool is_unit_in_round_brackets(std::string_view unit, std::string_view name) {
+  if (unit.empty() || unit == "1" || unit == "-") return unit == "-";
+  if (unit.size() == 1 &&
+      ((unit[0] >= 'A' && unit[0] <= 'Z') || (unit[0] >= 'a' && unit[0] <= 'z'))) {
+    if (unit == "C" || unit == "F" || unit == "K") return lower(name).find("temp") != name.npos;
+    return unit == "N" || unit == "m" || unit == "s" || unit == "g" || unit == "V";
+  }
+  return looks_like_unit(unit);
+}
+
+std::string called_column(const TableColumn& column) { return "column " + in_quotes(column.name); }
+
+/// "1,234" as a group of thousands: one to three digits, the mark, three digits.
+bool is_group(std::string_view number, std::size_t mark) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string_view before = number.substr(0, mark), behind = number.substr(mark + 1);
+  if (!before.empty() && (before.front() == '-' || before.front() == '+')) before.remove_prefix(1);
+  return !before.empty() && before.size() <= 3 && before != "0" && behind.size() == 3 &&
+         std::all_of(before.begin(), before.end(), is_digit) &&
+         std::all_of(behind.begin(), behind.end(), is_digit);
+}
+
+bool is_number_with(std::string_view cell, char decimal) {
+  std::string plain(trimmed(cell));
+  if (std::count(plain.begin(), plain.end(), decimal) > 1) return false;
+  std::replace(plain.begin(), plain.end(), decimal, '.');
+  return parse_number(plain).has_value();
+}
+
+}  // namespace
+
+TableColumn column_of_title(std::string_view title) {
+  title = trimmed(title);
+  TableColumn column{.name = std::string(title), .title = std::string(title)};
+  const auto split = [&](std::size_t name_end, std::string_view unit) {
+    column.name = trimmed(title.substr(0, name_end));
+    column.unit = trimmed(unit);
+  };
+  if (title.ends_with(']')) {
+    const auto bracket = title.rfind('[');
+    if (bracket != title.npos)
+      split(bracket, title.substr(bracket + 1, title.size() - bracket - 2));
+    return column;
+  }
+  if (title.ends_with(')')) {
+    // "bar(g)" has brackets of its own.
+    const auto bracket = title.find('(');
+    const auto inside = title.substr(bracket + 1, title.size() - bracket - 2);
+    if (bracket > 0 && bracket != title.npos &&
+        is_unit_in_round_brackets(trimmed(inside), title.substr(0, bracket)))
+      split(bracket, inside);
+    return column;
+  }
+  const auto slash = title.rfind(" / ");
+  if (slash == title.npos || slash == 0) return column;
+  const auto unit = Unit::find(title.substr(slash + 3));
+  if (unit && !unit->dimensionless()) split(slash, title.substr(slash + 3));
+  return column;
+}
+
+std::string fault_of_unit(const TableColumn& column, const std::string& expected) {
+  if (expected.empty()) {
+    const UnitReading reading = reading_of_unit(column.unit);
+    return reading.unit ? "" : called_column(column) + " has " + reading.fault;
+  }
+  const Unit wanted = Unit::of(expected);
+  const UnitReading reading = reading_of_unit(column.unit, wanted);
+  if (!reading.unit) return called_column(column) + " has " + reading.fault;
+  if (reading.unit->same_dimension(wanted)) return "";
+  return called_column(column) +
+         (column.unit.empty() ? " has no unit" : " is in " + in_quotes(column.unit)) +
+         ", expected " + words_for(wanted).noun + ", such as " +
+         in_quotes(column.name + " [" + expected + "]");
+}
+
+Unit unit_of_column(TableColumn& column, const std::string& expected, const Place& place) {
+  const std::string fault = fault_of_unit(column, expected);
+  if (!fault.empty()) throw InputError(place, fault);
+  if (!expected.empty()) return *reading_of_unit(column.unit, Unit::of(expected)).unit;
+  const UnitReading reading = reading_of_unit(column.unit);
+  column.assumed = reading.assumed;
+  return *reading.unit;
+}
+
+void take_stated_unit(TableColumn& column, const std::string& stated, const Place& place) {
+  if (stated.empty() || stated == column.unit) return;
+  if (column.unit.empty()) {
+    column.unit = stated;
+    return;
+  }
+  // "lb" of the file is the "lbf" or the "lbm" that is stated.
+  const auto said = Unit::find(stated);
+  const auto written = said ? find_unit(column.unit, *said) : std::nullopt;
+  if (!written || !written->same_dimension(*said) || written->to_si(1.0L) != said->to_si(1.0L) ||
+      written->to_si(0.0L) != said->to_si(0.0L))
+    throw InputError(place,
+                     column.name + " is in " + in_quotes(column.unit) + ", but was said to be in " +
+                         in_quotes(stated));
+  column.unit = stated;
+}
+
+std::string missing_columns(const std::vector<std::string>& missing,
+                            const std::vector<std::string>& names) {
+  std::vector<std::string> some(names.begin(),
+                                names.begin() + std::min<long>(kMostNamed, std::ssize(names)));
+  std::string listed = list_of(some);
+  if (some.size() < names.size()) listed += fmt::format(" and {} more", names.size() - some.size());
+  const bool few = names.size() <= kMostCompared;  // the nearest name is looked for among these
+  if (missing.size() == 1)
+    return "column " + in_quotes(missing[0]) + " is missing" +
+           (few ? did_you_mean(missing[0], names) : "") + " (columns: " + listed + ")";
+  std::string text, meant;
+  for (const std::string& name : missing) {
+    text += (text.empty() ? "" : ", ") + in_quotes(name);
+    const auto like = few ? nearest(name, names) : std::nullopt;
+    if (like) meant += (meant.empty() ? "" : ", ") + in_quotes(*like) + " for " + in_quotes(name);
+  }
+  return "columns " + text + " are missing" +
+         (meant.empty() ? "" : ", did you mean " + meant + "?") + " (columns: " + listed + ")";
+}
+
+std::string reason_of_no_number(std::string_view cell, std::string_view kind_of_file) {
+  cell = trimmed(cell);
+  if (parse_number(cell)) return ", expected a finite number";  // NaN, infinity
+  if (is_number_with(cell, ','))
+    return fmt::format(
+        ", a decimal comma, which is not read in {}: write a decimal point, or a .csv with "
+        "semicolons or tabs between the columns",
+        kind_of_file);
+  std::string digits;
+  for (const char c : cell)
+    if (c != ',' && c != '.' && c != '\'' && c != ' ') digits += c;
+  if (parse_number(digits)) return ", expected a number without thousands separators";
+  return ", expected a finite number";
+}
+
+bool is_gap_word(std::string_view cell) {
+  static constexpr std::array<std::string_view, 15> kWords = {"",
+                                                              "nan",
+                                                              "-nan",
+                                                              "n/a",
+                                                              "na",
+                                                              "#n/a",
+                                                              "null",
+                                                              "none",
+                                                              "-",
+                                                              "--",
+                                                              "---",
+                                                              "?",
+                                                              "*",
+                                                              "notavail",
+                                                              "missing"};
+  const std::string word = lower(trimmed(cell));
+  return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
+void DecimalMarks::take(std::string_view number, int line) {
+  const std::size_t at = number.find_first_of(",.");
+  if (at == number.npos) return;
+  const bool comma = number[at] == ',';
+  int& mine = comma ? comma_line_ : point_line_;
+  if (mine == 0) mine = line;
+  if (is_group(number, at)) (comma ? has_comma_group_ : has_point_group_) = true;
+  const bool is_mixed = comma_line_ > 0 && point_line_ > 0;
+  if (is_mixed && (has_comma_group_ || has_point_group_))
+    throw InputError(
+        {file_, line},
+        fmt::format("has the number {}, and line {} one with a {}: is one of them a separator of "
+                    "thousands? Write all numbers with the same mark and without separators",
+                    in_quotes(number),
+                    comma ? point_line_ : comma_line_,
+                    comma ? "point" : "comma"));
+}
+
+}  // namespace latsch::formats

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a file states a column, and the title and unit of one as people write them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "base/units.h"
+
+namespace latsch::formats {
+
+/// A column, channel or vector as its file states it.
+struct TableColumn {
+  std::string name;          // without the unit
+  std::string unit = {};     // as written; empty: none is
+  std::string title = {};    // the whole text of the name, "force [N]"
+  int line = 0;              // of the name, from 1; 0: the file has no lines
+  int unit_line = 0;         // of the unit
+  int place = 0;             // among the columns, from 1
+  std::string assumed = {};  // about a unit with several meanings, which one is taken
+
+  bool operator==(const TableColumn&) const = default;
+};
+
+/// "force [N]", "force (N)" and "force / N" -> "force", "N". Square brackets hold a unit whatever
+/// they hold; the others only what is a unit, and single letters that also name a frame, a side or
+/// an axle ("Fz (H)", "toe (L)") are none.
+TableColumn column_of_title(std::string_view title);
+
+/// The SI unit a column of that name has to have; empty where its name says nothing.
+using ExpectedUnit = std::function<std::string(const std::string& name)>;
+
+/// The unit of a column. `expected`: the SI unit of the values; empty: not known. Notes in the
+/// column what was assumed. Throws InputError at `place` for a unit that is unknown, has several
+/// meanings of which none is usual, or is of another dimension than expected, and where a unit is
+/// needed and the column has none.
+Unit unit_of_column(TableColumn& column, const std::string& expected, const Place& place);
+/// `column "FZ" has unknown unit "kgg"`: the words of that error; empty where the unit is
+/// right.
+std::string fault_of_unit(const TableColumn& column, const std::string& expected);
+
+/// Takes the unit that somebody states for a column: it has to be that of the file where the file
+/// states one, else it becomes the column's. An empty text states nothing. Throws InputError at
+/// `place` where the two differ.
+void take_stated_unit(TableColumn& column, const std::string& stated, const Place& place);
+
+/// `column "Fz" is missing, did you mean "FZ"? (columns: ...)`, and the same for several at once.
+std::string missing_columns(const std::vector<std::string>& missing,
+                            const std::vector<std::string>& names);
+
+/// Why a cell is no number: a decimal comma, thousands separators, or `expected a finite number`.
+/// Begins with a comma: `, a decimal comma: ...`.
+std::string reason_of_no_number(std::string_view cell, std::string_view kind_of_file);
+/// Whether a cell says in words that there is no value: empty, "NaN", "n/a", "-" and their like.
+bool is_gap_word(std::string_view cell);
+
+/// Notices decimal commas and points in one file: beside "0.5", "1,234" is more than a thousand;
+/// beside "0,5" it is little more than one.
+class DecimalMarks {
+ public:
+  explicit DecimalMarks(std::string file) : file_(std::move(file)) {}
+  /// Throws InputError where the file has both marks and one number may be of thousands.
+  void take(std::string_view number, int line);
+
+ private:
+  std::string file_;
+  int comma_line_ = 0, point_line_ = 0;
+  bool has_comma_group_ = false, has_point_group_ = false;
+};
+
+}  // namespace latsch::formats

@@ -1,0 +1,492 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/tire/tir_reader.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "base/text.h"
+#include "formats/text/letter_case.h"
+#include "formats/tire/tir_dialect.h"
+#include "formats/tire/tir_keys.h"
+
+namespace latsch::formats {
+namespace {
+
+using magic_formula::ParameterField;
+using magic_formula::Parameters;
+using magic_formula::ParameterUnit;
+using magic_formula::Side;
+using magic_formula::Version;
+
+/// Scaling factors that the equations divide by, or without which there is no tire.
+constexpr std::array<std::string_view, 9> kNeverZero = {
+    "LFZO", "LCX", "LMUX", "LKX", "LCY", "LMUY", "LKY", "LIP", "LCZ"};
+/// {smallest, largest} of the inputs that a file covers.
+constexpr std::array<std::array<std::string_view, 2>, 5> kRanges = {{{"PRESMIN", "PRESMAX"},
+                                                                     {"FZMIN", "FZMAX"},
+                                                                     {"KPUMIN", "KPUMAX"},
+                                                                     {"ALPMIN", "ALPMAX"},
+                                                                     {"CAMMIN", "CAMMAX"}}};
+/// Coefficients that act with the pressure.
+constexpr std::array<std::string_view, 17> kOfPressure = {"PPX1",
+                                                          "PPX2",
+                                                          "PPX3",
+                                                          "PPX4",
+                                                          "PPY1",
+                                                          "PPY2",
+                                                          "PPY3",
+                                                          "PPY4",
+                                                          "PPY5",
+                                                          "PPZ1",
+                                                          "PPZ2",
+                                                          "PPMX1",
+                                                          "PFZ1",
+                                                          "QSY8",
+                                                          "PCFX3",
+                                                          "PCFY3",
+                                                          "LIP"};
+
+bool is_group(std::string_view section) {
+  return section.ends_with("_COEFFICIENTS") || section.ends_with("_RANGE");
+}
+
+/// All sections that parameters belong to.
+const std::set<std::string_view>& home_sections() {
+  static const std::set<std::string_view> sections = [] {
+    std::set<std::string_view> names;
+    for (const ParameterField& field : magic_formula::parameter_fields())
+      names.insert(field.section);
+    return names;
+  }();
+  return sections;
+}
+
+/// For suggestions: everything that a key could be meant to be.
+std::vector<std::string> all_keys() {
+  std::vector<std::string> keys = other_spellings();
+  for (const ParameterField& field : magic_formula::parameter_fields())
+    keys.emplace_back(field.name);
+  for (const std::string& key : keys_with_reason()) keys.push_back(key);
+  for (const char* key : {"FITTYP", "TYRESIDE", "USE_MODE", "PROPERTY_FILE_FORMAT", "LIP", "LCZ"})
+    keys.emplace_back(key);
+  return keys;
+}
+
+/// Short names of coefficients differ by single letters anyway: only one slip is worth a guess.
+std::string suggestion(const std::string& key) {
+  constexpr std::size_t kShort = 6;
+  const auto best = nearest(key, all_keys());
+  if (!best || (key.size() <= kShort && edit_distance(key, *best) > 1)) return "";
+  return ", did you mean " + in_quotes(*best) + "?";
+}
+
+class TirReader {
+ public:
+  explicit TirReader(TirFile& tir) : tir_(tir), units_(tir.source.units()) {}
+
+  void read() {
+    const TeimOrbitSection* model = tir_.source.find("MODEL");
+    if (model == nullptr)
+      throw InputError(Place{tir_.source.file(), 0},
+                       "there is no section [MODEL]: is this a tire property file?");
+    const TirDialect dialect = dialect_of(*model);
+    tir_.parameters.version = dialect.version;
+    tir_.pac2002 = dialect.pac2002;
+    tir_.notes = dialect.notes;
+    for (const TeimOrbitSection& section : tir_.source.sections()) read_section(section);
+    read_mode(*model);
+    read_side(*model);
+    check_scales();
+    read_pressures();
+    apply_scale("LIP", "NOMPRES");
+    apply_scale("LCZ", "VERTICAL_STIFFNESS");
+    require("UNLOADED_RADIUS");
+    require("FNOMIN");
+    require("VERTICAL_STIFFNESS");
+    check_ranges();
+    read_curve();
+    report_units();
+    report_combined_slip();
+    report_missing();
+  }
+
+ private:
+  void note(int line, const std::string& text) {
+    tir_.notes.push_back(Place{tir_.source.file(), line}.text() + ": " + text);
+  }
+
+  void read_section(const TeimOrbitSection& section) {
+    std::map<std::string_view, const TeimOrbitEntry*> seen;
+    for (const TeimOrbitEntry& entry : section.entries()) {
+      const auto [before, first] = seen.emplace(entry.key, &entry);
+      if (!first) twice(section, *before->second, entry);
+      if (holds_no_parameters(section)) {
+        check_stranger(section, entry);
+      } else {
+        read_entry(section, entry);
+      }
+    }
+    report_tables(section);
+  }
+
+  void report_tables(const TeimOrbitSection& section) {
+    if (section.tables().empty() || section.name() == "MDI_HEADER" ||
+        section.name() == "DEFLECTION_LOAD_CURVE")
+      return;
+    const int line = section.tables().front().line;
+    if (section.name() == "SHAPE") {
+      tir_.keys.push_back(
+          {section.name(), "{...}", line, "", "the cross-section belongs to another contact"});
+      return;
+    }
+    tir_.keys.push_back({section.name(), "{...}", line, "", "the table is not read"});
+    note(line, fmt::format("[{}] holds a table that is not read", section.name()));
+  }
+
+  void twice(const TeimOrbitSection& section,
+             const TeimOrbitEntry& before,
+             const TeimOrbitEntry& entry) {
+    if (before.value != entry.value)
+      throw InputError(section.place(entry.line),
+                       fmt::format("{} is {}, but line {} says {}; keep one of them",
+                                   entry.key,
+                                   entry.value,
+                                   before.line,
+                                   before.value));
+    note(entry.line, fmt::format("{} stands twice, in line {}, too", entry.key, before.line));
+  }
+
+  /// [UNITS] and [MDI_HEADER] hold no parameters, unless a line [SECTION] was lost.
+  void check_stranger(const TeimOrbitSection& section, const TeimOrbitEntry& entry) {
+    static const std::set<std::string_view> units = {
+        "LENGTH", "FORCE", "ANGLE", "MASS", "TIME", "PRESSURE"};
+    const bool is_unit = section.name() == "UNITS" && units.contains(entry.key);
+    const ParameterField* field = magic_formula::find_parameter(parameter_of_key(entry.key));
+    if (!is_unit && field != nullptr)
+      throw InputError(section.place(entry.line),
+                       fmt::format("{} stands in [{}], expected [{}]: is a line [SECTION] missing?",
+                                   entry.key,
+                                   section.name(),
+                                   field->section));
+    if (section.name() == "UNITS" && !is_unit)
+      note(entry.line,
+           fmt::format("[UNITS] {} is no unit that is known here; it has no effect", entry.key));
+    tir_.keys.push_back(
+        {section.name(), entry.key, entry.line, "", is_unit ? "" : "describes the file"});
+  }
+
+  void read_entry(const TeimOrbitSection& section, const TeimOrbitEntry& entry) {
+    static const std::set<std::string_view> of_model = {
+        "FITTYP", "TYRESIDE", "USE_MODE", "PROPERTY_FILE_FORMAT"};
+    static const std::set<std::string_view> only_units = {"LENGTH", "FORCE", "ANGLE", "TIME"};
+    if (of_model.contains(entry.key)) {
+      if (section.name() != "MODEL")
+        throw InputError(
+            section.place(entry.line),
+            fmt::format("{} stands in [{}], expected [MODEL]", entry.key, section.name()));
+      tir_.keys.push_back({section.name(), entry.key, entry.line, entry.key, ""});
+      return;
+    }
+    if (only_units.contains(entry.key))
+      throw InputError(section.place(entry.line),
+                       fmt::format("{} = {} is a unit and stands in [{}], expected [UNITS]",
+                                   entry.key,
+                                   in_quotes(entry.value),
+                                   section.name()));
+    if (entry.key == "LIP" || entry.key == "LCZ") return read_scale(section, entry);
+    const ParameterField* field = magic_formula::find_parameter(parameter_of_key(entry.key));
+    const auto unused = reason_unused(entry.key, entry.value);
+    if (field != nullptr) {
+      take(section, entry, *field);
+      tir_.keys.push_back({section.name(),
+                           entry.key,
+                           entry.line,
+                           std::string(field->name),
+                           unused ? unused->text : std::string(acts_only(field->name))});
+    } else {
+      tir_.keys.push_back(
+          {section.name(), entry.key, entry.line, "", unused ? unused->text : kUnknownKey});
+    }
+    if (field == nullptr && !unused)
+      note(entry.line,
+           fmt::format("[{}] {} is not known here; it stays in the file, without effect{}",
+                       section.name(),
+                       entry.key,
+                       suggestion(entry.key)));
+    if (unused && unused->told)
+      note(entry.line,
+           fmt::format("{} = {} has no effect: {}", entry.key, entry.value, unused->text));
+  }
+
+  /// Factors of PAC2002 on another number of the file.
+  void read_scale(const TeimOrbitSection& section, const TeimOrbitEntry& entry) {
+    scales_[entry.key] = {section.number(entry), entry.line};
+    const bool pressure = entry.key == "LIP";
+    tir_.keys.push_back({section.name(),
+                         entry.key,
+                         entry.line,
+                         entry.key,
+                         pressure ? "multiplies NOMPRES" : "multiplies VERTICAL_STIFFNESS"});
+  }
+
+  void apply_scale(const std::string& scale, const char* name) {
+    const auto found = scales_.find(scale);
+    if (found == scales_.end()) return;
+    if (!(found->second.first > 0.0))
+      throw InputError(
+          Place{tir_.source.file(), found->second.second},
+          fmt::format("{} is {}, expected a number above 0", scale, found->second.first));
+    tir_.parameters.*magic_formula::find_parameter(name)->member *= found->second.first;
+    tir_.scales[name] = found->second.first;
+  }
+
+  void take(const TeimOrbitSection& section,
+            const TeimOrbitEntry& entry,
+            const ParameterField& field) {
+    const double value = section.number(entry) * si_factor(field.unit, units_);
+    const auto [before, first] = found_.try_emplace(std::string(field.name), &entry);
+    if (!first && tir_.parameters.*field.member != value)
+      throw InputError(section.place(entry.line),
+                       fmt::format("{} is {}, but line {} says {}; keep one of them",
+                                   entry.key,
+                                   entry.value,
+                                   before->second->line,
+                                   before->second->value));
+    tir_.parameters.*field.member = value;
+    const bool astray = is_group(field.section) && section.name() != field.section &&
+                        home_sections().contains(section.name());
+    if (astray)
+      note(entry.line,
+           fmt::format("{} stands in [{}], it belongs to [{}]; taken as it stands",
+                       entry.key,
+                       section.name(),
+                       field.section));
+  }
+
+  void read_mode(const TeimOrbitSection& model) {
+    const long mode = model.integer("USE_MODE", 14);
+    if (mode < 0)
+      note(model.find("USE_MODE")->line,
+           fmt::format("USE_MODE is {}: the minus asks for the tire's mirror image, which is not "
+                       "made here; taken as {} (side = \"other\" of a test mirrors)",
+                       mode,
+                       -mode));
+    tir_.parameters.use_mode = static_cast<int>(std::abs(mode));
+  }
+
+  void read_side(const TeimOrbitSection& model) {
+    const std::string side = model.text("TYRESIDE", "LEFT");
+    const std::map<std::string, Side> sides = {
+        {"LEFT", Side::left}, {"RIGHT", Side::right}, {"SYMMETRIC", Side::symmetric}};
+    const auto known = sides.find(capitals(side));
+    if (known == sides.end()) {
+      note(model.find("TYRESIDE")->line,
+           fmt::format("TYRESIDE is {}, expected LEFT, RIGHT or SYMMETRIC; taken as LEFT",
+                       in_quotes(side)));
+      return;
+    }
+    tir_.parameters.side = known->second;
+  }
+
+  void check_scales() {
+    std::vector<std::string> zeros;
+    for (const ParameterField& field : magic_formula::parameter_fields()) {
+      if (field.section != "SCALING_COEFFICIENTS" || field.fallback == 0.0) continue;
+      const auto found = found_.find(std::string(field.name));
+      if (found == found_.end()) continue;
+      const double value = tir_.parameters.*field.member;
+      const bool needed =
+          std::find(kNeverZero.begin(), kNeverZero.end(), field.name) != kNeverZero.end();
+      if (needed && !(value > 0.0))
+        throw InputError(place_of(std::string(field.name)),
+                         fmt::format("{} is {}: a scaling factor that the equations divide by, "
+                                     "expected a number above 0; 1 scales nothing",
+                                     field.name,
+                                     found->second->value));
+      if (value == 0.0) zeros.emplace_back(field.name);
+    }
+    if (!zeros.empty())
+      note(found_.at(zeros.front())->line,
+           fmt::format("{} 0: what {} scale{} is left out of the forces; 1 scales nothing",
+                       zeros.size() == 1 ? zeros.front() + " is"
+                                         : fmt::format("{} are", fmt::join(zeros, ", ")),
+                       zeros.size() == 1 ? "it" : "they",
+                       zeros.size() == 1 ? "s" : ""));
+  }
+
+  void read_pressures() {
+    Parameters& p = tir_.parameters;
+    const bool inflated = found_.contains("INFLPRES"), nominal = found_.contains("NOMPRES");
+    if (inflated && !nominal) p.NOMPRES = p.INFLPRES;
+    if (nominal && !inflated) p.INFLPRES = p.NOMPRES;
+    if (!(p.NOMPRES > 0.0)) throw InputError(place_of("NOMPRES"), "NOMPRES is not above zero");
+    if (inflated && nominal) return;
+    std::vector<std::string_view> acting;
+    for (const std::string_view name : kOfPressure) {
+      const ParameterField* field = magic_formula::find_parameter(name);
+      const bool acts = field != nullptr ? found_.contains(std::string(name)) &&
+                                               p.*field->member != field->fallback
+                                         : scales_.contains(std::string(name));
+      if (acts) acting.push_back(name);
+    }
+    if (!acting.empty())
+      note(0,
+           fmt::format("there is no {}; taken as {} Pa, from which {} count{}",
+                       !nominal ? "NOMPRES (IP_NOM of PAC2002)" : "INFLPRES (IP of PAC2002)",
+                       format_number(!nominal ? p.NOMPRES : p.INFLPRES),
+                       fmt::join(acting, ", "),
+                       acting.size() == 1 ? "s" : ""));
+  }
+
+  Place place_of(const std::string& name) const {
+    const auto found = found_.find(name);
+    return {tir_.source.file(), found == found_.end() ? 0 : found->second->line};
+  }
+
+  void require(const std::string& name) {
+    const ParameterField* field = magic_formula::find_parameter(name);
+    if (!found_.contains(name))
+      throw InputError(place_of(name),
+                       fmt::format("there is no {}; it stands in [{}]", name, field->section));
+    if (!(tir_.parameters.*field->member > 0.0))
+      throw InputError(
+          place_of(name),
+          fmt::format("{} is {}, expected a positive number", name, found_.at(name)->value));
+  }
+
+  void check_ranges() {
+    for (const auto& [lower, upper] : kRanges) {
+      const double low = tir_.parameters.*magic_formula::find_parameter(lower)->member;
+      const double high = tir_.parameters.*magic_formula::find_parameter(upper)->member;
+      if (low <= high) continue;
+      const std::string named(found_.contains(std::string(upper)) ? upper : lower);
+      throw InputError(place_of(named),
+                       fmt::format("{} is above {}: no state lies between them", lower, upper));
+    }
+  }
+
+  void read_curve() {
+    const TeimOrbitSection* curve = tir_.source.find("DEFLECTION_LOAD_CURVE");
+    if (curve == nullptr) return;
+    std::vector<double>& x = tir_.parameters.curve_deflection;
+    for (const TeimOrbitTable& table : curve->tables()) {
+      for (const TeimOrbitRow& row : table.rows) {
+        const std::vector<double> pen_fz = curve->numbers(row, 2);
+        const double deflection = pen_fz[0] * units_.length;
+        if (!x.empty() && deflection <= x.back())
+          throw InputError(curve->place(row.line), "the deflections of the curve do not ascend");
+        x.push_back(deflection);
+        tir_.parameters.curve_force.push_back(pen_fz[1] * units_.force);
+      }
+    }
+    if (x.size() < 2)
+      throw InputError(curve->place(), "[DEFLECTION_LOAD_CURVE] has fewer than two rows");
+  }
+
+  void report_units() {
+    const TeimOrbitSection* units = tir_.source.find("UNITS");
+    if (units == nullptr)
+      return note(0, "there is no section [UNITS]; all numbers are taken as SI");
+    std::vector<std::string> assumed;
+    for (const auto& [key, unit] : {std::pair{"LENGTH", "meter"},
+                                    {"FORCE", "newton"},
+                                    {"ANGLE", "radian"},
+                                    {"MASS", "kg"},
+                                    {"TIME", "second"}})
+      if (!units->has(key)) assumed.push_back(fmt::format("{} is taken as {}", key, unit));
+    if (!assumed.empty())
+      note(units->place().line, fmt::format("[UNITS] is silent: {}", fmt::join(assumed, ", ")));
+    const bool pressure = found_.contains("INFLPRES") || found_.contains("NOMPRES");
+    if (pressure && !units->has("PRESSURE") && units_.pressure != 1.0)
+      note(units->place().line,
+           fmt::format("[UNITS] has no PRESSURE; taken as FORCE/LENGTH^2, {} Pa",
+                       format_number(units_.pressure)));
+    if (units_.angle != 1.0)
+      note(units->find("ANGLE")->line,
+           "ANGLE is no radian: it counts for ALPMIN to CAMMAX and YAW_STIFFNESS; coefficients "
+           "such as PHY1 and PKY1 are taken in radians");
+  }
+
+  /// Without R coefficients braking and steering do not diminish each other.
+  void report_combined_slip() {
+    const Parameters& p = tir_.parameters;
+    const bool forces = (p.PDX1 != 0.0) && (p.PDY1 != 0.0);
+    if (forces && p.RBX1 == 0.0 && p.RBY1 == 0.0)
+      note(0,
+           "there is no combined slip: RBX1 and RBY1 are 0 or missing, so that braking and "
+           "steering do not diminish each other's forces");
+  }
+
+  /// The coefficients without which the tire has no force of that kind.
+  void report_missing() {
+    const bool new_formula = tir_.parameters.version != Version::mf52;
+    std::vector<std::string> expected = {
+        "PCX1", "PDX1", "PKX1", "PCY1", "PDY1", "PKY1", "PKY2", "QBZ1", "QCZ1", "QDZ1", "LONGVL"};
+    if (new_formula)
+      expected.insert(expected.end(),
+                      {"Q_RA1", "Q_RB1", "LONGITUDINAL_STIFFNESS", "LATERAL_STIFFNESS", "NOMPRES"});
+    for (const std::string& name : expected) {
+      const ParameterField* field = magic_formula::find_parameter(name);
+      if (!found_.contains(name))
+        note(0,
+             fmt::format("there is no {}; taken as {}",
+                         name,
+                         format_number(tir_.parameters.*field->member)));
+    }
+  }
+
+  TirFile& tir_;
+  TeimOrbitUnits units_;
+  std::map<std::string, const TeimOrbitEntry*> found_;
+  std::map<std::string, std::pair<double, int>> scales_;  // value, line
+};
+
+}  // namespace
+
+double si_factor(ParameterUnit unit, const TeimOrbitUnits& u) {
+  switch (unit) {
+    case ParameterUnit::one:
+      return 1.0;
+    case ParameterUnit::length:
+      return u.length;
+    case ParameterUnit::force:
+      return u.force;
+    case ParameterUnit::angle:
+      return u.angle;
+    case ParameterUnit::mass:
+      return u.mass;
+    case ParameterUnit::time:
+      return u.time;
+    case ParameterUnit::pressure:
+      return u.pressure;
+    case ParameterUnit::velocity:
+      return u.length / u.time;
+    case ParameterUnit::acceleration:
+      return u.length / (u.time * u.time);
+    case ParameterUnit::stiffness:
+      return u.force / u.length;
+    case ParameterUnit::torsional_stiffness:
+      return u.force * u.length / u.angle;
+    case ParameterUnit::damping:
+      return u.force * u.time / u.length;
+    case ParameterUnit::inertia:
+      return u.mass * u.length * u.length;
+    case ParameterUnit::frequency:
+      return 1.0 / u.time;
+  }
+  return 1.0;
+}
+
+bool holds_no_parameters(const TeimOrbitSection& section) {
+  return section.name() == "UNITS" || section.name() == "MDI_HEADER";
+}
+
+void read_parameters(TirFile& tir) { TirReader(tir).read(); }
+
+}  // namespace latsch::formats

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measurement/meaning/channel_checks.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "measurement/meaning/channel_words.h"
+
+namespace latsch {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNearlyAll = 0.9;  // of the samples
+
+/// In `unit`: from `from` to `to` is usual, below `least` or above `most` impossible.
+struct UsualRange {
+  std::string_view channel, unit;
+  double least, from, to, most;
+  std::string_view hint;
+};
+
+constexpr std::string_view kRadians = "is it in deg, and the file says rad, or says nothing?";
+constexpr std::array kRanges = {
+    UsualRange{"alpha", "deg", -90, -90, 90, 90, kRadians},
+    UsualRange{"gamma", "deg", -90, -90, 90, 90, kRadians},
+    UsualRange{"toe", "deg", -90, -90, 90, 90, kRadians},
+    UsualRange{"camber", "deg", -90, -90, 90, 90, kRadians},
+    UsualRange{"caster", "deg", -90, -90, 90, 90, kRadians},
+    UsualRange{"Vx", "km/h", -1500, 0, 250, 1500, "is it in another unit?"},
+    UsualRange{"omega", "rad/s", -1e4, -1e3, 1e3, 1e4, "is it in another unit?"},
+    UsualRange{"p", "kPa", 2, 20, 1200, 4000, "is it in kPa, bar, psi or Pa?"},
+    UsualRange{"tread", "degC", -100, 0, 300, 1000, "is it in K, degC or degF?"},
+    UsualRange{"tread_inner", "degC", -100, 0, 300, 1000, "is it in K, degC or degF?"},
+    UsualRange{"tread_center", "degC", -100, 0, 300, 1000, "is it in K, degC or degF?"},
+    UsualRange{"tread_outer", "degC", -100, 0, 300, 1000, "is it in K, degC or degF?"},
+    UsualRange{"road", "degC", -100, 0, 300, 1000, "is it in K, degC or degF?"},
+    UsualRange{"ambient", "degC", -100, 0, 300, 1000, "is it in K, degC or degF?"},
+    UsualRange{"loaded_radius", "m", 0.01, 0.05, 3, 10, "is it in m, cm, mm or in?"},
+    UsualRange{"R_e", "m", 0.01, 0.05, 3, 10, "is it in m, cm, mm or in?"},
+    UsualRange{"kappa", "1", -100, -1.05, 1.5, 100, "is it in percent? Its unit is then %"},
+    UsualRange{"mux", "1", -kInfinity, 0, 3, kInfinity, "is it a coefficient?"},
+    UsualRange{"muy", "1", -kInfinity, 0, 3, kInfinity, "is it a coefficient?"},
+    UsualRange{"friction", "1", -kInfinity, 0, 3, kInfinity, "is it a coefficient?"},
+    UsualRange{"Fx", "N", -1e6, -2e5, 2e5, 1e6, "is it in N, kN or lbf?"},
+    UsualRange{"Fy", "N", -1e6, -2e5, 2e5, 1e6, "is it in N, kN or lbf?"},
+    UsualRange{"Fz", "N", -1e6, -1e6, 2e5, 1e6, "is it in N, kN or lbf?"},
+    UsualRange{"Mx", "N m", -1e6, -1e5, 1e5, 1e6, "is it in N m, kN m or ft lbf?"},
+    UsualRange{"My", "N m", -1e6, -1e5, 1e5, 1e6, "is it in N m, kN m or ft lbf?"},
+    UsualRange{"Mz", "N m", -1e6, -1e5, 1e5, 1e6, "is it in N m, kN m or ft lbf?"},
+};
+
+/// The name in the vocabulary, without frame and wheel; the name itself where it has none.
+std::string base_name(const Channel& channel) {
+  for (const UsualRange& range : kRanges)
+    if (range.channel == channel.name) return channel.name;
+  const auto found = recognized(channel.name);
+  return found ? std::string(found->meaning->name) : channel.name;
+}
+
+struct Counted {
+  std::size_t count = 0, first = 0;
+};
+Counted count_where(const std::vector<double>& values, const std::function<bool(double)>& odd) {
+  Counted counted;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isnan(values[i]) || !odd(values[i])) continue;
+    if (counted.count++ == 0) counted.first = i;
+  }
+  return counted;
+}
+
+std::size_t numbers_in(const std::vector<double>& values) {
+  return count_where(values, [](double) { return true; }).count;
+}
+
+std::string reach_in_words(const Channel& channel, std::string_view unit) {
+  double low = kInfinity, high = -kInfinity;
+  for (const double value : channel.values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  const Unit shown = Unit::of(unit);
+  return fmt::format("it goes from {} to {}{}",
+                     format_number(shown.from_si(low), 4),
+                     format_number(shown.from_si(high), 4),
+                     unit == "1" ? "" : " " + std::string(unit));
+}
+
+std::string of_samples(std::size_t count, std::size_t all) {
+  if (count == all) return all == 1 ? "in the one sample" : fmt::format("in all {} samples", all);
+  return fmt::format("in {} of {} samples", count, all);
+}
+
+std::string limits_in_words(const UsualRange& range) {
+  const std::string unit = range.unit == "1" ? "" : " " + std::string(range.unit);
+  return fmt::format("{} .. {}{}", format_number(range.from, 4), format_number(range.to, 4), unit);
+}
+
+std::optional<ChannelDoubt> out_of_range(const Channel& channel, const UsualRange& range) {
+  const Unit unit = Unit::of(range.unit);
+  if (!unit.same_dimension(Unit::of(channel.unit))) return std::nullopt;
+  const double rounding = 1e-9;
+  const auto outside = [&](double low, double high) {
+    const double from = unit.to_si(low), to = unit.to_si(high);
+    const double slack = rounding * std::max(std::abs(from), std::abs(to));
+    return [=](double value) {
+      return (std::isfinite(low) && value < from - slack) ||
+             (std::isfinite(high) && value > to + slack);
+    };
+  };
+  const std::size_t all = numbers_in(channel.values);
+  if (all == 0) return std::nullopt;
+  const Counted impossible = count_where(channel.values, outside(range.least, range.most));
+  const Counted unusual = count_where(channel.values, outside(range.from, range.to));
+  if (unusual.count == 0) return std::nullopt;
+  const bool is_error =
+      static_cast<double>(impossible.count) >= kNearlyAll * static_cast<double>(all);
+  return ChannelDoubt{channel.name,
+                      fmt::format("is outside of {} {}: {}; {}",
+                                  limits_in_words(range),
+                                  of_samples(unusual.count, all),
+                                  reach_in_words(channel, range.unit),
+                                  range.hint),
+                      unusual.first,
+                      is_error};
+}
+
+/// Loads press on the ground.
+std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
+  constexpr double kHop = 0.02;   // of the largest load: noise about 0 of a wheel in the air
+  constexpr double kLeast = 5.0;  // N: no tire has less
+  const std::size_t all = numbers_in(channel.values);
+  if (all == 0) return std::nullopt;
+  double most = 0.0;
+  for (const double value : channel.values)
+    if (!std::isnan(value)) most = std::max(most, std::abs(value));
+  const Counted below = count_where(channel.values, [](double value) { return value < 0.0; });
+  if (static_cast<double>(below.count) > kNearlyAll * static_cast<double>(all))
+    return ChannelDoubt{channel.name,
+                        fmt::format("is below 0 {}: {}, where a load on a tire is positive",
+                                    of_samples(below.count, all),
+                                    reach_in_words(channel, "N")),
+                        below.first,
+                        true,
+                        true};
+  const Counted odd =
+      count_where(channel.values, [&](double value) { return value < -kHop * most; });
+  if (odd.count > 0)
+    return ChannelDoubt{channel.name,
+                        fmt::format("is below 0 {}: {}, where a load on a tire is positive",
+                                    of_samples(odd.count, all),
+                                    reach_in_words(channel, "N")),
+                        odd.first};
+  if (most < kLeast && most > 0.0)
+    return ChannelDoubt{channel.name,
+                        "is never above " + format_quantity(most, "N", 3) +
+                            ", less than any tire carries; is it in N, kN or lbf?"};
+  return std::nullopt;
+}
+
+/// The only channel of that meaning; nullptr where there is none or several (wheels of a car).
+const Channel* only(const Channels& channels, std::string_view meaning) {
+  const Channel* found = nullptr;
+  for (const Channel& channel : channels.all()) {
+    if (base_name(channel) != meaning) continue;
+    if (channel.name == meaning) return &channel;
+    if (found) return nullptr;
+    found = &channel;
+  }
+  return found;
+}
+
+/// Correlation about zero, not about the means: a force has the sign of its slip.
+double correlation(const Channel& a,
+                   const Channel& b,
+                   const std::function<bool(std::size_t)>& counts) {
+  double aa = 0.0, bb = 0.0, ab = 0.0;
+  for (std::size_t i = 0; i < std::min(a.values.size(), b.values.size()); ++i) {
+    const double x = a.values[i], y = b.values[i];
+    if (std::isnan(x * y) || !counts(i)) continue;
+    aa += x * x, bb += y * y, ab += x * y;
+  }
+  return aa * bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
+}
+
+struct Pair {
+  std::string_view a, b;
+  double sign;       // of their product
+  double most_of_a;  // SI; where |a| is below it
+  std::string_view law;
+};
+
+constexpr double kSmallSlip = 0.07;  // rad, 4 deg: beyond it the aligning moment turns
+constexpr std::array kPairs = {
+    Pair{"alpha", "Fy", -1.0, kInfinity, "a side force acts against its slip angle"},
+    Pair{"alpha", "Mz", 1.0, kSmallSlip, "the moment aligns the wheel"},
+    Pair{"kappa", "Fx", 1.0, kInfinity, "a driven wheel pushes forward"},
+    Pair{"dx", "Fx", 1.0, kInfinity, "a suspension gives way along the force"},
+    Pair{"dy", "Fy", 1.0, kInfinity, "a suspension gives way along the force"},
+    Pair{"dz", "Fz", 1.0, kInfinity, "a suspension gives way along the force"},
+    Pair{"Vx", "omega", 1.0, kInfinity, "a wheel rolls the way it goes"},
+};
+
+void check_pairs(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
+  constexpr double kClearly = 0.5;
+  for (const Pair& pair : kPairs) {
+    const Channel *a = only(channels, pair.a), *b = only(channels, pair.b);
+    if (!a || !b || a->unit != find_meaning(pair.a)->unit || b->unit != find_meaning(pair.b)->unit)
+      continue;
+    const double r = correlation(
+        *a, *b, [&](std::size_t i) { return std::abs(a->values[i]) <= pair.most_of_a; });
+    if (r * pair.sign > -kClearly) continue;
+    doubts.push_back({b->name,
+                      fmt::format("has {} sign as {} (correlation {:+.2f}), but in iso axes {}: is "
+                                  "the sign of one of the two another one, or axes not as stated?",
+                                  pair.sign < 0.0 ? "the same" : "not the same",
+                                  a->name,
+                                  r,
+                                  pair.law)});
+  }
+}
+
+/// Fy / Fz = a alpha + b gamma + c over small slip angles: b is below 0 in iso.
+void check_inclination(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
+  constexpr double kLeastSpread = 0.01;  // rad of gamma
+  constexpr double kClearly = 8.0;       // b over its standard deviation
+  constexpr std::size_t kFewest = 12;
+  const Channel *Fy = only(channels, "Fy"), *Fz = only(channels, "Fz"),
+                *alpha = only(channels, "alpha"), *gamma = only(channels, "gamma");
+  if (!Fy || !Fz || !alpha || !gamma || gamma->unit != "rad" || alpha->unit != "rad") return;
+  std::vector<std::array<double, 3>> rows;
+  std::vector<double> right;
+  double low = kInfinity, high = -kInfinity;
+  for (std::size_t i = 0; i < Fy->values.size(); ++i) {
+    const double a = alpha->values[i], g = gamma->values[i], mu = Fy->values[i] / Fz->values[i];
+    if (!std::isfinite(a * g * mu) || std::abs(a) > 0.5 * kSmallSlip || !(Fz->values[i] > 0.0))
+      continue;
+    rows.push_back({a, g, 1.0});
+    right.push_back(mu);
+    low = std::min(low, g), high = std::max(high, g);
+  }
+  if (rows.size() < kFewest || high - low < kLeastSpread) return;
+  Eigen::Matrix3d N = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d r = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Eigen::Vector3d row(rows[i][0], rows[i][1], rows[i][2]);
+    N += row * row.transpose();
+    r += right[i] * row;
+  }
+  constexpr double kSingular = 1e-9;
+  if (N.determinant() <= kSingular * N.diagonal().prod()) return;
+  const Eigen::Matrix3d inverse = N.inverse();
+  const Eigen::Vector3d x = inverse * r;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double off = right[i] - x[0] * rows[i][0] - x[1] * rows[i][1] - x[2];
+    squares += off * off;
+  }
+  const double variance = squares / static_cast<double>(rows.size() - 3);
+  const double deviation = std::sqrt(std::max(variance, 1e-12) * inverse(1, 1));
+  if (!(x[0] < 0.0) || !(x[1] > kClearly * deviation)) return;
+  doubts.push_back({gamma->name,
+                    fmt::format("raises Fy: Fy / Fz grows by {:.3g} a degree at small {}, but in "
+                                "iso axes a tire whose top leans to the right pulls to the right: "
+                                "is the sign of the inclination another one?",
+                                x[1] * std::numbers::pi / 180.0,
+                                alpha->name)});
+}
+
+/// Two lengths of a header: a rim inside of its tire.
+void check_rim(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
+  const Channel *rim = channels.find("RIMDIAME"), *tire = channels.find("OVALLDIA");
+  double factor = 1.0;
+  if (!tire) tire = channels.find("RFREE"), factor = 2.0;
+  if (!rim || !tire || rim->values.empty() || tire->values.empty() || rim->unit != "m" ||
+      tire->unit != "m" || rim->values[0] < factor * tire->values[0])
+    return;
+  doubts.push_back({"RIMDIAME",
+                    fmt::format("is {}, not below the diameter of the tire, {}",
+                                format_quantity(rim->values[0], "m", 4),
+                                format_quantity(factor * tire->values[0], "m", 4)),
+                    0,
+                    true});
+}
+
+}  // namespace
+
+std::vector<ChannelDoubt> doubts_about(const Channels& channels) {
+  std::vector<ChannelDoubt> doubts;
+  for (const Channel& channel : channels.all()) {
+    const std::string name = base_name(channel);
+    if (name == "Fz" && channel.unit == "N" && channel.name != "load")
+      if (auto doubt = sign_of_load(channel)) {
+        doubts.push_back(std::move(*doubt));
+        continue;
+      }
+    for (const UsualRange& range : kRanges)
+      if (range.channel == name)
+        if (auto doubt = out_of_range(channel, range)) doubts.push_back(std::move(*doubt));
+  }
+  const bool is_turned = std::any_of(
+      doubts.begin(), doubts.end(), [](const ChannelDoubt& one) { return one.all_loads_negative; });
+  if (!is_turned) {
+    check_pairs(channels, doubts);
+    check_inclination(channels, doubts);
+  }
+  check_rim(channels, doubts);
+  return doubts;
+}
+
+}  // namespace latsch

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measurement/meaning/channel_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace latsch {
+namespace {
+
+constexpr double kDegreeOfChecks = std::numbers::pi / 180.0;
+
+/// A cornering test in iso by a linear tire: Fy = -(C alpha + G gamma) Fz, Mz aligns.
+Channels cornering() {
+  Channels channels;
+  Channel alpha{"alpha", "rad", {}}, gamma{"gamma", "rad", {}}, Fz{"Fz", "N", {}},
+      Fy{"Fy", "N", {}}, Mz{"Mz", "N m", {}}, p{"p", "Pa", {}}, Vx{"Vx", "m/s", {}},
+      omega{"omega", "rad/s", {}}, RL{"loaded_radius", "m", {}}, T{"tread_center", "K", {}};
+  for (int i = -8; i <= 8; ++i)
+    for (const double camber : {0.0, 2.0, 4.0}) {
+      const double a = i * kDegreeOfChecks, g = camber * kDegreeOfChecks;
+      alpha.values.push_back(a);
+      gamma.values.push_back(g);
+      Fz.values.push_back(1000.0);
+      Fy.values.push_back(-1000.0 * (15.0 * a + 0.9 * g));
+      Mz.values.push_back(1000.0 * 0.4 * a);
+      p.values.push_back(82e3);
+      Vx.values.push_back(11.0);
+      omega.values.push_back(45.0);
+      RL.values.push_back(0.24);
+      T.values.push_back(330.0);
+    }
+  for (Channel* one : {&alpha, &gamma, &Fz, &Fy, &Mz, &p, &Vx, &omega, &RL, &T})
+    channels.add(std::move(*one));
+  return channels;
+}
+
+Channels times(const std::string& name, double factor, std::size_t every = 1) {
+  const Channels good = cornering();
+  Channels changed;
+  for (Channel channel : good.all()) {
+    for (std::size_t i = 0; i < channel.values.size(); i += every)
+      if (channel.name == name) channel.values[i] *= factor;
+    changed.add(std::move(channel));
+  }
+  return changed;
+}
+
+TEST(ChannelChecks, FindNothingInAGoodRecord) { EXPECT_TRUE(doubts_about(cornering()).empty()); }
+
+TEST(ChannelChecks, RefuseLoadsThatPull) {
+  const auto doubts = doubts_about(times("Fz", -1.0));
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_TRUE(doubts[0].is_error && doubts[0].all_loads_negative);
+  EXPECT_EQ(doubts[0].channel, "Fz");
+}
+
+TEST(ChannelChecks, CountAMinority) {
+  const auto doubts = doubts_about(times("Fz", -1.0, 17));
+  ASSERT_FALSE(doubts.empty());
+  EXPECT_FALSE(doubts[0].is_error);
+  EXPECT_NE(doubts[0].sentence.find("in 3 of 51 samples"), std::string::npos) << doubts[0].sentence;
+}
+
+// Every sign and every unit that is easily mixed up, one a channel.
+TEST(ChannelChecks, NameTheChannelOfAnotherSignOrUnit) {
+  const struct {
+    const char* channel;
+    double factor;
+    bool is_error;
+  } cases[] = {{"Fy", -1.0, false},
+               {"alpha", -1.0, false},
+               {"Mz", -1.0, false},
+               {"gamma", -1.0, false},
+               {"omega", -1.0, false},
+               {"Vx", -1.0, false},
+               {"p", 1e-3, true},
+               {"p", 1e3, true},
+               {"alpha", 57.3, false},
+               {"gamma", 573.0, false},
+               {"Vx", 100.0, false},
+               {"tread_center", 0.1, true},
+               {"loaded_radius", 100, true},
+               {"loaded_radius", -1, true},
+               {"Fz", 1e-3, false},
+               {"Fy", 1e4, true}};
+  for (const auto& one : cases) {
+    const auto doubts = doubts_about(times(one.channel, one.factor));
+    ASSERT_FALSE(doubts.empty()) << one.channel << " times " << one.factor;
+    bool is_error = false, is_named = false;
+    for (const ChannelDoubt& doubt : doubts) {
+      is_error = is_error || doubt.is_error;
+      is_named = is_named || doubt.channel == one.channel ||
+                 doubt.sentence.find(one.channel) != std::string::npos;
+    }
+    EXPECT_TRUE(is_named) << one.channel << " times " << one.factor << ": " << doubts[0].sentence;
+    if (one.is_error) EXPECT_TRUE(is_error) << one.channel << " times " << one.factor;
+  }
+}
+
+TEST(ChannelChecks, KeepARimInsideOfItsTire) {
+  Channels header;
+  header.add({"RIMDIAME", "m", {0.4572}});
+  header.add({"OVALLDIA", "m", {0.4064}});
+  const auto doubts = doubts_about(header);
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_TRUE(doubts[0].is_error);
+}
+
+// A table of a K&C rig: what gives way moves along the force.
+TEST(ChannelChecks, KnowTheSignOfACompliance) {
+  Channels table;
+  table.add({"Fy", "N", {-1000, 0, 1000}});
+  table.add({"dy", "m", {-1e-3, 0, 1e-3}});
+  EXPECT_TRUE(doubts_about(table).empty());
+  Channels turned;
+  turned.add({"Fy", "N", {-1000, 0, 1000}});
+  turned.add({"dy", "m", {1e-3, 0, -1e-3}});
+  EXPECT_EQ(doubts_about(turned).size(), 1u);
+}
+
+}  // namespace
+}  // namespace latsch

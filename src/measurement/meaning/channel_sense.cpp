@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measurement/meaning/channel_sense.h"
+
+#include <Eigen/LU>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "measurement/meaning/channel_words.h"
+
+namespace latsch {
+namespace {
+
+using S = ChannelSense;
+using Named = std::pair<std::string_view, S>;
+
+constexpr std::array kSenses = {
+    Named{"Fx", S::along_x},
+    Named{"Fy", S::along_y},
+    Named{"Fz", S::load},
+    Named{"Mx", S::about_x},
+    Named{"My", S::about_y},
+    Named{"Mz", S::about_z},
+    Named{"Mzr", S::about_z},
+    Named{"alpha", S::slip},
+    Named{"phit", S::slip},
+    Named{"gamma", S::about_x},
+    Named{"Vx", S::along_x},
+    Named{"Vy", S::along_y},
+    Named{"Vz", S::along_z},
+    Named{"dx", S::along_x},
+    Named{"dy", S::along_y},
+    Named{"dz", S::along_z},
+    Named{"x", S::along_x},
+    Named{"y", S::along_y},
+    Named{"z", S::along_z},
+    Named{"ux", S::along_x},
+    Named{"uy", S::along_y},
+    Named{"uz", S::along_z},
+    Named{"ax", S::along_x},
+    Named{"ay", S::along_y},
+    Named{"az", S::along_z},
+    Named{"about_x", S::about_x},
+    Named{"about_y", S::about_y},
+    Named{"about_z", S::about_z},
+    Named{"roll", S::about_x},
+    Named{"pitch", S::about_y},
+    Named{"yaw", S::about_z},
+    Named{"steer", S::about_z},
+    Named{"heave", S::along_z},
+    Named{"body_z", S::along_z},
+    Named{"hub", S::along_z},
+    Named{"rack", S::along_y},
+    Named{"pad", S::load},
+    Named{"axle_roll_center_y", S::along_y},
+    // Defined without axes.
+    Named{"time", S::same},
+    Named{"omega", S::same},
+    Named{"wheel_speed", S::same},
+    Named{"speed", S::same},
+    Named{"kappa", S::same},
+    Named{"p", S::same},
+    Named{"loaded_radius", S::same},
+    Named{"R_e", S::same},
+    Named{"R_l", S::same},
+    Named{"rho", S::same},
+    Named{"deflection", S::same},
+    Named{"force", S::same},
+    Named{"spread", S::same},
+    Named{"frequency", S::same},
+    Named{"tread", S::same},
+    Named{"tread_inner", S::same},
+    Named{"tread_center", S::same},
+    Named{"tread_outer", S::same},
+    Named{"road", S::same},
+    Named{"ambient", S::same},
+    Named{"toe", S::same},
+    Named{"camber", S::same},
+    Named{"caster", S::same},
+    Named{"travel", S::same},
+    Named{"post", S::same},
+    Named{"pushrod", S::same},
+    Named{"spring", S::same},
+};
+
+// Classical compliances: toe or camber by what acts.
+constexpr std::array kActing = {Named{"lateral_force_", S::along_y},
+                                Named{"longitudinal_force_", S::along_x},
+                                Named{"aligning_torque_", S::about_z}};
+
+S named(std::string_view name) {
+  for (const auto& [known, sense] : kSenses)
+    if (known == name) return sense;
+  return S::unknown;
+}
+
+/// Of one quantity, whatever its spelling, wheel or frame.
+S sense_of(std::string_view quantity) {
+  if (const S exact = named(quantity); exact != S::unknown) return exact;
+  if (const auto found = recognized(quantity)) return named(found->meaning->name);
+  constexpr std::string_view kOther = "other_";
+  if (quantity.starts_with(kOther)) return sense_of(quantity.substr(kOther.size()));
+  const std::size_t at = quantity.rfind('_');
+  if (at == quantity.npos) return S::unknown;
+  const std::string_view wheel = quantity.substr(at + 1);
+  for (const std::string_view one : {"L", "R", "FL", "FR", "RL", "RR"})
+    if (wheel == one) return named(quantity.substr(0, at));
+  return S::unknown;
+}
+
+}  // namespace
+
+Eigen::Matrix3d axes_of(AxisConvention convention) {
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  if (convention != AxisConvention::iso) axes.diagonal() << 1.0, -1.0, -1.0;
+  return axes;
+}
+
+ChannelSenses channel_senses(std::string_view name) {
+  for (const auto& [begin, acting] : kActing)
+    if (name.starts_with(begin)) return {S::same, acting};
+  if (name == "roll_steer") return {S::about_z, S::about_x};
+  constexpr std::string_view kBy = "_by_";
+  const std::size_t by = name.find(kBy);
+  if (by == name.npos) return {sense_of(name)};
+  return {sense_of(name.substr(0, by)), sense_of(name.substr(by + kBy.size()))};
+}
+
+double sign_to_iso(ChannelSense sense, AxisConvention from) {
+  const Eigen::Matrix3d R = axes_of(from);
+  const double handed = R.determinant();  // 1: a rotation, which all three conventions are
+  const double reversed = from == AxisConvention::adapted_sae ? -1.0 : 1.0;
+  switch (sense) {
+    case S::along_x:
+      return R(0, 0);
+    case S::along_y:
+      return R(1, 1);
+    case S::along_z:
+      return R(2, 2);
+    case S::about_x:
+      return handed * R(0, 0);
+    case S::about_y:
+      return handed * R(1, 1);
+    case S::about_z:
+      return handed * R(2, 2);
+    case S::load:
+      return reversed * R(2, 2);
+    case S::slip:
+      return reversed * R(1, 1);
+    case S::same:
+    case S::unknown:
+      break;
+  }
+  return 1.0;
+}
+
+double sign_to_iso(const ChannelSenses& senses, AxisConvention from) {
+  if (!senses.is_known()) return 1.0;
+  return sign_to_iso(senses.of, from) * sign_to_iso(senses.by, from);
+}
+
+}  // namespace latsch

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a car stands under air: rigid and compliant joints, downforce of several times its weight,
+// drag. References: sums of forces and moments about a line on the ground, by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "models/car/car.h"
+#include "models/car/race_car_testing.h"
+#include "models/road/plane_road.h"
+
+namespace latsch::car {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kArea = 1.2, kDensity = 1.2;
+
+void make_rigid(CarParameters& car) {
+  for (Axle* axle : {&car.front, &car.rear})
+    for (multibody::BushingParameters& bushing : axle->corner.bushings) {
+      bushing = {Vector3d::Constant(1e10), Vector3d::Zero(), Vector3d::Constant(1e6)};
+      bushing.rigid = true;
+    }
+}
+
+void add_bump_stops(CarParameters& car) {
+  for (Axle* axle : {&car.front, &car.rear})
+    axle->inboard->unit.parts.push_back(multibody::ElasticCurve{multibody::ForceCurve(
+        {{-0.040, -12e3}, {-0.030, -2e3}, {-0.025, 0.0}, {0.0, 0.0}, {0.1, 0.0}})});
+}
+
+/// A car whose downforce at this speed is so many times its weight, 45 % of it in front.
+CarParameters pressed_car(bool rigid, double speed, double times, double drag = 0.0) {
+  CarParameters car = race_car(false);
+  if (rigid) make_rigid(car);
+  add_bump_stops(car);
+  double mass = 0.0;
+  for (const auto& body : build(car).mechanism.bodies()) mass += body.mass;
+  const double q = 0.5 * kDensity * speed * speed * kArea, all = times * mass * car.gravity / q;
+  AeroMap air;
+  air.area = kArea;
+  air.density = kDensity;
+  air.set_rows({{0.0, 0.0, 0.45 * all, 0.55 * all}});
+  air.drag = drag;
+  air.drag_height = 0.35;
+  car.aero = air;
+  return car;
+}
+
+std::unique_ptr<Car> made(const CarParameters& parameters, const Tires& tires = spring_tires()) {
+  EXPECT_EQ(parameters.fault(), "");
+  auto car = Car::make(parameters, tires);
+  EXPECT_TRUE(car) << (car ? "" : car.failure().reason);
+  return std::move(*car);
+}
+
+double sum(const std::array<double, kCorners>& forces) {
+  double sum = 0.0;
+  for (const double force : forces) sum += force;
+  return sum;
+}
+
+struct Pressed {
+  bool rigid;
+  double speed, times;
+};
+
+class CarUnderDownforce : public testing::TestWithParam<Pressed> {};
+
+TEST_P(CarUnderDownforce, StandsWithItsWeightAndDownforce) {
+  const auto [rigid, speed, times] = GetParam();
+  const auto car = made(pressed_car(rigid, speed, times));
+  const auto state = car->settle(road::PlaneRoad{}, speed, {});
+  ASSERT_TRUE(state) << state.failure().reason;
+  const double weight = car->mechanism().mass() * car->parameters().gravity;
+  EXPECT_NEAR(
+      sum(car->vertical_forces(*state)), weight * (1.0 + times), 1e-6 * weight * (1.0 + times));
+}
+
+INSTANTIATE_TEST_SUITE_P(Cars,
+                         CarUnderDownforce,
+                         testing::Values(Pressed{true, 20.0, 1.0},
+                                         Pressed{true, 60.0, 2.0},
+                                         Pressed{true, 60.0, 5.0},
+                                         Pressed{true, 90.0, 4.0},
+                                         Pressed{false, 60.0, 5.0}));
+
+// The same pressed by loads of a driver's choice, on a front corner alone: no part of what acts is
+// whole from the beginning.
+TEST(CarBalance, ALargeLoadOnOneCornerOfRigidJointsFindsRest) {
+  CarParameters parameters = race_car(false);
+  make_rigid(parameters);
+  add_bump_stops(parameters);
+  const auto car = made(parameters);
+  for (const double load : {2e3, 8e3, 14e3}) {
+    CarInputs inputs;
+    inputs.loads = {{car->parts().chassis, {1.55, 0.3, 0.3}, {0.0, 0.0, -load}}};
+    const auto state = car->settle(road::PlaneRoad{}, 0.0, inputs);
+    ASSERT_TRUE(state) << load << ": " << state.failure().reason;
+    const double down = car->mechanism().mass() * parameters.gravity + load;
+    EXPECT_NEAR(sum(car->vertical_forces(*state)), down, 1e-6 * down);
+  }
+}
+
+// A floor that sucks the more the lower it is: a spring of less than nothing.
+TEST(CarBalance, WhatSinksIsToldInWords) {
+  for (const bool rigid : {true, false}) {
+    CarParameters parameters = pressed_car(rigid, 60.0, 1.0);
+    AeroMap& air = *parameters.aero;
+    air.floor_front = air.floor_rear = 0.05;
+    air.set_rows({{-0.4, -0.4, 60.0, 60.0},
+                  {-0.4, 0.05, 30.0, 30.0},
+                  {0.05, -0.4, 30.0, 30.0},
+                  {0.05, 0.05, 0.5, 0.5}});
+    for (Axle* axle : {&parameters.front, &parameters.rear}) axle->inboard->unit.parts.clear();
+    const auto car = made(parameters);
+    const auto state = car->settle(road::PlaneRoad{}, 60.0, {});
+    ASSERT_FALSE(state);
+    const std::string& why = state.failure().reason;
+    for (const char* part : {"of the load",
+                             "had sunk most at",
+                             "spring unit shortened by",
+                             "the downforce would be",
+                             "times the weight"})
+      EXPECT_NE(why.find(part), std::string::npos) << why;
+  }
+}
+
+/// N m about y through the origin of what a drag at that height, weight and downforce do, by places
+/// of bodies and points; less what the tires do.
+double pitch_left(const Car& car, const CarState& state, double speed) {
+  const CarParameters& of = car.parameters();
+  const auto& bodies = car.mechanism().bodies();
+  double moment = 0.0;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    moment += bodies[i].mass * of.gravity * state.bodies.poses[i].place.x();
+  const double q = 0.5 * of.aero->density * speed * speed * of.aero->area;
+  const auto c = of.aero->at(0.0, 0.0);
+  const auto at = [&](double x, double z) {
+    return car.point(state, car.parts().chassis, {x, 0.0, z});
+  };
+  moment += q * c.downforce[0] * at(of.front.corner.wheel_center.x(), of.aero->floor_front).x();
+  moment += q * c.downforce[1] * at(of.rear.corner.wheel_center.x(), of.aero->floor_rear).x();
+  moment -= q * of.aero->drag * at(bodies[0].origin.x(), of.aero->drag_height).z();
+  const auto Fz = car.vertical_forces(state);
+  for (std::size_t i = 0; i < kCorners; ++i) moment -= Fz[i] * state.wheels[i].motion.center.x();
+  return moment;
+}
+
+// Drag is borne at the contact of the driven axle: of all moments about the ground's line only
+// those of weight, air and vertical forces are there, whichever axle drives.
+TEST(CarBalance, DragShiftsLoadsAsAnAxleThatDrivesDoes) {
+  for (const std::array<double, 2> drives :
+       {std::array{0.0, 1.0}, std::array{1.0, 0.0}, std::array{0.5, 0.5}})
+    for (const bool rigid : {true, false}) {
+      const auto car = made(pressed_car(rigid, 60.0, 1.0, 1.1));
+      car->guide.drives = drives;
+      const auto state = car->settle(road::PlaneRoad{}, 60.0, {});
+      ASSERT_TRUE(state) << state.failure().reason;
+      const double drag = 0.5 * kDensity * 60.0 * 60.0 * kArea * 1.1;
+      EXPECT_NEAR(pitch_left(*car, *state, 60.0), 0.0, 1e-5 * drag * 0.35) << drives[0];
+      EXPECT_NEAR(state->trim.along, drag, 1e-6 * drag);
+      // 2851 N at some 0.33 m, as low as it is there, of a base of 1.55 m: 605 N from the front to
+      // the rear, but for what the pitch shifts.
+      const auto still = made(pressed_car(rigid, 60.0, 1.0, 0.0));
+      const auto without = still->settle(road::PlaneRoad{}, 60.0, {});
+      const auto a = car->vertical_forces(*state), b = still->vertical_forces(*without);
+      const double height = car->point(*state, car->parts().chassis, {0.75, 0.0, 0.35}).z();
+      EXPECT_NEAR(
+          a[kRL] + a[kRR] - b[kRL] - b[kRR], drag * height / 1.55, 0.03 * drag * height / 1.55);
+    }
+}
+
+TEST(CarBalance, WithDragItStartsInBalanceAndKeepsItsSpeed) {
+  for (const double speed : {20.0, 60.0, 90.0})
+    for (const bool rigid : {true, false}) {
+      const auto car = made(pressed_car(rigid, speed, 2.0, 1.1));
+      auto state = car->settle(road::PlaneRoad{}, speed, {});
+      ASSERT_TRUE(state) << state.failure().reason;
+      EXPECT_NEAR(state->bodies.accelerations[0], 0.0, 1e-4);
+      double off = 0.0;
+      while (state->time() < 0.5) {
+        ASSERT_TRUE(car->advance(*state, 2e-4, road::PlaneRoad{}, {}));
+        off = std::max(off, std::abs(state->bodies.rates[0] - speed));
+      }
+      EXPECT_LT(off, 1e-3) << speed;
+    }
+}
+
+// A guide that shall not hold lets the car go: drag slows it down.
+TEST(CarBalance, WithoutAGuideDragSlowsItDown) {
+  const auto car = made(pressed_car(false, 60.0, 1.0, 1.1));
+  auto state = car->settle(road::PlaneRoad{}, 60.0, {});
+  ASSERT_TRUE(state) << state.failure().reason;
+  car->guide.along = 0.0;
+  while (state->time() < 0.1) ASSERT_TRUE(car->advance(*state, 2e-4, road::PlaneRoad{}, {}));
+  // v' = -c v²: v0 / (1 + c v0 t).
+  const double c = 0.5 * kDensity * kArea * 1.1 / car->mechanism().mass();
+  EXPECT_NEAR(state->bodies.rates[0], 60.0 / (1.0 + c * 60.0 * state->time()), 0.01);
+}
+
+}  // namespace
+}  // namespace latsch::car

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/multibody/rod_spin.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace latsch::multibody {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kSpin = 1.0;          // N m/rad
+constexpr double kSpinDamping = 2e-3;  // N m s/rad: a tenth of critical of a rod of some 0.4 kg
+
+bool resists(const Joint& joint, const Vector3d& line) {
+  return joint.bushing.rotational.dot((joint.axes.transpose() * line).cwiseAbs2()) > 0.0 ||
+         std::any_of(joint.bushing.parts.begin(), joint.bushing.parts.end(), [&](const auto& part) {
+           return part.axis >= 3 && joint.axes.col(part.axis - 3).dot(line) != 0.0;
+         });
+}
+
+/// Whether its axes may be turned and nothing else of it changes.
+bool is_alike_in_all_axes(const Joint& joint) {
+  const auto even = [](const Vector3d& v) { return v == Vector3d::Constant(v.x()); };
+  const BushingParameters& bushing = joint.bushing;
+  return bushing.rigid && bushing.parts.empty() && even(bushing.stiffness) &&
+         even(bushing.damping) && bushing.rotational.isZero(0.0) &&
+         even(bushing.rotational_damping);
+}
+
+}  // namespace
+
+void hold_spin(Joint& inner, Joint& outer) {
+  const Vector3d way = outer.point - inner.point;
+  if (!(way.norm() > 0.0)) return;
+  const Vector3d line = way.normalized();
+  Joint& joint = is_alike_in_all_axes(inner) ? inner : outer;
+  if (!is_alike_in_all_axes(joint) || resists(inner, line) || resists(outer, line)) return;
+  joint.axes = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), line).toRotationMatrix();
+  joint.bushing.rotational.z() = kSpin;
+  joint.bushing.rotational_damping.z() += kSpinDamping;
+}
+
+}  // namespace latsch::multibody

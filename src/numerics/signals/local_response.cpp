@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "numerics/signals/local_response.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "numerics/dense/orthogonal_factors.h"
+#include "numerics/signals/fft.h"
+
+namespace latsch::numerics {
+
+namespace {
+
+/// Of the steps from sample to sample: what stands still before and behind them is nothing.
+Spectrum transform_of_steps(std::span<const double> x, int length) {
+  std::vector<double> steps(x.size(), 0.0);
+  for (std::size_t i = 1; i < x.size(); ++i) steps[i] = x[i] - x[i - 1];
+  return real_fft(steps, length);
+}
+
+struct Fitted {
+  std::complex<double> response;
+  double coherence;
+};
+
+/// At lines `first` and up of transforms whose frequencies, relative to the one asked for, are r.
+Fitted fit(const Spectrum& U,
+           const Spectrum& Y,
+           std::size_t first,
+           const std::vector<double>& r,
+           int order) {
+  const auto m = static_cast<Eigen::Index>(r.size());
+  const Eigen::Index n = order + 1;
+  // Complex equations as real ones: (Re -Im; Im Re) (Re h; Im h) = (Re Y; Im Y).
+  Eigen::MatrixXd A(2 * m, 2 * n);
+  Eigen::VectorXd b(2 * m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const auto k = first + static_cast<std::size_t>(i);
+    double power = 1.0;
+    for (Eigen::Index p = 0; p < n; ++p, power *= r[static_cast<std::size_t>(i)]) {
+      const std::complex<double> u = power * U[k];
+      A(i, p) = A(m + i, n + p) = u.real();
+      A(m + i, p) = u.imag();
+      A(i, n + p) = -u.imag();
+    }
+    b[i] = Y[k].real();
+    b[m + i] = Y[k].imag();
+  }
+  const double size = b.squaredNorm();
+  if (!(A.squaredNorm() > 0.0) || !(size > 0.0)) return {0.0, 0.0};
+  const Eigen::VectorXd h = shortest_solution(A, b);
+  const double left = (b - A * h).squaredNorm() / static_cast<double>(m - n),
+               all = size / static_cast<double>(m);
+  return {{h[0], h[n]}, std::clamp(1.0 - left / all, 0.0, 1.0)};
+}
+
+}  // namespace
+
+LocalResponse local_response(std::span<const double> x,
+                             std::span<const double> y,
+                             double rate,
+                             std::span<const double> frequencies,
+                             const LocalSettings& settings) {
+  assert(x.size() == y.size() && x.size() > 1 && rate > 0.0);
+  const int length = fast_length(static_cast<int>(x.size()));
+  const Spectrum U = transform_of_steps(x, length), Y = transform_of_steps(y, length);
+  const double spacing = rate / length;
+  // Zeros behind the record draw lines nearer to each other, but tell nothing new.
+  const double apart = rate / static_cast<double>(x.size());
+  const double width = std::max(settings.width, settings.lines * apart);
+  const long last = std::ssize(U) - 1;
+  LocalResponse found;
+  for (const double f : frequencies) {
+    long low = std::lround((f - width) / spacing), high = std::lround((f + width) / spacing);
+    // At the ends of the record's band it looks as far, to one side.
+    if (low < 1) high += 1 - std::exchange(low, 1);
+    if (high > last) low = std::max(1L, low - (high - std::exchange(high, last)));
+    std::vector<double> r;
+    for (long k = low; k <= high; ++k) r.push_back((static_cast<double>(k) * spacing - f) / width);
+    assert(std::ssize(r) > settings.order + 1);
+    const Fitted fitted = fit(U, Y, static_cast<std::size_t>(low), r, settings.order);
+    found.response.push_back(fitted.response);
+    found.coherence.push_back(fitted.coherence);
+  }
+  return found;
+}
+
+}  // namespace latsch::numerics
