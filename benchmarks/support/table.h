@@ -3,7 +3,7 @@
 // what it has to reach, and whether it does.
 //
 //   Table table("ccx", options);
-//   table.row("Fz against the deck", fmt::format("{:.3f} %", 100 * error), "<= 0.2 %", error < 2e-3);
+//   table.row("Fz of the deck", fmt::format("{:.3f} %", 1e2 * error), "<= 0.2 %", error < 2e-3);
 //   return table.exit_code();
 //
 // In a smoke run (options.h) the rows of full_row() are printed and not judged: times of this
