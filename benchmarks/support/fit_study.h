@@ -24,9 +24,9 @@ struct Fit {
 correlation::Study study_of_folder(const std::string& name);
 
 /// The same study in a temporary folder, its tires on a coarse mesh if there is one, its
-/// measurements written anew from the model itself as it is now. On a coarse mesh modes are measured
-/// with their shapes and paired by these: there a label, which names the larger of two parts of a
-/// shape, may change beside the truth, and the mode that had it is then missed by 100 %.
+/// measurements written anew from the model itself as it is now. On a coarse mesh modes are
+/// measured with their shapes and paired by these: there a label, which names the larger of two
+/// parts of a shape, may change beside the truth, and the mode that had it is missed by 100 %.
 correlation::Study fresh_twin(const std::string& name,
                               const std::optional<CoarseMesh>& mesh = std::nullopt);
 
