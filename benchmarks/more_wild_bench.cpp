@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The residual trust region and GSS on the 53 Moré-Wild problems: smooth, noisy, failing, in parallel
+// The residual trust region and GSS on 53 Moré-Wild problems: smooth, noisy, failing, in parallel
 //
 // What to reach: for the trust region above DFO-LS 1.6.5 (.925/.981/.981 and .792/.943/.962), for
 // GSS every figure of HOPSPACK 2.0. With 1 % noise on every residual solved is what the true

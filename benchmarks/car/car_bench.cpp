@@ -183,8 +183,8 @@ double energy_of(const Car& car, const CarState& state, const multibody::Assembl
   return sum;
 }
 
-/// The largest change over `duration` of energy over that of a heave and roll it starts with, as quick as
-/// tires allow that stay on the road.
+/// The largest change over `duration` of energy over that of a heave and roll it starts with, as
+/// quick as tires allow that stay on the road.
 double energy_change(bool locked, double step, double duration) {
   const auto car = made(without_damping(race_car(locked)), spring_tires(0.0), {.dissipation = 0.0});
   car->guide.lateral = car->guide.yaw = car->guide.along = 0.0;
