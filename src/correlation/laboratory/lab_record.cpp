@@ -18,26 +18,6 @@
 namespace latsch::correlation {
 namespace {
 
-/// The SI unit that a column of a known name has to have; empty for what is not known. One letter
-/// means much: "N" may be a load.
-std::string unit_of_name(const std::string& name) {
-  static const std::map<std::string, std::string> kOurs = {{"time", "s"},
-                                                           {"Vx", "m/s"},
-                                                           {"omega", "rad/s"},
-                                                           {"alpha", "rad"},
-                                                           {"gamma", "rad"},
-                                                           {"kappa", "1"},
-                                                           {"loaded_radius", "m"},
-                                                           {"R_e", "m"}};
-  if (name.size() < 2) return "";
-  if (const auto ours = kOurs.find(name); ours != kOurs.end()) return ours->second;
-  const std::string force = force_without_frame(name);
-  if (!force.empty()) return force[0] == 'F' ? "N" : "N m";
-  for (const char* unit : {"s", "m/s", "rad/s", "rad", "1", "Pa", "m", "K"})
-    if (our_name(name, unit) != name) return unit;
-  return "";
-}
-
 /// In our names; what two columns are called stays with the first.
 LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedColumn>& columns) {
   std::map<std::string, std::string> stated;  // theirs -> ours
@@ -152,7 +132,7 @@ LabRecord join_files(const std::vector<std::filesystem::path>& files,
   }
   const auto expected = [&](const std::string& theirs) {
     const auto ours = ours_of.find(theirs);
-    return unit_of_name(ours == ours_of.end() ? theirs : ours->second);
+    return dimension_of_name(ours == ours_of.end() ? theirs : ours->second);
   };
   LabRecord record;
   for (const std::filesystem::path& file : files) {

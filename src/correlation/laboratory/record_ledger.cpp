@@ -61,6 +61,11 @@ Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
     row.written = channel.name;
     row.line = table.header.line;
     row.column = static_cast<int>(k) + 1;
+    if (k < table.columns.size()) {
+      if (table.columns[k].line > 0) row.line = table.columns[k].line;
+      if (table.columns[k].place > 0) row.column = table.columns[k].place;
+      row.remark = table.columns[k].assumed;
+    }
     row.unit_written = table.units[k];
     row.unit = channel.unit;
     if (const auto unit = Unit::find(row.unit_written); unit && !row.unit_written.empty()) {
@@ -68,7 +73,11 @@ Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
       row.factor = unit->to_si(1.0L) - row.offset;
     }
     for (const auto& [ours, theirs] : record.written)
-      if (theirs.column == channel.name) row.taken_as = ours;
+      if (theirs.column == channel.name) {
+        row.taken_as = ours;
+        row.factor *= theirs.sign;
+        row.offset *= theirs.sign;
+      }
     if (row.taken_as == row.written && !recognized(row.written) &&
         !channel_senses(row.written).is_known())
       row.taken_as.clear();
