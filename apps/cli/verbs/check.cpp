@@ -296,8 +296,7 @@ void check(const std::string& file, const experiment::Language& language) {
   print_constraints(study.space);
   say("\nExperiments\n");
   print_experiments(study);
-  say("\nFiles\n");
-  const std::size_t doubts = say_ledgers(study, true);
+  const std::size_t doubts = say_ledgers(study, true, "Files");
   if (!study.constraints.empty()) say("\nConstraints on channels\n");
   for (const auto& constraint : study.constraints) {
     say("  {:<16} {}\n", constraint.name, in_words(constraint));

@@ -232,7 +232,7 @@ int fit(const Asked& asked, const experiment::Language& language) {
   Workers workers(study);
   if (workers.served(study, /*in_stages=*/true)) return kDone;
   reject_implausible(study);
-  say_ledgers(study, true);
+  say_ledgers(study, true, "Files");
   catch_interrupts();
   std::optional<correlation::StageEnd> before;
   Asked once = asked;
