@@ -96,7 +96,7 @@ Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
   for (const LedgerRow& row : ledger.rows)
     if (row.state == LedgerState::doubtful)
       ledger.doubts.push_back({row.written,
-                               "column " + in_quotes(row.written) + " is not taken: " + row.remark,
+                               "column " + in_quotes(row.written) + " is in doubt: " + row.remark,
                                {ledger.file, row.line}});
   return ledger;
 }
