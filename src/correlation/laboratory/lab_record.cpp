@@ -13,13 +13,35 @@
 #include "correlation/laboratory/channel_names.h"
 #include "correlation/laboratory/record_ledger.h"
 #include "formats/tables/lab_table.h"
+#include "measurement/meaning/channel_words.h"
 #include "numerics/signals/butterworth.h"
 
 namespace latsch::correlation {
 namespace {
 
+/// Columns without a unit whose names end in one, of the dimension that the rest of the name has:
+/// "SA_deg", "P_kPa".
+void take_units_of_names(formats::LabTable& table) {
+  Channels read;
+  for (std::size_t k = 0; k < table.channels.all().size(); ++k) {
+    Channel channel = table.channels.all()[k];
+    const auto known = recognized(channel.name);
+    const auto unit = known && table.units[k].empty() && !known->unit.empty()
+                          ? Unit::find(known->unit)
+                          : std::nullopt;
+    if (unit && unit->same_dimension(Unit::of(known->meaning->unit))) {
+      for (double& value : channel.values) value = unit->to_si(value);
+      channel.unit = known->meaning->unit;
+      table.units[k] = known->unit;
+    }
+    read.add(std::move(channel));
+  }
+  table.channels = std::move(read);
+}
+
 /// In our names; what two columns are called stays with the first.
 LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedColumn>& columns) {
+  take_units_of_names(table);
   std::map<std::string, std::string> stated;  // theirs -> ours
   for (const auto& [ours, theirs] : columns) stated[theirs.column] = ours;
   LabRecord record;

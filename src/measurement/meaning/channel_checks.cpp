@@ -141,9 +141,10 @@ std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
   constexpr double kLeast = 5.0;  // N: no tire has less
   const std::size_t all = numbers_in(channel.values);
   if (all == 0) return std::nullopt;
-  double most = 0.0;
+  constexpr double kAboutZero = 0.05;  // mean over largest: changes of a load, not loads
+  double most = 0.0, sum = 0.0;
   for (const double value : channel.values)
-    if (!std::isnan(value)) most = std::max(most, std::abs(value));
+    if (!std::isnan(value)) most = std::max(most, std::abs(value)), sum += value;
   const Counted below = count_where(channel.values, [](double value) { return value < 0.0; });
   if (static_cast<double>(below.count) > kNearlyAll * static_cast<double>(all))
     return ChannelDoubt{channel.name,
@@ -155,7 +156,8 @@ std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
                         true};
   const Counted odd =
       count_where(channel.values, [&](double value) { return value < -kHop * most; });
-  if (odd.count > 0)
+  const bool is_change = std::abs(sum) < kAboutZero * most * static_cast<double>(all);
+  if (odd.count > 0 && !is_change)
     return ChannelDoubt{channel.name,
                         fmt::format("is below 0 {}: {}, where a load on a tire is positive",
                                     of_samples(odd.count, all),
