@@ -247,7 +247,7 @@ TEST_F(Asked, NoiseThatTheFitTellsIsFollowed) {
     for (int k = 0; k < correlation::stage_count(study); ++k) {
       const auto part = correlation::weighted_stage(study, k, before);
       const auto found = correlation::fit(part, executor, journal, {.max_steps = part.max_steps});
-      before = correlation::end_of_stage(found.run.best()->point, journal);
+      before = correlation::end_of_stage(study, k, found.run.best()->point, journal, before);
     }
   }
   const Journal journal = Journal::read(study.run.journal);

@@ -15,6 +15,7 @@
 #include "cli/console/tables.h"
 #include "cli/run/model_source.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/analysis/coefficient_levels.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/refinement.h"
 #include "correlation/study/study.h"
@@ -305,6 +306,10 @@ void check(const std::string& file, const experiment::Language& language) {
   if (study.refinement)
     say("\nRefined model, for what mesh and step make of the numbers: {}\n",
         in_words(*study.refinement));
+  for (const auto& one : correlation::untold_coefficients(study))
+    warn("variable " + one.variable + " is free, but " + one.reason +
+             ": the measurement does not tell it; leave it out, or measure more levels",
+         {file, 0});
   const MethodChoice choice = method_of(study);
   say("\nOptimizer {}, at most {} steps: {}\n"
       "Workers {}, {:g} s a trial at most, journal {}\n"

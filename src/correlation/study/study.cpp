@@ -10,11 +10,11 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "correlation/observable/curve.h"
+#include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/linear_constraints.h"
 #include "correlation/study/program_specimens.h"
 #include "correlation/study/refinement.h"
 #include "correlation/study/simulator_settings.h"
-#include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study_slopes.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
@@ -81,11 +81,16 @@ void check_noise(const Node& root, const std::vector<StudyExperiment>& experimen
   const auto tables = root.named_tables("experiment");
   const bool estimated = std::any_of(
       experiments.begin(), experiments.end(), [](const auto& one) { return one.estimates_noise; });
+  const bool of_own_stage = std::any_of(experiments.begin(),
+                                        experiments.end(),
+                                        [](const auto& one) { return one.noise_of_own_stage; });
   for (size_t e = 0; estimated && e < experiments.size(); ++e) {
-    if (experiments[e].fitted && !experiments[e].estimates_noise)
-      tables[e].reject("noise",
-                       "is not \"estimated\", but that of another experiment is, expected all or "
-                       "none");
+    if (!experiments[e].fitted) continue;
+    if (!experiments[e].estimates_noise || experiments[e].noise_of_own_stage != of_own_stage)
+      tables[e].reject(
+          "noise",
+          fmt::format("is not \"{}\", but that of another experiment is, expected all or none",
+                      of_own_stage ? "own_stage" : "estimated"));
   }
   bool some = false;
   for (const auto& experiment : experiments) some = some || (experiment.fitted && experiment.noise);

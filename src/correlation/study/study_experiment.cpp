@@ -294,13 +294,15 @@ StudyExperiment read_experiment(const Node& table,
   if (measured) note_uses(*measured, experiment);
   experiment.read_from = measured;
   experiment.estimates_noise = experiment.fitted && is_estimated(table);
+  experiment.noise_of_own_stage = experiment.fitted && is_of_own_stage(table);
   if (!is_estimated(table)) {
     experiment.noise = read_noise(table, experiment.observable->unit());
     if (!experiment.noise && experiment.measurement) experiment.noise = noise_of(experiment);
   } else if (table.has("loss")) {
     table.reject("loss",
-                 "stands beside noise = \"estimated\", expected one of the two: far-off "
-                 "values would make the noise that they are judged by");
+                 fmt::format("stands beside noise = \"{}\", expected one of the two: far-off "
+                             "values would make the noise that they are judged by",
+                             table.text("noise")));
   }
   experiment.loss = read_loss(table, experiment.noise.has_value());
   return experiment;

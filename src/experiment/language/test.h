@@ -74,6 +74,10 @@ class Test {
   /// How many values its channels have; nullopt where a run has to tell.
   virtual std::optional<long> samples() const { return std::nullopt; }
 
+  /// The values (SI) at which a table of states drives a rolling tire: of Fz, kappa, alpha, gamma,
+  /// Vx or p. Empty: the test states none of that.
+  virtual std::vector<double> driven_at(const std::string& /*condition*/) const { return {}; }
+
   /// Throws InputError where the specimen cannot take a condition of the test.
   virtual Result<Channels> run(Specimen& specimen) const = 0;
   /// The same channels block by block, for a recording that is too long to be kept. Gives back what

@@ -61,6 +61,9 @@ class SlipHistoryTest : public Test {
     if (LedgerRow* time = ledger.find_written("time")) Ledger::use(*time, by);
     return {std::move(ledger)};
   }
+  std::vector<double> driven_at(const std::string& condition) const override {
+    return values_of(history_, condition);
+  }
   std::optional<long> samples() const override { return history_.rows(); }
   Result<Channels> run(Specimen& specimen) const override {
     return specimen.find<HasSteadyStates>()->slip_history(history_, {});

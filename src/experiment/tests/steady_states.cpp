@@ -75,6 +75,9 @@ class SteadyStatesTest : public Test {
     if (file_.empty()) return {};  // the measurement has its own
     return {ledger_of_states(states_, by)};
   }
+  std::vector<double> driven_at(const std::string& condition) const override {
+    return values_of(states_, condition);
+  }
   std::optional<long> samples() const override { return states_.rows(); }
   Result<Channels> run(Specimen& specimen) const override {
     return specimen.find<HasSteadyStates>()->steady(states_, conventions_);

@@ -110,6 +110,7 @@ Json warnings(const Study& study, const Sight& sight) {
     for (const LedgerDoubt& doubt : ledger.doubts)
       if (std::find(list.begin(), list.end(), Json(doubt.sentence)) == list.end())
         list.push_back(doubt.sentence);  // the page shows each sentence once
+  for (const std::string& words : sight.spoiled) list.push_back(words);
   double largest = 0.0;
   for (const auto& experiment : study.experiments)
     if (experiment.fitted) largest = std::max(largest, experiment.objective.weight);

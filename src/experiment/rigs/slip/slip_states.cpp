@@ -242,6 +242,17 @@ Ledger ledger_of_states(const formats::CsvTable& table, const std::string& by) {
   return ledger;
 }
 
+std::vector<double> values_of(const formats::CsvTable& table, const std::string& condition) {
+  constexpr int kMostRows = 200'000;
+  if (table.rows() > kMostRows) return {};
+  const auto known = std::find_if(
+      kStateColumns.begin(), kStateColumns.end(), [&](auto& c) { return condition == c.name; });
+  if (known == kStateColumns.end()) return {};
+  for (const auto& [column, state] : meant_by(table))
+    if (state == &*known) return table.si_numbers(column, known->unit);
+  return {};
+}
+
 std::vector<std::string> for_slip_states(const formats::CsvTable& table,
                                          const Parameters& tire,
                                          int rows,
