@@ -47,8 +47,8 @@ StageEnd end_of_stage(const Study& study,
 Study weighted_stage(const Study& study, int k, const std::optional<StageEnd>& before);
 
 /// A study as its last stage has it, as far as the journals know: noise, the experiments that
-/// count, the variables that move. The same where the last stage changes none of them. For whoever looks
-/// at trials.
+/// count, the variables that move. The same where the last stage changes none of them. For
+/// whoever looks at trials.
 Study with_estimated_noise(const Study& study, const Journal& journal);
 
 /// What the search of a study asks for first; nullopt where a journal decides that. One that has no
