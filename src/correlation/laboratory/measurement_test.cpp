@@ -271,7 +271,7 @@ Fz = "FZ_N_positive [N]"
   const auto rising = of("sweep = {alpha = \"rising\"}\n").samples(),
              falling = of("sweep = {alpha = \"falling\"}\n").samples();
   EXPECT_NEAR(static_cast<double>(rising + falling), 5996.0, 0.02 * 5996.0);
-  EXPECT_THROW(of("").values("Mx", "N m"), InputError);
+  EXPECT_EQ(of("").values("Mx", "N m").size(), 5996u);  // MX_Nm ends in its unit
   std::string sae = read_text_file(folder_ / "real.toml");
   sae.replace(sae.find("\"iso\""), 5, "\"sae\"");
   write_text_file(folder_ / "real.toml", sae);
