@@ -20,6 +20,7 @@
 #include "correlation/search/study_fit.h"
 #include "correlation/study_report/study_report.h"
 #include "evaluation/journal/local_file_system.h"
+#include "evaluation/journal/readable_journal.h"
 #include "evaluation/schedule/retried_failures.h"
 #include "report/live_page.h"
 #include "studio/report_answers.h"
@@ -240,7 +241,14 @@ std::string report_page(const correlation::Study& study,
 int write_report(const correlation::Study& study,
                  const Journal& journal,
                  const experiment::Language& language,
-                 experiment::Thoroughness thoroughness) {
+                 experiment::Thoroughness thoroughness,
+                 const std::filesystem::path& output) {
+  const auto file =
+      output.empty() ? std::filesystem::path(study.run.journal).replace_extension(".html") : output;
+  if (output.empty() && !may_be_written(file))
+    throw InputError({file.string(), 0},
+                     "may not be written here: latsch report " + study.file.string() +
+                         " -o FILE writes the report elsewhere");
   const auto page = correlation::study_report(
       correlation::with_estimated_noise(study, journal), journal, thoroughness);
   if (!page) {
@@ -249,7 +257,6 @@ int write_report(const correlation::Study& study,
   }
   print_errors(*page);
   print_mesh_error(*page);
-  const auto file = std::filesystem::path(study.run.journal).replace_extension(".html");
   write_text_file(file, report_page(study, *page, language));
   answer()["target"] = page->target;
   answer()["report"] = file.string();

@@ -228,9 +228,14 @@ Result<StudyReport> study_report(const Study& study,
   add_variables(study, best->point, what, page);
   if (const experiment::SpecimenKind* kind = study.specimens->kind())
     kind->draw(at(study.model, study.space, best->point), tests_shown(study), thoroughness, page);
-  const Simulated initial = start.get();
-  if (initial.channels)
-    page.initial_target = objective(study)(initial.point, *initial.channels)->value;
+  Simulated initial = start.get();
+  if (initial.channels) {
+    const auto score = objective(study)(initial.point, *initial.channels);
+    if (score)
+      page.initial_target = score->value;
+    else
+      initial.channels = score.failure();
+  }
   page.run = run_facts(study, journal);
   const std::vector<Fit> fits = recorded_fit(study, journal);
   add_convergence(study, fits, page);

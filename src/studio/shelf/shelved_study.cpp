@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/clock.h"
+#include "base/document_record.h"
 #include "base/error.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/study/study_stages.h"
@@ -43,10 +44,34 @@ fs::file_time_type time_of(const fs::path& file) {
   return none ? fs::file_time_type::min() : time;
 }
 
+/// The files that the texts of a model's file name, such as the suspensions and tires of a car, and
+/// those that they name in turn.
+void add_named_files(const fs::path& file, int deepest, std::vector<fs::path>& files) {
+  if (deepest == 0 || file.extension() != ".toml") return;
+  const std::string text = canonical_text(Document::read(file));
+  for (std::size_t begin = text.find('"'); begin != std::string::npos;) {
+    const std::size_t end = text.find_first_of("\"\n", begin + 1);
+    if (end == std::string::npos) return;
+    const fs::path named = file.parent_path() / text.substr(begin + 1, end - begin - 1);
+    std::error_code none;
+    if (named != file.parent_path() / "" && fs::is_regular_file(named, none)) {
+      files.push_back(named);
+      add_named_files(named, deepest - 1, files);
+    }
+    begin = text.find('"', end + 1);
+  }
+}
+
 /// The files a study was read from.
 std::vector<fs::path> files_of(const Study& study) {
   std::vector<fs::path> files{study.file};
-  if (!study.model_file.empty()) files.push_back(study.model_file);
+  if (!study.model_file.empty()) {
+    constexpr int kDeepest = 4;  // car, suspension, bushing
+    files.push_back(study.model_file);
+    add_named_files(study.model_file, kDeepest, files);
+  }
+  for (const auto& test : study.tests)
+    files.insert(files.end(), test.files.begin(), test.files.end());
   for (const auto& experiment : study.experiments) {
     if (!experiment.measurement_file.empty()) files.push_back(experiment.measurement_file);
     if (!experiment.shapes_file.empty()) files.push_back(experiment.shapes_file);
