@@ -204,6 +204,20 @@ TEST_F(Asked, TheFileIsChangedWhereThePageHasSeenIt) {
   EXPECT_TRUE(wait_for([&] { return get("/api/study")["variables"][0]["upper"] == 1.75; }));
 }
 
+TEST_F(Asked, TheFormWritesNothingThatTheCheckRefuses) {
+  two();
+  begin();
+  const Json file = get("/api/file");
+  for (const Json& edit : {Json{{"table", {"variable", "grip"}}, {"key", "upper"}, {"value", -1e9}},
+                           Json{{"table", {"optimizer"}}, {"key", "method"}, {"value", "guess"}}}) {
+    const Response refused =
+        post("/api/edit", Json{{"version", file["version"]}, {"edits", {edit}}});
+    EXPECT_EQ(refused.status, 400) << refused.body;
+    EXPECT_NE(refused.body.find("is not changed"), std::string::npos) << refused.body;
+    EXPECT_EQ(get("/api/file")["text"], file["text"]);
+  }
+}
+
 TEST_F(Asked, AJournalOfAnotherStudyIsSaidNotShown) {
   const auto study = two();
   fit_all(study);

@@ -56,8 +56,8 @@ Eigen::VectorXd beside(const Eigen::MatrixXd& A, const Eigen::VectorXd& j) {
   return j - A * (inverse_normal_matrix(A) * (A.transpose() * j));
 }
 
-/// On a bound, with S growing inward, by slopes. `way`: in the unit cube, so short that it counts as
-/// none.
+/// On a bound, with S growing inward, by slopes. `way`: in the unit cube, so short that it counts
+/// as none.
 Bound bound_at(double u, double gradient, double way) {
   if (u <= way && gradient > 0.0) return Bound::lower;
   if (u >= 1.0 - way && gradient < 0.0) return Bound::upper;

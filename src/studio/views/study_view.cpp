@@ -143,6 +143,7 @@ Json run_of(const ShelvedStudy& shelved, const Sight& sight, const StudyRuns::Ru
             {"is_ours", run.is_ours},
             {"is_starting", run.is_alive && !sight.holder},
             {"exit_code", run.exit_code ? Json(*run.exit_code) : Json(nullptr)},
+            {"was_stopped", run.was_stopped},
             {"message", sight.holder ? sight.holder->words : std::string()},
             {"log_file", run_log(shelved.file()).filename().string()},
             {"log", run.log},
