@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "base/text.h"
 #include "base/units.h"
@@ -39,7 +41,12 @@ void name_meaning(LedgerRow& row) {
 
 /// A known name whose values have no unit or one of another dimension.
 void note_dimension(LedgerRow& row) {
-  const std::string expected = dimension_of_name(row.written);
+  constexpr std::array<std::string_view, 4> kLetters = {"P", "p", "V", "v"};
+  std::string expected = dimension_of_name(row.written);
+  // One letter with a unit may be anything, without one it is most likely ours.
+  if (row.unit_written.empty() &&
+      std::find(kLetters.begin(), kLetters.end(), row.written) != kLetters.end())
+    expected = recognized(row.written)->meaning->unit;
   if (expected.empty() || Unit::of(row.unit).same_dimension(Unit::of(expected))) return;
   row.state = LedgerState::doubtful;
   row.remark = row.unit_written.empty()

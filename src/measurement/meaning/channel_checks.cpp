@@ -279,6 +279,20 @@ void check_inclination(const Channels& channels, std::vector<ChannelDoubt>& doub
                                 alpha->name)});
 }
 
+/// A clock goes on.
+void check_time(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
+  const Channel* time = only(channels, "time");
+  if (!time || time->unit != "s" || time->values.size() < 3) return;
+  std::size_t back = 0, first = 0;
+  for (std::size_t i = 1; i < time->values.size(); ++i)
+    if (time->values[i] < time->values[i - 1] && back++ == 0) first = i;
+  if (2 * back < time->values.size()) return;  // several runs in one file begin again
+  doubts.push_back({time->name,
+                    fmt::format("goes backward {}: is its sign another one?",
+                                of_samples(back, time->values.size())),
+                    first});
+}
+
 /// Two lengths of a header: a rim inside of its tire.
 void check_rim(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   const Channel *rim = channels.find("RIMDIAME"), *tire = channels.find("OVALLDIA");
@@ -316,6 +330,7 @@ std::vector<ChannelDoubt> doubts_about(const Channels& channels) {
     check_pairs(channels, doubts);
     check_inclination(channels, doubts);
   }
+  check_time(channels, doubts);
   check_rim(channels, doubts);
   return doubts;
 }

@@ -108,6 +108,15 @@ TEST(ChannelChecks, KeepARimInsideOfItsTire) {
   EXPECT_TRUE(doubts[0].is_error);
 }
 
+TEST(ChannelChecks, NoticeAClockThatGoesBackward) {
+  Channels back, runs;
+  back.add({"time", "s", {0, -0.1, -0.2, -0.3}});
+  ASSERT_EQ(doubts_about(back).size(), 1u);
+  EXPECT_EQ(doubts_about(back)[0].channel, "time");
+  runs.add({"time", "s", {0, 0.1, 0.2, 0, 0.1, 0.2}});  // two runs in one file
+  EXPECT_TRUE(doubts_about(runs).empty());
+}
+
 // A table of a K&C rig: what gives way moves along the force.
 TEST(ChannelChecks, KnowTheSignOfACompliance) {
   Channels table;
