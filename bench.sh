@@ -1,5 +1,6 @@
 #!/bin/sh
 # ./bench.sh NAME    builds and runs the benchmark; ends with 0 where every row of its table is reached
+# ./bench.sh NAME --smoke  the same on a tiny case, in seconds; --help names what else it knows
 # ./bench.sh --list  names the benchmarks, with a line each
 set -eu
 cd "$(dirname "$0")"

@@ -18,6 +18,7 @@
 namespace {
 
 using namespace latsch;
+using benchmarks::Options;
 using benchmarks::Table;
 
 constexpr int kMostEvaluations = 20000;
@@ -80,10 +81,18 @@ void compare(Table& table,
   table.note(name + ", evaluations", evaluations.substr(2));
 }
 
-int bench() {
-  Table table("constraints");
-  const auto linear = linearly_constrained_problems();
-  const auto nonlinear = nonlinearly_constrained_problems();
+/// A smoke run takes the first few.
+template <class Problem>
+std::vector<Problem> some(std::vector<Problem> all, const Options& options) {
+  constexpr std::size_t kFew = 2;
+  all.resize(options.size(all.size(), std::min(all.size(), kFew)), all.front());
+  return all;
+}
+
+int bench(const Options& options) {
+  Table table("constraints", options);
+  const auto linear = some(linearly_constrained_problems(), options);
+  const auto nonlinear = some(nonlinearly_constrained_problems(), options);
   const SqpOptions exact{.step_tolerance = 1e-5, .difference = 1e-7};
   const GssOptions fine{.step_tolerance = 1e-4};
   compare(table, "GSS, linear constraints", linear, 1e-4, [&](const DesignSpace& space) {
@@ -92,7 +101,7 @@ int bench() {
   compare(table, "SQP, linear constraints", linear, 1e-4, [&](const DesignSpace& space) {
     return Sqp(space, exact);
   });
-  const auto squares = constrained_least_squares_problems();
+  const auto squares = some(constrained_least_squares_problems(), options);
   compare(table, "residual trust region, linear constraints", squares, 1e-4, [](const auto& space) {
     return ResidualTrustRegion(space);
   });
@@ -120,4 +129,4 @@ int bench() {
 
 }  // namespace
 
-int main() { return benchmarks::guarded(bench); }
+int main(int argc, char** argv) { return benchmarks::run_benchmark(argc, argv, {}, bench); }

@@ -19,6 +19,7 @@
 #include "base/file.h"
 #include "base/random.h"
 #include "base/scratch_folder_testing.h"
+#include "coarse_mesh.h"
 #include "correlation/study/study.h"
 #include "killed_study.h"
 #include "table.h"
@@ -31,7 +32,8 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr std::uint64_t kSeed = 1;
 
-// The size of the mesh makes a trial short; what is found is not looked at.
+// The size of the mesh makes a trial short; what is found is not looked at. A step tolerance is put
+// behind it.
 constexpr const char* kStudy = R"(title = "A coarse tire B, to be killed"
 model = "tire.toml"
 [variable.matrix]
@@ -51,28 +53,21 @@ kind = "load_deflection"
 pressure = "2.6 bar"
 measurement = "stiffness.csv"
 deflections = {unit = "mm", values = [5, 10]}
+[run]
+intervals = false
 [optimizer]
 method = "gss"
-step_tolerance = 0.02
 )";
 
 constexpr const char* kMeasurement = "deflection [mm],force [N]\n5,900\n10,2000\n";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::runtime_error("tire B has no line \"" + from + "\"");
-  return text.replace(at, from.size(), to);
-}
-
-fs::path write_tire_study(const fs::path& folder) {
-  std::string tire =
-      read_text_file(fs::path(LATSCH_SOURCE_DIR) / "studies/tires/passenger_225_50R16.toml");
-  tire = replaced(tire, "meridional = 29", "meridional = 13");
-  tire = replaced(tire, "sectors = 60", "sectors = 24");
-  tire = replaced(tire, "sector_zones = [[10, \"3 deg\"], [6, \"5 deg\"]]\n", "");
-  write_text_file(folder / "tire.toml", tire);
+fs::path write_tire_study(const fs::path& folder, const CoarseMesh& mesh, double step_tolerance) {
+  const fs::path tire = fs::path(LATSCH_SOURCE_DIR) / "studies/tires/passenger_225_50R16.toml";
+  write_text_file(folder / "tire.toml",
+                  with_coarse_mesh(read_text_file(tire), mesh));
   write_text_file(folder / "stiffness.csv", kMeasurement);
-  write_text_file(folder / "study.toml", kStudy);
+  write_text_file(folder / "study.toml",
+                  fmt::format("{}step_tolerance = {}\n", kStudy, step_tolerance));
   return folder / "study.toml";
 }
 
@@ -167,7 +162,7 @@ void report(Table& table, const Prey& prey, const Killed& killed) {
             killed.same_bits);
 }
 
-void hunt(Table& table, const Prey& prey) {
+void hunt(Table& table, const Prey& prey, const std::vector<int>& workers_beside_one) {
   const auto begin = std::chrono::steady_clock::now();
   const std::string reference = undisturbed(prey, 1);
   const Seconds time = std::chrono::steady_clock::now() - begin;
@@ -176,7 +171,7 @@ void hunt(Table& table, const Prey& prey) {
             "converged",
             !reference.empty());
   if (reference.empty()) return;
-  for (const int workers : {2, 4}) {
+  for (const int workers : workers_beside_one) {
     const bool same = undisturbed(prey, workers) == reference;
     table.row(
         fmt::format("{} workers", workers), same ? "same bits" : "differs", "same bits", same);
@@ -189,17 +184,24 @@ void hunt(Table& table, const Prey& prey) {
   report(table, prey, killed);
 }
 
-int run() {
-  Table table("crash");
-  hunt(table, {"coarse tire", write_tire_study, 20, 0.2});
+int run(const Options& options) {
+  Table table("crash", options);
+  const std::vector<int> workers = options.size(std::vector<int>{2, 4}, std::vector<int>{2});
+  const auto write_tire = [&](const fs::path& folder) {
+    return write_tire_study(
+        folder, options.size(CoarseMesh{13, 24}, CoarseMesh{13, 12}), options.size(0.02, 0.05));
+  };
+  hunt(table, {"coarse tire", write_tire, options.size(20, 2), 0.2}, workers);
   const auto write_fast_study = [](const fs::path& folder) {
     return write_small_study(folder, 0.0);
   };
-  hunt(table, {"fast program", write_fast_study, 80, 0.5});
+  hunt(table, {"fast program", write_fast_study, options.size(80, 3), 0.5}, workers);
   return table.exit_code();
 }
 
 }  // namespace
 }  // namespace latsch::benchmarks
 
-int main() { return latsch::benchmarks::guarded(latsch::benchmarks::run); }
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, latsch::benchmarks::run);
+}

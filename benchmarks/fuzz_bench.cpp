@@ -466,16 +466,11 @@ void run(const Reader& reader, long first, long inputs, Table& table) {
   ::munmap(shared, sizeof(Progress));
 }
 
-int fuzz(int count, char** arguments) {
-  long inputs = 1'000'000, first = 0;
-  std::string only;
-  for (int i = 1; i + 1 < count; i += 2) {
-    const std::string option = arguments[i], value = arguments[i + 1];
-    if (option == "--reader") only = value;
-    if (option == "--inputs") inputs = std::stol(value);
-    if (option == "--first") first = std::stol(value);
-  }
-  Table table("fuzz");
+int fuzz(const Options& options) {
+  const long inputs = options.integer("--inputs", options.size(1'000'000, 500));
+  const long first = options.integer("--first", 0);
+  const std::string only = options.text("--reader");
+  Table table("fuzz", options);
   for (const Reader& reader : {csv_reader(),
                                recording_reader(),
                                tydex_reader(),
@@ -495,6 +490,11 @@ int fuzz(int count, char** arguments) {
 }  // namespace
 }  // namespace latsch::benchmarks
 
-int main(int count, char** arguments) {
-  return latsch::benchmarks::guarded([&] { return latsch::benchmarks::fuzz(count, arguments); });
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc,
+                                           argv,
+                                           {{"--inputs", "N", "of every reader"},
+                                            {"--reader", "NAME", "that one alone"},
+                                            {"--first", "I", "number of the first input"}},
+                                           latsch::benchmarks::fuzz);
 }

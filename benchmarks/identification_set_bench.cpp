@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
 
@@ -130,7 +129,7 @@ void rows(Table& table, const std::vector<Trial>& trials, const std::string& gro
     for (std::size_t k = 0; k < best.size(); ++k) {
       is_reached = is_reached && std::round(1e3 * ours[k]) >= std::round(1e3 * best[k]);
     }
-    table.row(what, in_words(ours), ">= " + in_words(best), is_reached);
+    table.full_row(what, in_words(ours), ">= " + in_words(best), is_reached);
   }
 }
 
@@ -202,10 +201,12 @@ void same_digits(Table& table, const std::vector<identification_set::Problem>& p
             different == 0);
 }
 
-int bench(bool is_tuning) {
-  Table table("identification_set");
-  const auto problems =
+int bench(const Options& options) {
+  const bool is_tuning = options.has("--tuning");
+  Table table("identification_set", options);
+  auto problems =
       is_tuning ? identification_set::tuning_problems() : identification_set::problems();
+  problems.resize(options.size(problems.size(), std::size_t{2}), problems.front());
   SciPy scipy;
   std::vector<Trial> trials;
   int number = 0;
@@ -222,8 +223,8 @@ int bench(bool is_tuning) {
   const auto all = [](const Trial&) { return true; };
   const double at_1e3 = shares(trials, kOurs, 1e-3, all)[2];
   const double at_1e5 = shares(trials, kOurs, 1e-5, all)[2];
-  table.row("all, tau 1e-3 @20", fmt::format("{:.3f}", at_1e3), ">= 0.930", at_1e3 >= 0.93);
-  table.row("all, tau 1e-5 @20", fmt::format("{:.3f}", at_1e5), ">= 0.900", at_1e5 >= 0.90);
+  table.full_row("all, tau 1e-3 @20", fmt::format("{:.3f}", at_1e3), ">= 0.930", at_1e3 >= 0.93);
+  table.full_row("all, tau 1e-5 @20", fmt::format("{:.3f}", at_1e5), ">= 0.900", at_1e5 >= 0.90);
   same_digits(table, problems);
   return table.exit_code();
 }
@@ -231,6 +232,6 @@ int bench(bool is_tuning) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool is_tuning = argc > 1 && std::strcmp(argv[1], "--tuning") == 0;
-  return guarded([&] { return bench(is_tuning); });
+  return run_benchmark(
+      argc, argv, {{"--tuning", "", "that half alone, and which runs are not solved"}}, bench);
 }

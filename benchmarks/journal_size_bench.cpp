@@ -28,8 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr long kTrials = 2000;
-constexpr int kRings = 12;
 constexpr double kRipple = 1e-6;  // of every value
 
 double now() {
@@ -56,11 +54,11 @@ correlation::Study magic_formula(const fs::path& folder) {
 }
 
 /// The fit of the study and its profiles, up to so many trials.
-std::vector<Trial> search(const correlation::Study& study) {
+std::vector<Trial> search(const correlation::Study& study, long most) {
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
   ThreadExecutor executor([&] { return correlation::evaluator(study); }, 2);
   RunOptions options{.max_steps = study.max_steps};
-  options.stop_requested = [&] { return journal.size() >= kTrials; };
+  options.stop_requested = [&] { return journal.size() >= most; };
   const auto fit = correlation::fit(study, executor, journal, options);
   if (const Step* best = fit.run.best(); best && fit.run.end != RunEnd::stopped) {
     (void)correlation::identify(
@@ -69,12 +67,12 @@ std::vector<Trial> search(const correlation::Study& study) {
   return journal.trials();
 }
 
-std::vector<Trial> rings() {
+std::vector<Trial> rings(int count) {
   const auto study = correlation::read_study(
       fs::path(LATSCH_SOURCE_DIR) / "studies" / "cleat_fit" / "study.toml", experiment::language());
   const Evaluator model = correlation::evaluator(study);
   std::vector<Trial> trials;
-  for (const DesignPoint& point : latin_hypercube(study.space, kRings).points) {
+  for (const DesignPoint& point : latin_hypercube(study.space, count).points) {
     trials.push_back({point, evaluate(model, point)});
   }
   return trials;
@@ -136,7 +134,7 @@ Cost report(Table& table, const char* what, const std::vector<Trial>& trials, do
                                  1e-6 * cost.plain * std::ssize(trials),
                                  trials.size());
   if (reach > 0.0) {
-    table.row(what,
+    table.full_row(what,
               value,
               fmt::format("<= {:g}, every bit the same", reach),
               cost.share <= reach && cost.is_same);
@@ -146,26 +144,29 @@ Cost report(Table& table, const char* what, const std::vector<Trial>& trials, do
   return cost;
 }
 
-int run() {
-  Table table("journal_size");
+int run(const Options& options) {
+  Table table("journal_size", options);
   const ScratchFolder folder;
-  const auto trials = search(magic_formula(folder / "study"));
+  const auto trials = search(magic_formula(folder / "study"), options.size(2000, 60));
   const Cost cost =
       report(table, "Magic Formula, 600 measured states, fit and profiles", trials, 0.2);
-  table.row("of it, to write a trial, committed in groups of 16",
-            fmt::format("{:.2f} ms", 1e3 * cost.write),
-            "< 3 ms",
-            cost.write < 3e-3);
-  table.row("to read and check it",
-            fmt::format("{:.2f} ms", 1e3 * cost.read),
-            "< 3 ms",
-            cost.read < 3e-3);
+  table.full_row("of it, to write a trial, committed in groups of 16",
+                 fmt::format("{:.2f} ms", 1e3 * cost.write),
+                 "< 3 ms",
+                 cost.write < 3e-3);
+  table.full_row("to read and check it",
+                 fmt::format("{:.2f} ms", 1e3 * cost.read),
+                 "< 3 ms",
+                 cost.read < 3e-3);
+  table.row("every bit the same", cost.is_same ? "yes" : "no", "yes", cost.is_same);
   report(table, "the same with noise of 1e-6 on every value", with_ripple(trials), 0.0);
-  report(table, "flexible ring over cleats, a Latin hypercube", rings(), 0.0);
+  report(table, "flexible ring over cleats, a Latin hypercube", rings(options.size(12, 1)), 0.0);
   return table.exit_code();
 }
 
 }  // namespace
 }  // namespace latsch::benchmarks
 
-int main() { return latsch::benchmarks::guarded(latsch::benchmarks::run); }
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, latsch::benchmarks::run);
+}

@@ -3,6 +3,7 @@
 // same
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -55,30 +56,30 @@ std::vector<double> numbers(const std::vector<magic_formula::SteadyState>& of) {
   return list;
 }
 
-Run one_by_one() {
+Run one_by_one(int rounds) {
   const magic_formula::MagicFormula tire(magic_formula::round_tire());
   const auto all = states();
   std::vector<magic_formula::SteadyState> results(kStates);
   Run run;
-  run.cost = beside(Yardstick::atan, 40, [&] {
+  run.cost = beside(Yardstick::atan, rounds, [&] {
                for (std::size_t i = 0; i < kStates; ++i) results[i] = tire.evaluate(all[i]);
              }).per(kStates);
   run.results = numbers(results);
   return run;
 }
 
-Run many_at_once() {
+Run many_at_once(int rounds) {
   const magic_formula::MagicFormula tire(magic_formula::round_tire());
   const auto all = states();
   std::vector<magic_formula::SteadyState> results(kStates);
   Run run;
-  run.cost = beside(Yardstick::atan, 40, [&] { tire.evaluate(all, results); }).per(kStates);
+  run.cost = beside(Yardstick::atan, rounds, [&] { tire.evaluate(all, results); }).per(kStates);
   run.results = numbers(results);
   return run;
 }
 
 /// 0.15 s at 60 km/h over a cleat of 10 x 30 mm; the cost of a step of 0.5 ms.
-Run ring_over_cleat() {
+Run ring_over_cleat(int rounds) {
   auto ring = ring_tire::passenger_ring();
   ring.nodes = 80;
   ring.sidewall.radial.dynamic_stiffening = 0.2;
@@ -89,7 +90,7 @@ Run ring_over_cleat() {
   constexpr int kSteps = 300;
   constexpr double kStep = 5e-4;
   Run run;
-  run.cost = beside(Yardstick::atan, 4, [&] {
+  run.cost = beside(Yardstick::atan, std::min(rounds, 4), [&] {
                run.results.clear();
                ring_tire::RingTire tire(ring);
                WheelMotion motion;
@@ -148,7 +149,7 @@ void compare(Table& table, const std::string& what, const std::function<Run()>& 
             fmt::format("{:.1e}", largest_difference(baseline.results, avx2.results)),
             "<= 1e-5",
             largest_difference(baseline.results, avx2.results) <= 1e-5);
-  table.row(what + ", avx2 against baseline",
+  table.full_row(what + ", avx2 against baseline",
             fmt::format("{:.2f} x the time", avx2.cost.ratio() / baseline.cost.ratio()),
             "<= 0.9",
             avx2.cost.ratio() <= 0.9 * baseline.cost.ratio());
@@ -159,26 +160,31 @@ void compare(Table& table, const std::string& what, const std::function<Run()>& 
   const Run& avx512 = runs[KernelSet::avx512];
   const bool same = same_bits(avx2.results, avx512.results);
   table.row(what + ", avx2 against avx512, bits", same ? "the same" : "others", "the same", same);
-  table.row(what + ", avx2 against avx512",
+  table.full_row(what + ", avx2 against avx512",
             fmt::format("{:.2f} x the time", avx2.cost.ratio() / avx512.cost.ratio()),
             "<= 2.2",
             avx2.cost.ratio() <= 2.2 * avx512.cost.ratio());
 }
 
-int bench() {
-  Table table("kernels");
+int bench(const Options& options) {
+  Table table("kernels", options);
+  const int rounds = options.size(40, 2);
   for (const KernelSet set : kernel_sets()) {
     const WithKernelSet with(set);
-    const Beside fused = beside(Yardstick::multiply_add, 20, [] {});
+    const Beside fused = beside(Yardstick::multiply_add, rounds, [] {});
     table.note(fmt::format("a multiply-add of one lane, {}", name(set)), as_time(fused.yardstick));
   }
-  table.note("a byte from array to array", as_time(beside(Yardstick::byte, 5, [] {}).yardstick));
-  compare(table, "Magic Formula, one state", one_by_one);
-  compare(table, "Magic Formula, of many at once", many_at_once);
-  compare(table, "ring over a cleat, a step and its share of settling", ring_over_cleat);
+  table.note("a byte from array to array", as_time(beside(Yardstick::byte, options.size(5, 1), [] {}).yardstick));
+  compare(table, "Magic Formula, one state", [&] { return one_by_one(rounds); });
+  compare(table, "Magic Formula, of many at once", [&] { return many_at_once(rounds); });
+  compare(table, "ring over a cleat, a step and its share of settling", [&] {
+    return ring_over_cleat(rounds);
+  });
   return table.exit_code();
 }
 
 }  // namespace
 
-int main() { return latsch::benchmarks::guarded(bench); }
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, bench);
+}

@@ -74,71 +74,72 @@ void agreement(benchmarks::Table& table) {
 constexpr double kAtanThere = 9.5e-9;
 
 void row(benchmarks::Table& table, const std::string& what, const Beside& cost, double reach) {
-  table.row(what,
+  table.full_row(what,
             in_units(cost, Yardstick::atan),
             fmt::format("<= {:.3g} atan ({})", reach / kAtanThere, benchmarks::as_time(reach)),
             cost.ratio() <= reach / kAtanThere);
 }
 
-void speed(benchmarks::Table& table) {
+void speed(const benchmarks::Options& options, benchmarks::Table& table) {
   const auto sample = verification::sample_tire(Version::mf61);
   if (!sample) return;
   const MagicFormula tire(*sample);
-  constexpr std::size_t kOnes = 100000, kMany = 1000000;
-  const std::vector<State> states = random_states(kMany, *sample);
+  const std::size_t ones = options.size(100000, 1000), many = options.size(1000000, 10000);
+  const std::vector<State> states = random_states(many, *sample);
   double sum = 0.0;
-  const Beside one = beside(Yardstick::atan, 30, [&] {
-                       for (std::size_t i = 0; i < kOnes; ++i) sum += tire.evaluate(states[i]).Fy;
-                     }).per(kOnes);
+  const Beside one = beside(Yardstick::atan, options.size(30, 2), [&] {
+                       for (std::size_t i = 0; i < ones; ++i) sum += tire.evaluate(states[i]).Fy;
+                     }).per(static_cast<double>(ones));
   row(table, "one combined evaluation: forces, moments, radii, patch, relaxation", one, 0.3e-6);
   std::vector<double> in[7], out[5];
   double State::*const members[] = {
       &State::Fz, &State::kappa, &State::alpha, &State::gamma, &State::phit, &State::Vx, &State::p};
   for (int k = 0; k < 7; ++k)
     for (const State& s : states) in[k].push_back(s.*members[k]);
-  for (auto& column : out) column.resize(kMany);
+  for (auto& column : out) column.resize(many);
   const Beside columns = beside(Yardstick::atan, 5, [&] {
                            tire.forces({in[0], in[1], in[2], in[3], in[4], in[5], in[6]},
                                        {out[0], out[1], out[2], out[3], out[4]});
-                         }).per(kMany);
+                         }).per(static_cast<double>(many));
   row(table, "of 10^6 states at once, forces and moments, one core", columns, 0.15e-6);
-  std::vector<SteadyState> results(kMany);
-  const Beside all = beside(Yardstick::atan, 5, [&] { tire.evaluate(states, results); }).per(kMany);
+  std::vector<SteadyState> results(many);
+  const Beside all = beside(Yardstick::atan, 5, [&] { tire.evaluate(states, results); }).per(static_cast<double>(many));
   row(table, "of 10^6 states at once, everything, one core", all, 0.2e-6);
   table.note("sum of side forces, so that nothing is left out", fmt::format("{:.3f} N", sum));
 }
 
 /// Exact slopes of a fit's size beside the evaluations that differences would take.
-void slopes(benchmarks::Table& table) {
+void slopes(const benchmarks::Options& options, benchmarks::Table& table) {
   const auto sample = verification::sample_tire(Version::mf61);
   if (!sample) return;
   const MagicFormula tire(*sample);
-  constexpr std::size_t kStates = 6000;
+  const std::size_t count = options.size(6000, 600);
+  const int rounds = options.size(30, 2);
   const std::vector<std::string> coefficients = {
       "PCY1", "PDY1", "PDY2", "PDY3", "PEY1", "PEY2", "PEY3", "PEY4", "PKY1", "PKY2", "PKY3",
       "PKY6", "PHY1", "PVY1", "PVY3", "QBZ1", "QBZ3", "QCZ1", "QDZ1", "QDZ3", "QDZ6", "QEZ1"};
   const std::vector<Output> outputs = {&SteadyState::Fy, &SteadyState::Mz};
-  const std::vector<State> states = random_states(kStates, *sample);
+  const std::vector<State> states = random_states(count, *sample);
   std::vector<double> in[7], out[5];
   double State::*const members[] = {
       &State::Fz, &State::kappa, &State::alpha, &State::gamma, &State::phit, &State::Vx, &State::p};
   for (int k = 0; k < 7; ++k)
     for (const State& s : states) in[k].push_back(s.*members[k]);
-  for (auto& column : out) column.resize(kStates);
-  const Beside plain = beside(Yardstick::atan, 30, [&] {
+  for (auto& column : out) column.resize(count);
+  const Beside plain = beside(Yardstick::atan, rounds, [&] {
                          tire.forces({in[0], in[1], in[2], in[3], in[4], in[5], in[6]},
                                      {out[0], out[1], out[2], out[3], out[4]});
-                       }).per(kStates);
+                       }).per(static_cast<double>(count));
   SteadyStateSlopes found;
-  const Beside exact = beside(Yardstick::atan, 30, [&] {
+  const Beside exact = beside(Yardstick::atan, rounds, [&] {
                          steady_state_slopes(tire, states, coefficients, outputs, found);
-                       }).per(kStates);
+                       }).per(static_cast<double>(count));
   const double evaluations = 1.0 + coefficients.size();
   const double share = exact.ratio() / (evaluations * plain.ratio());
-  table.row(
+  table.full_row(
       fmt::format("slopes of Fy and Mz in {} coefficients, {} states, beside {} evaluations",
                   coefficients.size(),
-                  kStates,
+                  count,
                   evaluations),
       fmt::format("{:.2f} of their time ({} a state)", share, in_units(exact, Yardstick::atan)),
       "<= 0.5",
@@ -148,7 +149,7 @@ void slopes(benchmarks::Table& table) {
     const auto changed = [&](double by) {
       Parameters p = *sample;
       p.*find_parameter(coefficients[j])->member += by;
-      std::vector<SteadyState> results(kStates);
+      std::vector<SteadyState> results(count);
       MagicFormula(p).evaluate(states, results);
       return results;
     };
@@ -157,7 +158,7 @@ void slopes(benchmarks::Table& table) {
     for (std::size_t o = 0; o < outputs.size(); ++o) {
       const auto column = found.slopes[o].col(j);
       double error = 0.0;
-      for (std::size_t i = 0; i < kStates; ++i) {
+      for (std::size_t i = 0; i < count; ++i) {
         const double d = (up[i].*outputs[o] - down[i].*outputs[o]) / (2 * kStep) - column[i];
         error += d * d;
       }
@@ -170,14 +171,16 @@ void slopes(benchmarks::Table& table) {
             worst <= 1e-5);
 }
 
-int bench() {
-  benchmarks::Table table("magic_formula");
+int bench(const benchmarks::Options& options) {
+  benchmarks::Table table("magic_formula", options);
   agreement(table);
-  speed(table);
-  slopes(table);
+  speed(options, table);
+  slopes(options, table);
   return table.exit_code();
 }
 
 }  // namespace
 
-int main() { return latsch::benchmarks::guarded(bench); }
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, bench);
+}

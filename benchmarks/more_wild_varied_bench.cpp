@@ -13,18 +13,16 @@
 #include <nlopt.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstring>
 #include <iterator>
 #include <thread>
 
+#include "base/error.h"
 #include "more_wild/varied_problems.h"
 #include "more_wild_runs.h"
 
 namespace latsch::benchmarks {
 namespace {
 
-constexpr int kVariants = 5;
 const std::vector<double> kBudgets = {10, 20, 50, 100};
 
 struct Family {
@@ -32,16 +30,20 @@ struct Family {
   std::vector<more_wild::Problem> problems;
 };
 
-std::vector<Family> families() {
+/// Every family five times, in a smoke run the first problems of it.
+std::vector<Family> families(const Options& options) {
+  const int variants = options.size(5, 1);
   std::vector<Family> all = {{"moved", {}}, {"rotated", {}}, {"scaled", {}}};
   const auto add = [](Family& family, std::vector<more_wild::Problem> more) {
     std::move(more.begin(), more.end(), std::back_inserter(family.problems));
   };
-  for (int seed = 1; seed <= kVariants; ++seed) {
+  for (int seed = 1; seed <= variants; ++seed) {
     add(all[0], more_wild::moved(seed));
     add(all[1], more_wild::rotated(seed));
     add(all[2], more_wild::scaled(seed));
   }
+  for (Family& family : all)
+    if (options.is_smoke()) family.problems.resize(4, family.problems.front());
   return all;
 }
 
@@ -84,9 +86,9 @@ void beside(Table& table,
   }
 }
 
-int methods_as_shipped() {
-  Table table("more_wild_varied");
-  const auto problems = families();
+int methods_as_shipped(const Options& options) {
+  Table table("more_wild_varied", options);
+  const auto problems = families(options);
   for (const auto& [name, disturbance] : kStates) {
     const auto all = [&](const Solver& solver) {
       return profiles(solver, problems, disturbance).back();
@@ -108,9 +110,9 @@ int methods_as_shipped() {
 }
 
 /// Two columns: as shipped, and of the other contraction.
-int judge_contraction(double other) {
-  Table table("more_wild_varied");
-  const auto problems = families();
+int judge_contraction(double other, const Options& options) {
+  Table table("more_wild_varied", options);
+  const auto problems = families(options);
   const double shipped = GssOptions{}.contraction;
   const std::string heading =
       fmt::format("@{:g}, contraction {:g} | {:g}", fmt::join(kBudgets, "/"), shipped, other);
@@ -137,14 +139,15 @@ int judge_contraction(double other) {
 
 int main(int argc, char** argv) {
   using namespace latsch::benchmarks;
-  if (argc == 1) return guarded(methods_as_shipped);
-  char* end = nullptr;
-  const double contraction = argc == 3 ? std::strtod(argv[2], &end) : 0.0;
-  if (argc != 3 || std::strcmp(argv[1], "--contraction") != 0 || *end != '\0' ||
-      !(contraction > 0.0 && contraction < 1.0)) {
-    fmt::print(stderr,
-               "usage: bench_more_wild_varied [--contraction SHARE], above 0 and below 1\n");
-    return 2;
-  }
-  return guarded([&] { return judge_contraction(contraction); });
+  return run_benchmark(
+      argc,
+      argv,
+      {{"--contraction", "SHARE", "GSS as shipped beside one of another contraction"}},
+      [](const Options& options) {
+        if (!options.has("--contraction")) return methods_as_shipped(options);
+        const double contraction = options.number("--contraction", 0.0);
+        if (!(contraction > 0.0 && contraction < 1.0))
+          throw latsch::InputError("--contraction is above 0 and below 1");
+        return judge_contraction(contraction, options);
+      });
 }

@@ -155,10 +155,11 @@ void report(Table& table, const Fault& fault, const Counts& counts) {
             counts.same_bits == all);
 }
 
-int run(int repetitions) {
-  Table table("mpi_faults");
+int run(const Options& options) {
+  const long repetitions = options.integer("REPETITIONS", options.size(10, 1));
+  Table table("mpi_faults", options);
   if (std::system("command -v mpirun > /dev/null 2>&1") != 0) {
-    table.row("MPI faults", "no mpirun here", "Open MPI", false);
+    table.skip("MPI faults", "no mpirun here: install Open MPI");
     return table.exit_code();
   }
   std::string reference;
@@ -168,9 +169,11 @@ int run(int repetitions) {
     if (end_of(start_latsch("run", file, 1)) != 0) throw std::runtime_error("the study fails");
     reference = trajectory(correlation::read_study(file, experiment::language()));
   }
-  for (const Fault& fault : faults()) {
+  std::vector<Fault> all = faults();
+  all.resize(options.size(all.size(), std::size_t{2}));
+  for (const Fault& fault : all) {
     Counts counts;
-    for (int i = 0; i < repetitions; ++i) {
+    for (long i = 0; i < repetitions; ++i) {
       RandomStream random(1, static_cast<std::uint64_t>(i));
       live_through(fault, reference, 1 + static_cast<long>(random.below(25)), counts);
     }
@@ -183,6 +186,6 @@ int run(int repetitions) {
 }  // namespace latsch::benchmarks
 
 int main(int argc, char** argv) {
-  const int repetitions = argc > 1 ? std::atoi(argv[1]) : 10;
-  return latsch::benchmarks::guarded([&] { return latsch::benchmarks::run(repetitions); });
+  return latsch::benchmarks::run_benchmark(
+      argc, argv, {{"REPETITIONS", "", "of every fault"}}, latsch::benchmarks::run);
 }

@@ -10,7 +10,6 @@
 #include <nlopt.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include "more_wild/varied_problems.h"
 #include "more_wild_runs.h"
@@ -40,9 +39,10 @@ void training(Table& table) {
   }
 }
 
-int bench(bool is_training) {
-  Table table("nist_strd");
-  const auto problems = nist_strd::problems();
+int bench(const Options& options) {
+  Table table("nist_strd", options);
+  auto problems = nist_strd::problems();
+  problems.resize(options.size(problems.size(), std::size_t{3}), problems.front());
   const auto on_nist = [&](const Solver& solver) {
     return measure(solver, {{}}, kBudgets, problems);
   };
@@ -60,13 +60,12 @@ int bench(bool is_training) {
   note(table, "NLopt BOBYQA", bobyqa);
   note(table, "NLopt Nelder-Mead", on_nist(nlopt(NLOPT_LN_NELDERMEAD)));
   note(table, "GSS", on_nist(gss()));
-  if (is_training) training(table);
+  if (options.has("--training")) training(table);
   return table.exit_code();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool is_training = argc > 1 && std::string_view(argv[1]) == "--training";
-  return guarded([&] { return bench(is_training); });
+  return run_benchmark(argc, argv, {{"--training", "", "the varied problems besides"}}, bench);
 }

@@ -46,10 +46,9 @@ double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-double quickest(double (*time_of_a_pass)()) {
-  constexpr int kPasses = 5;
+double quickest(int passes, double (*time_of_a_pass)()) {
   double least = time_of_a_pass();
-  for (int i = 1; i < kPasses; ++i) least = std::min(least, time_of_a_pass());
+  for (int i = 1; i < passes; ++i) least = std::min(least, time_of_a_pass());
   return least;
 }
 
@@ -105,25 +104,26 @@ double time_of_a_step_with_journal() {
   return (now() - start) / static_cast<double>(run.steps.size());
 }
 
-int run() {
-  Table table("overhead");
-  const double in_process = quickest(time_in_process);
-  table.row("search and scheduler in this process, an evaluation",
+int run(const Options& options) {
+  Table table("overhead", options);
+  const int passes = options.size(5, 1);
+  const double in_process = quickest(passes, time_in_process);
+  table.full_row("search and scheduler in this process, an evaluation",
             fmt::format("{:.1f} us", 1e6 * in_process),
             "< 50 us",
             in_process < 50e-6);
-  const double external = quickest(time_with_journal);
-  table.row("evaluation in a worker, committed to the journal",
+  const double external = quickest(passes, time_with_journal);
+  table.full_row("evaluation in a worker, committed to the journal",
             fmt::format("{:.2f} ms", 1e3 * external),
             "< 3 ms",
             external < 3e-3);
-  const double step = quickest(time_of_a_step_with_journal);
-  table.row("step of a search in a worker, on the disk before the next",
+  const double step = quickest(passes, time_of_a_step_with_journal);
+  table.full_row("step of a search in a worker, on the disk before the next",
             fmt::format("{:.2f} ms", 1e3 * step),
             "< 3 ms",
             step < 3e-3);
   table.note("of this, to the worker and back",
-             fmt::format("{:.1f} us", 1e6 * quickest(time_of_a_round_trip)));
+             fmt::format("{:.1f} us", 1e6 * quickest(passes, time_of_a_round_trip)));
   return table.exit_code();
 }
 
@@ -134,5 +134,5 @@ int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "worker") == 0) {
     return latsch::serve(latsch::benchmarks::model);
   }
-  return latsch::benchmarks::guarded(latsch::benchmarks::run);
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, latsch::benchmarks::run);
 }

@@ -68,18 +68,18 @@ double with_history(Optimizer& method, const DesignSpace& space, int known) {
          kCalls;
 }
 
-int bench() {
-  benchmarks::Table table("proposal_cost");
+int bench(const benchmarks::Options& options) {
+  benchmarks::Table table("proposal_cost", options);
   for (const int n : {20, 30, 40}) {
     Gss gss(cube(n));
     int steps = 0;
-    const double step = a_step(gss, 1, 3000, steps);
-    table.row(fmt::format("GSS, {} variables, a step", n),
+    const double step = a_step(gss, 1, options.size(3000, 100), steps);
+    table.full_row(fmt::format("GSS, {} variables, a step", n),
               fmt::format("{:.2f} ms, {} steps", 1e3 * step, steps),
               "<= 10 ms",
               step <= 10e-3);
   }
-  constexpr int kMany = 20'000, kFew = 200;
+  const int kMany = options.size(20'000, 1'000), kFew = 200;
   const DesignSpace space = cube(6);
   for (const bool is_gss : {true, false}) {
     const auto make = [&]() -> std::unique_ptr<Optimizer> {
@@ -88,7 +88,7 @@ int bench() {
     };
     const double few = with_history(*make(), space, kFew);
     const double many = with_history(*make(), space, kMany);
-    table.row(
+    table.full_row(
         fmt::format("{}, four proposals, {} points known", is_gss ? "GSS" : "trust region", kMany),
         fmt::format("{:.2f} ms, {:.2f} with {}", 1e3 * many, 1e3 * few, kFew),
         "<= 10 ms",
@@ -99,4 +99,6 @@ int bench() {
 
 }  // namespace
 
-int main() { return latsch::benchmarks::guarded(bench); }
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, bench);
+}

@@ -110,7 +110,7 @@ Turns in_python(Method method, int n) {
 void compare(benchmarks::Table& table, Method method, int n) {
   const Turns ours = in_cpp(method, n), theirs = in_python(method, n);
   const double more = theirs.seconds - ours.seconds;
-  table.row(
+  table.full_row(
       fmt::format(
           "{}, {} variables: a turn over C++'s {:.1f} us", name(method), n, 1e6 * ours.seconds),
       fmt::format("{:.1f} us", 1e6 * more),
@@ -122,10 +122,10 @@ void compare(benchmarks::Table& table, Method method, int n) {
             ours.last == theirs.last && ours.count == theirs.count);
 }
 
-/// Median of five, the files read before.
-double import_seconds() {
+/// Median of `count`, the files read before.
+double import_seconds(int count) {
   std::vector<double> times;
-  for (int k = 0; k < 6; ++k)
+  for (int k = 0; k < 1 + count; ++k)
     times.push_back(
         std::strtod(output_of("-c 'import time; begin = time.perf_counter(); import latsch; "
                               "print(time.perf_counter() - begin)'")
@@ -133,22 +133,24 @@ double import_seconds() {
                     nullptr));
   times.erase(times.begin());
   std::sort(times.begin(), times.end());
-  return times[2];
+  return times[times.size() / 2];
 }
 
-int bench() {
-  if (std::string(LATSCH_PYTHON).empty())
-    throw std::runtime_error(
-        "there is no Python package: pybind11 or Python's headers are missing");
-  benchmarks::Table table("python");
+int bench(const benchmarks::Options& options) {
+  benchmarks::Table table("python", options);
+  if (std::string(LATSCH_PYTHON).empty()) {
+    table.skip("the Python package", "pybind11 or Python's headers are missing");
+    return table.exit_code();
+  }
   compare(table, Method::gss, 4);  // of more variables it takes itself too long to be compared
   compare(table, Method::residual_trust_region, 4);
-  for (const int n : {4, 12}) compare(table, Method::levenberg_marquardt, n);
-  const double import = import_seconds();
-  table.row("import latsch", fmt::format("{:.3f} s", import), "<= 0.2 s", import <= kMostImport);
+  compare(table, Method::levenberg_marquardt, 4);
+  if (!options.is_smoke()) compare(table, Method::levenberg_marquardt, 12);
+  const double import = import_seconds(options.size(5, 1));
+  table.full_row("import latsch", fmt::format("{:.3f} s", import), "<= 0.2 s", import <= kMostImport);
   return table.exit_code();
 }
 
 }  // namespace
 
-int main() { return benchmarks::guarded(bench); }
+int main(int argc, char** argv) { return benchmarks::run_benchmark(argc, argv, {}, bench); }

@@ -141,8 +141,8 @@ void cams(Table& table, const std::string& what, const Road& road, const double 
   table.note("a pair of cams there", fmt::format("{:.1f} us", 1e6 * spent / places));
 }
 
-int road_bench() {
-  Table table("road");
+int road_bench(const Options& options) {
+  Table table("road", options);
   cams(table,
        "step of 20 mm",
        ProfileRoad({.along = Profile({{0.0, 0.0}, {0.0, 0.02}})}),
@@ -165,25 +165,27 @@ int road_bench() {
   table.note("kerb", nanoseconds(cost(kerb_road(kerb), ahead(3.0))));
   const auto compare = [&](const std::string& what, double small, double large) {
     table.note(what + ", small", nanoseconds(small));
-    table.row(what + ", a hundred times the data",
+    table.full_row(what + ", a hundred times the data",
               fmt::format("{} = {:.2f} times", nanoseconds(large), large / small),
               "<= 2 times",
               large <= 2.0 * small);
   };
-  const TriangleRoad few = triangles(500), many = triangles(50000);
-  compare("10,000 triangles", cost(few, ahead(40.0)), cost(many, ahead(4000.0)));
+  const TriangleRoad few = triangles(500), many = triangles(options.size(50000, 5000));
+  compare("10,000 triangles", cost(few, ahead(40.0)), cost(many, ahead(options.size(4000.0, 400.0))));
   const auto round = [](int rows) {
     return [=](double part) {
       const double radius = 0.1 * rows / (2.0 * std::numbers::pi), angle = 6.0 * part;
       return Eigen::Vector2d(radius * std::cos(angle), radius * std::sin(angle));
     };
   };
-  const CrgRoad lap = track(1000), circuit = track(100000);
-  compare("OpenCRG of 1,000 rows", cost(lap, round(1000)), cost(circuit, round(100000)));
+  const CrgRoad lap = track(1000), circuit = track(options.size(100000, 10000));
+  compare("OpenCRG of 1,000 rows", cost(lap, round(1000)), cost(circuit, round(options.size(100000, 10000))));
   return table.exit_code();
 }
 
 }  // namespace
 }  // namespace latsch::benchmarks
 
-int main() { return latsch::benchmarks::guarded(latsch::benchmarks::road_bench); }
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, latsch::benchmarks::road_bench);
+}

@@ -62,10 +62,12 @@ long count_other_bits(Undisturbed& reference) {
 }
 
 /// s in virtual time, mean of so many searches in which one trial of twenty stalls.
-double time_with_stalls(const SearchProblem& problem, int workers, bool stop_unwanted) {
-  constexpr int kSearches = 200;
+double time_with_stalls(const SearchProblem& problem,
+                        int workers,
+                        bool stop_unwanted,
+                        int searches) {
   double time = 0.0;
-  for (std::uint64_t seed = 0; seed < kSearches; ++seed) {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(searches); ++seed) {
     FaultyStore store(0.0, seed);
     FaultyWorld world(problem.evaluator, workers, {.stall = 0.05}, store, seed);
     RunOptions options;
@@ -75,22 +77,25 @@ double time_with_stalls(const SearchProblem& problem, int workers, bool stop_unw
     (void)run_optimizer(*optimizer, problem.objective, world, &store, options);
     time += world.now();
   }
-  return time / kSearches;
+  return time / searches;
 }
 
-void stalls(Table& table, const SearchProblem& problem) {
+void stalls(Table& table, const SearchProblem& problem, int searches) {
   for (const int workers : {2, 4, 8}) {
     const double share =
-        time_with_stalls(problem, workers, true) / time_with_stalls(problem, workers, false);
-    table.row(fmt::format("{} workers, 5 % stalls: time with unwanted ones stopped", workers),
+        time_with_stalls(problem, workers, true, searches) /
+        time_with_stalls(problem, workers, false, searches);
+    table.full_row(fmt::format("{} workers, 5 % stalls: time with unwanted ones stopped", workers),
               fmt::format("{:.0f} %", 100.0 * share),
               "< 100 %",
               share < 1.0);
   }
 }
 
-int run(long histories, std::uint64_t first_seed) {
-  Table table("scheduler_simulation");
+int run(const Options& options) {
+  const long histories = options.integer("HISTORIES", options.size(10'000, 64));
+  const auto first_seed = static_cast<std::uint64_t>(options.integer("FIRST_SEED", 0));
+  Table table("scheduler_simulation", options);
   Undisturbed reference(two_variable_search());
   Counts counts;
   for (long i = 0; i < histories; ++i) {
@@ -122,7 +127,7 @@ int run(long histories, std::uint64_t first_seed) {
             fmt::format("{} of 12", differ),
             "0",
             differ == 0);
-  stalls(table, reference.problem());
+  stalls(table, reference.problem(), options.size(200, 5));
   return table.exit_code();
 }
 
@@ -130,8 +135,9 @@ int run(long histories, std::uint64_t first_seed) {
 }  // namespace latsch::benchmarks
 
 int main(int argc, char** argv) {
-  const long histories = argc > 1 ? std::atol(argv[1]) : 10'000;
-  const std::uint64_t first_seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0;
-  return latsch::benchmarks::guarded(
-      [&] { return latsch::benchmarks::run(histories, first_seed); });
+  return latsch::benchmarks::run_benchmark(
+      argc,
+      argv,
+      {{"HISTORIES", "", "how many"}, {"FIRST_SEED", "", "of the first of them"}},
+      latsch::benchmarks::run);
 }

@@ -238,10 +238,11 @@ void array(Table& table) {
       "array: result", fmt::format("same bits {} of {}", same, kStudies), "all", same == kStudies);
 }
 
-int run(int repetitions) {
-  Table table("slurm");
+int run(const Options& options) {
+  const long repetitions = options.integer("REPETITIONS", options.size(3, 1));
+  Table table("slurm", options);
   if (const auto missing = OneNodeSlurm::missing()) {
-    table.row("Slurm", *missing, "slurmctld, slurmd, munged, Open MPI, and root", false);
+    table.skip("Slurm: slurmctld, slurmd, munged, Open MPI, and root", *missing);
     return table.exit_code();
   }
   const ScratchFolder folder;
@@ -254,15 +255,17 @@ int run(int repetitions) {
     }
     plain(table, reference);
     refused(table);
-    for (const int task : {1, 0}) {
+    std::vector<int> tasks{1, 0};
+    tasks.resize(options.size(tasks.size(), std::size_t{1}));
+    for (const int task : tasks) {
       Counts counts;
-      for (int i = 0; i < repetitions; ++i) {
+      for (long i = 0; i < repetitions; ++i) {
         RandomStream random(1, static_cast<std::uint64_t>(i));
         live_through(task, 1 + static_cast<long>(random.below(25)), reference, counts);
       }
       report(table, task == 0 ? "rank that leads killed" : "rank killed", counts);
     }
-    array(table);
+    if (!options.is_smoke()) array(table);  // waits for Slurm's turns, half a minute
   }
   const long left = processes_of(folder.path());
   table.row("processes left of Slurm", fmt::format("{}", left), "0", left == 0);
@@ -273,6 +276,6 @@ int run(int repetitions) {
 }  // namespace latsch::benchmarks
 
 int main(int argc, char** argv) {
-  const int repetitions = argc > 1 ? std::atoi(argv[1]) : 3;
-  return latsch::benchmarks::guarded([&] { return latsch::benchmarks::run(repetitions); });
+  return latsch::benchmarks::run_benchmark(
+      argc, argv, {{"REPETITIONS", "", "of every fault"}}, latsch::benchmarks::run);
 }

@@ -35,7 +35,6 @@ namespace {
 
 using Model = std::function<Eigen::VectorXd(const std::vector<double>&)>;
 
-constexpr int kDataSets = 500;
 constexpr int kTimes = 20;
 constexpr double kNoise = 0.02;
 constexpr std::uint64_t kSeed = 2026;
@@ -101,11 +100,11 @@ bool holds(const Interval& interval, double u) {
   return interval.lower <= u && u <= interval.upper;
 }
 
-Coverage cover(bool noise_is_known) {
+Coverage cover(bool noise_is_known, int sets) {
   const DesignSpace space = decay_space();
   const std::vector<double> truth = space.to_unit({kTruth});
   Coverage coverage;
-  for (int set = 0; set < kDataSets; ++set) {
+  for (int set = 0; set < sets; ++set) {
     RandomStream random(kSeed, set);
     Eigen::VectorXd y(kTimes);
     for (int j = 0; j < kTimes; ++j) y[j] = decay(kTruth, j) + kNoise * random.normal();
@@ -129,13 +128,13 @@ Coverage cover(bool noise_is_known) {
   return coverage;
 }
 
-void coverage_rows(Table& table, bool noise_is_known) {
-  const Coverage coverage = cover(noise_is_known);
+void coverage_rows(Table& table, bool noise_is_known, int sets) {
+  const Coverage coverage = cover(noise_is_known, sets);
   const DesignSpace space = decay_space();
   const char* noise = noise_is_known ? "noise known" : "noise estimated";
   const auto row = [&](const std::string& what, int hits) {
-    const double share = static_cast<double>(hits) / kDataSets;
-    table.row(fmt::format("{}, {}", what, noise),
+    const double share = static_cast<double>(hits) / sets;
+    table.full_row(fmt::format("{}, {}", what, noise),
               fmt::format("{:.1f} %", 100 * share),
               "93 - 97 %",
               0.93 <= share && share <= 0.97);
@@ -145,11 +144,11 @@ void coverage_rows(Table& table, bool noise_is_known) {
     row(fmt::format("profile interval of {} holds the truth", space[i].name), coverage.profile[i]);
   }
   table.row(fmt::format("verdict identifiable, {}", noise),
-            fmt::format("{} of {}", coverage.identifiable, 3 * kDataSets),
+            fmt::format("{} of {}", coverage.identifiable, 3 * sets),
             "all",
-            coverage.identifiable == 3 * kDataSets);
+            coverage.identifiable == 3 * sets);
   table.note("evaluations an analysis with profiles",
-             fmt::format("{:.0f}", static_cast<double>(coverage.evaluations) / kDataSets));
+             fmt::format("{:.0f}", static_cast<double>(coverage.evaluations) / sets));
 }
 
 struct Curve {
@@ -218,11 +217,11 @@ std::vector<Noise> noises() {
   return {{"independent", 200, white}, {"colored", 200, colored}, {"oversampled", 400, low_pass}};
 }
 
-void noise_rows(Table& table, const Curve& curve, const Noise& noise) {
+void noise_rows(Table& table, const Curve& curve, const Noise& noise, int sets) {
   const int n = curve.space.size();
   const std::vector<double> truth = curve.space.to_unit({curve.truth});
   std::vector<int> held(static_cast<size_t>(n));
-  for (int set = 0; set < kDataSets; ++set) {
+  for (int set = 0; set < sets; ++set) {
     RandomStream random(kSeed + 1, set);
     const Eigen::VectorXd e = noise.draw(noise.samples, random);
     const Model model = [&](const std::vector<double>& x) {
@@ -243,17 +242,16 @@ void noise_rows(Table& table, const Curve& curve, const Noise& noise) {
   std::string shares;
   bool ok = true;
   for (int i = 0; i < n; ++i) {
-    const double share = static_cast<double>(held[static_cast<size_t>(i)]) / kDataSets;
+    const double share = static_cast<double>(held[static_cast<size_t>(i)]) / sets;
     shares += fmt::format("{}{} {:.1f}", i > 0 ? ", " : "", curve.space[i].name, 100 * share);
     ok = ok && 0.93 <= share && share <= 0.97;
   }
-  table.row(fmt::format("{}, {} noise: intervals hold the truth", curve.name, noise.name),
+  table.full_row(fmt::format("{}, {} noise: intervals hold the truth", curve.name, noise.name),
             shares + " %",
             "93 - 97 %",
             ok);
 }
 
-constexpr int kTwins = 100;
 constexpr int kMostEvaluations = 200;
 
 /// The study of a race tire with five of its numbers.
@@ -293,7 +291,7 @@ DesignPoint fitted_by_auto(const correlation::Study& study, const Evaluator& eva
   return best;
 }
 
-void twin_row(Table& table) {
+void twin_row(Table& table, int twins) {
   correlation::Study study = twin_study();
   const Evaluator evaluate = correlation::evaluator(study);
   DesignPoint truth = study.space.initial();
@@ -305,7 +303,7 @@ void twin_row(Table& table) {
   if (!exact) throw InputError("the twin: " + exact.failure().reason);
   const auto u = study.space.to_unit(truth);
   std::vector<int> held(u.size()), held_by_linear(u.size());
-  for (int set = 0; set < kTwins; ++set) {
+  for (int set = 0; set < twins; ++set) {
     RandomStream random(kSeed + 2, set);
     for (auto& experiment : study.experiments) {
       const auto& curve = dynamic_cast<const correlation::Curve&>(*experiment.observable);
@@ -337,7 +335,7 @@ void twin_row(Table& table) {
     return text;
   };
   const int least = *std::min_element(held.begin(), held.end());
-  table.row("twin of a Magic Formula tire with 2 % of noise: of 100 intervals hold the truth",
+  table.full_row("twin of a Magic Formula tire with 2 % of noise: of 100 intervals hold the truth",
             counts(held),
             ">= 90",
             least >= 90);
@@ -416,14 +414,15 @@ std::vector<Case> constructed_cases() {
   };
 }
 
-int run() {
-  Table table("statistics");
-  coverage_rows(table, /*noise_is_known=*/false);
-  coverage_rows(table, /*noise_is_known=*/true);
+int run(const Options& options) {
+  Table table("statistics", options);
+  const int sets = options.size(500, 4);
+  coverage_rows(table, /*noise_is_known=*/false, sets);
+  coverage_rows(table, /*noise_is_known=*/true, sets);
   for (const Curve& curve : curves()) {
-    for (const Noise& noise : noises()) noise_rows(table, curve, noise);
+    for (const Noise& noise : noises()) noise_rows(table, curve, noise, sets);
   }
-  twin_row(table);
+  twin_row(table, options.size(100, 1));
   for (const Case& c : constructed_cases()) {
     const DesignSpace space(c.variables);
     const Analyzed a = analyze(space, space.initial(), c.model, {.confidence = {.sigma = 0.01}});
@@ -442,4 +441,6 @@ int run() {
 }  // namespace
 }  // namespace latsch::benchmarks
 
-int main() { return latsch::benchmarks::guarded(latsch::benchmarks::run); }
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, latsch::benchmarks::run);
+}

@@ -22,12 +22,18 @@
 namespace latsch::benchmarks {
 namespace {
 
+constexpr CoarseMesh kMesh{.meridional = 15, .sectors = 30};
 constexpr int kStarts = 20;
 constexpr int kGssStarts = 3;  // the first of them
-constexpr int kMostEvaluations = 300;
+constexpr int kMostEvaluations = 300;  // a start
 constexpr int kReach = 60;        // evaluations without a Jacobian
 constexpr double kTarget = 5e-3;  // of the target function
 constexpr double kModulusError = 0.01;
+
+/// How often, and how many evaluations a start at most.
+struct Effort {
+  int starts, evaluations;
+};
 
 struct Tries {
   int starts = 0;
@@ -59,38 +65,60 @@ bool found(const correlation::Study& study, const DesignPoint& point, const Scor
   return true;
 }
 
-/// Evaluations until the moduli are found; none where the method ends or tires before.
-std::optional<int> solve(const correlation::Study& study,
+/// How a start ended.
+struct Solved {
+  std::optional<int> evaluations;  // until the moduli were found; none: they were not
+  int failed = 0;                  // of the evaluations
+  std::string reason;              // of the first that failed
+  double least = 1e300;            // target
+};
+
+Solved solve(const correlation::Study& study,
                          const Evaluator& trial,
-                         Optimizer& optimizer) {
+                         Optimizer& optimizer,
+                         int most) {
   const Objective objective = correlation::objective(study);
-  for (int k = 1; k <= kMostEvaluations && !optimizer.converged(); ++k) {
+  Solved solved;
+  for (int k = 1; k <= most && !optimizer.converged(); ++k) {
     const DesignPoint point = optimizer.propose(1).front();
     const Result<Channels> channels = trial(point);
     const Result<Score> score = channels ? objective(*channels) : Result<Score>(channels.failure());
-    if (score && found(study, point, *score)) return k;
+    if (score && found(study, point, *score)) {
+      solved.evaluations = k;
+      return solved;
+    }
+    if (score) solved.least = std::min(solved.least, score->value);
+    if (!score && ++solved.failed == 1) solved.reason = score.failure().reason;
     optimizer.observe(point, score);
   }
-  return std::nullopt;
+  return solved;
+}
+
+std::string text(const Solved& solved) {
+  if (solved.evaluations) return fmt::format("{} evaluations", *solved.evaluations);
+  std::string text = fmt::format("not solved, least target {:.3g} %", 100.0 * solved.least);
+  if (solved.failed > 0)
+    text += fmt::format(", {} trials failed, the first: {}", solved.failed, solved.reason);
+  return text;
 }
 
 using Start = std::function<std::unique_ptr<Optimizer>(const DesignSpace&)>;
 
 Tries try_all(const correlation::Study& study,
               const std::string& what,
-              int starts,
+              const Effort& effort,
               const Start& start_at) {
   const Evaluator trial = correlation::evaluator(study);
-  Tries tries{starts};
-  for (int start = 0; start < starts; ++start) {
+  Tries tries{effort.starts};
+  for (int start = 0; start < effort.starts; ++start) {
     const auto optimizer = start_at(started_at_random(study, start));
-    const auto evaluations = solve(study, trial, *optimizer);
-    if (evaluations) tries.evaluations.push_back(*evaluations);
+    const Solved solved = solve(study, trial, *optimizer, effort.evaluations);
+    if (solved.evaluations) tries.evaluations.push_back(*solved.evaluations);
     fmt::print(stderr,
                "  {}, start {}: {}\n",
                what,
                start + 1,
-               evaluations ? fmt::format("{} evaluations", *evaluations) : "not solved");
+               text(solved));
   }
   return tries;
 }
@@ -108,8 +136,8 @@ std::string text(Tries tries) {
 Tries tries_of(Method method,
                const std::string& title,
                const correlation::Study& study,
-               int starts) {
-  return try_all(study, title, starts, [&](const DesignSpace& space) {
+               const Effort& effort) {
+  return try_all(study, title, effort, [&](const DesignSpace& space) {
     return make_optimizer(method, space, study.optimizer);
   });
 }
@@ -120,35 +148,46 @@ std::string what(const std::string& tire, const correlation::Study& study) {
   return fmt::format("{}, {} variables", tire, study.space.size());
 }
 
-void by_residuals(Table& table, const Twins& tires) {
+void by_residuals(Table& table, const Twins& tires, const Effort& effort) {
   for (const auto& [tire, study] : tires) {
     const Tries residual =
-        tries_of(Method::residual_trust_region, tire + ", residual trust region", study, kStarts);
-    table.row(what(tire, study) + ": residual trust region",
+        tries_of(Method::residual_trust_region, tire + ", residual trust region", study, effort);
+    table.full_row(what(tire, study) + ": residual trust region",
               text(residual),
-              fmt::format("{} of {}, <= {}", kStarts, kStarts, kReach),
-              residual.solved() == kStarts && residual.most() <= kReach);
+              fmt::format("{} of {}, <= {}", effort.starts, effort.starts, kReach),
+              residual.solved() == effort.starts && residual.most() <= kReach);
   }
 }
 
 /// Nothing to reach: for comparison.
-void by_directions(Table& table, const Twins& tires) {
+void by_directions(Table& table, const Twins& tires, const Effort& effort) {
   for (const auto& [tire, study] : tires) {
-    table.note(fmt::format("{}: GSS, {} starts", what(tire, study), kGssStarts),
-               text(tries_of(Method::gss, tire + ", GSS", study, kGssStarts)));
+    table.note(fmt::format("{}: GSS, {} starts", what(tire, study), effort.starts),
+               text(tries_of(Method::gss, tire + ", GSS", study, effort)));
   }
 }
 
-int run(const std::string& half) {
+int run(const Options& options) {
+  const std::string half = options.text("HALF");
   if (!half.empty() && half != "residuals" && half != "gss") {
     throw InputError(
         fmt::format("tire_fits: a half is called \"{}\", expected residuals or gss", half));
   }
-  Table table("tire_fits");
-  const Twins tires{{"tire B", fresh_twin("tire_b_twin", TwinMesh::coarse)},
-                    {"tire A", fresh_twin("tire_a_twin", TwinMesh::coarse)}};
-  if (half != "gss") by_residuals(table, tires);
-  if (half != "residuals") by_directions(table, tires);
+  Table table("tire_fits", options);
+  Twins tires{{"tire B", fresh_twin("tire_b_twin", kMesh)},
+                    {"tire A", fresh_twin("tire_a_twin", kMesh)}};
+  for (const auto& [tire, study] : tires) {
+    const auto truth = correlation::simulate_all(study, true_point(study));
+    const double target = truth ? correlation::objective(study)(*truth)->value : 1.0;
+    table.row(tire + ": target at the moduli of its file",
+              fmt::format("{:.1e}", target),
+              "< 1e-8",
+              target < 1e-8);
+  }
+  if (options.is_smoke()) tires.pop_back();
+  if (half != "gss") by_residuals(table, tires, options.size(Effort{kStarts, kMostEvaluations}, Effort{1, 8}));
+  if (half != "residuals") by_directions(
+        table, tires, options.size(Effort{kGssStarts, kMostEvaluations}, Effort{1, 4}));
   if (half == "gss") return 0;  // figures to compare with, nothing to reach
   return table.exit_code();
 }
@@ -157,6 +196,6 @@ int run(const std::string& half) {
 }  // namespace latsch::benchmarks
 
 int main(int argc, char** argv) {
-  const std::string half = argc > 1 ? argv[1] : "";
-  return latsch::benchmarks::guarded([&] { return latsch::benchmarks::run(half); });
+  return latsch::benchmarks::run_benchmark(
+      argc, argv, {{"HALF", "", "residuals or gss: that method alone"}}, latsch::benchmarks::run);
 }

@@ -30,7 +30,7 @@ void warm_up(Executor& executor, const DesignPoint& point) {
   while (executor.idle() < workers) executor.wait(1.0);
 }
 
-double trials_a_second(const correlation::Study& study, int workers) {
+double trials_a_second(const correlation::Study& study, int workers, const Options& options) {
   const ScratchFolder folder;
   Journal journal = Journal::open(folder / "workers.latsch", correlation::identity(study));
   ProcessExecutor executor(
@@ -38,7 +38,7 @@ double trials_a_second(const correlation::Study& study, int workers) {
        .workers = workers,
        .timeout = study.run.timeout});
   const SamplingPlan plan = full_factorial(study.space.tightened(study.space.initial(), 0.2),
-                                           std::vector<int>(study.space.size(), 2));
+                                           std::vector<int>(study.space.size(), options.size(2, 1)));
   warm_up(executor, study.space.initial());
   const auto start = std::chrono::steady_clock::now();
   (void)run_doe(plan, executor, journal);
@@ -46,17 +46,18 @@ double trials_a_second(const correlation::Study& study, int workers) {
   return static_cast<double>(plan.points.size()) / time.count();
 }
 
-int run() {
-  Table table("workers");
-  const correlation::Study study = study_of_folder("tire_b_twin");
+int run(const Options& options) {
+  Table table("workers", options);
+  const correlation::Study study =
+      options.is_smoke() ? fresh_twin("tire_b_twin", CoarseMesh{}) : study_of_folder("tire_b_twin");
   double one = 0.0;
   double two = 0.0;
-  for (int round = 0; round < kRounds; ++round) {
-    one = std::max(one, trials_a_second(study, 1));
-    two = std::max(two, trials_a_second(study, 2));
+  for (int round = 0; round < options.size(kRounds, 1); ++round) {
+    one = std::max(one, trials_a_second(study, 1, options));
+    two = std::max(two, trials_a_second(study, 2, options));
   }
   table.note("one worker", fmt::format("{:.3f} trials/s", one));
-  table.row("two workers against one",
+  table.full_row("two workers against one",
             fmt::format("{:.3f} trials/s, {:.2f} x", two, two / one),
             fmt::format(">= {} x", kReach),
             two >= kReach * one);
@@ -67,4 +68,6 @@ int run() {
 }  // namespace
 }  // namespace latsch::benchmarks
 
-int main() { return latsch::benchmarks::guarded(latsch::benchmarks::run); }
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, latsch::benchmarks::run);
+}

@@ -27,7 +27,7 @@ BELOW = {
 # The rooms of a module: each may use those before it and itself, so no two use each other. What stands in the
 # module's own folder is used by none of them and uses what it likes. Tests look into any room.
 ROOMS = {
-    "base": ["unit_words"],
+    "base": ["unit_words", "toml"],
     "numerics": ["kernels", "dense", "sparse", "signals"],
     "models/fe_tire": ["element", "description", "ring", "contact", "analysis", "slopes"],
     "models/ring_tire": ["description", "belt", "tread", "step", "ring"],

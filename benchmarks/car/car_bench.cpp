@@ -83,7 +83,7 @@ double error(const std::vector<Forces>& a, const std::vector<Forces>& b, const F
   return mean;
 }
 
-void speed_rows(Table& table) {
+void speed_rows(Table& table, int rounds) {
   const road::ProfileRoad road = kerb(road::Kerb::Shape::sine);
   for (const bool locked : {true, false}) {
     const auto car = made(race_car(locked), spring_tires());
@@ -94,7 +94,7 @@ void speed_rows(Table& table) {
                     car->mechanism().joints().size());
     if (!from) return table.row(what, from.failure().reason, "runs", false);
     bool runs = true;
-    const auto cost = benchmarks::beside(benchmarks::Yardstick::atan, kRounds, [&] {
+    const auto cost = benchmarks::beside(benchmarks::Yardstick::atan, rounds, [&] {
       runs = drive(*car, *from, road, kStep, kDuration, 0).has_value() && runs;
     });
     const double real = kDuration / cost.time;
@@ -103,13 +103,13 @@ void speed_rows(Table& table) {
                     real,
                     benchmarks::in_units(cost.per(kDuration / kStep), benchmarks::Yardstick::atan));
     if (locked)
-      table.row(what, value, ">= 8", runs && real >= 8.0);
+      table.full_row(what, value, ">= 8", runs && real >= 8.0);
     else
       table.note(what + ", rockers and springs", value);
   }
 }
 
-void refinement_rows(Table& table) {
+void refinement_rows(Table& table, double duration) {
   struct Case {
     road::Kerb::Shape shape;
     double height;
@@ -126,10 +126,10 @@ void refinement_rows(Table& table) {
         fmt::format("push-rod forces at 5 kHz, rms off steps of 1/80 ms, {}", which);
     if (!from) return table.row(what, from.failure().reason, "runs", false);
     const Forces rest = car->pushrod_forces(*from);
-    const auto fine = drive(*car, *from, road, kStep / 16, kDuration, 16);
+    const auto fine = drive(*car, *from, road, kStep / 16, duration, 16);
     std::vector<double> errors;
     for (const int parts : {1, 2}) {
-      const auto run = drive(*car, *from, road, kStep / parts, kDuration, parts);
+      const auto run = drive(*car, *from, road, kStep / parts, duration, parts);
       if (!run || !fine) return table.row(what, "no solution", "runs", false);
       errors.push_back(error(run->pushrods, fine->pushrods, rest));
     }
@@ -183,9 +183,9 @@ double energy_of(const Car& car, const CarState& state, const multibody::Assembl
   return sum;
 }
 
-/// The largest change over 1 s of energy over that of a heave and roll it starts with, as quick as
-/// tires allow that stay on the road.
-double energy_change(bool locked, double step) {
+/// The largest change over `duration` of energy over that of a heave and roll it starts with, as
+/// quick as tires allow that stay on the road.
+double energy_change(bool locked, double step, double duration) {
   const auto car = made(without_damping(race_car(locked)), spring_tires(0.0), {.dissipation = 0.0});
   car->guide.lateral = car->guide.yaw = car->guide.along = 0.0;
   const road::PlaneRoad flat;
@@ -202,7 +202,7 @@ double energy_change(bool locked, double step) {
   }
   const double first = energy_of(*car, *state, assembly);
   double worst = 0.0;
-  for (int i = 0; i < std::lround(1.0 / step); ++i) {
+  for (int i = 0; i < std::lround(duration / step); ++i) {
     if (!car->advance(*state, step, flat, {})) return 1e9;
     const auto Fz = car->vertical_forces(*state);
     if (*std::min_element(Fz.begin(), Fz.end()) <= 0.0) return 1e9;
@@ -211,12 +211,13 @@ double energy_change(bool locked, double step) {
   return worst / (first - at_rest);
 }
 
-void energy_rows(Table& table) {
+void energy_rows(Table& table, double duration) {
   for (const bool locked : {true, false})
     for (const double step : {kStep, 5e-5}) {
-      const double change = energy_change(locked, step);
-      const std::string what = fmt::format("energy without damping, {}, over 1 s in steps of {} ms",
+      const double change = energy_change(locked, step, duration);
+      const std::string what = fmt::format("energy without damping, {}, over {} s in steps of {} ms",
                                            locked ? "locked" : "springs",
+                                           duration,
                                            1e3 * step);
       const std::string value = fmt::format("{:.1e} of that of the motion", change);
       if (step == kStep)
@@ -238,7 +239,7 @@ CarParameters on_tires(double radius) {
   return car;
 }
 
-void ring_rows(Table& table) {
+void ring_rows(Table& table, const benchmarks::Options& options) {
   auto ring =
       ring_tire::read_ring_tire(Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) /
                                                "studies/ring_tires/passenger_205_55R16.toml")
@@ -262,33 +263,36 @@ void ring_rows(Table& table) {
     const auto from = car->settle(road, kSpeed, {});
     if (!from) return table.row(what, from.failure().reason, "runs", false);
     double least = 1e9;
-    for (int round = 0; round < kRingRounds; ++round) {
-      const auto run = drive(*car, *from, road, kStep, kDuration, 0);
+    for (int round = 0; round < options.size(kRingRounds, 1); ++round) {
+      const auto run = drive(*car, *from, road, kStep, options.size(kDuration, 0.04), 0);
       if (!run) return table.row(what, "no solution", "runs", false);
       least = std::min(least, run->time);
     }
-    const double real = kDuration / least;
+    const double real = options.size(kDuration, 0.04) / least;
     const std::string value = fmt::format("real time x {:.2f}", real);
     if (nodes == 48)
-      table.row(what, value, ">= 1", real >= 1.0);
+      table.full_row(what, value, ">= 1", real >= 1.0);
     else
       table.note(what, value);
   };
   row(48, 8, Shape::triangle);
+  if (options.is_smoke()) return;
   row(48, 8, Shape::sine);  // of 256 chords a pitch: hardly a piece of tread has a plane below it
   row(80, 10, Shape::triangle);
 }
 
-int bench() {
-  Table table("car");
-  speed_rows(table);
-  refinement_rows(table);
-  order_row(table);
-  energy_rows(table);
-  ring_rows(table);
+int bench(const benchmarks::Options& options) {
+  Table table("car", options);
+  speed_rows(table, options.size(kRounds, 1));
+  refinement_rows(table, options.size(kDuration, 0.06));
+  if (!options.is_smoke()) order_row(table);
+  energy_rows(table, options.size(1.0, 0.05));
+  ring_rows(table, options);
   return table.exit_code();
 }
 
 }  // namespace
 
-int main() { return latsch::benchmarks::guarded(bench); }
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, bench);
+}

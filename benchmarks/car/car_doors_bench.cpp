@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A car's doors: rest under air of several weights, rigid joints, balance with drag, tires of both
-// sides, transfer functions of four posts at their defaults. With --smoke a few of each.
+// sides, transfer functions of four posts at their defaults.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -9,7 +9,6 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
-#include <string_view>
 
 #include "experiment/rigs/car/axle_kc_rig.h"
 #include "experiment/rigs/car/four_post_rig.h"
@@ -17,6 +16,7 @@
 #include "models/car/car_linear.h"
 #include "models/car/race_car_testing.h"
 #include "models/road/plane_road.h"
+#include "options.h"
 #include "table.h"
 
 namespace {
@@ -207,49 +207,49 @@ double error_of_responses(experiment::PostMode mode) {
   return worst;
 }
 
+int run(const benchmarks::Options& options) {
+  const bool smoke = options.is_smoke();
+  Table table("car_doors", options);
+  for (const bool rigid : {true, false}) {
+    const Rested rested = rest_under_air(rigid, smoke);
+    const std::string joints = rigid ? "rigid joints" : "compliant joints";
+    table.row(
+        fmt::format("{}: {} cars, 20 to 90 m/s, 1 to 5 weights of downforce", joints, rested.cars),
+        fmt::format("{} at rest, {} in words", rested.at_rest, rested.in_words),
+        "all",
+        rested.at_rest + rested.in_words == rested.cars && rested.at_rest > 0);
+    table.row(joints + ": sum Fz against weight and downforce, largest",
+              fmt::format("{:.1e}", rested.force),
+              "<= 1e-6",
+              rested.force <= 1e-6);
+    table.row(joints + ": moment about the ground with drag, of sum Fz times wheelbase",
+              fmt::format("{:.1e}", rested.moment),
+              "<= 1e-6",
+              rested.moment <= 1e-6);
+    table.row(joints + ": speed kept with drag, largest change",
+              fmt::format("{:.1e} m/s", rested.slowed),
+              "<= 1e-3 m/s",
+              rested.slowed <= 1e-3);
+  }
+  const double rate = error_of_wheel_rate();
+  table.row("wheel rate on rigid joints against virtual work",
+            fmt::format("{:.1e}", rate),
+            "<= 1e-4",
+            rate <= 1e-4);
+  using experiment::PostMode;
+  for (const auto& [mode, name] : {std::pair{PostMode::heave, "heave"},
+                                   {PostMode::pitch, "pitch"},
+                                   {PostMode::roll, "roll"}}) {
+    if (smoke && mode != PostMode::heave) continue;
+    const double error = error_of_responses(mode);
+    table.row(fmt::format("four posts at their defaults, {}: response, 0.5 to 20 Hz", name),
+              fmt::format("{:.2f} %", 100.0 * error),
+              "<= 2 %",
+              error <= 0.02);
+  }
+  return table.exit_code();
+}
+
 }  // namespace
 
-int main(int count, char** words) {
-  const bool smoke = count > 1 && std::string_view(words[1]) == "--smoke";
-  return benchmarks::guarded([smoke] {
-    Table table("car_doors");
-    for (const bool rigid : {true, false}) {
-      const Rested rested = rest_under_air(rigid, smoke);
-      const std::string joints = rigid ? "rigid joints" : "compliant joints";
-      table.row(fmt::format(
-                    "{}: {} cars, 20 to 90 m/s, 1 to 5 weights of downforce", joints, rested.cars),
-                fmt::format("{} at rest, {} in words", rested.at_rest, rested.in_words),
-                "all",
-                rested.at_rest + rested.in_words == rested.cars && rested.at_rest > 0);
-      table.row(joints + ": sum Fz against weight and downforce, largest",
-                fmt::format("{:.1e}", rested.force),
-                "<= 1e-6",
-                rested.force <= 1e-6);
-      table.row(joints + ": moment about the ground with drag, of sum Fz times wheelbase",
-                fmt::format("{:.1e}", rested.moment),
-                "<= 1e-6",
-                rested.moment <= 1e-6);
-      table.row(joints + ": speed kept with drag, largest change",
-                fmt::format("{:.1e} m/s", rested.slowed),
-                "<= 1e-3 m/s",
-                rested.slowed <= 1e-3);
-    }
-    const double rate = error_of_wheel_rate();
-    table.row("wheel rate on rigid joints against virtual work",
-              fmt::format("{:.1e}", rate),
-              "<= 1e-4",
-              rate <= 1e-4);
-    using experiment::PostMode;
-    for (const auto& [mode, name] : {std::pair{PostMode::heave, "heave"},
-                                     {PostMode::pitch, "pitch"},
-                                     {PostMode::roll, "roll"}}) {
-      if (smoke && mode != PostMode::heave) continue;
-      const double error = error_of_responses(mode);
-      table.row(fmt::format("four posts at their defaults, {}: response, 0.5 to 20 Hz", name),
-                fmt::format("{:.2f} %", 100.0 * error),
-                "<= 2 %",
-                error <= 0.02);
-    }
-    return table.exit_code();
-  });
-}
+int main(int argc, char** argv) { return benchmarks::run_benchmark(argc, argv, {}, run); }

@@ -147,12 +147,12 @@ void add_fits(const std::vector<FittedCar>& cars, benchmarks::Table& table) {
             fmt::format("{} of {}", close, count),
             ">= 95 %",
             close >= 0.95 * static_cast<double>(count));
-  table.row("CPU of a fit with its journal, the median car",
+  table.full_row("CPU of a fit with its journal, the median car",
             fmt::format("{:.3f} s, {:.0f} trials", time, median(steps)),
             "< 0.2 s",
             time < 0.2);
   const auto slow = std::count_if(times.begin(), times.end(), [](double t) { return t >= 0.2; });
-  table.row("cars fitted within 0.2 s of CPU",
+  table.full_row("cars fitted within 0.2 s of CPU",
             fmt::format("{} of {}, slowest {:.2f} s", count - slow, count, slowest),
             "all",
             slow == 0);
@@ -162,11 +162,11 @@ void add_fits(const std::vector<FittedCar>& cars, benchmarks::Table& table) {
 void add_coverage(const std::vector<FittedCar>& cars, benchmarks::Table& table) {
   const Coverage measured = coverage_of(cars, &FittedCar::measured);
   const Coverage held_out = coverage_of(cars, &FittedCar::held_out);
-  table.row(fmt::format("KPIs of {} cars inside their 90 % band (one KPI)", cars.size()),
+  table.full_row(fmt::format("KPIs of {} cars inside their 90 % band (one KPI)", cars.size()),
             measured.text(),
             "90 +- 3 %",
             measured.holds());
-  table.row("a held-out load case inside its 90 % band (one output)",
+  table.full_row("a held-out load case inside its 90 % band (one output)",
             held_out.text(),
             "90 +- 3 %",
             held_out.holds());
@@ -204,8 +204,10 @@ void add_pattern_search(const std::filesystem::path& folder, benchmarks::Table& 
   table.note("cost (4-1) by Levenberg-Marquardt", text(searched(ours, by)));
 }
 
-int compliance(int count, std::uint64_t seed) {
-  benchmarks::Table table("compliance");
+int compliance(const benchmarks::Options& options) {
+  const auto count = static_cast<int>(options.integer("CARS", options.size(1000, 2)));
+  const auto seed = static_cast<std::uint64_t>(options.integer("SEED", 4));
+  benchmarks::Table table("compliance", options);
   const ScratchFolder folder;
   const CompliantCars cars(folder.path(), seed);
   std::vector<FittedCar> fitted;
@@ -215,14 +217,16 @@ int compliance(int count, std::uint64_t seed) {
     if (std::ssize(fitted) == std::min(kFitted, count)) add_fits(fitted, table);
   }
   add_coverage(fitted, table);
-  add_pattern_search(folder.path(), table);
+  if (!options.is_smoke()) add_pattern_search(folder.path(), table);
   return table.exit_code();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int count = argc > 1 ? std::atoi(argv[1]) : 1000;
-  const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 4;
-  return latsch::benchmarks::guarded([&] { return compliance(count, seed); });
+  return latsch::benchmarks::run_benchmark(
+      argc,
+      argv,
+      {{"CARS", "", "how many"}, {"SEED", "", "of their stiffnesses and hardpoints"}},
+      compliance);
 }

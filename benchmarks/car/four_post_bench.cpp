@@ -22,26 +22,27 @@ using experiment::FourPostTest;
 
 constexpr double kDuration = 20.0;  // s
 
-FourPostTest sweep(double step) {
-  FourPostTest test = experiment::sweep_test({.duration = kDuration, .amplitude = 2e-3}, 1e-3);
+FourPostTest sweep(double step, double duration) {
+  FourPostTest test = experiment::sweep_test({.duration = duration, .amplitude = 2e-3}, 1e-3);
   test.step = step;
   return test;
 }
 
-void time_of(const char* what, const char* file, double step, benchmarks::Table& table) {
+void time_of(
+    const char* what, const char* file, double step, double duration, benchmarks::Table& table) {
   const std::filesystem::path path = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies" / file;
   const auto& kind = experiment::language().kind_of_file(path);
   const auto specimen = kind.build(kind.read(path));
   auto car = specimen->find<experiment::Drives>()->car({});
   if (!car) throw std::runtime_error(car.failure().reason);
   const double before = benchmarks::cpu_time();
-  const auto record = experiment::run(**car, sweep(step));
+  const auto record = experiment::run(**car, sweep(step, duration));
   const double time = benchmarks::cpu_time() - before;
   if (!record) throw std::runtime_error(record.failure().reason);
-  table.row(fmt::format("20 s of sweep on {}, steps of {:.1f} ms", what, 1e3 * step),
-            fmt::format("{:.1f} s", time),
-            "< 10 s",
-            time < 0.5 * kDuration);
+  table.full_row(fmt::format("{} s of sweep on {}, steps of {:.1f} ms", duration, what, 1e3 * step),
+                 fmt::format("{:.1f} s", time),
+                 "< 10 s",
+                 time < 0.5 * duration);
 }
 
 /// The largest |H1 - H|/|H| of all sensors at lines between the resonances, 10 to 25 Hz.
@@ -70,13 +71,14 @@ double error_of_responses() {
 
 }  // namespace
 
-int main() {
-  return benchmarks::guarded([] {
-    benchmarks::Table table("four_post");
-    time_of("vertical springs", "four_post/baseline.toml", 2e-4, table);
-    time_of("vertical springs", "four_post/baseline.toml", 5e-4, table);
-    time_of("Magic Formulas", "kerb/baseline.toml", 2e-4, table);
-    time_of("flexible rings", "four_post/specimen.toml", 2e-4, table);
+int main(int argc, char** argv) {
+  return benchmarks::run_benchmark(argc, argv, {}, [](const benchmarks::Options& options) {
+    benchmarks::Table table("four_post", options);
+    const double duration = options.size(kDuration, 0.5);
+    time_of("vertical springs", "four_post/baseline.toml", 2e-4, duration, table);
+    time_of("vertical springs", "four_post/baseline.toml", 5e-4, duration, table);
+    time_of("Magic Formulas", "kerb/baseline.toml", 2e-4, duration, table);
+    time_of("flexible rings", "four_post/specimen.toml", 2e-4, duration, table);
     const double error = error_of_responses();
     table.row("responses in a sweep of 0.5 mm against the linear model, 10 to 25 Hz, largest",
               fmt::format("{:.2f} %", 100.0 * error),

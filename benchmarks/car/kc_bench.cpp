@@ -37,12 +37,12 @@ std::vector<Load> random_loads(const DoubleWishbone& corner, int count) {
 }
 
 /// 100 points from -30 to 30 mm with rates.
-void kinematics(latsch::benchmarks::Table& table) {
+void kinematics(latsch::benchmarks::Table& table, int rounds) {
   using namespace latsch::suspension;
   constexpr int kPoints = 100, kCurves = 20;
   const CornerGeometry corner = race_geometry();
   double sum = 0.0;
-  const auto curves = beside(Yardstick::atan, kRounds, [&] {
+  const auto curves = beside(Yardstick::atan, rounds, [&] {
     for (int k = 0; k < kCurves; ++k) {
       KinematicCorner moving(corner, TravelOf::contact);
       for (int i = 0; i < kPoints; ++i) {
@@ -52,22 +52,23 @@ void kinematics(latsch::benchmarks::Table& table) {
     }
   });
   const double curve = curves.time / kCurves;
-  table.row("rigid links: a travel curve of 100 points, all outputs",
+  table.full_row("rigid links: a travel curve of 100 points, all outputs",
             fmt::format("{:.3f} ms", 1e3 * curve),
             "< 1.5 ms",
             curve < 1.5e-3 && std::isfinite(sum));
   table.note("points a second", fmt::format("{:.0f}", kPoints / curve));
 }
 
-int kc() {
-  latsch::benchmarks::Table table("kc");
+int kc(const latsch::benchmarks::Options& options) {
+  latsch::benchmarks::Table table("kc", options);
+  const int rounds = options.size(kRounds, 1);
   const DoubleWishbone corner = race_corner();
   const Mechanism mechanism(corner.bodies(), corner.joints());
   Equilibrium statics(mechanism);
   const std::vector<Load> loads = random_loads(corner, 500);
   double left = 0.0, iterations = 0.0;
   int failed = 0;
-  const auto nonlinear = beside(Yardstick::atan, kRounds, [&] {
+  const auto nonlinear = beside(Yardstick::atan, rounds, [&] {
     for (const Load& load : loads) {
       failed += statics.solve({&load, 1}) ? 0 : 1;
       left = std::max(left, statics.left());
@@ -75,7 +76,7 @@ int kc() {
     }
   });
   const double rate = static_cast<double>(loads.size()) / nonlinear.time;
-  table.row("nonlinear statics of a corner from rest, load cases a second",
+  table.full_row("nonlinear statics of a corner from rest, load cases a second",
             fmt::format("{:.0f}", rate),
             ">= 50000",
             rate >= 50000.0 && failed == 0);
@@ -84,26 +85,28 @@ int kc() {
             "<= 1e-6",
             left <= 1e-6 && failed == 0);
   table.note("Newton's corrections each",
-             fmt::format("{:.2f}", iterations / static_cast<double>(loads.size()) / (kRounds + 1)));
+             fmt::format("{:.2f}", iterations / static_cast<double>(loads.size()) / (rounds + 1)));
   const Poses rest = mechanism.at_rest();
   const Eigen::Vector3d arm = corner.contact - corner.wheel_center;
   double sum = 0.0;
   constexpr int kMatrices = 2000;
-  const auto linear = beside(Yardstick::atan, kRounds, [&] {
+  const auto linear = beside(Yardstick::atan, rounds, [&] {
     for (int i = 0; i < kMatrices; ++i) {
       if (!statics.linearize(rest, {}).empty()) sum = NAN;
       sum += statics.compliance(DoubleWishbone::kUpright, DoubleWishbone::kUpright, arm)(2, 2);
     }
   });
   const double matrices = kMatrices / linear.time;
-  table.row("6 x 6 compliance matrices a second",
+  table.full_row("6 x 6 compliance matrices a second",
             fmt::format("{:.0f}", matrices),
             ">= 200000",
             matrices >= 200000.0 && std::isfinite(sum));
-  kinematics(table);
+  kinematics(table, rounds);
   return table.exit_code();
 }
 
 }  // namespace
 
-int main() { return latsch::benchmarks::guarded(kc); }
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, kc);
+}

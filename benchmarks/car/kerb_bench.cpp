@@ -68,10 +68,12 @@ bool areas_are_known(const Channels& channels) {
   return true;
 }
 
-void time_of_a_grid(Table& table) {
+void time_of_a_grid(Table& table, const benchmarks::Options& options) {
   std::vector<experiment::KerbTest> tests;
   for (const double speed : {50.0, 60.0, 70.0})
     for (const double line : {-0.08, 0.0, 0.08}) tests.push_back(long_kerb(speed, line));
+  tests.resize(options.size(tests.size(), std::size_t{1}));
+  for (auto& test : tests) test.duration = options.size(test.duration, 0.06);
   std::atomic<std::size_t> next{0};
   std::atomic<int> failed{0}, known{0};
   const auto begin = std::chrono::steady_clock::now();
@@ -88,10 +90,10 @@ void time_of_a_grid(Table& table) {
   work();
   other.join();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  table.row("ring tires, compliant: 3 speeds x 3 lines of 2 s, two threads",
-            fmt::format("{:.1f} s", wall.count()),
-            "< 30 s",
-            failed == 0 && wall.count() < 30.0);
+  table.full_row("ring tires, compliant: 3 speeds x 3 lines of 2 s, two threads",
+                 fmt::format("{:.1f} s", wall.count()),
+                 "< 30 s",
+                 failed == 0 && wall.count() < 30.0);
   table.note("processor time of it, as on one core", fmt::format("{:.1f} s", cpu_seconds() - cpu));
   table.row("runs in which every tire on the road has a contact area at every sample",
             fmt::format("{} of {}", known.load(), tests.size()),
@@ -101,10 +103,9 @@ void time_of_a_grid(Table& table) {
 
 /// Known loaders on level road, push-rods with noise, low-passed, over a stretch; what the loaders
 /// are solved to.
-void aero_forces(Table& table) {
+void aero_forces(Table& table, int draws) {
   constexpr double kEdge = 10.0;                     // Hz
   constexpr double kStretch = 0.5, kSettling = 0.1;  // s
-  constexpr int kDraws = 200;
   experiment::KerbTest test = long_kerb(60.0, 0.0);
   test.kerb.reset();
   test.run_in = 0.0;
@@ -123,7 +124,7 @@ void aero_forces(Table& table) {
       numerics::polynomials_of(numerics::butterworth(2, numerics::Band::low_pass, {kEdge}, rate));
   for (const double noise : {0.01, 0.02}) {
     double square = 0.0, left = 0.0;
-    for (int draw = 0; draw < kDraws; ++draw) {
+    for (int draw = 0; draw < draws; ++draw) {
       RandomStream random(15, static_cast<std::uint64_t>(draw));
       Eigen::Vector4d forces;
       for (int c = 0; c < 4; ++c) {
@@ -141,10 +142,10 @@ void aero_forces(Table& table) {
       }
       const auto [downforce, rest] = solved->near(forces);
       for (int k = 0; k < 3; ++k)
-        square += std::pow(downforce[k] / test.downforce[k] - 1.0, 2) / (3.0 * kDraws);
-      left += rest.norm() / kDraws;
+        square += std::pow(downforce[k] / test.downforce[k] - 1.0, 2) / (3.0 * draws);
+      left += rest.norm() / draws;
     }
-    table.row(fmt::format("aero forces, push-rods with {:.0f} % noise a sample at 1 kHz, {:g} Hz, "
+    table.full_row(fmt::format("aero forces, push-rods with {:.0f} % noise a sample at 1 kHz, {:g} Hz, "
                           "{:g} s without kerb: rms error",
                           100.0 * noise,
                           kEdge,
@@ -194,14 +195,16 @@ void beside_the_track(Table& table) {
   }
 }
 
-int kerb() {
-  Table table("kerb");
-  time_of_a_grid(table);
-  aero_forces(table);
-  beside_the_track(table);
+int kerb(const benchmarks::Options& options) {
+  Table table("kerb", options);
+  time_of_a_grid(table, options);
+  aero_forces(table, options.size(200, 10));
+  if (!options.is_smoke()) beside_the_track(table);  // minutes
   return table.exit_code();
 }
 
 }  // namespace
 
-int main() { return latsch::benchmarks::guarded(kerb); }
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, kerb);
+}

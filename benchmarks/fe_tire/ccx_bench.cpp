@@ -142,7 +142,8 @@ void race(Table& table,
           const std::string& name,
           const TireDescription& description,
           const std::string& file,
-          bool loaded_modes) {
+          bool loaded_modes,
+          const Options& options) {
   const double start = cpu_seconds();
   const Mesh mesh = build_mesh(description);
   const Materials materials = build_materials(description);
@@ -172,10 +173,12 @@ void race(Table& table,
               name + ": crown growth, both programs now",
               std::abs(ours.growth * 1e3 / -expected.displacement.at(crown).y() - 1.0),
               1e-3);
-  compare_row(table,
-              name + ": Fz, both programs now",
-              std::abs(ours.Fz / expected.total_force.at("GROUND").y() - 1.0),
-              2e-3);
+  // Facets as long as the patch of a coarse mesh: each program sums up their pressure its way.
+  const double Fz = std::abs(ours.Fz / expected.total_force.at("GROUND").y() - 1.0);
+  table.full_row(name + ": Fz, both programs now",
+                 fmt::format("{:.4f} %", 100.0 * Fz),
+                 "<= 0.2 %",
+                 Fz <= 2e-3);
   compare_row(table,
               name + ": 20 modes, both programs now",
               largest_error(ours.frequencies, expected.frequencies),
@@ -185,14 +188,15 @@ void race(Table& table,
   table.note(name + ": CPU of our preparation of the mesh",
              fmt::format("{:.2f} s", prepared - start));
   const double ratio = theirs / (finished - start);
-  table.row(name + ": CPU ratio, preparation included",
+  table.full_row(name + ": CPU ratio, preparation included",
             fmt::format("{:.1f}", ratio),
             fmt::format(">= {:.0f}", kRatio),
             ratio >= kRatio);
+  if (options.is_smoke()) return;
   const double as_shipped = seconds_as_shipped(shipped_tire(file), loaded_modes);
   table.note(name + ": CPU of our trial, shipped element with rebars, median of seven",
              fmt::format("{:.2f} s", as_shipped));
-  table.row(name + ": CPU ratio, shipped element with rebars",
+  table.full_row(name + ": CPU ratio, shipped element with rebars",
             fmt::format("{:.1f}", theirs / as_shipped),
             fmt::format(">= {:.0f}", kRatio),
             theirs >= kRatio * as_shipped);
@@ -232,19 +236,32 @@ void compare_ties(Table& table) {
 
 }  // namespace
 
-int run() {
-  Table table("ccx");
-  compare_decks(table);
-  if (!has_calculix()) {
+/// In a smoke run on a mesh that CalculiX solves in a second.
+TireDescription for_race(TireDescription tire, const Options& options) {
+  tire.section.meridional = options.size(tire.section.meridional, 13);
+  tire.section.sectors = options.size(tire.section.sectors, 12);
+  return tire;
+}
+
+int run(const Options& options) {
+  Table table("ccx", options);
+  if (!options.is_smoke()) compare_decks(table);
+  if (options.is_smoke() && !has_calculix()) {
+    table.skip("CalculiX", "no ccx on the path");
+  } else if (options.is_smoke()) {
+    race(table, "tire B", for_race(reference_tire_b(), options), "", false, options);
+  } else if (!has_calculix()) {
     table.note("CPU time against CalculiX", "skipped: no ccx on the path");
   } else {
     compare_ties(table);
-    race(table, "tire B", reference_tire_b(), "passenger_225_50R16", true);
-    race(table, "tire A", reference_tire_a(), "passenger_235_45R20", false);
+    race(table, "tire B", reference_tire_b(), "passenger_225_50R16", true, options);
+    race(table, "tire A", reference_tire_a(), "passenger_235_45R20", false, options);
   }
   return table.exit_code();
 }
 
 }  // namespace latsch::benchmarks
 
-int main() { return latsch::benchmarks::guarded(latsch::benchmarks::run); }
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, latsch::benchmarks::run);
+}

@@ -131,28 +131,29 @@ void compare(const std::string& name, double deepest, int along_section, Table& 
   rows("Fz on the tire's own mesh", quantities().front(), of_own_mesh, kFirst);
 }
 
-void compare_friction(const std::string& name, Table& table) {
+void compare_friction(const std::string& name, const Options& options, Table& table) {
   constexpr double kReach = 3e-3;
-  const TireDescription description = shipped_tire(name);
+  const TireDescription description = tire_for(options, name);
   FeTire tire(description);
   const Ground ground{.mu = 0.8};
   constexpr double kStep = 2.5e-3;  // m
-  constexpr int kLoads = 4, kParts = 10, kFewParts = 3;
+  constexpr int kFewParts = 3;
+  const int load_count = options.size(4, 1), fine_parts = options.size(10, 4);
   // Fz at the loads, every one reached in `parts`.
   const auto loads = [&](int parts) {
     std::vector<double> deflections, Fz;
-    for (int i = 1; i <= kLoads * parts; ++i) deflections.push_back(kStep * i / parts);
+    for (int i = 1; i <= load_count * parts; ++i) deflections.push_back(kStep * i / parts);
     const auto standing = pressed(tire, description.pressure, ground, deflections);
-    for (int i = 1; i <= kLoads; ++i) Fz.push_back(standing[i * parts - 1].force.z());
+    for (int i = 1; i <= load_count; ++i) Fz.push_back(standing[i * parts - 1].force.z());
     return Fz;
   };
-  const std::vector<double> ours = loads(1), few = loads(kFewParts), judge = loads(kParts);
+  const std::vector<double> ours = loads(1), few = loads(kFewParts), judge = loads(fine_parts);
   Errors errors, errors_of_few;
   for (std::size_t i = 0; i < ours.size(); ++i) {
     errors.add(ours[i] / judge[i] - 1.0);
     errors_of_few.add(few[i] / judge[i] - 1.0);
   }
-  table.row(name + ": Fz on friction 0.8, every 2.5 mm to 10 mm, against steps of a tenth",
+  table.full_row(name + ": Fz on friction 0.8, every 2.5 mm to 10 mm, against steps of a tenth",
             fmt::format("{} %, at most {:.2f} %", errors.text, 100.0 * errors.worst),
             fmt::format("<= {:.1f} %", 100.0 * kReach),
             errors.worst <= kReach);
@@ -161,19 +162,38 @@ void compare_friction(const std::string& name, Table& table) {
       fmt::format("{} %, at most {:.2f} %", errors_of_few.text, 100.0 * errors_of_few.worst));
 }
 
+/// Friction on a coarse tire, and the patch of the same: symmetric, and as large as load and
+/// pressure make it within a factor.
+void smoke(const Options& options, Table& table) {
+  compare_friction("passenger_205_55R16", options, table);
+  FeTire tire(tire_for(options, "passenger_205_55R16"));
+  const Standing standing = pressed(tire, 2.6e5, {}, {0.01, 0.02}).back();
+  for (const Quantity& quantity : quantities())
+    table.note(quantity.name, fmt::format("{:.4g}, SI", quantity.of(standing)));
+  const double mean = standing.force.z() / standing.patch.area;
+  table.row("mean pressure of the patch over the inflation's",
+            fmt::format("{:.2f}", mean / 2.6e5),
+            "0.5 .. 3",
+            mean > 0.5 * 2.6e5 && mean < 3.0 * 2.6e5);
+}
+
 }  // namespace
 
-int run(bool friction_alone) {
-  Table table("footprint");
+int run(const Options& options) {
+  Table table("footprint", options);
+  if (options.is_smoke()) {
+    smoke(options, table);
+    return table.exit_code();
+  }
   for (const char* tire : {"passenger_205_55R16",
                            "race_16x7.5-10",
                            "passenger_225_50R16",
                            "passenger_235_45R20",
                            "comparison_225_50R16",
                            "comparison_235_45R20"}) {
-    compare_friction(tire, table);
+    compare_friction(tire, options, table);
   }
-  if (friction_alone) return table.exit_code();
+  if (options.text("WHAT") == "friction") return table.exit_code();
   compare("passenger_205_55R16", 0.025, 4, table);
   compare("race_16x7.5-10", 0.010, 4, table);
   compare("passenger_225_50R16", 0.025, 4, table);
@@ -183,8 +203,7 @@ int run(bool friction_alone) {
 
 }  // namespace latsch::benchmarks
 
-// [friction]: that alone
 int main(int argc, char** argv) {
-  const bool friction_alone = argc > 1 && std::string(argv[1]) == "friction";
-  return latsch::benchmarks::guarded([=] { return latsch::benchmarks::run(friction_alone); });
+  return latsch::benchmarks::run_benchmark(
+      argc, argv, {{"WHAT", "", "friction: that alone"}}, latsch::benchmarks::run);
 }

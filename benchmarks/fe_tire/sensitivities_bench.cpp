@@ -450,14 +450,53 @@ void draw(std::vector<std::string>& paths, RandomStream& random) {
     paths.erase(paths.begin() + static_cast<std::ptrdiff_t>(random.below(paths.size())));
 }
 
+/// A coarse tire, and slopes of its loads beside those of one short step: to the digits of that.
+void smoke(Table& table) {
+  constexpr double kShort = 1e-5, kReach = 1e-3;
+  Case of = cases()[1];
+  of.paths = {"pressure", "rubber.matrix.young_modulus"};
+  const Document numbers =
+      Document::parse(with_coarse_mesh(read_text_file(tire_file(of.file))), "coarse tire");
+  table.note("a trial with slopes",
+             fmt::format("{:.2f} CPU s, {:.2f} without",
+                         time_of(of, numbers, of.paths),
+                         time_of(of, numbers, {})));
+  const Branch branch = free_loads(numbers, of).second;
+  const Eigen::MatrixXd slopes = exact_slopes(of, numbers);
+  for (std::size_t k = 0; k < of.paths.size(); ++k) {
+    const std::string& path = of.paths[k];
+    const double way = 2.0 * kShort * std::abs(numbers.get(path));
+    const Eigen::VectorXd judge = (exact(moved(numbers, path, kShort), of, branch).loads -
+                                   exact(moved(numbers, path, -kShort), of, branch).loads) /
+                                  way;
+    const double off = (slopes.col(static_cast<Eigen::Index>(k)).head(kLoads) - judge).norm();
+    table.row(fmt::format("coarse tire, slopes of loads in {}", path),
+              fmt::format("{:.1e}", off / judge.norm()),
+              fmt::format("<= {:g}", kReach),
+              off <= kReach * judge.norm());
+  }
+}
+
 struct Asked {
   bool all = false;
   std::uint64_t seed = kSeed;
   std::string tire, path;
 };
 
-int bench(const Asked& asked) {
-  Table table("sensitivities");
+Asked asked_by(const Options& options) {
+  Asked asked{.tire = options.text("TIRE"), .path = options.text("PATH")};
+  asked.all = options.text("SEED") == "all";
+  if (!asked.all) asked.seed = static_cast<std::uint64_t>(options.integer("SEED", kSeed));
+  return asked;
+}
+
+int bench(const Options& options) {
+  const Asked asked = asked_by(options);
+  Table table("sensitivities", options);
+  if (options.is_smoke()) {
+    smoke(table);
+    return table.exit_code();
+  }
   std::uint64_t stream = 0;
   for (Case of : cases()) {
     RandomStream random(asked.seed, stream++);
@@ -474,14 +513,12 @@ int bench(const Asked& asked) {
 }  // namespace
 }  // namespace latsch::benchmarks
 
-int main(int count, char** arguments) {
-  latsch::benchmarks::Asked asked;
-  const std::string first = count > 1 ? arguments[1] : "";
-  asked.all = first == "all";
-  if (count > 2) asked.tire = arguments[2];
-  if (count > 3) asked.path = arguments[3];
-  return latsch::benchmarks::guarded([&] {
-    if (!asked.all && !first.empty()) asked.seed = std::stoull(first);
-    return latsch::benchmarks::bench(asked);
-  });
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(
+      argc,
+      argv,
+      {{"SEED", "", "of the numbers drawn, or all: all numbers"},
+       {"TIRE", "", "of that tire alone"},
+       {"PATH", "", "that number alone"}},
+      latsch::benchmarks::bench);
 }

@@ -8,8 +8,11 @@
 #include <utility>
 
 #include "base/document.h"
+#include "base/file.h"
 #include "base/result.h"
+#include "coarse_mesh.h"
 #include "models/fe_tire/description/tire_description.h"
+#include "options.h"
 
 namespace latsch::benchmarks {
 
@@ -22,7 +25,18 @@ inline fe_tire::TireDescription shipped_tire(const std::string& name) {
   return fe_tire::read_tire(Document::read(tire_file(name)).root());
 }
 
-/// Throws the reason where there is none: the benchmark then ends (table.h, guarded).
+/// The same on a coarse mesh, for smoke runs.
+inline fe_tire::TireDescription coarse_tire(const std::string& name, const CoarseMesh& mesh = {}) {
+  const std::string text = with_coarse_mesh(read_text_file(tire_file(name)), mesh);
+  return fe_tire::read_tire(Document::parse(text, name).root());
+}
+
+/// The shipped tire, in a smoke run the coarse one.
+inline fe_tire::TireDescription tire_for(const Options& options, const std::string& name) {
+  return options.is_smoke() ? coarse_tire(name) : shipped_tire(name);
+}
+
+/// Throws the reason where there is none: the benchmark then ends (options.h, run_benchmark).
 template <class T>
 T value_of(Result<T> result) {
   if (!result) throw std::runtime_error(result.failure().reason);

@@ -31,6 +31,7 @@
 
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
+#include "coarse_mesh.h"
 #include "fit_study.h"
 #include "numerics/student_t.h"
 #include "table.h"
@@ -118,6 +119,18 @@ class Studies {
     text =
         std::regex_replace(text, std::regex("\nmodel = [^\n]*"), "\nmodel = \"refined_tire.toml\"");
     return write_beside(study, "refined", text);
+  }
+
+  /// The same tire on a coarse mesh.
+  void coarsen(const std::string& tire) const {
+    write_text_file(at(tire), with_coarse_mesh(read_text_file(at(tire))));
+  }
+
+  /// The same study without intervals, ended after two steps.
+  std::string shortened(const std::string& study) const {
+    std::string text = read_text_file(at(study)) + "\n[optimizer]\nmax_steps = 2\n";
+    text = std::regex_replace(text, std::regex("\\[run\\]"), "[run]\nintervals = false");
+    return write_beside(study, fs::path(study).stem().string() + "_shortened", text);
   }
 
   /// What `latsch VERB STUDY ARGUMENTS --json` answers.
@@ -363,11 +376,39 @@ void compare_truth(const Studies& studies,
   }
 }
 
+/// Every way a study is changed for this table, run once on a coarse tire: two steps a fit.
+void smoke(const Studies& studies, Table& table) {
+  const std::string modes = "tire_b_uniqueness/study.toml";
+  studies.coarsen("tires/passenger_225_50R16.toml");
+  const auto row = [&](const std::string& what, const std::string& study) {
+    const Json answer = studies.ask("run", studies.shortened(study));
+    table.row(what,
+              fmt::format("target {:.3g}", answer.at("target").get<double>()),
+              "a number",
+              std::isfinite(answer.at("target").get<double>()) &&
+                  !values_of(answer).empty());
+  };
+  row("started at a corner", studies.started_at(modes, "corner", kCorners.front()));
+  row("the carcass held, with modes", studies.held_at(300.0, true));
+  row("the carcass held, force alone", studies.held_at(300.0, false));
+  const std::string refined = studies.on_refined_mesh("foreign_truth/shipped_element.toml",
+                                                      "foreign_truth/shipped_tire.toml");
+  table.row("on its refined mesh",
+            refined,
+            "is in order",
+            studies.ask("check", refined).is_object());
+}
+
 }  // namespace
 
-int run(const std::string& only) {
-  Table table("tire_studies");
+int run(const Options& options) {
+  const std::string only = options.text("WHICH");
+  Table table("tire_studies", options);
   const Studies studies;
+  if (options.is_smoke()) {
+    smoke(studies, table);
+    return table.exit_code();
+  }
   const auto asks = [&](const char* name) { return only.empty() || only == name; };
   if (asks("foreign_truth")) {
     compare_truth(
@@ -396,6 +437,9 @@ int run(const std::string& only) {
 }  // namespace latsch::benchmarks
 
 int main(int argc, char** argv) {
-  const std::string only = argc > 1 ? argv[1] : "";
-  return latsch::benchmarks::guarded([&] { return latsch::benchmarks::run(only); });
+  return latsch::benchmarks::run_benchmark(
+      argc,
+      argv,
+      {{"WHICH", "", "uniqueness, tire_a, transfer or foreign_truth: that alone"}},
+      latsch::benchmarks::run);
 }

@@ -52,19 +52,21 @@ constexpr double kLimitsAgree = 0.003;
 constexpr int kUnknownsOfB = 15480 * 3 / 2, kUnknownsOfA = 27000 * 3 / 2;
 constexpr double kFullRatio = 50.0;  // harmonics against the full eigen-solve
 constexpr int kModes = 20;
+constexpr int kRuns = 5;  // of modes, timed
 
-/// Median CPU seconds of both kinds of work, taken in turn: five runs, of the short one 25.
-std::pair<double, double> times_of(const std::function<void()>& short_one,
+/// Median CPU seconds of both kinds of work, taken in turn: so many runs, of the short one their
+/// square.
+std::pair<double, double> times_of(int runs,
+                                   const std::function<void()>& short_one,
                                    const std::function<void()>& long_one) {
-  constexpr int kRuns = 5;
   std::vector<double> of_short, of_long;
   const auto time = [](const std::function<void()>& work, std::vector<double>& seconds) {
     const double start = cpu_seconds();
     work();
     seconds.push_back(cpu_seconds() - start);
   };
-  for (int i = 0; i < kRuns; ++i) {
-    for (int k = 0; k < kRuns; ++k) time(short_one, of_short);
+  for (int i = 0; i < runs; ++i) {
+    for (int k = 0; k < runs; ++k) time(short_one, of_short);
     time(long_one, of_long);
   }
   const auto median = [](std::vector<double>& seconds) {
@@ -75,19 +77,22 @@ std::pair<double, double> times_of(const std::function<void()>& short_one,
   return {median(of_short), median(of_long)};
 }
 
-void compare_modes(const std::string& name, const TireDescription& description, Table& table) {
+void compare_modes(const std::string& name,
+                   const TireDescription& description,
+                   Table& table,
+                   int runs) {
   FeTire tire(description);
   const Inflated inflated = value_of(tire.inflate(description.pressure));
   std::vector<Mode> by_harmonics, by_ring;
   const auto [fast, full] =
-      times_of([&] { by_harmonics = value_of(tire.modes(inflated, kModes)); },
+      times_of(runs, [&] { by_harmonics = value_of(tire.modes(inflated, kModes)); },
                [&] { by_ring = value_of(tire.modes_full(inflated, kModes)); });
   double difference = 0.0;
   for (int k = 0; k < kModes; ++k) {
     difference =
         std::max(difference, std::abs(by_harmonics[k].frequency / by_ring[k].frequency - 1.0));
   }
-  table.row(fmt::format("{}: {} modes by harmonics against the full eigen-solve", name, kModes),
+  table.full_row(fmt::format("{}: {} modes by harmonics against the full eigen-solve", name, kModes),
             fmt::format(
                 "{:.0f} x faster ({:.1f} ms, {:.0f} ms CPU)", full / fast, 1e3 * fast, 1e3 * full),
             fmt::format(">= {:.0f} x", kFullRatio),
@@ -258,8 +263,8 @@ std::vector<Case> random_sizes(std::uint64_t seed) {
 }
 
 /// Of sizes that are named, between commas, also on the ground.
-int run_sizes(const std::string& sizes) {
-  Table table("verification");
+int run_sizes(const std::string& sizes, const Options& options) {
+  Table table("verification", options);
   std::istringstream each(sizes);
   std::vector<Case> cases;
   for (std::string size; std::getline(each, size, ',');)
@@ -282,12 +287,29 @@ TireDescription smeared(TireDescription tire, const TireDescription& as, int unk
   return with_columns(std::move(tire), placed.columns);
 }
 
-int run(std::uint64_t seed) {
-  Table table("verification");
+/// Modes by harmonics against the full solve on a coarse tire, and a study of its meshes.
+int smoke(const Options& options) {
+  Table table("verification", options);
+  const TireDescription tire = coarse_tire("passenger_225_50R16", {.meridional = 13, .sectors = 12});
+  compare_modes("coarse tire B", tire, table, 1);
+  const Judged judged = judge({.name = "coarse tire B", .tire = [tire] { return tire; }});
+  table.row("coarse tire B: finer meshes",
+            judged.study ? fmt::format("{} rows", judged.study->unloaded.size())
+                         : judged.study.failure().reason,
+            "a result",
+            judged.study && !judged.study->unloaded.empty());
+  return table.exit_code();
+}
+
+int run(const Options& options) {
+  if (options.has("--sizes")) return run_sizes(options.text("--sizes"), options);
+  if (options.is_smoke()) return smoke(options);
+  const auto seed = static_cast<std::uint64_t>(options.integer("SEED", 2016));
+  Table table("verification", options);
   const TireDescription a = shipped_tire("passenger_235_45R20"),
                         b = shipped_tire("passenger_225_50R16");
-  compare_modes("tire B", b, table);
-  compare_modes("tire A", a, table);
+  compare_modes("tire B", b, table, kRuns);
+  compare_modes("tire A", a, table, kRuns);
   const auto shipped = [](TireDescription tire) { return [tire] { return tire; }; };
   std::vector<Case> cases = {{.name = "205/55R16",
                               .tire = shipped(shipped_tire("passenger_205_55R16")),
@@ -320,12 +342,11 @@ int run(std::uint64_t seed) {
 }  // namespace
 }  // namespace latsch::benchmarks
 
-// [seed of the sizes drawn at random] | --sizes 235/70R15,225/55R20
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  return latsch::benchmarks::guarded([&] {
-    if (arguments.size() == 2 && arguments[0] == "--sizes")
-      return latsch::benchmarks::run_sizes(arguments[1]);
-    return latsch::benchmarks::run(arguments.empty() ? 2016 : std::stoull(arguments[0]));
-  });
+  return latsch::benchmarks::run_benchmark(
+      argc,
+      argv,
+      {{"SEED", "", "of the sizes drawn at random"},
+       {"--sizes", "LIST", "these in their place, 235/70R15,225/55R20"}},
+      latsch::benchmarks::run);
 }

@@ -2,7 +2,6 @@
 #include "fit_study.h"
 
 #include <chrono>
-#include <regex>
 #include <stdexcept>
 
 #include "base/file.h"
@@ -29,30 +28,42 @@ const fs::path& scratch_folder() {
   return folder.path();
 }
 
-void coarsen(const fs::path& tires) {
-  for (const auto& tire : fs::directory_iterator(tires)) {
-    std::string text = read_text_file(tire.path());
-    text = std::regex_replace(text, std::regex("\n(meridional|columns) = .*"), "\nmeridional = 15");
-    text = std::regex_replace(text, std::regex("\nsectors = \\d+"), "\nsectors = 30");
-    text = std::regex_replace(text, std::regex("\n(spacing|sector_zones) = \\[\\[.*"), "");
-    write_text_file(tire.path(), text);
-  }
+void coarsen(const fs::path& tires, const CoarseMesh& mesh) {
+  for (const auto& tire : fs::directory_iterator(tires))
+    write_text_file(tire.path(), with_coarse_mesh(read_text_file(tire.path()), mesh));
+}
+
+void pair_by_shapes(const fs::path& study) {
+  std::string text = read_text_file(study);
+  if (text.find("\nshapes = ") != text.npos) return;
+  const std::string modes = "\nmeasurement = \"modes.csv\"\n";
+  const std::size_t at = text.find(modes);
+  if (at == text.npos) throw InputError(study.string() + " has no measured modes");
+  write_text_file(study, text.insert(at + modes.size(), "shapes = \"mode_shapes.csv\"\n"));
 }
 
 }  // namespace
 
-correlation::Study fresh_twin(const std::string& name, TwinMesh mesh) {
+correlation::Study fresh_twin(const std::string& name, const std::optional<CoarseMesh>& mesh) {
   const fs::path studies = fs::path(LATSCH_SOURCE_DIR) / "studies";
   const fs::path copy = scratch_folder() / name;
   fs::create_directories(copy);
   fs::copy(studies / "tires", copy / "tires");
-  if (mesh == TwinMesh::coarse) coarsen(copy / "tires");
+  if (mesh) coarsen(copy / "tires", *mesh);
   fs::copy(studies / name, copy / name);
   const fs::path file = copy / name / "study.toml";
+  if (mesh) pair_by_shapes(file);
   const auto written = correlation::write_twin(
       correlation::read_study(file, experiment::language(), correlation::Measurements::not_yet));
   if (!written) throw std::runtime_error(written.failure().reason);
   return correlation::read_study(file, experiment::language());
+}
+
+DesignPoint true_point(const correlation::Study& study) {
+  DesignPoint point = study.space.initial();
+  for (int i = 0; i < study.space.size(); ++i)
+    point.values[static_cast<std::size_t>(i)] = study.model.get(study.space[i].paths.front());
+  return point;
 }
 
 fs::path program() { return fs::read_symlink("/proc/self/exe").parent_path() / "latsch"; }

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "coarse_mesh.h"
 #include "correlation/study/study.h"
 #include "evaluation/schedule/scheduler.h"
 
@@ -21,12 +23,15 @@ struct Fit {
 /// studies/NAME/study.toml
 correlation::Study study_of_folder(const std::string& name);
 
-/// coarse: 15 columns, 30 sectors, a tenth of the cost of a trial.
-enum class TwinMesh { as_described, coarse };
+/// The same study in a temporary folder, its tires on a coarse mesh if there is one, its
+/// measurements written anew from the model itself as it is now. On a coarse mesh modes are
+/// measured with their shapes and paired by these: there a label, which names the larger of two
+/// parts of a shape, may change beside the truth, and the mode that had it is missed by 100 %.
+correlation::Study fresh_twin(const std::string& name,
+                              const std::optional<CoarseMesh>& mesh = std::nullopt);
 
-/// The same study in a temporary folder, its measurements written anew from the model itself as it
-/// is now.
-correlation::Study fresh_twin(const std::string& name, TwinMesh mesh = TwinMesh::as_described);
+/// The values of the variables in the model's own file: those a twin has to find.
+DesignPoint true_point(const correlation::Study& study);
 
 /// The program `latsch` has to stand beside the benchmark.
 Fit fit(const correlation::Study& study, int workers);

@@ -186,7 +186,7 @@ void note(Table& table, const std::string& solver, const Profile& profile) {
 
 void reach(Table& table, const std::string& what, double share, double at_least) {
   // Shares and what they have to reach are known to three digits.
-  table.row(what,
+  table.full_row(what,
             fmt::format("{:.3f}", share),
             fmt::format(">= {:.3f}", at_least),
             std::round(1e3 * share) >= std::round(1e3 * at_least));

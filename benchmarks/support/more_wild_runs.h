@@ -89,7 +89,7 @@ Profile measure(const Solver& solver,
 
 void note(Table& table, const std::string& solver, const Profile& profile);
 
-/// A row for tau and budget number k.
+/// A row for tau and budget number k: a share, which only the full run judges.
 void reach(Table& table, const std::string& what, double share, double at_least);
 
 }  // namespace latsch::benchmarks

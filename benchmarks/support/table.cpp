@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <exception>
 
 #include "numerics/kernels/kernel_set.h"
 
@@ -32,8 +30,13 @@ void print(std::string_view what,
 
 }  // namespace
 
-Table::Table(std::string_view name) : name_(name) {
-  fmt::print("{} on {}, kernels {}\n", name, processor_name(), latsch::name(kernel_set()));
+Table::Table(std::string_view name, const Options& options)
+    : name_(name), is_smoke_(options.is_smoke()) {
+  fmt::print("{}{} on {}, kernels {}\n",
+             name,
+             is_smoke_ ? ", smoke run" : "",
+             processor_name(),
+             latsch::name(kernel_set()));
   print("what", "value", "reach", "ok");
   print(std::string(58, '-'), std::string(26, '-'), std::string(14, '-'), "---");
 }
@@ -44,31 +47,42 @@ void Table::row(std::string_view what, std::string_view value, std::string_view 
   print(what, value, reach, ok ? "yes" : "NO");
 }
 
+void Table::full_row(std::string_view what,
+                     std::string_view value,
+                     std::string_view reach,
+                     bool ok) {
+  if (!is_smoke_) return row(what, value, reach, ok);
+  ++rows_;
+  print(what, value, reach, "not judged");
+}
+
 void Table::note(std::string_view what, std::string_view value) {
   ++notes_;
   print(what, value, "", "");
 }
 
+void Table::skip(std::string_view what, std::string_view reason) {
+  ++skipped_;
+  print(what, reason, "", "skipped");
+}
+
 int Table::exit_code() const {
+  if (short_ > 0) {
+    fmt::print("{}: {} of {} rows fall short\n", name_, short_, rows_);
+    return 1;
+  }
+  if (skipped_ > 0) {
+    fmt::print("{}: skipped in part, for what this machine lacks\n", name_);
+    return is_smoke_ ? kSkipped : 1;
+  }
   if (rows_ == 0) {
     fmt::print("{}: {}\n",
                name_,
                notes_ > 0 ? "nothing that has a reach was measured" : "nothing was measured");
-  } else if (short_ > 0) {
-    fmt::print("{}: {} of {} rows fall short\n", name_, short_, rows_);
-  } else {
-    fmt::print("{}: all {} rows reached\n", name_, rows_);
+    return 1;
   }
-  return rows_ > 0 && short_ == 0 ? 0 : 1;
-}
-
-int guarded(const std::function<int()>& benchmark) {
-  try {
-    return benchmark();
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", program_invocation_short_name, error.what());
-    return 2;
-  }
+  fmt::print("{}: all {} rows {}\n", name_, rows_, is_smoke_ ? "computed" : "reached");
+  return 0;
 }
 
 }  // namespace latsch::benchmarks

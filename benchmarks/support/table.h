@@ -2,38 +2,49 @@
 // The table every benchmark ends in: processor and kernel set, then what was measured, the value,
 // what it has to reach, and whether it does.
 //
-//   Table table("ccx");
-//   table.row("Fz against the deck", fmt::format("{:.3f} %", 100 * error), "<= 0.2 %", error <=
-//   2e-3); return table.exit_code();
+//   Table table("ccx", options);
+//   table.row("Fz of the deck", fmt::format("{:.3f} %", 1e2 * error), "<= 0.2 %", error < 2e-3);
+//   return table.exit_code();
+//
+// In a smoke run (options.h) the rows of full_row() are printed and not judged: times of this
+// machine, and shares of many cases of which a smoke run computes few.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
+
+#include "options.h"
 
 namespace latsch::benchmarks {
 
 /// Prints each row when it is known, so that an interrupted run shows how far it came.
 class Table {
  public:
-  explicit Table(std::string_view name);
+  /// The exit code of a smoke run that lacks a program or a file: tests count it as skipped.
+  static constexpr int kSkipped = 77;
 
+  Table(std::string_view name, const Options& options);
+
+  /// A row that every run judges.
   void row(std::string_view what, std::string_view value, std::string_view reach, bool ok);
+  /// A row that only the full run judges.
+  void full_row(std::string_view what, std::string_view value, std::string_view reach, bool ok);
   /// A figure without anything to reach.
   void note(std::string_view what, std::string_view value);
+  /// Says what this machine lacks. A full run fails then, a smoke run counts as skipped.
+  void skip(std::string_view what, std::string_view reason);
 
-  /// Prints the closing line. 0 where every row is ok and there is one, 1 otherwise.
+  /// Prints the closing line. 0 where every judged row is ok and there is a row, kSkipped where a
+  /// smoke run was skipped and nothing fell short, 1 otherwise.
   int exit_code() const;
 
  private:
   std::string name_;
+  bool is_smoke_;
   int rows_ = 0;
   int notes_ = 0;
   int short_ = 0;
+  int skipped_ = 0;
 };
-
-/// What main() does: runs the benchmark and gives back its exit code. What it throws, a study that
-/// cannot be read for instance, is printed; then 2.
-int guarded(const std::function<int()>& benchmark);
 
 }  // namespace latsch::benchmarks

@@ -7,12 +7,14 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "base/toml/toml_text.h"
 #include "base/unit_reading.h"
 
 namespace latsch {
 namespace {
 
 using Kind = DocumentValue::Kind;
+using Declared = DeclaredKey::Kind;
 
 /// `an angle such as "22 deg"`
 std::string expectation(const Unit& unit) {
@@ -114,7 +116,15 @@ std::string written(const DocumentValue& value) {
 
 int Node::Impl::ask(std::string_view key) const {
   (*asked)[index].emplace(key);
-  return tree->child(index, key);
+  const int found = tree->child(index, key);
+  if (record) record->ask(value().path, key, found >= 0);
+  return found;
+}
+
+std::shared_ptr<const Node::Impl> Node::Impl::at(int table) const {
+  Impl other = *this;
+  other.index = table;
+  return std::make_shared<Impl>(std::move(other));
 }
 
 void Node::Impl::reject_missing(std::string_view key, const std::string& expected) const {
@@ -140,14 +150,26 @@ bool Node::has(std::string_view key) const { return impl_->ask(key) >= 0; }
 double Node::quantity(std::string_view key, std::string_view unit, Range range) const {
   const Unit expected = Unit::of(unit);
   const int value = impl_->ask(key);
+  impl_->declare(key, [&] {
+    return DeclaredKey{.kind = Declared::quantity, .units = {std::string(unit)}, .range = range};
+  });
   if (value < 0) impl_->reject_missing(key, "expected " + expectation(expected));
-  return read_number(*impl_->tree, *impl_->changes, value, expected, range);
+  const double si = read_number(*impl_->tree, *impl_->changes, value, expected, range);
+  impl_->declare(
+      key, [&] { return DeclaredKey{.kind = Declared::quantity, .value = canonical(si, unit)}; });
+  return si;
 }
 
 double Node::quantity(std::string_view key,
                       std::string_view unit,
                       Range range,
                       double fallback) const {
+  impl_->declare(key, [&] {
+    return DeclaredKey{.kind = Declared::quantity,
+                       .units = {std::string(unit)},
+                       .range = range,
+                       .fallback = canonical(fallback, unit)};
+  });
   return has(key) ? quantity(key, unit, range) : fallback;
 }
 
@@ -157,12 +179,18 @@ std::vector<double> Node::quantities(std::string_view key,
   const Unit expected = Unit::of(unit);
   const int list = impl_->ask(key);
   const auto wanted = [&] { return "expected a list of values, each " + expectation(expected); };
+  impl_->declare(key, [&] {
+    return DeclaredKey{.kind = Declared::quantities, .units = {std::string(unit)}, .range = range};
+  });
   if (list < 0) impl_->reject_missing(key, wanted());
   if (impl_->kind(list) != Kind::list)
     reject(key, "is " + written(impl_->now(list)) + ", " + wanted());
   std::vector<double> values;
   for (const int child : impl_->tree->value(list).children)
     values.push_back(read_number(*impl_->tree, *impl_->changes, child, expected, range));
+  impl_->declare(key, [&] {
+    return DeclaredKey{.kind = Declared::quantities, .value = canonical(values, unit)};
+  });
   return values;
 }
 
@@ -170,8 +198,13 @@ std::vector<double> Node::one_or_more(std::string_view key,
                                       std::string_view unit,
                                       Range range) const {
   const int value = impl_->ask(key);
-  if (value >= 0 && impl_->kind(value) != Kind::list) return {quantity(key, unit, range)};
-  return quantities(key, unit, range);
+  const bool is_one = value >= 0 && impl_->kind(value) != Kind::list;
+  const std::vector<double> values =
+      is_one ? std::vector<double>{quantity(key, unit, range)} : quantities(key, unit, range);
+  impl_->declare(key, [&] {
+    return DeclaredKey{.kind = Declared::one_or_more, .value = canonical(values, unit)};
+  });
+  return values;
 }
 
 std::vector<std::vector<double>> Node::rows(std::string_view key,
@@ -181,6 +214,7 @@ std::vector<std::vector<double>> Node::rows(std::string_view key,
   for (const std::string& unit : units) expected.push_back(Unit::of(unit));
   const int list = impl_->ask(key);
   const std::string wanted = fmt::format("expected a list of rows of {} values", units.size());
+  impl_->declare(key, [&] { return DeclaredKey{.kind = Declared::rows, .units = units}; });
   if (list < 0) impl_->reject_missing(key, wanted);
   if (impl_->kind(list) != Kind::list)
     reject(key, "is " + written(impl_->now(list)) + ", " + wanted);
@@ -200,52 +234,85 @@ std::vector<std::vector<double>> Node::rows(std::string_view key,
       rows.back().push_back(
           read_number(*impl_->tree, *impl_->changes, row.children[i], expected[i], {}));
   }
+  impl_->declare(
+      key, [&] { return DeclaredKey{.kind = Declared::rows, .value = canonical(rows, units)}; });
   return rows;
 }
 
 long Node::integer(std::string_view key, long lower, long upper) const {
   const int index = impl_->ask(key);
   const std::string wanted = fmt::format("expected an integer from {} to {}", lower, upper);
+  impl_->declare(key, [&] {
+    return DeclaredKey{
+        .kind = Declared::integer,
+        .range = Range::between(static_cast<double>(lower), static_cast<double>(upper))};
+  });
   if (index < 0) impl_->reject_missing(key, wanted);
   const DocumentValue value = impl_->now(index);
   if (value.kind == Kind::number && value.integer && value.unit.empty()) {
     const long found = std::stol(value.text);
-    if (found >= lower && found <= upper) return found;
+    if (found >= lower && found <= upper) {
+      impl_->declare(key, [&] {
+        return DeclaredKey{.kind = Declared::integer, .value = std::to_string(found)};
+      });
+      return found;
+    }
   }
   reject(key, "is " + written(value) + ", " + wanted);
 }
 
 long Node::integer(std::string_view key, long lower, long upper, long fallback) const {
+  impl_->declare(key, [&] {
+    return DeclaredKey{
+        .kind = Declared::integer,
+        .range = Range::between(static_cast<double>(lower), static_cast<double>(upper)),
+        .fallback = std::to_string(fallback)};
+  });
   return has(key) ? integer(key, lower, upper) : fallback;
 }
 
 bool Node::flag(std::string_view key, bool fallback) const {
   const int value = impl_->ask(key);
+  impl_->declare(key, [&] {
+    return DeclaredKey{.kind = Declared::flag, .fallback = fallback ? "true" : "false"};
+  });
   if (value < 0) return fallback;
   if (impl_->kind(value) != Kind::flag)
     reject(key, "is " + written(impl_->now(value)) + ", expected true or false");
-  return impl_->tree->value(value).flag;
+  const bool flag = impl_->tree->value(value).flag;
+  impl_->declare(
+      key, [&] { return DeclaredKey{.kind = Declared::flag, .value = flag ? "true" : "false"}; });
+  return flag;
 }
 
 std::string Node::text(std::string_view key) const {
   const int index = impl_->ask(key);
+  impl_->declare(key, [&] { return DeclaredKey{.kind = Declared::text}; });
   if (index < 0) impl_->reject_missing(key, "expected a text in quotes");
   DocumentValue value = impl_->now(index);
   if (value.kind != Kind::text) reject(key, "is " + written(value) + ", expected a text in quotes");
+  impl_->declare(
+      key, [&] { return DeclaredKey{.kind = Declared::text, .value = toml_text(value.text)}; });
   return std::move(value.text);
 }
 
 std::string Node::text(std::string_view key, std::string_view fallback) const {
+  impl_->declare(
+      key, [&] { return DeclaredKey{.kind = Declared::text, .fallback = toml_text(fallback)}; });
   return has(key) ? text(key) : std::string(fallback);
 }
 
 std::string Node::choice(std::string_view key, const std::vector<std::string>& allowed) const {
   const int index = impl_->ask(key);
+  impl_->declare(key, [&] { return DeclaredKey{.kind = Declared::choice, .choices = allowed}; });
   if (index < 0) impl_->reject_missing(key, "expected " + list_of(allowed));
   const DocumentValue value = impl_->now(index);
   if (value.kind == Kind::text &&
-      std::find(allowed.begin(), allowed.end(), value.text) != allowed.end())
+      std::find(allowed.begin(), allowed.end(), value.text) != allowed.end()) {
+    impl_->declare(
+        key, [&] { return DeclaredKey{.kind = Declared::choice, .value = toml_text(value.text)}; });
     return value.text;
+  }
   reject(key,
          "is " + written(value) + ", expected " + list_of(allowed) +
              (value.kind == Kind::text ? did_you_mean(value.text, allowed) : ""));
@@ -254,12 +321,17 @@ std::string Node::choice(std::string_view key, const std::vector<std::string>& a
 std::string Node::choice(std::string_view key,
                          const std::vector<std::string>& allowed,
                          std::string_view fallback) const {
+  impl_->declare(key, [&] {
+    return DeclaredKey{
+        .kind = Declared::choice, .choices = allowed, .fallback = toml_text(fallback)};
+  });
   return has(key) ? choice(key, allowed) : std::string(fallback);
 }
 
 std::vector<std::string> Node::texts(std::string_view key) const {
   const int list = impl_->ask(key);
   const std::string wanted = "expected a list of texts in quotes";
+  impl_->declare(key, [&] { return DeclaredKey{.kind = Declared::texts}; });
   if (list < 0) impl_->reject_missing(key, wanted);
   if (impl_->kind(list) != Kind::list)
     reject(key, "is " + written(impl_->now(list)) + ", " + wanted);
@@ -270,6 +342,8 @@ std::vector<std::string> Node::texts(std::string_view key) const {
       reject_value(*impl_->tree, value, "is " + written(value) + ", expected a text in quotes");
     texts.push_back(value.text);
   }
+  impl_->declare(key,
+                 [&] { return DeclaredKey{.kind = Declared::texts, .value = canonical(texts)}; });
   return texts;
 }
 
@@ -281,14 +355,16 @@ Node Node::table(std::string_view key) const {
 
 std::optional<Node> Node::find_table(std::string_view key) const {
   const int value = impl_->ask(key);
+  impl_->declare(key, [&] { return DeclaredKey{.kind = Declared::table}; });
   if (value < 0) return std::nullopt;
   if (impl_->kind(value) != Kind::table)
     reject(key, "is " + written(impl_->now(value)) + ", expected a table");
-  return Node(std::make_shared<Impl>(Impl{impl_->tree, impl_->changes, impl_->asked, value}));
+  return Node(impl_->at(value));
 }
 
 std::vector<Node> Node::named_tables(std::string_view key) const {
   const int index = impl_->ask(key);
+  impl_->declare(key, [&] { return DeclaredKey{.kind = Declared::tables}; });
   std::vector<Node> nodes;
   if (index < 0) return nodes;
   if (impl_->kind(index) != Kind::table && impl_->kind(index) != Kind::list)
@@ -298,9 +374,12 @@ std::vector<Node> Node::named_tables(std::string_view key) const {
     if (value.kind != Kind::table)
       reject_value(*impl_->tree, value, "is " + written(impl_->now(child)) + ", expected a table");
     (*impl_->asked)[index].emplace(value.key);
-    nodes.push_back(
-        Node(std::make_shared<Impl>(Impl{impl_->tree, impl_->changes, impl_->asked, child})));
+    nodes.push_back(Node(impl_->at(child)));
   }
+  std::vector<std::string> names;
+  for (const Node& node : nodes) names.push_back(node.name());
+  impl_->declare(key,
+                 [&] { return DeclaredKey{.kind = Declared::tables, .value = canonical(names)}; });
   return nodes;
 }
 
@@ -338,8 +417,7 @@ void Node::close() const {
     // [[kind]] and [kind.name] hold tables that named_tables() read.
     const bool list_of_tables =
         value.kind == Kind::list && !value.children.empty() && is_table(value.children.front());
-    if (is_table(child) || list_of_tables)
-      Node(std::make_shared<Impl>(Impl{impl_->tree, impl_->changes, impl_->asked, child})).close();
+    if (is_table(child) || list_of_tables) Node(impl_->at(child)).close();
   }
 }
 

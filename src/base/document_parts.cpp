@@ -6,30 +6,10 @@
 
 #include "base/document_node.h"
 #include "base/text.h"
+#include "base/toml/toml_text.h"
 
 namespace latsch {
 namespace {
-
-std::string toml_text(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    if (c == '\n')
-      result += "\\n";
-    else if (c == '\t')
-      result += "\\t";
-    else
-      result += c;
-  }
-  return result + '"';
-}
-
-std::string written_key(const std::string& key) {
-  const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
-    return std::isalnum(c) || c == '_' || c == '-';
-  });
-  return bare ? key : toml_text(key);
-}
 
 /// As it stands behind "key =".
 std::string inline_text(const DocumentTree& tree, int index, bool inside_unit = false) {
@@ -57,7 +37,7 @@ std::string inline_text(const DocumentTree& tree, int index, bool inside_unit = 
   std::string text = "{";
   for (const int child : value.children) {
     if (text.size() > 1) text += ", ";
-    text += written_key(tree.value(child).key) + " = " + inline_text(tree, child, inside_unit);
+    text += toml_key(tree.value(child).key) + " = " + inline_text(tree, child, inside_unit);
   }
   return text + "}";
 }
@@ -69,7 +49,7 @@ void append_lines(const DocumentTree& tree,
                   std::string& text) {
   for (const int child : tree.value(table).children) {
     const DocumentValue& value = tree.value(child);
-    const std::string key = before + written_key(value.key);
+    const std::string key = before + toml_key(value.key);
     if (value.kind == DocumentValue::Kind::table && !value.children.empty())
       append_lines(tree, child, key + ".", text);
     else

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/document_record.h"
 #include "base/text.h"
 #include "experiment/language/model_file.h"
 
@@ -83,13 +84,34 @@ std::unique_ptr<Test> Language::read_test(const std::filesystem::path& file,
   return read_test(Document::read(file).root(), {file.parent_path(), measured});
 }
 
+namespace {
+
+const TestKind& kind_of(const Language& language, const Node& keys) {
+  const std::string name = keys.choice("kind", language.test_names());
+  return **std::find_if(language.tests.begin(), language.tests.end(), [&](const TestKind* test) {
+    return test->name == name;
+  });
+}
+
+}  // namespace
+
 std::unique_ptr<Test> Language::read_test(const Node& keys, const TestSource& source) const {
-  const std::string name = keys.choice("kind", test_names());
-  const auto kind = std::find_if(
-      tests.begin(), tests.end(), [&](const TestKind* test) { return test->name == name; });
-  auto test = (*kind)->read(keys, source);
+  auto test = kind_of(*this, keys).read(keys, source);
   keys.close();
   return test;
+}
+
+ReadTest Language::read_identified_test(const std::filesystem::path& file,
+                                        const MeasuredConditions& measured) const {
+  return read_identified_test(Document::read(file).root(), {file.parent_path(), measured});
+}
+
+ReadTest Language::read_identified_test(const Node& keys, const TestSource& source) const {
+  const DocumentRecord record(keys);
+  const TestKind& kind = kind_of(*this, record.node());
+  auto test = read_test(record.node(), source);
+  const std::string scheme = kind.scheme.empty() ? "" : "scheme: " + kind.scheme + "\n";
+  return {std::move(test), record.text() + scheme, record.files()};
 }
 
 std::vector<std::string> Language::kinds_for(const std::vector<std::string>& needs) const {

@@ -30,6 +30,10 @@ struct Language {
                                   const MeasuredConditions& measured = nullptr) const;
   /// The same of its keys, wherever they stand.
   std::unique_ptr<Test> read_test(const Node& keys, const TestSource& source) const;
+  /// The same with its identity, for those who keep recordings.
+  ReadTest read_identified_test(const std::filesystem::path& file,
+                                const MeasuredConditions& measured = nullptr) const;
+  ReadTest read_identified_test(const Node& keys, const TestSource& source) const;
   /// Kinds of specimens that have one of these capabilities, as tests need: "ring_tire", ...
   std::vector<std::string> kinds_for(const std::vector<std::string>& needs) const;
   /// Runs a test with the specimen these numbers make. Throws InputError where they make none or

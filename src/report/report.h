@@ -41,6 +41,14 @@ struct ExperimentRow {
   double mean_error = 0.0;                   // mean |dF| or mean |df|
   double largest_error = 0.0;                // largest |dF| or |df|
   std::optional<double> initial_mean_error;  // at the initial values of the variables
+  /// T_e as an error in its own measure, 1 = 100 %: the RMS where T_e is a mean square.
+  double error = 0.0;
+  std::string measure = "mean";  // its name: "RMS"
+  std::string whole = "";        // 100 % of it, where the same for all values: "4000 N"
+  /// The least error that an earlier stage of the fit left, and its name; empty where none counts.
+  std::string own_stage = "";
+  double own_stage_error = 0.0;
+  bool is_spoiled = false;  // worse than that stage left it, by more than a twentieth
 };
 
 /// Between which values a computed one lies with 95 %, as the uncertainty of the variables has it;

@@ -157,17 +157,22 @@ std::string experiment_table(const StudyReport& report) {
       report.experiments.begin(), report.experiments.end(), [](const ExperimentRow& row) {
         return row.initial_mean_error.has_value();
       });
+  const bool staged = std::any_of(report.experiments.begin(),
+                                  report.experiments.end(),
+                                  [](const auto& row) { return !row.own_stage.empty(); });
   std::string html = fmt::format(
       "<div "
       "class=\"scroll\"><table><thead><tr><th>Experiment</th><th>Conditions</th><th>Compared</"
       "th><th>Use</th>"
       "<th class=\"n\">Weight</th><th class=\"n\">Values</th>{}<th class=\"n\">Mean error</th>"
-      "<th class=\"n\">Largest</th><th class=\"n\">Own target</th></tr></thead><tbody>\n",
-      initial ? "<th class=\"n\">Mean, initial</th>" : "");
+      "<th class=\"n\">Largest</th><th class=\"n\">Error fitted</th>{}<th class=\"n\">Own "
+      "target</th></tr></thead><tbody>\n",
+      initial ? "<th class=\"n\">Mean, initial</th>" : "",
+      staged ? "<th class=\"n\">Best earlier stage</th>" : "");
   for (const ExperimentRow& row : report.experiments) {
     html += fmt::format(
         "<tr><td>{}<br><span "
-        "class=\"quiet\">{}</span></td><td>{}</td><td>{}</td><td>{}</td>{}{}{}{}{}{}</tr>\n",
+        "class=\"quiet\">{}</span></td><td>{}</td><td>{}</td><td>{}</td>{}{}{}{}{}{}{}{}</tr>\n",
         escape(row.name),
         escape(row.kind),
         escape(row.conditions),
@@ -180,6 +185,13 @@ std::string experiment_table(const StudyReport& report) {
         initial ? number_cell(row.initial_mean_error ? percent(*row.initial_mean_error) : "") : "",
         number_cell(percent(row.mean_error), true),
         number_cell(percent(row.largest_error)),
+        number_cell(escape(row.measure) + " " + percent(row.error) +
+                        (row.is_spoiled ? " (worse than before)" : ""),
+                    row.is_spoiled),
+        staged ? number_cell(row.own_stage.empty()
+                                 ? ""
+                                 : percent(row.own_stage_error) + ", " + escape(row.own_stage))
+               : "",
         number_cell(target_percent(row.value)));
   }
   html += "</tbody></table></div>";

@@ -175,9 +175,11 @@ class Studio::Impl {
       return json_of(check_study_text(shelved->file(), text_in(body, "text"), language_));
     if (request.path == "/api/save") return save(*shelved, body, text_in(body, "text"));
     if (request.path == "/api/edit") {
-      std::string text = read_study_text(shelved->file()).text;
+      const std::string before = read_study_text(shelved->file()).text;
+      std::string text = before;
       for (const Edit& edit : edits_in(body))
         text = edited(text, shelved->file().filename().string(), edit);
+      refuse_wrong(*shelved, before, text);
       return save(*shelved, body, text);
     }
     if (request.path == "/api/run") return run(*shelved, body);
@@ -187,6 +189,18 @@ class Studio::Impl {
       return {{"stopping", true}};
     }
     throw NotThere("there is nothing to change at " + request.path);
+  }
+
+  /// The form writes nothing that the check refuses, unless the file was wrong before: then it may
+  /// be what mends it.
+  void refuse_wrong(const ShelvedStudy& shelved,
+                    const std::string& before,
+                    const std::string& text) const {
+    const Checked now = check_study_text(shelved.file(), text, language_);
+    if (now.ok || !check_study_text(shelved.file(), before, language_).ok) return;
+    for (const Message& message : now.messages)
+      if (message.is_wrong) throw InputError("is not changed: " + message.text);
+    throw InputError("is not changed: the check refuses it");
   }
 
   Json save(const ShelvedStudy& shelved, const Json& body, const std::string& text) {

@@ -204,6 +204,20 @@ TEST_F(Asked, TheFileIsChangedWhereThePageHasSeenIt) {
   EXPECT_TRUE(wait_for([&] { return get("/api/study")["variables"][0]["upper"] == 1.75; }));
 }
 
+TEST_F(Asked, TheFormWritesNothingThatTheCheckRefuses) {
+  two();
+  begin();
+  const Json file = get("/api/file");
+  for (const Json& edit : {Json{{"table", {"variable", "grip"}}, {"key", "upper"}, {"value", -1e9}},
+                           Json{{"table", {"optimizer"}}, {"key", "method"}, {"value", "guess"}}}) {
+    const Response refused =
+        post("/api/edit", Json{{"version", file["version"]}, {"edits", {edit}}});
+    EXPECT_EQ(refused.status, 400) << refused.body;
+    EXPECT_NE(refused.body.find("is not changed"), std::string::npos) << refused.body;
+    EXPECT_EQ(get("/api/file")["text"], file["text"]);
+  }
+}
+
 TEST_F(Asked, AJournalOfAnotherStudyIsSaidNotShown) {
   const auto study = two();
   fit_all(study);
@@ -218,6 +232,24 @@ TEST_F(Asked, AJournalOfAnotherStudyIsSaidNotShown) {
   write("study.toml", text);
   EXPECT_TRUE(wait_for([&] { return get("/api/study")["error"] == ""; }));
   EXPECT_TRUE(wait_for([&] { return get("/api/trials")["total"].get<long>() > 0; }));
+}
+
+// While the page is open: it has not the best point of before beside the test of now.
+TEST_F(Asked, AnEditedTableOfATestMakesItAnotherStudy) {
+  const auto study = two();
+  fit_all(study);
+  begin();
+  ASSERT_TRUE(wait_for([&] { return get("/api/trials")["total"].get<long>() > 0; }));
+  EXPECT_EQ(get("/api/study")["error"], "");
+  const std::string text = read_text_file(folder_ / "states.csv");
+  std::string other = text;
+  other.replace(other.find(",-12\n"), 5, ",-11.5\n");
+  write("states.csv", other);
+  ASSERT_TRUE(wait_for([&] { return get("/api/study")["error"] != ""; }));
+  EXPECT_NE(get("/api/study")["error"].get<std::string>().find("another study"), std::string::npos);
+  EXPECT_EQ(get("/api/trials")["rows"].size(), 0u);
+  write("states.csv", text);
+  EXPECT_TRUE(wait_for([&] { return get("/api/study")["error"] == ""; }));
 }
 
 TEST_F(Asked, AJournalThatWasMendedIsRead) {
@@ -247,7 +279,7 @@ TEST_F(Asked, NoiseThatTheFitTellsIsFollowed) {
     for (int k = 0; k < correlation::stage_count(study); ++k) {
       const auto part = correlation::weighted_stage(study, k, before);
       const auto found = correlation::fit(part, executor, journal, {.max_steps = part.max_steps});
-      before = correlation::end_of_stage(found.run.best()->point, journal);
+      before = correlation::end_of_stage(study, k, found.run.best()->point, journal, before);
     }
   }
   const Journal journal = Journal::read(study.run.journal);

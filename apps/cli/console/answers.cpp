@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console/answers.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
@@ -76,6 +77,12 @@ Json answer_of(const correlation::Study& study, const correlation::Identifiabili
       at[i] = u;
       return in_unit_of(study.space[i], study.space.from_unit(at).values[i]);
     };
+    const bool is_kept =
+        !study.free.empty() && !std::binary_search(study.free.begin(), study.free.end(), i);
+    if (is_kept) {
+      all[i]["interval"] = nullptr;  // the last stage does not free it
+      continue;
+    }
     all[i]["interval"] = {end(interval.lower), end(interval.upper)};
     if (!result.refined_shift) continue;
     const double u = study.space.to_unit(result.point)[static_cast<std::size_t>(i)];

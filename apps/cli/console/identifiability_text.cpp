@@ -19,6 +19,11 @@ using correlation::Study;
 constexpr double kStrongCorrelation = 0.9;
 constexpr size_t kShownGains = 6;
 
+/// The last stage holds it: no interval belongs to it.
+bool is_kept(const Study& study, int i) {
+  return !study.free.empty() && !std::binary_search(study.free.begin(), study.free.end(), i);
+}
+
 void print_spectrum(const Study& study, const Confidence& c) {
   say("\nDirections of the variables, from the best determined to the least\n");
   say("  {:>15} {:>22}  {}\n", "singular value", "deviation, % of range", "direction");
@@ -129,6 +134,13 @@ void print_missed(const Study& study, const std::vector<correlation::MissedValue
 void print_intervals(const Study& study, const Identifiability& result) {
   for (int i = 0; i < study.space.size(); ++i) {
     const DesignVariable& v = study.space[i];
+    if (is_kept(study, i)) {
+      say("  {:<{}} {:<16} kept: the last stage does not free it\n",
+          v.name,
+          name_width(study.space.variables()),
+          shown(v, result.best.values[i]));
+      continue;
+    }
     const Interval interval = correlation::reported_interval(study, result, i);
     const std::string shift = correlation::shift_text(study, result, i);
     say("  {:<{}} {:<16} 95 %: {}{}\n",

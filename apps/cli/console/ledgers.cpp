@@ -22,12 +22,17 @@ std::size_t warn_of_doubts(const std::vector<Ledger>& ledgers) {
   return count;
 }
 
-std::size_t say_ledgers(const correlation::Study& study, bool with_lines) {
+std::size_t say_ledgers(const correlation::Study& study,
+                        bool with_lines,
+                        const std::string& title) {
   const auto ledgers = correlation::ledgers_of(study);
+  if (with_lines && !ledgers.empty() && !title.empty()) say("\n{}\n", title);
   for (const Ledger& ledger : ledgers) answer()["ledgers"].push_back(correlation::json_of(ledger));
   if (with_lines)
     for (const Ledger& ledger : ledgers)
-      say("{}: {}\n", std::filesystem::path(ledger.file).filename().string(), in_one_line(ledger));
+      say("  {}: {}\n",
+          std::filesystem::path(ledger.file).filename().string(),
+          in_one_line(ledger));
   return warn_of_doubts(ledgers);
 }
 

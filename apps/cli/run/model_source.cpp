@@ -41,7 +41,7 @@ ModelSource model_source(const std::string& file,
 Document model_of(const correlation::Study& study) {
   DesignPoint point = study.space.initial();
   if (std::filesystem::exists(study.run.journal)) {
-    const Journal journal = Journal::read(study.run.journal);
+    const Journal journal = Journal::read(study.run.journal, correlation::identity(study));
     const auto best =
         correlation::best_trial(correlation::with_estimated_noise(study, journal), journal);
     if (best) point = best->point;

@@ -25,7 +25,9 @@ ModelSource model_source(const std::string& file,
                          const experiment::Language& language,
                          const std::string& kind = "");
 
-/// The model of a study at the best point of its journal, or at the initial values.
+/// The model of a study at the best point of its journal, or at the initial values. InputError if
+/// the journal belongs to another study, or to this one before it was edited: a best point found
+/// for other numbers is none of this model.
 Document model_of(const correlation::Study& study);
 
 }  // namespace latsch::cli

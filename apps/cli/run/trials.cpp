@@ -20,6 +20,7 @@
 #include "correlation/search/study_fit.h"
 #include "correlation/study_report/study_report.h"
 #include "evaluation/journal/local_file_system.h"
+#include "evaluation/journal/readable_journal.h"
 #include "evaluation/schedule/retried_failures.h"
 #include "report/live_page.h"
 #include "studio/report_answers.h"
@@ -171,6 +172,55 @@ void print_mesh_error(const report::StudyReport& page) {
       worst->quantity);
 }
 
+/// Every experiment's error in its own measure, beside the least that an earlier stage left.
+void print_errors(const report::StudyReport& page) {
+  if (page.experiments.empty()) return;
+  say("\nErrors by experiment\n");
+  for (const report::ExperimentRow& row : page.experiments) {
+    const bool counts = row.fitted && row.weight > 0.0;
+    const std::string use = !row.fitted         ? "predicted"
+                            : page.is_of_design ? "compared"
+                            : row.weight > 0.0  ? "fitted"
+                                                : "weight 0";
+    say("  {:<{}} {:<9} {} {:.3g} %, largest {:.3g} %{}{}\n",
+        row.name,
+        name_width(page.experiments),
+        use,
+        row.measure,
+        100.0 * row.error,
+        100.0 * row.largest_error,
+        row.whole.empty() ? "" : " of " + row.whole,
+        row.own_stage.empty()
+            ? ""
+            : fmt::format(
+                  "; {:.3g} % at the end of stage {}", 100.0 * row.own_stage_error, row.own_stage));
+    Json one{{"name", row.name},
+             {"fitted", row.fitted},
+             {"counts", counts},
+             {"measure", row.measure},
+             {"error", row.error},
+             {"mean_error", row.mean_error},
+             {"largest_error", row.largest_error},
+             {"of", row.whole}};
+    if (!row.own_stage.empty()) {
+      one["own_stage"] = {{"name", row.own_stage}, {"error", row.own_stage_error}};
+      one["worse_than_own_stage"] = row.is_spoiled;
+    }
+    answer()["experiments"].push_back(std::move(one));
+  }
+  for (const report::ExperimentRow& row : page.experiments)
+    if (row.is_spoiled)
+      warn(
+          fmt::format("{} is worse than an earlier stage had it: {} {:.3g} %, but {:.3g} % at the "
+                      "end of stage {}. noise = \"own_stage\" in every experiment keeps what "
+                      "earlier stages had",
+                      row.name,
+                      row.measure,
+                      100.0 * row.error,
+                      100.0 * row.own_stage_error,
+                      row.own_stage));
+}
+
 }  // namespace
 
 namespace {
@@ -191,15 +241,22 @@ std::string report_page(const correlation::Study& study,
 int write_report(const correlation::Study& study,
                  const Journal& journal,
                  const experiment::Language& language,
-                 experiment::Thoroughness thoroughness) {
+                 experiment::Thoroughness thoroughness,
+                 const std::filesystem::path& output) {
+  const auto file =
+      output.empty() ? std::filesystem::path(study.run.journal).replace_extension(".html") : output;
+  if (output.empty() && !may_be_written(file))
+    throw InputError({file.string(), 0},
+                     "may not be written here: latsch report " + study.file.string() +
+                         " -o FILE writes the report elsewhere");
   const auto page = correlation::study_report(
       correlation::with_estimated_noise(study, journal), journal, thoroughness);
   if (!page) {
     complain(page.failure().reason);
     return kFailed;
   }
+  print_errors(*page);
   print_mesh_error(*page);
-  const auto file = std::filesystem::path(study.run.journal).replace_extension(".html");
   write_text_file(file, report_page(study, *page, language));
   answer()["target"] = page->target;
   answer()["report"] = file.string();

@@ -49,10 +49,12 @@ RunOptions counting_options(const correlation::Study& study, const std::string& 
 /// its numbers is then known to `result`. False where that was interrupted.
 bool take_refined(const correlation::Study& study, correlation::Identifiability& result);
 
-/// Writes the report beside the study and names it; returns the exit code.
+/// Writes the report and names it; returns the exit code. `output`: its file; empty: beside the
+/// study. InputError where that folder may not be written.
 int write_report(const correlation::Study& study,
                  const Journal& journal,
                  const experiment::Language& language,
-                 experiment::Thoroughness thoroughness = experiment::Thoroughness::seconds);
+                 experiment::Thoroughness thoroughness = experiment::Thoroughness::seconds,
+                 const std::filesystem::path& output = {});
 
 }  // namespace latsch::cli

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "cli/templates/recorded_lag.h"
 #include "correlation/laboratory/measurement.h"
+#include "experiment/rigs/slip/condition_levels.h"
 #include "formats/tire/tir_file.h"
 
 namespace latsch::cli {
@@ -54,13 +55,12 @@ std::pair<double, double> line(const std::vector<double>& x, const std::vector<d
 class TireTest {
  public:
   explicit TireTest(const Measurement& measured) : measured_(measured) {
-    const double least = quantile(of("Fz"), 0.05), most = quantile(of("Fz"), 0.95);
-    load = most > 1.2 * least;
     cornering = has("Fy") && spread("alpha") > 1.0 * kDegree;
     driving = has("Fx") && spread("kappa") > 2.0 * kFreeRolling;
     combined = cornering && driving;
-    camber = spread("gamma") > 0.8 * kDegree;
-    pressure = spread("p") > 0.06 * std::max(1.0, quantile(of("p"), 0.5));
+    levels = condition_levels([&](const std::string& channel) {
+      return measured.has(channel) ? of(channel) : std::vector<double>{};
+    });
     if (cornering) side_lag = recorded_lag(measured, "Fy", "alpha", kSmallAngle);
     if (driving) drive_lag = recorded_lag(measured, "Fx", "kappa", kSmallSlip);
     lags = (side_lag && side_lag->is_seen()) || (drive_lag && drive_lag->is_seen());
@@ -68,7 +68,8 @@ class TireTest {
 
   std::optional<RecordedLag> side_lag, drive_lag;  // of Fy and Fx; none: cannot be told
   bool lags = false;
-  bool load, cornering, driving, combined, camber, pressure;
+  bool cornering, driving, combined;
+  magic_formula::ConditionLevels levels;
 
   bool has(const std::string& channel) const {
     return measured_.has(channel) && quantile(magnitudes(channel), 0.9) > 0.0;
@@ -118,63 +119,99 @@ struct Stage {
   std::vector<std::string> experiments, coefficients;
 };
 
-std::vector<std::string> joined(
-    std::initializer_list<std::pair<bool, std::vector<std::string>>> groups) {
-  std::vector<std::string> all;
-  for (const auto& [is_told, names] : groups)
-    if (is_told) all.insert(all.end(), names.begin(), names.end());
-  return all;
-}
-
+/// The stages of all coefficients that the forces of a test could tell, whatever its conditions.
 /// Without what E owes to the side of the slip (PEY3, PEY4, QEZ4, QEZ5): where the formula cuts E
 /// off at 1 nothing tells it, and a search goes on along it for long.
-std::vector<Stage> stages_of(const TireTest& t) {
+std::vector<Stage> every_stage_of(const TireTest& t) {
   std::vector<Stage> stages;
-  const auto add = [&](Stage stage) {
-    if (!stage.coefficients.empty()) stages.push_back(std::move(stage));
-  };
   if (t.cornering) {
-    add({"Fy",
+    stages.push_back(
+        {"Fy",
          {"Fy"},
-         joined({{true, {"PCY1", "PDY1", "PEY1", "PKY1", "PHY1", "PVY1"}},
-                 {t.load, {"PDY2", "PEY2", "PKY2", "PHY2", "PVY2"}}})});
-    add({"Fy_conditions",
+         {"PCY1", "PDY1", "PEY1", "PKY1", "PHY1", "PVY1", "PDY2", "PEY2", "PKY2", "PHY2", "PVY2"}});
+    stages.push_back(
+        {"Fy_conditions",
          {"Fy"},
-         joined({{t.camber, {"PDY3", "PKY3", "PKY6", "PVY3"}},
-                 {t.camber && t.load, {"PKY7", "PVY4"}},
-                 {t.pressure, {"PPY1", "PPY3"}},
-                 {t.pressure && t.load, {"PPY2", "PPY4"}},
-                 {t.pressure && t.camber, {"PPY5"}}})});
-    if (t.side_lag && t.side_lag->is_seen()) add({"relaxation_y", {"Fy"}, {"LATERAL_STIFFNESS"}});
+         {"PDY3", "PKY3", "PKY6", "PVY3", "PKY7", "PVY4", "PPY1", "PPY3", "PPY2", "PPY4", "PPY5"}});
+    if (t.side_lag && t.side_lag->is_seen())
+      stages.push_back({"relaxation_y", {"Fy"}, {"LATERAL_STIFFNESS"}});
   }
   if (t.driving) {
-    add({"Fx",
-         {"Fx"},
-         joined({{true, {"PCX1", "PDX1", "PEX1", "PKX1", "PHX1", "PVX1"}},
-                 {t.load, {"PDX2", "PKX2", "PKX3"}},
-                 {t.combined, {"RBX1", "RBX2", "RCX1"}}})});
-    add({"Fx_conditions",
-         {"Fx"},
-         joined({{t.camber, {"PDX3"}}, {t.pressure, {"PPX1", "PPX2", "PPX3", "PPX4"}}})});
+    stages.push_back(
+        {"Fx", {"Fx"}, {"PCX1", "PDX1", "PEX1", "PKX1", "PHX1", "PVX1", "PDX2", "PKX2", "PKX3"}});
+    if (t.combined)
+      for (const char* combined : {"RBX1", "RBX2", "RCX1"})
+        stages.back().coefficients.emplace_back(combined);
+    stages.push_back({"Fx_conditions", {"Fx"}, {"PDX3", "PPX1", "PPX2", "PPX3", "PPX4"}});
     if (t.drive_lag && t.drive_lag->is_seen())
-      add({"relaxation_x", {"Fx"}, {"LONGITUDINAL_STIFFNESS"}});
+      stages.push_back({"relaxation_x", {"Fx"}, {"LONGITUDINAL_STIFFNESS"}});
   }
-  if (t.combined) add({"combined", {"Fy_driven"}, {"RBY1", "RBY2", "RCY1", "RHY1"}});
+  if (t.combined) stages.push_back({"combined", {"Fy_driven"}, {"RBY1", "RBY2", "RCY1", "RHY1"}});
   if (t.cornering && t.has("Mz")) {
-    add({"Mz",
-         {"Mz"},
-         joined({{true, {"QBZ1", "QBZ9", "QCZ1", "QDZ1", "QDZ6", "QEZ1", "QHZ1"}},
-                 {t.load, {"QBZ2", "QDZ2", "QDZ7", "QEZ2", "QHZ2"}}})});
-    add({"Mz_conditions",
-         {"Mz"},
-         joined({{t.camber, {"QBZ4", "QBZ5", "QDZ3", "QDZ8", "QHZ3"}},
-                 {t.camber && t.load, {"QDZ9", "QHZ4"}},
-                 {t.pressure, {"PPZ1", "PPZ2"}}})});
+    stages.push_back({"Mz",
+                      {"Mz"},
+                      {"QBZ1",
+                       "QBZ9",
+                       "QCZ1",
+                       "QDZ1",
+                       "QDZ6",
+                       "QEZ1",
+                       "QHZ1",
+                       "QBZ2",
+                       "QDZ2",
+                       "QDZ7",
+                       "QEZ2",
+                       "QHZ2"}});
+    stages.push_back({"Mz_conditions",
+                      {"Mz"},
+                      {"QBZ4", "QBZ5", "QDZ3", "QDZ8", "QHZ3", "QDZ9", "QHZ4", "PPZ1", "PPZ2"}});
   }
-  if (t.has("Mx"))
-    add({"Mx", {"Mx"}, joined({{true, {"QSX1"}}, {t.camber, {"QSX2"}}, {t.cornering, {"QSX3"}}})});
-  if (t.has("My")) add({"My", {"My"}, joined({{true, {"QSY1"}}, {t.load, {"QSY3"}}})});
+  if (t.has("Mx")) {
+    stages.push_back({"Mx", {"Mx"}, {"QSX1", "QSX2"}});
+    if (t.cornering) stages.back().coefficients.emplace_back("QSX3");
+  }
+  if (t.has("My")) stages.push_back({"My", {"My"}, {"QSY1", "QSY3"}});
   return stages;
+}
+
+/// What is freed, and what is not, by its reason: "of order 2 in the pressure, of which there are 2
+/// levels: 69, 83 kPa" with the coefficients of which that is true.
+struct Freed {
+  std::vector<Stage> stages;
+  std::vector<std::pair<std::string, std::vector<std::string>>> left_out;
+
+  std::vector<std::string> in_words() const {
+    std::vector<std::string> lines;
+    for (const auto& [reason, names] : left_out)
+      lines.push_back(fmt::format("not freed, {}: {}", reason, fmt::join(names, ", ")));
+    return lines;
+  }
+};
+
+/// A coefficient of a condition is freed where the recordings hold more distinct levels of it than
+/// the order of its polynomial.
+Freed stages_of(const TireTest& t) {
+  Freed freed;
+  for (Stage& stage : every_stage_of(t)) {
+    std::vector<std::string> told;
+    for (const std::string& name : stage.coefficients) {
+      const std::string reason = magic_formula::reason_against(name, t.levels);
+      if (reason.empty()) {
+        told.push_back(name);
+        continue;
+      }
+      const auto known = std::find_if(freed.left_out.begin(),
+                                      freed.left_out.end(),
+                                      [&](const auto& one) { return one.first == reason; });
+      if (known == freed.left_out.end())
+        freed.left_out.push_back({reason, {name}});
+      else
+        known->second.push_back(name);
+    }
+    stage.coefficients = told;
+    if (!told.empty()) freed.stages.push_back(std::move(stage));
+  }
+  return freed;
 }
 
 void check(const Measurement& measured, const TireTest& test) {
@@ -289,7 +326,8 @@ std::string experiment(const std::string& name,
                        const std::string& channel,
                        const std::string& set) {
   return fmt::format(
-      "experiment.{} = {{kind = \"curve\", y = \"{}/{}\", measurement = \"{}\", exponent = 2}}\n",
+      "experiment.{} = {{kind = \"curve\", y = \"{}/{}\", measurement = \"{}\", exponent = 2, "
+      "noise = \"own_stage\"}}\n",
       name,
       set,
       channel,
@@ -364,15 +402,22 @@ MagicFormulaStudy magic_formula_study(const TireTestFiles& given, const fs::path
   MagicFormulaStudy written;
   written.words = measured.words();
   written.tire = formats::tir_text(start_of(t, measured, test.unloaded_radius));
-  const auto stages = stages_of(t);
+  const Freed freed = stages_of(t);
+  const std::vector<Stage>& stages = freed.stages;
+  std::string left_out;
+  for (const std::string& line : freed.in_words()) {
+    written.words.push_back(line);
+    left_out += "# " + line + "\n";
+  }
   std::vector<std::string> coefficients;
   for (const Stage& stage : stages)
     coefficients.insert(coefficients.end(), stage.coefficients.begin(), stage.coefficients.end());
   const std::size_t every = std::max<std::size_t>(1, measured.samples() / kMostSamples);
   written.study = fmt::format(
       "# Every coefficient goes through its usual range; [variable.NAME] in its place sets "
-      "another.\n{}"
+      "another.\n{}{}"
       "title = \"Magic Formula 6.1 from {}\"\nmodel = \"tire.tir\"\nvary = {}\n\n{}{}\n",
+      left_out,
       lags_in_words(t),
       fmt::join(
           [&] {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Journals that older programs wrote (verification/old_journals): one of format 4 is brought to today's with a backup,
-and the run goes on, without a new trial where the search is as it was; one of an older format does not say by which version of the model or files of
-the program it was made, which is said, and `--adopt` takes its trials over.
+"""Journals that older programs wrote (verification/old_journals): one of an outside program in format 4 is brought to today's with a
+backup, and the run goes on. One that does not say every key and file of its tests, by which version of the model or by which files of the program it
+was made, is refused in these words, and `--adopt` takes its trials over.
 
 Should a search take other steps one day, its new trials are no fault of the journal: what has to hold is that every
 trial of the journal is reused.
@@ -52,24 +52,36 @@ class OldJournals(unittest.TestCase):
         backup = self.folder / f"study.latsch.format{self.written}"
         self.assertEqual((format_of(backup), trials_of(backup)), (self.written, self.trials))
 
-    def test_those_of_format_4_go_on(self):
-        journals = sorted(STUDIES.glob("*/format4.journal"))
-        self.assertEqual(len(journals), 2)
-        for journal in journals:
-            with self.subTest(journal.parent.name):
-                self.study_with(journal)
-                self.assert_taken_over(self.latsch("run", "study.toml"))
-                if journal.parent.name != "program":  # there the search now takes a last step more
-                    self.assertEqual(trials_of(self.journal), self.trials)
+    def test_one_of_format_4_goes_on(self):
+        self.study_with(STUDIES / "program/format4.journal")
+        self.assert_taken_over(self.latsch("run", "study.toml"))
 
-    def test_older_ones_do_not_say_by_which_version_and_have_to_be_adopted(self):
-        for name, lacks in (("fe_tire/format1", "model version"), ("program/format2", "program files"),
-                            ("program/format3", "program files")):
+    def test_an_adopted_one_needs_no_new_trial(self):
+        self.study_with(STUDIES / "magic_formula/format4.journal")
+        self.assert_taken_over(self.latsch("resume", "study.toml", "--adopt"))
+        self.assertEqual(trials_of(self.journal), self.trials)
+        self.assertEqual(self.latsch("run", "study.toml").returncode, DONE)  # adopted once is enough
+        self.assertEqual(trials_of(self.journal), self.trials)
+
+    def test_one_of_another_model_cannot_be_adopted(self):
+        self.study_with(STUDIES / "magic_formula/format4.journal")
+        tire = self.folder / "tire.tir"
+        text, count = re.subn(r"\nPDY2 = -0.1\n", "\nPDY2 = -0.2\n", tire.read_text())
+        self.assertEqual(count, 1)
+        tire.write_text(text)
+        refused = self.latsch("resume", "study.toml", "--adopt")
+        self.assertEqual(refused.returncode, WRONG_INPUT)
+        self.assertIn('"model" differs', refused.stderr)
+
+    def test_older_ones_do_not_say_all_they_depend_on_and_have_to_be_adopted(self):
+        tests = "every key of its tests and the content of every file they name"
+        for name, lacks in (("fe_tire/format1", tests), ("magic_formula/format4", tests), ("program/format2", '"program files"'),
+                            ("program/format3", '"program files"')):
             with self.subTest(name):
                 self.study_with(STUDIES / f"{name}.journal")
                 refused = self.latsch("run", "study.toml")
                 self.assertEqual(refused.returncode, WRONG_INPUT)
-                for words in (f'"{lacks}"', "being older than that", "--anew", "--adopt"):
+                for words in (lacks, "being older than that", "--anew", "--adopt"):
                     self.assertIn(words, refused.stderr)
                 self.assertEqual((format_of(self.journal), trials_of(self.journal)), (self.written, self.trials))
                 self.assert_taken_over(self.latsch("resume", "study.toml", "--adopt"))

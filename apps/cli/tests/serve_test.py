@@ -127,9 +127,12 @@ class Serve(Coarse):
         page.post("/api/stop", {"study": "study.toml"})
         stopped = page.wait(STUDY, lambda view: view["state"] != "running", seconds=5)
         self.assertEqual(stopped["state"], "stopped")
+        ended = page.wait(STUDY, lambda view: view["run"]["exit_code"] is not None, seconds=5)
+        self.assertTrue(ended["run"]["was_stopped"])  # what the page calls no failure
         self.assertIn("resume", " ".join(stopped["run"]["log"]))
         before = stopped["trials"]
         self.start("resume")
+        self.assertFalse(page.get(STUDY)["run"]["was_stopped"])
         resumed = page.wait(STUDY, lambda view: view["trials"] > before)
         self.assertIsNotNone(resumed["best"])
 

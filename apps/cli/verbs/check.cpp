@@ -15,6 +15,7 @@
 #include "cli/console/tables.h"
 #include "cli/run/model_source.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/analysis/coefficient_levels.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/refinement.h"
 #include "correlation/study/study.h"
@@ -296,8 +297,7 @@ void check(const std::string& file, const experiment::Language& language) {
   print_constraints(study.space);
   say("\nExperiments\n");
   print_experiments(study);
-  say("\nFiles\n");
-  const std::size_t doubts = say_ledgers(study, true);
+  const std::size_t doubts = say_ledgers(study, true, "Files");
   if (!study.constraints.empty()) say("\nConstraints on channels\n");
   for (const auto& constraint : study.constraints) {
     say("  {:<16} {}\n", constraint.name, in_words(constraint));
@@ -306,6 +306,10 @@ void check(const std::string& file, const experiment::Language& language) {
   if (study.refinement)
     say("\nRefined model, for what mesh and step make of the numbers: {}\n",
         in_words(*study.refinement));
+  for (const auto& one : correlation::untold_coefficients(study))
+    warn("variable " + one.variable + " is free, but " + one.reason +
+             ": the measurement does not tell it; leave it out, or measure more levels",
+         {file, 0});
   const MethodChoice choice = method_of(study);
   say("\nOptimizer {}, at most {} steps: {}\n"
       "Workers {}, {:g} s a trial at most, journal {}\n"

@@ -19,6 +19,7 @@
 #include "correlation/target/best_trial.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/residuals.h"
+#include "evaluation/journal/readable_journal.h"
 
 namespace latsch::cli {
 namespace {
@@ -59,16 +60,45 @@ bool rank_predictions(const Study& study, const correlation::Identifiability& wh
   return true;
 }
 
+/// As far as a journal goes that may not be written: no trial can be added to it.
+int identify_as_recorded(const Study& as_written,
+                         const experiment::Language& language,
+                         const std::string& output) {
+  const Journal journal = Journal::read(as_written.run.journal, correlation::identity(as_written));
+  const Study study = correlation::with_estimated_noise(as_written, journal);
+  const auto found = correlation::recorded_identifiability(study, journal);
+  if (!found) {
+    complain("the trials around the best point are missing, and " + study.run.journal.string() +
+             " may not be written: copy the study to a folder of your own and run latsch identify "
+             "there");
+    return kFailed;
+  }
+  answer()["variables"] = answer_of(study, *found);
+  say("\nValues and their confidence intervals, as far as the trials in {} tell\n",
+      study.run.journal.string());
+  print_intervals(study, *found);
+  print_identifiability(study, *found);
+  const auto bands = correlation::prediction_bands(study, *found, journal);
+  print_bands(study, bands);
+  answer()["bands"] = answer_of(study, bands);
+  if (!output.empty())
+    return write_report(study, journal, language, experiment::Thoroughness::seconds, output);
+  say("\nNo report is written: its folder may not be written; -o FILE writes it elsewhere\n");
+  return kDone;
+}
+
 int identify(const std::string& file,
              const experiment::Language& language,
              int workers,
-             bool profiles) {
+             bool profiles,
+             const std::string& output) {
   Study study = correlation::read_study(file, language);
   if (workers > 0) study.run.workers = workers;
   if (!std::filesystem::exists(study.run.journal)) {
     throw InputError(study.run.journal.string() +
                      " does not exist: there is nothing to analyze; start with latsch run");
   }
+  if (!may_be_written(study.run.journal)) return identify_as_recorded(study, language, output);
   Workers workers_of_study(study);
   if (workers_of_study.served(study)) return kDone;
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
@@ -130,7 +160,7 @@ int identify(const std::string& file,
   const auto missed = correlation::missed_values(study, **result);
   answer()["missed"] = answer_of(study, missed);
   print_missed(study, missed);
-  return write_report(study, journal, language);
+  return write_report(study, journal, language, experiment::Thoroughness::seconds, output);
 }
 
 }  // namespace
@@ -148,9 +178,11 @@ void add_identify(CommandLine& app, Program& program) {
   verb.add_option("study", *file, "Study file (TOML)").required();
   verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
       .between(1, 1024);
+  auto output = std::make_shared<std::string>();
+  verb.add_option("-o,--output", *output, "HTML file of the report; beside the study unless given");
   verb.add_flag("--short", *short_form, "Intervals only, one more trial a variable");
   verb.callback([=, &program] {
-    program.exit_code = identify(*file, program.language, *workers, !*short_form);
+    program.exit_code = identify(*file, program.language, *workers, !*short_form, *output);
   });
 }
 

@@ -60,7 +60,7 @@ void print_result(const Study& study, const Run& run, const Journal& journal) {
 
 /// How modes were compared with the best trial, where that is not plain.
 void print_remarks(const Study& study, const DesignPoint& best, const Journal& journal) {
-  const Channels recording = correlation::end_of_stage(best, journal).recording;
+  const Channels recording = correlation::recording_at(best, journal);
   for (const correlation::StudyExperiment& experiment : study.experiments) {
     if (!experiment.fitted) continue;
     const auto comparison = experiment.observable->compare(recording, experiment.objective);
@@ -183,7 +183,11 @@ void print_beginning(const Study& study, int k, const Study& stage) {
   const MethodChoice choice = correlation::method_of(stage);
   say("Optimizer {}: {}\n", in_words(choice.method), choice.reason);
   const std::string noise = correlation::noise_in_words(stage);
-  if (!noise.empty()) say("Noise, as the stage before leaves it: {}\n", noise);
+  if (!noise.empty())
+    say("Noise, as {}: {}\n",
+        correlation::has_noise_of_own_stages(stage) ? "the experiments' own stages left it"
+                                                    : "the stage before leaves it",
+        noise);
   const std::string start = correlation::in_words(stage.start);
   if (!start.empty()) say("It starts at {}\n", start);
 }
@@ -236,7 +240,7 @@ int fit(const Asked& asked, const experiment::Language& language) {
   Workers workers(study);
   if (workers.served(study, /*in_stages=*/true)) return kDone;
   reject_implausible(study);
-  say_ledgers(study, true);
+  say_ledgers(study, true, "Files");
   catch_interrupts();
   std::optional<correlation::StageEnd> before;
   Asked once = asked;
@@ -251,7 +255,7 @@ int fit(const Asked& asked, const experiment::Language& language) {
     if (!has_found(stage, fitted, journal)) return kFailed;
     const DesignPoint best = fitted.run.best()->point;
     if (k + 1 == correlation::stage_count(study)) {
-      correlation::take_noise(stage, study);
+      correlation::take_stage(stage, study);
       print_result(study, fitted.run, journal);
       print_remarks(study, best, journal);
       const DesignPoint shown = best_of_journal(study, best, journal);
@@ -266,7 +270,7 @@ int fit(const Asked& asked, const experiment::Language& language) {
         100.0 * fitted.run.best()->outcome->value,
         fitted.run.ending);
     print_point(study.space, best);
-    before = correlation::end_of_stage(best, journal);
+    before = correlation::end_of_stage(study, k, best, journal, before);
     // Stages that share a journal: what was set aside or tried again stays so.
     const bool shares = correlation::stage(study, k + 1).run.journal == stage.run.journal;
     once.anew = asked.anew && !shares;

@@ -59,7 +59,7 @@ bool is_recording(const std::string& file) {
   std::string ending = std::filesystem::path(file).extension().string();
   for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  const std::vector<std::string> endings = {".csv", ".txt", ".dat", ".mat", ".tdx", ".tydex"};
+  const std::vector<std::string> endings = {".csv", ".txt", ".dat", ".mat", ".tdx", ".tydex", ".tda", ".tdb"};
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 

@@ -239,6 +239,8 @@ ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes) {
   const std::map<std::string, std::function<ShownFile(const Path&)>> readers = {
       {".tdx", [&](const Path& path) { return show_tydex(path, axes); }},
       {".tydex", [&](const Path& path) { return show_tydex(path, axes); }},
+      {".tda", [&](const Path& path) { return show_tydex(path, axes); }},
+      {".tdb", [&](const Path& path) { return show_tydex(path, axes); }},
       {".csv", [&](const Path& path) { return show_csv(path, axes); }},
       {".mat", [&](const Path& path) { return show_mat(path, axes); }},
       {".dat", [&](const Path& path) { return show_dat(path, axes); }},

@@ -33,6 +33,11 @@ int simulate(const std::string& file,
     return kFailed;
   }
   for (const auto& experiment : study.experiments) {
+    const auto comparison = experiment.observable->compare(*channels, experiment.objective);
+    if (!comparison) {
+      complain("experiment " + experiment.name + ": " + comparison.failure().reason);
+      return kFailed;
+    }
     print_comparison(experiment, *channels);
     answer()["experiments"].push_back(answer_of(experiment, *channels));
   }

@@ -3,6 +3,7 @@
 //   many/study.toml   with a journal of 50 000 trials
 //   some/study.toml   with one of 5 000 and its report, some/study.html
 //   live/study.toml   that was never run, and whose trials take some tenths of a second
+// With --smoke behind them the journals are as short as they are, few views are looked at and no tire is fitted.
 // Prints a line a figure: its name, a tab, the number. What fails ends it.
 
 import { execFileSync, spawn } from 'node:child_process';
@@ -12,7 +13,8 @@ import { join, resolve } from 'node:path';
 import { newPage, openBrowser, settled, violations } from './browser.mjs';
 import { loadTime, redrawTime } from './load.mjs';
 
-const [latsch, folder] = process.argv.slice(2).map((path) => resolve(path));
+const [latsch, folder] = process.argv.slice(2, 4).map((path) => resolve(path));
+const smoke = process.argv[4] === '--smoke';
 const tell = (name, value) => console.log(`${name}\t${value}`);
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 
@@ -81,12 +83,13 @@ async function livePoints(page, ask, study) {
   return longest;
 }
 
-const views = ['study', 'setup', 'model', 'convergence', 'target', 'comparison', 'kpis', 'identifiability'];
+const views = smoke ? ['convergence', 'comparison']
+  : ['study', 'setup', 'model', 'convergence', 'target', 'comparison', 'kpis', 'identifiability'];
 
 /** What axe finds and the console calls an error in every view of a study. */
 async function faults(browser, address, studies) {
   const found = { axe: 0, console: 0 };
-  for (const scheme of ['light', 'dark']) {
+  for (const scheme of smoke ? ['dark'] : ['light', 'dark']) {
     const page = await newPage(browser, { scheme });
     await page.goto(address);
     const look = async (hash) => {
@@ -113,19 +116,21 @@ const { origin } = new URL(address);
 const ask = asking(address);
 
 const began = Date.now();
-await until(async () => (await ask('/api/study?study=many/study.toml')).read >= 50000);
+await until(async () => (await ask('/api/study?study=many/study.toml')).read >= (smoke ? 100 : 50000));
 tell('many_read_s', (Date.now() - began) / 1000);
 tell('many_load_ms', await loadTime(browser, address, 'many/study.toml'));
 tell('many_redraw_ms', await redrawTime(browser, address, 'many/study.toml'));
 
-const fresh = Date.now(); // as after an installation: a tire, its study, the run, the first point
-execFileSync(latsch, ['new', join(folder, 'fresh')], { stdio: 'ignore' });
-await until(async () => (await ask('/api/home')).studies.some((one) => one.study === 'fresh/study.toml' && one.state === 'new'));
-await ask('/api/run', { study: 'fresh/study.toml', verb: 'run', workers: 2 });
-await until(async () => (await ask('/api/convergence?study=fresh/study.toml')).total > 0);
-tell('fresh_s', (Date.now() - fresh) / 1000);
-await ask('/api/stop', { study: 'fresh/study.toml' });
-await until(async () => (await ask('/api/study?study=fresh/study.toml')).state !== 'running');
+if (!smoke) {
+  const fresh = Date.now(); // as after an installation: a tire, its study, the run, the first point
+  execFileSync(latsch, ['new', join(folder, 'fresh')], { stdio: 'ignore' });
+  await until(async () => (await ask('/api/home')).studies.some((one) => one.study === 'fresh/study.toml' && one.state === 'new'));
+  await ask('/api/run', { study: 'fresh/study.toml', verb: 'run', workers: 2 });
+  await until(async () => (await ask('/api/convergence?study=fresh/study.toml')).total > 0);
+  tell('fresh_s', (Date.now() - fresh) / 1000);
+  await ask('/api/stop', { study: 'fresh/study.toml' });
+  await until(async () => (await ask('/api/study?study=fresh/study.toml')).state !== 'running');
+}
 
 const page = await newPage(browser);
 await page.goto(address);

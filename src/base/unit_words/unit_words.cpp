@@ -18,7 +18,7 @@ using IsForeign = std::function<bool(std::string_view, const std::string&)>;
 
 constexpr std::size_t kMostAmbiguous = 4;  // words of one text
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_outer_blanks(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   return text;
@@ -68,11 +68,11 @@ std::string plain_characters(std::string_view text) {
 }
 
 std::string_view without_brackets(std::string_view text) {
-  text = trimmed(text);
+  text = without_outer_blanks(text);
   for (const char* pair : {"[]", "()", "{}", "<>"}) {
     if (text.size() < 2 || text.front() != pair[0] || text.back() != pair[1]) continue;
     const std::string_view inside = text.substr(1, text.size() - 2);
-    if (inside.find(pair[0]) == inside.npos) return trimmed(inside);
+    if (inside.find(pair[0]) == inside.npos) return without_outer_blanks(inside);
   }
   return text;
 }
@@ -312,7 +312,7 @@ void read_together(UnitMeanings& result) {
 
 UnitMeanings unit_meanings(std::string_view written, const IsForeign& is_foreign) {
   const std::string plain = plain_characters(written);
-  for (const std::string_view text : {trimmed(plain), without_brackets(plain)}) {
+  for (const std::string_view text : {without_outer_blanks(plain), without_brackets(plain)}) {
     const std::string lower = in_lower_case(text);
     for (const auto& row : unit_list::kWhole)
       if (row.written == lower) return {{std::string(row.meaning)}, {}, false, ""};

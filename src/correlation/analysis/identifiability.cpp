@@ -71,7 +71,8 @@ IdentificationOptions options_for(const Study& study, Depth depth) {
                          .least_noise = kLeastNoise,
                          .traits = residual_traits(study)},
           .profiles = depth == Depth::profiles,
-          .most_centers = depth == Depth::at_the_point ? 1 : IdentificationOptions{}.most_centers};
+          .most_centers = depth == Depth::at_the_point ? 1 : IdentificationOptions{}.most_centers,
+          .free = study.free};
 }
 
 /// Leaves every experiment out in turn; the residuals not used by the identification stay out.
@@ -105,7 +106,8 @@ bool cross_validate(const Study& study, Identifiability& result, const Drive& dr
   result.cross_validation.emplace(study.space,
                                   identification.refitted(),
                                   group,
-                                  kRefitTolerance * identification.confidence().threshold());
+                                  kRefitTolerance * identification.confidence().threshold(),
+                                  study.free);
   UsedRows used(*result.cross_validation, identification.residuals_used());
   InRounds<UsedRows> rounds(study.space, used);
   return drive(rounds);
@@ -261,6 +263,7 @@ std::optional<Result<Identifiability>> identify(const Study& study,
 std::optional<Identifiability> recorded_identifiability(const Study& study,
                                                         const Journal& journal) {
   auto rated = rated_trials(study, journal);
+  std::erase_if(rated, [&](const auto& trial) { return !keeps_held(study, trial.point); });
   std::stable_sort(
       rated.begin(), rated.end(), [](const auto& a, const auto& b) { return a.target < b.target; });
   std::set<std::string> known, sloping;

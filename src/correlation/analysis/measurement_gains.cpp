@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/analysis/measurement_gains.h"
 
+#include <algorithm>
 #include <cassert>
 #include <optional>
 
@@ -105,7 +106,10 @@ std::optional<Eigen::MatrixXd> rows_of(const Study& study,
   if (known.empty()) return std::nullopt;
   for (Eigen::VectorXd& v : r) v = Eigen::VectorXd(v(known));
   const double spread = alone.experiments[0].noise ? 1.0 : what.identification.confidence().sigma;
-  return differences(study.space, prediction_points(study, what), r).J / spread;
+  Eigen::MatrixXd J = differences(study.space, prediction_points(study, what), r).J / spread;
+  for (int i = 0; !study.free.empty() && i < study.space.size(); ++i)
+    if (!std::binary_search(study.free.begin(), study.free.end(), i)) J.col(i).setZero();
+  return J;
 }
 
 /// Experiments of one test are measured together: a load case with all that moves.

@@ -108,6 +108,10 @@ class ComputedValues {
     if (center.slopes.size() > 0) return center.slopes;
     Eigen::MatrixXd all(center.values.size(), study_.space.size());
     for (int i = 0; i < study_.space.size(); ++i) {
+      if (!study_.free.empty() && !std::binary_search(study_.free.begin(), study_.free.end(), i)) {
+        all.col(i).setZero();  // the last stage holds it
+        continue;
+      }
       auto column = by_terms(experiment, i);
       if (!column) column = by_one_step(experiment, center, i);
       if (!column) return std::nullopt;

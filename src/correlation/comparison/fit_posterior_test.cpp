@@ -267,5 +267,15 @@ TEST_F(FittedSprings, SayWhatTheirBandContains) {
             std::string::npos);
 }
 
+// A covariance that was found for another test is none of this model.
+TEST_F(FittedSprings, OfAStudyThatWasEditedSinceAreRefused) {
+  write("specimen.toml", spring_file(kStiffness, kDamping));
+  fit(exact_forces(kStiffness, kDamping));
+  EXPECT_NO_THROW(compare_models(comparison(), shaken_springs(), 1));
+  write("pull.toml",
+        "kind = \"pull\"\nspeed = \"0.5 m/s\"\ntravels = [\"2 mm\", \"5 mm\", \"9 mm\"]\n");
+  expect_refused([&] { compare_models(comparison(), shaken_springs(), 1); }, "--anew");
+}
+
 }  // namespace
 }  // namespace latsch::correlation

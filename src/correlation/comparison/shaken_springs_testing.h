@@ -20,7 +20,6 @@ inline constexpr double kShakenAmplitude = 1e-3;                            // m
 class ShakeTest : public experiment::Test {
  public:
   std::string in_words() const override { return "shaken"; }
-  std::string identity() const override { return "shake"; }
   std::vector<experiment::ChannelInfo> channels() const override {
     return {{"time", "s"}, {"force", "N"}};
   }

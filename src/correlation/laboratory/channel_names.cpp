@@ -2,6 +2,7 @@
 #include "correlation/laboratory/channel_names.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <string_view>
 
@@ -40,8 +41,13 @@ std::string our_name(const std::string& name, const std::string& unit) {
 }
 
 std::string dimension_of_name(const std::string& name) {
+  constexpr std::array<std::string_view, 8> kOfTires = {
+      "time", "Vx", "omega", "alpha", "gamma", "kappa", "loaded_radius", "R_e"};
   const auto found = recognized(name);
   if (!found || name.size() < 2 || found->keeps_name) return "";
+  // "road" is a temperature here and a height elsewhere.
+  const bool is_ours = find_meaning(name) != nullptr && force_or_moment(name).empty();
+  if (is_ours && std::find(kOfTires.begin(), kOfTires.end(), name) == kOfTires.end()) return "";
   return std::string(found->meaning->unit);
 }
 

@@ -13,33 +13,35 @@
 #include "correlation/laboratory/channel_names.h"
 #include "correlation/laboratory/record_ledger.h"
 #include "formats/tables/lab_table.h"
+#include "measurement/meaning/channel_words.h"
 #include "numerics/signals/butterworth.h"
 
 namespace latsch::correlation {
 namespace {
 
-/// The SI unit that a column of a known name has to have; empty for what is not known. One letter
-/// means much: "N" may be a load.
-std::string unit_of_name(const std::string& name) {
-  static const std::map<std::string, std::string> kOurs = {{"time", "s"},
-                                                           {"Vx", "m/s"},
-                                                           {"omega", "rad/s"},
-                                                           {"alpha", "rad"},
-                                                           {"gamma", "rad"},
-                                                           {"kappa", "1"},
-                                                           {"loaded_radius", "m"},
-                                                           {"R_e", "m"}};
-  if (name.size() < 2) return "";
-  if (const auto ours = kOurs.find(name); ours != kOurs.end()) return ours->second;
-  const std::string force = force_without_frame(name);
-  if (!force.empty()) return force[0] == 'F' ? "N" : "N m";
-  for (const char* unit : {"s", "m/s", "rad/s", "rad", "1", "Pa", "m", "K"})
-    if (our_name(name, unit) != name) return unit;
-  return "";
+/// Columns without a unit whose names end in one, of the dimension that the rest of the name has:
+/// "SA_deg", "P_kPa".
+void take_units_of_names(formats::LabTable& table) {
+  Channels read;
+  for (std::size_t k = 0; k < table.channels.all().size(); ++k) {
+    Channel channel = table.channels.all()[k];
+    const auto known = recognized(channel.name);
+    const auto unit = known && table.units[k].empty() && !known->unit.empty()
+                          ? Unit::find(known->unit)
+                          : std::nullopt;
+    if (unit && unit->same_dimension(Unit::of(known->meaning->unit))) {
+      for (double& value : channel.values) value = unit->to_si(value);
+      channel.unit = known->meaning->unit;
+      table.units[k] = known->unit;
+    }
+    read.add(std::move(channel));
+  }
+  table.channels = std::move(read);
 }
 
 /// In our names; what two columns are called stays with the first.
 LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedColumn>& columns) {
+  take_units_of_names(table);
   std::map<std::string, std::string> stated;  // theirs -> ours
   for (const auto& [ours, theirs] : columns) stated[theirs.column] = ours;
   LabRecord record;
@@ -152,7 +154,7 @@ LabRecord join_files(const std::vector<std::filesystem::path>& files,
   }
   const auto expected = [&](const std::string& theirs) {
     const auto ours = ours_of.find(theirs);
-    return unit_of_name(ours == ours_of.end() ? theirs : ours->second);
+    return dimension_of_name(ours == ours_of.end() ? theirs : ours->second);
   };
   LabRecord record;
   for (const std::filesystem::path& file : files) {

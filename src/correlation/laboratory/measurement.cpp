@@ -422,7 +422,12 @@ void Measurement::note_use(const std::string& channel, const std::string& by) co
     if (LedgerRow* row = ledger.find_written(column)) Ledger::use(*row, by);
 }
 
-void Measurement::note_absent(const Absent& absent) const { absent_->push_back(absent); }
+void Measurement::note_absent(const Absent& absent) const {
+  const bool is_noted = std::any_of(absent_->begin(), absent_->end(), [&](const Absent& one) {
+    return one.channel == absent.channel && one.by == absent.by;
+  });
+  if (!is_noted) absent_->push_back(absent);
+}
 
 std::vector<std::string> Measurement::columns_like(const std::string& channel,
                                                    const std::string& unit) const {

@@ -32,8 +32,9 @@
 //   measurement = "cornering"       # or a file, of which nothing needs to be said
 //
 // The steps are taken in the order above. Channels have our names and SI units, in iso axes,
-// whatever the file calls them: measurement/meaning/channel_words.h has the vocabulary. Signs and
-// ranges of what is left are checked, and every file has a ledger (measurement/ledger.h).
+// whatever the file calls them: the vocabulary knows SA, SLIPANGL, slip angle and others as alpha
+// (measurement/meaning/channel_words.h). Signs and ranges of what is left are checked, and every
+// file has a ledger of what its columns were taken for (measurement/ledger.h).
 //
 // Forces and moments are Fx Fy Fz Mx My Mz, of TYDEX with the frame behind it: FyW. Gaps matter
 // only in channels that something needs.

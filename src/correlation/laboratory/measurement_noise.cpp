@@ -54,7 +54,12 @@ bool is_a_text(const Node& table, const std::string& key) {
 
 bool is_estimated(const Node& experiment) {
   return experiment.has("noise") && is_a_text(experiment, "noise") &&
-         experiment.text("noise") == "estimated";
+         (experiment.text("noise") == "estimated" || is_of_own_stage(experiment));
+}
+
+bool is_of_own_stage(const Node& experiment) {
+  return experiment.has("noise") && is_a_text(experiment, "noise") &&
+         experiment.text("noise") == "own_stage";
 }
 
 std::optional<MeasurementNoise> read_noise(const Node& table,

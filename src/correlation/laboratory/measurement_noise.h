@@ -6,7 +6,9 @@
 //                          # "2 %" of what counts as 100 % (the measured force or frequency, the
 //                          # scale of a curve), or "20 N + 2 %": the root of both squares; or
 //                          # "estimated" by the fit, in every fitted experiment or none: from
-//                          # stage to stage, the last of which is run twice
+//                          # stage to stage, the last of which is run twice; or "own_stage", in
+//                          # every fitted experiment or none: the least error that an earlier
+//                          # stage left in which the experiment counts (a fit in stages)
 //   loss = "huber"         # or "cauchy": far-off values count less; "squares" unless given
 //   loss_scale = 1.345     # from where: in units of the noise, 1.345 or 2.385 unless given;
 //                          # without noise an error such as "5 %", which has to be given
@@ -45,8 +47,11 @@ std::optional<MeasurementNoise> read_noise(const Node& table,
                                            const std::string& unit,
                                            const std::string& key = "noise");
 
-/// Whether it is to be estimated by the fit.
+/// Whether the fit estimates the noise: noise = "estimated" or noise = "own_stage".
 bool is_estimated(const Node& experiment);
+
+/// Whether the noise is the error that an earlier stage left: noise = "own_stage".
+bool is_of_own_stage(const Node& experiment);
 
 enum class Loss { squares, huber, cauchy };
 

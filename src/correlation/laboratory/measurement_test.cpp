@@ -271,7 +271,7 @@ Fz = "FZ_N_positive [N]"
   const auto rising = of("sweep = {alpha = \"rising\"}\n").samples(),
              falling = of("sweep = {alpha = \"falling\"}\n").samples();
   EXPECT_NEAR(static_cast<double>(rising + falling), 5996.0, 0.02 * 5996.0);
-  EXPECT_THROW(of("").values("Mx", "N m"), InputError);
+  EXPECT_EQ(of("").values("Mx", "N m").size(), 5996u);  // MX_Nm ends in its unit
   std::string sae = read_text_file(folder_ / "real.toml");
   sae.replace(sae.find("\"iso\""), 5, "\"sae\"");
   write_text_file(folder_ / "real.toml", sae);
@@ -295,6 +295,33 @@ select = {Fz = ".. 1300 N", alpha = "-4 .. 4 deg"}
   EXPECT_EQ(run.samples(), 500u);
   EXPECT_NEAR(run.values("loaded_radius", "m")[0], 0.1991, 0.005);
   EXPECT_NEAR(run.values("p", "Pa")[0], 69e3, 3e3);
+}
+
+// A name may end in the unit that no header states.
+TEST_F(LabMeasurement, TakesAUnitFromTheEndOfAName) {
+  write_text_file(folder_ / "run.csv", "SA_deg,P_kPa,FZ_N,V_kmh,who_deg\n2,80,1000,36,1\n");
+  const Measurement run = read_measurement(folder_ / "run.csv");
+  EXPECT_NEAR(run.values("alpha", "rad")[0], 2 * kDegree, 1e-15);
+  EXPECT_EQ(run.values("p", "Pa")[0], 80e3);
+  EXPECT_EQ(run.values("Fz", "N")[0], 1000.0);
+  EXPECT_NEAR(run.values("Vx", "m/s")[0], 10.0, 1e-14);
+  EXPECT_EQ(run.unit("who_deg"), "1");  // an unknown name: what it is stays open
+}
+
+// The function that takes any file alone gives channels, ledger and doubts.
+TEST_F(LabMeasurement, OfAnyFileHasALedger) {
+  const MeasuredFile plain = read_measured_file(folder_ / "run.dat");
+  EXPECT_EQ(plain.ledger.find_written("SA")->taken_as, "alpha");
+  EXPECT_EQ(plain.ledger.find_written("SA")->line, 2);
+  EXPECT_EQ(plain.ledger.find_written("SA")->column, 2);
+  ASSERT_FALSE(plain.ledger.doubts.empty());
+  EXPECT_TRUE(plain.ledger.doubts[0].is_error);
+  EXPECT_EQ(plain.ledger.doubts[0].name, "FZ");
+  EXPECT_NE(plain.ledger.doubts[0].sentence.find("axes = \"sae\""), std::string::npos);
+  const MeasuredFile sae = read_measured_file(folder_ / "run.dat", AxisConvention::sae);
+  EXPECT_TRUE(sae.ledger.doubts.empty());
+  EXPECT_EQ(sae.ledger.find_written("FZ")->axes, "sae, -1");
+  EXPECT_EQ(sae.channels["Fz"][0], 1000.0);
 }
 
 }  // namespace

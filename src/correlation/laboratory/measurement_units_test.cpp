@@ -59,6 +59,18 @@ TEST_F(MeasurementUnits, NumbersAndLabelsOfACsvAgree) {
   EXPECT_NEAR(moment.values("omega", "rad/s")[0], 2 * std::numbers::pi, 1e-14);
 }
 
+// A German spreadsheet: degree signs, decimal commas, CRLF.
+TEST_F(MeasurementUnits, OfASpreadsheetWithDegreeSignsAreRead) {
+  for (const std::string degree : {"\xc2\xb0", "\xb0"}) {
+    const Measurement run =
+        read("utf2.csv",
+             "Zeit [s];SA [" + degree +
+                 "];FZ [N];FY [N]\r\n0,0;1,5;4000,5;-900\r\n0,1;2,0;4010;-1200\r\n");
+    EXPECT_NEAR(run.values("alpha", "rad")[0], 1.5 * std::numbers::pi / 180, 1e-15);
+    EXPECT_EQ(run.values("Fz", "N")[0], 4000.5);
+  }
+}
+
 TEST_F(MeasurementUnits, AColumnThatStatesItsUnitMayBeNamed) {
   const std::string columns = "columns = {Fz = \"FZH\"}\n";
   EXPECT_EQ(read("run.csv", "FZH [kN]\n2\n", columns).values("Fz", "N")[0], 2000.0);

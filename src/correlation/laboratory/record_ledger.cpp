@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "base/text.h"
 #include "base/units.h"
@@ -39,7 +41,12 @@ void name_meaning(LedgerRow& row) {
 
 /// A known name whose values have no unit or one of another dimension.
 void note_dimension(LedgerRow& row) {
-  const std::string expected = dimension_of_name(row.written);
+  constexpr std::array<std::string_view, 4> kLetters = {"P", "p", "V", "v"};
+  std::string expected = dimension_of_name(row.written);
+  // One letter with a unit may be anything, without one it is most likely ours.
+  if (row.unit_written.empty() &&
+      std::find(kLetters.begin(), kLetters.end(), row.written) != kLetters.end())
+    expected = recognized(row.written)->meaning->unit;
   if (expected.empty() || Unit::of(row.unit).same_dimension(Unit::of(expected))) return;
   row.state = LedgerState::doubtful;
   row.remark = row.unit_written.empty()
@@ -61,6 +68,11 @@ Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
     row.written = channel.name;
     row.line = table.header.line;
     row.column = static_cast<int>(k) + 1;
+    if (k < table.columns.size()) {
+      if (table.columns[k].line > 0) row.line = table.columns[k].line;
+      if (table.columns[k].place > 0) row.column = table.columns[k].place;
+      row.remark = table.columns[k].assumed;
+    }
     row.unit_written = table.units[k];
     row.unit = channel.unit;
     if (const auto unit = Unit::find(row.unit_written); unit && !row.unit_written.empty()) {
@@ -68,7 +80,11 @@ Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
       row.factor = unit->to_si(1.0L) - row.offset;
     }
     for (const auto& [ours, theirs] : record.written)
-      if (theirs.column == channel.name) row.taken_as = ours;
+      if (theirs.column == channel.name) {
+        row.taken_as = ours;
+        row.factor *= theirs.sign;
+        row.offset *= theirs.sign;
+      }
     if (row.taken_as == row.written && !recognized(row.written) &&
         !channel_senses(row.written).is_known())
       row.taken_as.clear();
@@ -87,7 +103,7 @@ Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
   for (const LedgerRow& row : ledger.rows)
     if (row.state == LedgerState::doubtful)
       ledger.doubts.push_back({row.written,
-                               "column " + in_quotes(row.written) + " is not taken: " + row.remark,
+                               "column " + in_quotes(row.written) + " is in doubt: " + row.remark,
                                {ledger.file, row.line}});
   return ledger;
 }

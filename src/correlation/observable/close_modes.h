@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Modes of one circumferential number that lie too close to be told apart.
 //
-// Near a crossing of a lateral and a radial mode of one n their shapes mix, and the name of each, by
-// the larger part of its energy, changes from one parameter to the next: two radial modes, or names
-// exchanged. A frequency compared by its name would leap, or have no partner. What does not leap is
-// the frequencies in their order. So of two measured modes a below b, whose simulated ones f_a > f_b
-// stand in the other order at a distance g = 2 (f_a - f_b) / (f_a + f_b),
+// Near a crossing of a lateral and a radial mode of one n their shapes mix. The name of each, by
+// the larger part of its energy, then changes with a parameter: names are exchanged, or both modes
+// are called radial. A frequency compared by its name would leap, or have no partner. Frequencies
+// in their order do not leap. So of two measured modes a below b, whose simulated frequencies
+// f_a > f_b stand in the other order at a distance g = 2 (f_a - f_b) / (f_a + f_b),
 //
 //   f_a -> f_a - s(g) (f_a - f_b)      f_b -> f_b + s(g) (f_a - f_b)
 //
@@ -38,7 +38,7 @@ struct ComparedFrequency {
 /// Whether n and phase of two modes agree, as far as they are known; n has to be.
 bool same_waves(const experiment::ModeRecord& a, const experiment::ModeRecord& b);
 
-/// Partners for measured modes that have none by their names, -1 in `partner`: a simulated mode that
+/// Finds partners for measured modes that have none by name, -1 in `partner`: a simulated mode that
 /// is free, of the same n and phase, within 5 % of the measured one and of another simulated mode
 /// from which mixing may have taken its name. One of a double mode has not, so of two modes at one
 /// frequency a free one is taken within 1 % alone.

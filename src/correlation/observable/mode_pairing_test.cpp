@@ -103,7 +103,7 @@ TEST(PairModes, DoesNotDependOnTheOrderTheModesAreGivenIn) {
   EXPECT_EQ(partners(pairing), (std::vector<int>{0, 1}));
 }
 
-// A lateral mode of one n crosses a radial one: 80 Hz + 4 p against 81.5 Hz - p, coupled by k, which
+// A lateral mode crosses a radial mode: 80 Hz + 4 p against 81.5 Hz - p, coupled by k, which
 // keeps their frequencies 2 k apart. What each is called follows the larger part of its energy, of
 // which a share of `other` belongs to neither: near the crossing both are called radial.
 std::vector<ModeRecord> crossing(double p, double k, double other) {

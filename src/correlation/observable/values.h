@@ -50,6 +50,7 @@ class Values : public Observable {
   };
   explicit Values(Measurement measured);
 
+  const Measurement& measured() const { return m_; }
   /// One value for each measured. A Failure where the channel has more or fewer.
   Result<SimulatedValues> simulated(const Channels& trial) const;
 

@@ -73,9 +73,9 @@ measurement = "measured.csv"
   /// All stages to their end or, after so many trials of a process, to a kill.
   std::vector<Fit> fit_all(const Study& study, int workers = 1, long killed_after = 1'000'000) {
     std::vector<Fit> fits;
-    std::optional<DesignPoint> best;
+    std::optional<StageEnd> before;
     for (int k = 0; k < stage_count(study); ++k) {
-      const Study part = stage(study, k, best);
+      const Study part = weighted_stage(study, k, before);
       Journal journal = Journal::open(part.run.journal, identity(part));
       RunOptions options{.max_steps = part.max_steps};
       options.stop_patience = 0.0;
@@ -88,7 +88,7 @@ measurement = "measured.csv"
       ThreadExecutor executor([&] { return counted; }, workers);
       fits.push_back(fit(part, executor, journal, options));
       if (fits.back().run.end == RunEnd::stopped || !fits.back().run.best()) return fits;
-      best = fits.back().run.best()->point;
+      before = end_of_stage(study, k, fits.back().run.best()->point, journal, before);
     }
     return fits;
   }

@@ -5,14 +5,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
-#include "base/file.h"
+#include "base/document_record.h"
 #include "base/text.h"
 #include "correlation/observable/compared_frame.h"
 #include "correlation/study/study.h"
 #include "correlation/study/variables.h"
-#include "formats/tables/csv_table.h"
 
 namespace latsch::correlation {
 namespace {
@@ -42,22 +42,16 @@ class ModelSpecimens : public Specimens {
   const SpecimenKind* kind() const override { return &kind_; }
 
   StudyIdentity identity(const Study& study) const override {
-    std::string varied, cases;
+    std::string varied;
     for (const DesignVariable& variable : study.space.variables()) {
       varied += fmt::format("{}: {}\n", variable.name, fmt::join(variable.paths, ", "));
       for (const Follower& follower : variable.followers)
         varied += fmt::format("  {} times: {}\n", follower.factor, fmt::join(follower.paths, ", "));
     }
     if (is_stated_) varied += "kind: " + kind_.name() + "\n";  // the version says it too
-    const auto asked = tests_asked_for(study);
-    for (const StudyTest& test : study.tests) {
-      if (std::find(asked.begin(), asked.end(), test.name) != asked.end())
-        cases +=
-            fmt::format("{}: {}\n", test.name, test.is_own ? test.text : without_notes(test.text));
-    }
-    return {{"model", without_notes(study.model.text())},
+    return {{kModelPart, canonical_text(study.model)},
             {"variables", varied},
-            {"experiments", cases},
+            {kTestsPart, identity_of_tests(study.tests, tests_asked_for(study))},
             {kModelVersionPart, fmt::format("{} {}\n", kind_.name(), kind_.version())}};
   }
 
@@ -203,28 +197,20 @@ StudyTest read_study_test(const Node& table,
                           const fs::path& folder,
                           const Language& language,
                           const Laboratory& laboratory) {
-  std::string resolved;  // what it takes from measurements
-  bool is_in_identity = false;
   const auto measured = [&](const Node& from, const auto& conditions) {
-    const Channels channels =
-        measured_conditions(from, conditions, laboratory, "test " + table.name());
-    if (conditions.front().is_in_identity)
-      is_in_identity = true;
-    else
-      resolved += formats::csv_text(channels);
-    return channels;
+    return measured_conditions(from, conditions, laboratory, "test " + table.name());
   };
-  if (table.has("kind")) {
-    if (table.has("file")) table.reject("file", "stands beside kind, expected one of the two");
-    std::shared_ptr<const experiment::Test> test = language.read_test(table, {folder, measured});
-    return {table.name(), test, test->identity()};
+  const bool is_inline = table.has("kind");
+  if (is_inline && table.has("file"))
+    table.reject("file", "stands beside kind, expected one of the two");
+  if (is_inline) {
+    auto read = language.read_identified_test(table, {folder, measured});
+    return {table.name(), std::move(read.test), std::move(read.identity), std::move(read.files)};
   }
   const fs::path file = existing_file(table, "file", folder);
-  StudyTest test{table.name(), language.read_test(file, measured), read_text_file(file)};
-  for (const fs::path& named : test.test->files()) test.text += read_text_file(named);
-  test.text += resolved;
-  if (is_in_identity) test.text += test.test->identity() + "\n";
-  return test;
+  auto read = language.read_identified_test(file, measured);
+  read.files.insert(read.files.begin(), file);
+  return {table.name(), std::move(read.test), std::move(read.identity), std::move(read.files)};
 }
 
 }  // namespace
@@ -256,14 +242,17 @@ std::vector<KnownChannel> known_channels(const std::vector<StudyTest>& tests) {
 
 std::string test_of(const std::string& channel) { return channel.substr(0, channel.find('/')); }
 
-std::string without_notes(const std::string& text) {
-  std::istringstream lines(text);
-  std::string kept;
-  for (std::string line; std::getline(lines, line);) {
-    const auto first = line.find_first_not_of(" \t\r");
-    if (first != std::string::npos && line[first] != '#') kept += line + '\n';
+std::string identity_of_tests(const std::vector<StudyTest>& tests,
+                              const std::vector<std::string>& asked) {
+  std::map<std::string, const StudyTest*> sorted;
+  for (const StudyTest& test : tests)
+    if (std::find(asked.begin(), asked.end(), test.name) != asked.end()) sorted[test.name] = &test;
+  std::string text;
+  for (const auto& [name, test] : sorted) {
+    std::istringstream lines(test->identity);
+    for (std::string line; std::getline(lines, line);) text += fmt::format("{}.{}\n", name, line);
   }
-  return kept;
+  return text;
 }
 
 }  // namespace latsch::correlation

@@ -51,8 +51,9 @@ struct Study;
 struct StudyTest {
   std::string name;
   std::shared_ptr<const experiment::Test> test;
-  std::string text;     // its file, and what that names; of an experiment's own its identity
-  bool is_own = false;  // of the experiment of the same name
+  std::string identity;                           // experiment::ReadTest
+  std::vector<std::filesystem::path> files = {};  // that it was read from
+  bool is_own = false;                            // of the experiment of the same name
 
   /// "test slow", "experiment stiffness": as a person finds it in the study.
   std::string in_words() const { return (is_own ? "experiment " : "test ") + name; }
@@ -122,7 +123,9 @@ std::vector<KnownChannel> known_channels(const std::vector<StudyTest>& tests);
 /// "slow" of "slow/Fz".
 std::string test_of(const std::string& channel);
 
-/// Without empty lines and lines that are comments: a note in a file leaves a journal valid.
-std::string without_notes(const std::string& text);
+/// The identities of the tests that are asked for, sorted by name: the order in which a study
+/// states them does not matter.
+std::string identity_of_tests(const std::vector<StudyTest>& tests,
+                              const std::vector<std::string>& asked);
 
 }  // namespace latsch::correlation

@@ -47,9 +47,6 @@ class PullTest : public Test {
   PullTest(std::vector<double> travels, double speed, double hold)
       : travels_(std::move(travels)), speed_(speed), hold_(hold) {}
   std::string in_words() const override { return fmt::format("pulled at {:g} m/s", speed_); }
-  std::string identity() const override {
-    return fmt::format("pull {} at {}", fmt::join(travels_, " "), speed_);
-  }
   std::vector<ChannelInfo> channels() const override { return {{"travel", "m"}, {"force", "N"}}; }
   std::vector<std::string> needs() const override { return {Spring::kName}; }
   Result<Channels> run(Specimen& specimen) const override {

@@ -7,14 +7,16 @@
 #include <set>
 #include <sstream>
 
+#include "base/document_record.h"
 #include "base/file.h"
 #include "base/text.h"
 #include "correlation/observable/curve.h"
+#include "correlation/observable/values.h"
+#include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/linear_constraints.h"
 #include "correlation/study/program_specimens.h"
 #include "correlation/study/refinement.h"
 #include "correlation/study/simulator_settings.h"
-#include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study_slopes.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
@@ -81,11 +83,16 @@ void check_noise(const Node& root, const std::vector<StudyExperiment>& experimen
   const auto tables = root.named_tables("experiment");
   const bool estimated = std::any_of(
       experiments.begin(), experiments.end(), [](const auto& one) { return one.estimates_noise; });
+  const bool of_own_stage = std::any_of(experiments.begin(),
+                                        experiments.end(),
+                                        [](const auto& one) { return one.noise_of_own_stage; });
   for (size_t e = 0; estimated && e < experiments.size(); ++e) {
-    if (experiments[e].fitted && !experiments[e].estimates_noise)
-      tables[e].reject("noise",
-                       "is not \"estimated\", but that of another experiment is, expected all or "
-                       "none");
+    if (!experiments[e].fitted) continue;
+    if (!experiments[e].estimates_noise || experiments[e].noise_of_own_stage != of_own_stage)
+      tables[e].reject(
+          "noise",
+          fmt::format("is not \"{}\", but that of another experiment is, expected all or none",
+                      of_own_stage ? "own_stage" : "estimated"));
   }
   bool some = false;
   for (const auto& experiment : experiments) some = some || (experiment.fitted && experiment.noise);
@@ -160,16 +167,15 @@ void reject_unknown_table(const std::filesystem::path& file) {
   }
 }
 
-/// The study as it is written, but for what changes no step of a search, and its measurements.
+/// The study without notes and formatting and without what changes no step of a search, and its
+/// measurements. Its tests are in the identity of its journal, wherever they stand.
 std::string search_key(const Study& study) {
-  std::istringstream lines(without_notes(read_text_file(study.file)));
+  std::istringstream lines(canonical_text(Document::read(study.file)));
   std::uint64_t state = kHashStart;
-  bool counts = true;
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('['))
-      counts =
-          !line.starts_with("[run") && !line.starts_with("[doe") && !line.starts_with("[refined");
-    if (counts && !line.starts_with("title")) state = hash(line + "\n", state);
+    const std::string top = line.substr(0, line.find_first_of(". "));
+    static const std::set<std::string> kChangeNoStep{"run", "doe", "refined", "title", "test"};
+    if (!kChangeNoStep.contains(top)) state = hash(line + "\n", state);
   }
   for (const StudyExperiment& experiment : study.experiments) {
     std::vector<std::filesystem::path> files{experiment.measurement_file, experiment.shapes_file};
@@ -194,7 +200,7 @@ void check_reach(const Node& root,
       tests.begin(), tests.end(), [&](const StudyTest& one) { return one.name == name; });
   if (test == tests.end()) return;
   const Node table = root.table("experiment").table(experiment.name);
-  const auto count = test->test->samples();
+  const auto count = test->test->samples_of(channel.substr(name.size() + 1));
   if (curve.x.empty() && count && *count != std::ssize(curve.y_measured)) {
     table.reject("measurement",
                  fmt::format("has {} values, but the test \"{}\" gives {}: without x they are "
@@ -217,6 +223,32 @@ void check_reach(const Node& root,
                            name,
                            reach->from,
                            reach->to));
+}
+
+/// The same of single values: as many as the channel has, or one of them, or those of modes.
+void check_count(const Node& root,
+                 const std::vector<StudyTest>& tests,
+                 const StudyExperiment& experiment,
+                 const Values::Measurement& measured) {
+  const std::string name = test_of(measured.channel);
+  const auto test = std::find_if(
+      tests.begin(), tests.end(), [&](const StudyTest& one) { return one.name == name; });
+  if (test == tests.end() || !measured.modes.empty() || !measured.of.empty()) return;
+  const std::string channel = measured.channel.substr(name.size() + 1);
+  const auto count = test->test->samples_of(channel);
+  if (!count || *count == std::ssize(measured.values)) return;
+  root.table("experiment")
+      .table(experiment.name)
+      .reject("channel",
+              fmt::format(
+                  "is {}, of which the test \"{}\" gives {} value{}, but {} {} measured{}",
+                  in_quotes(measured.channel),
+                  name,
+                  *count,
+                  *count == 1 ? "" : "s",
+                  measured.values.size(),
+                  measured.values.size() == 1 ? "is" : "are",
+                  measured.values.size() == 1 ? "; of = \"largest\" takes one of several" : ""));
 }
 
 /// [simulator] or the model with its tests, and the variables.
@@ -288,6 +320,8 @@ Study read(const Document& document,
     const auto* curve = dynamic_cast<const Curve*>(experiment.observable.get());
     if (curve && measurements == Measurements::required)
       check_reach(root, study.tests, experiment, curve->measured());
+    if (const auto* values = dynamic_cast<const Values*>(experiment.observable.get()))
+      check_count(root, study.tests, experiment, values->measured());
   }
   study.asks_slopes = asks_slopes(study);
   if (study.optimizer.method == name(Method::levenberg_marquardt)) {

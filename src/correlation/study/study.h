@@ -90,10 +90,11 @@ struct Study {
   StartSettings start = {};
   std::vector<StageSettings> stages = {};  // none: one run, as [optimizer] says
   std::optional<Refinement> refinement = {};
-  std::string stage = {};       // which of them this study is; empty: none
-  std::vector<int> free = {};   // variables that this stage moves; none: all
-  bool asks_slopes = false;     // of its trials: study_slopes.h
-  std::string search_key = {};  // what a search depends on, for the journal's marks
+  std::string stage = {};                   // which of them this study is; empty: none
+  std::vector<int> free = {};               // variables that this stage moves; none: all
+  std::optional<DesignPoint> held_at = {};  // where the others stand in this stage; not known: none
+  bool asks_slopes = false;                 // of its trials: study_slopes.h
+  std::string search_key = {};              // what a search depends on, for the journal's marks
 };
 
 /// The tests that fitted experiments and constraints name.

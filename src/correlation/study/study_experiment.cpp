@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "base/document_record.h"
 #include "base/text.h"
+#include "base/toml/toml_text.h"
 #include "base/units.h"
 #include "correlation/observable/curve.h"
 #include "correlation/observable/force_curve.h"
@@ -82,8 +84,11 @@ const StudyTest& named_test(const Node& table,
                    "), which does not record " + in_quotes(channel));
 }
 
+/// Adds the test of an experiment that has one of its own. Its identity is made of `keys`, which
+/// were read of it, and is that of the same keys in a [test.NAME].
 void add_own_test(const Node& table,
                   const ExperimentContext& context,
+                  DocumentRecord& keys,
                   std::shared_ptr<const experiment::Test> test,
                   std::vector<StudyTest>& tests) {
   if (const auto reason = reason_against(*context.kind, *test, context.language))
@@ -94,8 +99,8 @@ void add_own_test(const Node& table,
                    "has a test of its own, whose channels are called as those of [test." +
                        other.name + "]; name one of the two otherwise");
   }
-  const std::string text = test->identity();
-  tests.push_back({table.name(), std::move(test), text, true});
+  keys.put("kind", toml_text(table.text("kind")));
+  tests.push_back({table.name(), std::move(test), keys.text(), {}, true});
 }
 
 std::shared_ptr<const Observable> read_load_deflection(const Node& table,
@@ -123,8 +128,9 @@ std::shared_ptr<const Observable> read_load_deflection(const Node& table,
     return std::make_shared<ForceCurve>(test.name, std::move(measured));
   }
   LoadDeflection test;
-  test.pressure = experiment::read_pressure(table);
-  test.ground = experiment::read_ground(table);
+  DocumentRecord keys(table);
+  test.pressure = experiment::read_pressure(keys.node());
+  test.ground = experiment::read_ground(keys.node());
   if (table.has("deflections"))
     test.deflections = table.quantities("deflections", "m", Range::positive());
   if (!file.empty()) {
@@ -136,8 +142,13 @@ std::shared_ptr<const Observable> read_load_deflection(const Node& table,
   } else {
     measured.position = test.deflections;
   }
-  add_own_test(
-      table, context, std::make_shared<experiment::LoadDeflectionTest>(std::move(test)), tests);
+  if (!test.deflections.empty()) keys.put("deflections", canonical(test.deflections, "m"));
+  if (!test.loaded_radii.empty()) keys.put("loaded_radii", canonical(test.loaded_radii, "m"));
+  add_own_test(table,
+               context,
+               keys,
+               std::make_shared<experiment::LoadDeflectionTest>(std::move(test)),
+               tests);
   return std::make_shared<ForceCurve>(table.name(), std::move(measured));
 }
 
@@ -148,6 +159,13 @@ void read_state(const Node& table, ModalTest& test) {
   if (table.has("deflection"))
     test.deflection = table.quantity("deflection", "m", Range::positive());
   if (table.has("load")) test.load = table.quantity("load", "N", Range::positive());
+}
+
+/// Points as the key `points` of a test states them.
+std::string canonical_rows(const Eigen::Matrix3Xd& points) {
+  std::vector<std::vector<double>> rows;
+  for (const auto& point : points.colwise()) rows.push_back({point.x(), point.y(), point.z()});
+  return canonical(rows, {"m", "m", "m"});
 }
 
 /// Shapes are compared at the same points.
@@ -198,16 +216,20 @@ std::shared_ptr<const Observable> read_modes(const Node& table,
                                      experiment::sensor_points(modes));
   }
   ModalTest test;
-  test.pressure = experiment::read_pressure(table);
-  test.ground = experiment::read_ground(table);
-  read_state(table, test);
+  DocumentRecord keys(table);
+  test.pressure = experiment::read_pressure(keys.node());
+  test.ground = experiment::read_ground(keys.node());
+  read_state(keys.node(), test);
+  keys.put("camber", canonical(test.camber, "rad"));
   test.points = experiment::sensor_points(modes);
+  if (test.points.cols() > 0) keys.put("points", canonical_rows(test.points));
   test.count = static_cast<int>(
       table.integer("simulated_modes",
                     measured,
                     kMostModes,
                     std::min(kMostModes, measured + experiment::kMoreModesThanMeasured)));
-  add_own_test(table, context, std::make_shared<experiment::ModesTest>(test), tests);
+  keys.put("count", std::to_string(test.count));
+  add_own_test(table, context, keys, std::make_shared<experiment::ModesTest>(test), tests);
   return std::make_shared<ModeSet>(table.name(),
                                    experiment::mode_records(modes),
                                    static_cast<std::size_t>(measured),
@@ -294,13 +316,15 @@ StudyExperiment read_experiment(const Node& table,
   if (measured) note_uses(*measured, experiment);
   experiment.read_from = measured;
   experiment.estimates_noise = experiment.fitted && is_estimated(table);
+  experiment.noise_of_own_stage = experiment.fitted && is_of_own_stage(table);
   if (!is_estimated(table)) {
     experiment.noise = read_noise(table, experiment.observable->unit());
     if (!experiment.noise && experiment.measurement) experiment.noise = noise_of(experiment);
   } else if (table.has("loss")) {
     table.reject("loss",
-                 "stands beside noise = \"estimated\", expected one of the two: far-off "
-                 "values would make the noise that they are judged by");
+                 fmt::format("stands beside noise = \"{}\", expected one of the two: far-off "
+                             "values would make the noise that they are judged by",
+                             table.text("noise")));
   }
   experiment.loss = read_loss(table, experiment.noise.has_value());
   return experiment;

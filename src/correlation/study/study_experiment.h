@@ -16,7 +16,8 @@
 //   weight = 1
 //   noise = "1 %"                      # of a measured value, where known: weights the fit, tells
 //                                      # it when to end, and gives the intervals; also "20 N",
-//                                      # "estimated" by the fit, and loss: measurement_noise.h
+//                                      # "estimated" by the fit, "own_stage", which is the error
+//                                      # an earlier stage left, and loss: measurement_noise.h
 //   use = "fit"                        # or "predict": compared in the report, not fitted
 //
 //   [experiment.modes]
@@ -58,6 +59,7 @@ struct StudyExperiment {
   bool fitted = true;                     // false: predicted only
   std::optional<MeasurementNoise> noise;  // standard deviation of a measured value
   bool estimates_noise = false;           // by the fit: target/estimated_noise.h sets it
+  bool noise_of_own_stage = false;        // it is the least error that an earlier stage left
   RobustLoss loss = {};
   std::filesystem::path measurement_file;  // of a [measurement.NAME] the first; empty: none
   std::shared_ptr<const Measurement> measurement = {};  // nullptr: the observable read the file

@@ -131,10 +131,31 @@ StageSettings read_stage(const Node& table, const Document& text, const Study& s
   return stage;
 }
 
+/// Noise that is what an earlier stage left needs an earlier stage with the model as it is.
+void check_own_stages(const Node& root,
+                      const Study& study,
+                      const std::vector<StageSettings>& stages) {
+  const auto wanting = std::find_if(study.experiments.begin(),
+                                    study.experiments.end(),
+                                    [](const auto& one) { return one.noise_of_own_stage; });
+  if (wanting == study.experiments.end()) return;
+  const bool has_earlier =
+      std::ssize(stages) > 1 && std::any_of(stages.begin(), stages.end() - 1, [](const auto& one) {
+        return one.numbers.empty();
+      });
+  if (!has_earlier)
+    root.table("experiment")
+        .table(wanting->name)
+        .reject("noise",
+                "is \"own_stage\", but no stage comes before the last one with the model as it "
+                "is; expected a [stage.NAME] with experiments = [\"" +
+                    wanting->name + "\"] before it, or noise = \"estimated\"");
+}
+
 /// Noise that is estimated needs a stage before, and a last stage whose noise is its own.
 void add_rounds_of_noise(const Study& study, std::vector<StageSettings>& stages) {
   if (std::none_of(study.experiments.begin(), study.experiments.end(), [](const auto& one) {
-        return one.estimates_noise;
+        return one.estimates_noise && !one.noise_of_own_stage;
       }))
     return;
   if (stages.empty()) {
@@ -168,16 +189,12 @@ std::vector<StageSettings> read_stages(const Node& root, const Document& text, c
                          "has other numbers in the last stage, whose result is the study's: "
                          "expected a last stage with the model as it is");
   }
-  if (!stages.empty() && !stages.back().experiments.empty()) {
-    tables.back().reject("experiments",
-                         "is of the last stage, whose result is the study's: expected a last stage "
-                         "in which all experiments count");
-  }
   if (!stages.empty() && stages.front().bounds != 1.0) {
     tables.front().reject("bounds",
                           "is of the first stage, before which there is no best point: give "
                           "[variable...] tighter bounds");
   }
+  check_own_stages(root, study, stages);
   add_rounds_of_noise(study, stages);
   return stages;
 }
@@ -207,6 +224,8 @@ Study stage(const Study& study, int k, const std::optional<DesignPoint>& best_be
     part.space = settings.bounds < 1.0 ? study.space.tightened(*best_before, settings.bounds)
                                        : study.space.starting_at(*best_before);
   }
+  if (best_before && !part.free.empty()) part.held_at = best_before;
+  if (k == 0 && !part.free.empty()) part.held_at = study.space.initial();
   part.run.on_failure.space = part.space;
   part.asks_slopes = asks_slopes(part);
   return part;

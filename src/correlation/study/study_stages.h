@@ -16,6 +16,12 @@
 //   bounds = 0.25                   # width of the bounds over those of the study, around the best
 //                                   # point of the stage before; 1: those of the study
 //
+// The result of the study is that of the last stage, with the experiments that count in it and the
+// variables that it frees: intervals, too, leave the other variables where they are. An experiment
+// that is then worse by more than a twentieth than an earlier stage had it is named
+// in terminal, page and JSON. To keep what earlier stages had, give the experiments noise =
+// "own_stage": each counts in units of the error that its own stage left.
+//
 // The last stage has the model as it is: what is found is found with it. A coarse mesh moves what
 // the measurements hardly hold by more than a tight bound allows: choose `bounds` wide then, or
 // leave it out. A stage with other numbers

@@ -48,7 +48,8 @@ std::string compared_in(const StudyExperiment& experiment) {
 report::ExperimentRow experiment_row(const StudyExperiment& experiment,
                                      const std::string& conditions,
                                      const Comparison& found,
-                                     const std::optional<Comparison>& initial) {
+                                     const std::optional<Comparison>& initial,
+                                     const OwnStage& own) {
   report::ExperimentRow row;
   row.name = experiment.name;
   row.kind = experiment.observable->kind();
@@ -61,6 +62,14 @@ report::ExperimentRow experiment_row(const StudyExperiment& experiment,
   row.mean_error = found.mean_error;
   row.largest_error = found.largest_error;
   if (initial) row.initial_mean_error = initial->mean_error;
+  row.error = own_measure(experiment, found);
+  row.measure = measure_in_words(experiment);
+  row.whole = experiment.observable->whole();
+  if (own.is_known()) {
+    row.own_stage = own.stage;
+    row.own_stage_error = own.error;
+    row.is_spoiled = is_spoiled(experiment, own, row.error);
+  }
   return row;
 }
 
@@ -82,6 +91,7 @@ void add_experiments(const Study& study,
                      const Simulated& found,
                      const Simulated& initial,
                      const std::vector<ExperimentBand>& bands,
+                     const std::vector<OwnStage>& own_stages,
                      StudyReport& page) {
   const Channels* start = initial.channels ? &*initial.channels : nullptr;
   for (size_t e = 0; e < study.experiments.size(); ++e) {
@@ -94,7 +104,10 @@ void add_experiments(const Study& study,
     const Comparison comparison = compare(experiment, *found.channels);
     std::optional<Comparison> at_start;
     if (start) at_start = compare(experiment, *start);
-    page.experiments.push_back(experiment_row(experiment, conditions, comparison, at_start));
+    const OwnStage own = e < own_stages.size() ? own_stages[e] : OwnStage{};
+    page.experiments.push_back(experiment_row(experiment, conditions, comparison, at_start, own));
+    if (page.experiments.back().is_spoiled)
+      page.remarks.push_back(spoiled_in_words(experiment, own, page.experiments.back().error));
     experiment.observable->draw({experiment.name,
                                  conditions,
                                  experiment.fitted,
@@ -143,8 +156,7 @@ std::string stages_before(const Study& study, const std::vector<Fit>& fits) {
 }
 
 /// The optimizer's trajectory as far as the journal knows it; none where it was never run.
-void add_convergence(const Study& study, const Journal& journal, StudyReport& page) {
-  const std::vector<Fit> fits = recorded_fit(study, journal);
+void add_convergence(const Study& study, const std::vector<Fit>& fits, StudyReport& page) {
   if (fits.empty()) return;
   const Run& run = fits.back().run;
   report::Convergence convergence;
@@ -216,15 +228,22 @@ Result<StudyReport> study_report(const Study& study,
   add_variables(study, best->point, what, page);
   if (const experiment::SpecimenKind* kind = study.specimens->kind())
     kind->draw(at(study.model, study.space, best->point), tests_shown(study), thoroughness, page);
-  const Simulated initial = start.get();
-  if (initial.channels)
-    page.initial_target = objective(study)(initial.point, *initial.channels)->value;
+  Simulated initial = start.get();
+  if (initial.channels) {
+    const auto score = objective(study)(initial.point, *initial.channels);
+    if (score)
+      page.initial_target = score->value;
+    else
+      initial.channels = score.failure();
+  }
   page.run = run_facts(study, journal);
-  add_convergence(study, journal, page);
+  const std::vector<Fit> fits = recorded_fit(study, journal);
+  add_convergence(study, fits, page);
   page.is_of_design = !page.convergence;
   std::vector<ExperimentBand> bands;
   if (what) bands = prediction_bands(study, *what, journal, {{best->point, *found.channels}});
-  add_experiments(study, found, initial, bands, page);
+  add_experiments(
+      study, found, initial, bands, fits.empty() ? std::vector<OwnStage>{} : fits.back().own, page);
   const auto rated = rated_trials(study, journal);
   page.surfaces = doe_surfaces(study, rated, best->point);
   page.basins = basins_of(study, rated);

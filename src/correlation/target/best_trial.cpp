@@ -7,6 +7,15 @@
 #include "correlation/target/study_trials.h"
 
 namespace latsch::correlation {
+bool keeps_held(const Study& study, const DesignPoint& point) {
+  if (!study.held_at || study.free.empty()) return true;
+  for (int i = 0; i < study.space.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const bool is_free = std::binary_search(study.free.begin(), study.free.end(), i);
+    if (!is_free && point.values[at] != study.held_at->values[at]) return false;
+  }
+  return true;
+}
 
 std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal) {
   const Objective target = objective(study);
@@ -25,6 +34,7 @@ std::optional<RatedTrial> best_trial(const Study& study, const Journal& journal)
   if (!study.space.constraints().empty()) {
     std::erase_if(rated, [&](const auto& trial) { return !study.space.contains(trial.point); });
   }
+  std::erase_if(rated, [&](const auto& trial) { return !keeps_held(study, trial.point); });
   const auto rank = [](const RatedTrial& trial) {
     return std::pair(std::max(trial.violation, kFulfilled), trial.target);
   };

@@ -21,7 +21,12 @@ struct RatedTrial {
 /// the order they finished.
 std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal);
 
-/// nullopt where no trial succeeded. Of equals the first.
+/// Whether the variables that the last stage does not free stand where it holds them; true of every
+/// point of a study that does not know.
+bool keeps_held(const Study& study, const DesignPoint& point);
+
+/// nullopt where no trial succeeded. Of equals the first. A study as its last stage has it knows
+/// which variables that stage holds: trials in which they stand elsewhere are no results.
 std::optional<RatedTrial> best_trial(const Study& study, const Journal& journal);
 
 }  // namespace latsch::correlation

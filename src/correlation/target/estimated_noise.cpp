@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kLeast = 1e-9;  // of 100 %: a model that is the measurement has no noise at all
 
-/// Root mean square of the differences, in units of those of an error of 100 %.
-double rms(const StudyExperiment& experiment, const Channels& at) {
+}  // namespace
+
+double rms_error(const StudyExperiment& experiment, const Channels& at) {
   const auto comparison = experiment.observable->compare(at, experiment.objective);
   if (!comparison)
     throw InputError("experiment " + experiment.name + ": " + comparison.failure().reason);
@@ -28,25 +29,33 @@ double rms(const StudyExperiment& experiment, const Channels& at) {
   return count > 0.0 ? std::sqrt(squares / count) : 1.0;
 }
 
-}  // namespace
-
 bool estimates_noise(const Study& study) {
   return std::any_of(study.experiments.begin(), study.experiments.end(), [](const auto& one) {
     return one.estimates_noise;
   });
 }
 
-void estimate_noise(Study& study, const Channels* at) {
+bool has_noise_of_own_stages(const Study& study) {
+  return std::any_of(study.experiments.begin(), study.experiments.end(), [](const auto& one) {
+    return one.noise_of_own_stage;
+  });
+}
+
+void estimate_noise(Study& study, const Channels* at, const std::vector<double>& own_stages) {
   double values = 0.0;
   for (const StudyExperiment& experiment : study.experiments)
     if (experiment.estimates_noise) values += static_cast<double>(experiment.values());
   const double variables = study.space.size();
   const double left = values > variables ? 1.0 - variables / values : 1.0;
-  for (StudyExperiment& experiment : study.experiments) {
+  for (std::size_t e = 0; e < study.experiments.size(); ++e) {
+    StudyExperiment& experiment = study.experiments[e];
     if (!experiment.estimates_noise) continue;
     experiment.noise.reset();
-    if (at)
-      experiment.noise = {.relative = std::max(kLeast, rms(experiment, *at) / std::sqrt(left))};
+    if (!at) continue;
+    const bool has_own =
+        experiment.noise_of_own_stage && e < own_stages.size() && std::isfinite(own_stages[e]);
+    const double rms = has_own ? own_stages[e] : rms_error(experiment, *at) / std::sqrt(left);
+    experiment.noise = {.relative = std::max(kLeast, rms)};
   }
 }
 
@@ -54,6 +63,14 @@ void take_noise(const Study& stage, Study& study) {
   for (std::size_t e = 0; e < study.experiments.size(); ++e)
     if (study.experiments[e].estimates_noise)
       study.experiments[e].noise = stage.experiments[e].noise;
+}
+
+void take_stage(const Study& stage, Study& study) {
+  take_noise(stage, study);
+  for (std::size_t e = 0; e < study.experiments.size(); ++e)
+    study.experiments[e].objective.weight = stage.experiments[e].objective.weight;
+  study.free = stage.free;
+  study.held_at = stage.held_at;
 }
 
 std::string noise_in_words(const Study& study) {

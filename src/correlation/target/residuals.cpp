@@ -79,7 +79,9 @@ Objective residual_objective(const Study& study) {
     Score score;
     bool has_slopes = true;
     for (const StudyExperiment& experiment : experiments) {
-      Comparison comparison = compare(experiment, channels);
+      const auto compared = experiment.observable->compare(channels, experiment.objective);
+      if (!compared) return compared.failure();
+      Comparison comparison = *compared;
       for (int missing : comparison.pairing.missing) {
         comparison.differences[missing] = std::numeric_limits<double>::quiet_NaN();
       }

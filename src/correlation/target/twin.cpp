@@ -47,7 +47,7 @@ void refuse_to_overwrite_inputs(const Study& study) {
   for (const StudyExperiment& experiment : study.experiments) {
     const std::filesystem::path& file = experiment.measurement_file;
     for (const StudyTest& test : study.tests) {
-      for (const std::filesystem::path& read : test.test->files()) {
+      for (const std::filesystem::path& read : test.files) {
         std::error_code absent;
         if (!std::filesystem::equivalent(file, read, absent)) continue;
         throw InputError(

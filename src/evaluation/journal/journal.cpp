@@ -14,6 +14,7 @@
 #include "evaluation/journal/journal_lock.h"
 #include "evaluation/journal/journal_migration.h"
 #include "evaluation/journal/local_file_system.h"
+#include "evaluation/journal/readable_journal.h"
 #include "evaluation/trial/encoding.h"
 
 namespace latsch {
@@ -67,7 +68,8 @@ struct Journal::Impl {
                "are the same, keep its trials: latsch resume STUDY --adopt");
       }
       refuse("belongs to another study: " + *what +
-             ". Take the study it was made with, or another journal");
+             ". Take the study it was made with or another journal, or begin anew, with this "
+             "journal kept beside: latsch run STUDY --anew");
     }
   }
 
@@ -324,8 +326,7 @@ Journal Journal::read(const std::filesystem::path& file) {
   impl->file = file;
   if (!std::filesystem::exists(file)) impl->refuse("does not exist; has the study been run?");
   impl->guarded([&] {
-    impl->database =
-        std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, kBusyTimeout);
+    impl->database = open_for_reading(file, kBusyTimeout);
     impl->check_format();
     impl->read_identity();
     impl->read_tally();

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "evaluation/journal/journal_pages.h"
+#include "evaluation/journal/readable_journal.h"
 #include "evaluation/trial/encoding.h"
 
 namespace latsch {
@@ -74,7 +75,17 @@ class Examination {
     try {
       action();
     } catch (const SQLite::Exception& error) {
-      const bool foreign = error.getErrorCode() == SQLITE_NOTADB;
+      const int code = error.getErrorCode();
+      const bool is_refused =
+          code == SQLITE_CANTOPEN || code == SQLITE_PERM || code == SQLITE_READONLY;
+      if (is_refused && !may_be_written(file_))
+        throw InputError({file_.string(), 0},
+                         fmt::format("{} cannot be looked at here: {}. That is no damage; copy the "
+                                     "journal with all that is called alike, FILE-wal and "
+                                     "FILE-journal, to a folder that you may write",
+                                     what,
+                                     error.what()));
+      const bool foreign = code == SQLITE_NOTADB;
       find(fmt::format("{} cannot be read: {}{}",
                        what,
                        error.what(),
@@ -86,7 +97,7 @@ class Examination {
 
   void open() {
     if (std::filesystem::file_size(file_) == 0) return find("it is empty: no byte is in it");
-    database_.emplace(file_.string(), SQLite::OPEN_READONLY, 2000);
+    database_ = open_for_reading(file_, 2000);
     if (database_->execAndGet("PRAGMA application_id").getInt() != kApplicationId) {
       return find("it does not say that it is a journal");
     }
@@ -245,7 +256,7 @@ class Examination {
 
   fs::path file_;
   std::string bytes_, log_;
-  std::optional<SQLite::Database> database_;
+  std::unique_ptr<SQLite::Database> database_;
   JournalReport report_;
   std::map<std::int64_t, Row> rows_;
   std::vector<std::int64_t> unreadable_;

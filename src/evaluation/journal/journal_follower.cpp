@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "evaluation/journal/journal.h"
 #include "evaluation/journal/journal_format.h"
+#include "evaluation/journal/readable_journal.h"
 
 namespace latsch {
 
@@ -68,7 +69,7 @@ struct JournalFollower::Impl {
   void open() {
     opened = file_at(file);
     identity = Journal::read(file).identity();  // and says what is wrong with the file
-    database = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, kPatience);
+    database = open_for_reading(file, kPatience);
     format = database->execAndGet("PRAGMA user_version").getInt();
     decoder.emplace(format);
     state = hash_of(identity);

@@ -5,6 +5,8 @@
 
 #include <sstream>
 
+#include "base/document.h"
+#include "base/document_record.h"
 namespace latsch {
 namespace {
 
@@ -25,8 +27,33 @@ std::string first_difference(const std::string& journal, const std::string& stud
   }
 }
 
+const IdentityPart* find(const StudyIdentity& identity, const std::string& name) {
+  for (const IdentityPart& part : identity)
+    if (part.name == name) return &part;
+  return nullptr;
+}
+
 bool is_version(const IdentityPart& part) {
   return part.name == kModelVersionPart || part.name == kProgramFilesPart;
+}
+
+/// Whether a journal says of its tests what older programs said.
+bool tells_old_tests(const StudyIdentity& journal) {
+  return find(journal, kOldTestsPart) && !find(journal, kTestsPart);
+}
+
+/// The model of a journal in today's form: older ones have the text of its file.
+std::string model_of(const IdentityPart& part) {
+  try {
+    return canonical_text(Document::parse(part.text, "journal"));
+  } catch (const InputError&) {
+    return part.text;  // the journal is damaged, and differs
+  }
+}
+
+bool is_same(const IdentityPart& journal, const IdentityPart& study) {
+  return journal.text == study.text ||
+         (study.name == kModelPart && model_of(journal) == study.text);
 }
 
 }  // namespace
@@ -40,26 +67,27 @@ bool is_same_but_for_versions(const StudyIdentity& journal, const StudyIdentity&
   StudyIdentity a = journal, b = study;
   std::erase_if(a, is_version);
   std::erase_if(b, is_version);
+  if (tells_old_tests(a)) {
+    std::erase_if(a, [](const auto& part) { return part.name == kOldTestsPart; });
+    std::erase_if(b, [](const auto& part) { return part.name == kTestsPart; });
+  }
   return !difference(a, b);
 }
 
 std::optional<std::string> difference(const StudyIdentity& journal, const StudyIdentity& study) {
-  const auto find = [](const StudyIdentity& identity, const std::string& name) {
-    for (const IdentityPart& part : identity) {
-      if (part.name == name) return &part;
-    }
-    return static_cast<const IdentityPart*>(nullptr);
-  };
   for (const IdentityPart& part : study) {
     const IdentityPart* other = find(journal, part.name);
-    if (!other && is_version(part)) {
+    if (!other && is_version(part))
       return fmt::format("it does not say its \"{}\", being older than that", part.name);
-    }
+    if (!other && part.name == kTestsPart && tells_old_tests(journal))
+      return "it does not say every key of its tests and the content of every file they name, "
+             "being older than that";
     if (!other) return fmt::format("it has no \"{}\"", part.name);
-    if (other->text != part.text) {
+    if (!is_same(*other, part))
       return fmt::format(
-          "\"{}\" differs in {}", part.name, first_difference(other->text, part.text));
-    }
+          "\"{}\" differs in {}",
+          part.name,
+          first_difference(part.name == kModelPart ? model_of(*other) : other->text, part.text));
   }
   for (const IdentityPart& part : journal) {
     if (!find(study, part.name)) return fmt::format("it has \"{}\", the study has not", part.name);

@@ -325,6 +325,8 @@ void Dispatcher::take_finished() {
 void Dispatcher::take_committed() {
   for (const Trial& trial : commits_.take()) {
     known_.add(trial);
+    const auto* outcome = known_.find(trial.point);
+    if (trial.outcome.result && outcome && !*outcome) ++progress_.failed;  // it has no target
     committing_.erase(trial.point.bits());
   }
 }

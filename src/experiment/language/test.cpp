@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/language/test.h"
 
+#include "base/document_record.h"
 #include "experiment/language/sign_view.h"
 
 namespace latsch::experiment {
@@ -9,6 +10,18 @@ ChannelInfo slope_of(const std::string& moved, const std::string& unit, const Sl
   ChannelInfo info{slopes.name(moved), slopes.unit_of(unit)};
   info.regression = Regression{moved, unit, slopes};
   return info;
+}
+
+std::filesystem::path TestSource::file(const Node& table, std::string_view key) const {
+  std::filesystem::path named = folder / table.text(key);
+  DocumentRecord::names_files(table, key, {named});
+  return named;
+}
+
+std::optional<long> Test::samples_of(const std::string& channel) const {
+  for (const ChannelInfo& one : channels())
+    if (one.name == channel && one.regression) return 1;
+  return samples();
 }
 
 Result<std::vector<std::string>> Test::run_in_blocks(

@@ -57,14 +57,10 @@ class Test {
   /// What a curve of it stands for on a page: "2.6 bar, friction 0.8"; in_words() unless it says
   /// less.
   virtual std::string conditions() const { return in_words(); }
-  /// All its recording depends on but the specimen, as text.
-  virtual std::string identity() const = 0;
   /// What run() records.
   virtual std::vector<ChannelInfo> channels() const = 0;
   /// Names of capabilities; a specimen has to have one of them. Those of its kind.
   virtual std::vector<std::string> needs() const = 0;
-  /// Files it reads beside its own; what they hold is part of its identity.
-  virtual std::vector<std::filesystem::path> files() const { return {}; }
   /// What the test took each column of its tables for, one ledger a file or a measurement's
   /// numbers; empty where it reads none. `by`: "test steady".
   virtual std::vector<Ledger> ledgers(const std::string& /*by*/) const { return {}; }
@@ -73,6 +69,12 @@ class Test {
   virtual std::optional<Reach> reach(const std::string&) const { return std::nullopt; }
   /// How many values its channels have; nullopt where a run has to tell.
   virtual std::optional<long> samples() const { return std::nullopt; }
+  /// How many values one of its channels has: samples(), of a slope one, unless the test says more.
+  virtual std::optional<long> samples_of(const std::string& channel) const;
+
+  /// The values (SI) at which a table of states drives a rolling tire: of Fz, kappa, alpha, gamma,
+  /// Vx or p. Empty: the test states none of that.
+  virtual std::vector<double> driven_at(const std::string& /*condition*/) const { return {}; }
 
   /// Throws InputError where the specimen cannot take a condition of the test.
   virtual Result<Channels> run(Specimen& specimen) const = 0;
@@ -116,6 +118,20 @@ class Test {
 struct TestSource {
   std::filesystem::path folder;      // of files it names
   MeasuredConditions measured = {};  // empty: outside of a study
+
+  /// The path of the file that a key of the test names. Every file that a test reads is found by
+  /// this function: it makes the content a part of the test's identity.
+  std::filesystem::path file(const Node& table, std::string_view key) const;
+};
+
+/// A test with its identity: all that its recording depends on but the specimen, as text. The text
+/// is made from the keys the reader asked for and from the content of the files they name
+/// (base/document_record.h), so no kind of test writes it, and it is the same wherever the keys
+/// stand: in a study, in a file, as numbers or as they were measured.
+struct ReadTest {
+  std::unique_ptr<Test> test;
+  std::string identity;
+  std::vector<std::filesystem::path> files;  // that it reads beside its own
 };
 
 struct TestKind {
@@ -124,6 +140,9 @@ struct TestKind {
   std::vector<std::string> needs;  // names of capabilities: a specimen has to have one of them
   /// Reads its keys, but `kind`. Throws InputError naming the place.
   std::unique_ptr<Test> (*read)(const Node& root, const TestSource& source);
+  /// How its rig computes, if another rig gives other recordings of the same keys: a part of the
+  /// identity of its tests, so that a journal never mixes recordings of two.
+  std::string scheme = "";
 };
 
 }  // namespace latsch::experiment

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "base/document_record.h"
 #include "experiment/rigs/drum_rig.h"
 #include "models/road/plane_road.h"
 
@@ -34,8 +35,12 @@ FootprintTest read_footprint_test(const Node& root, const MeasuredConditions& me
                                       {{.channel = "x", .unit = "m", .is_needed = true},
                                        {.channel = "y", .unit = "m", .is_needed = true}},
                                       measured);
-    for (std::size_t i = 0; i < at["x"].size(); ++i)
+    std::vector<std::vector<double>> rows;
+    for (std::size_t i = 0; i < at["x"].size(); ++i) {
       test.sensors.emplace_back(at["x"][i], at["y"][i]);
+      rows.push_back({at["x"][i], at["y"][i]});
+    }
+    DocumentRecord::stands_for(*from, canonical(rows, {"m", "m"}));
   } else if (root.has("sensors")) {
     for (const std::vector<double>& at : root.rows("sensors", {"m", "m"}))
       test.sensors.emplace_back(at[0], at[1]);

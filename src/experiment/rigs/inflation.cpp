@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/rigs/inflation.h"
 
-#include <fmt/format.h>
-
 #include "base/units.h"
 
 namespace latsch::experiment {
@@ -16,10 +14,6 @@ Inflation read_pressure(const Node& test, const MeasuredConditions& measured) {
 
 std::string inflated(const Inflation& pressure) {
   return pressure ? ", " + format_quantity(*pressure, "bar", 4) : "";
-}
-
-std::string identity_of(const Inflation& pressure) {
-  return pressure ? fmt::format(", pressure {}", *pressure) : "";
 }
 
 }  // namespace latsch::experiment

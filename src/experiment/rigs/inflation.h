@@ -20,7 +20,5 @@ Inflation read_pressure(const Node& test, const MeasuredConditions& measured = {
 
 /// Behind what else is said of a test: ", 2.6 bar"; "" at the tire's own.
 std::string inflated(const Inflation& pressure);
-/// Behind what else makes a test's identity, "" at the tire's own.
-std::string identity_of(const Inflation& pressure);
 
 }  // namespace latsch::experiment

@@ -7,25 +7,39 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/document_record.h"
 #include "base/text.h"
 #include "base/units.h"
 
 namespace latsch::experiment {
 namespace {
 
-/// The one channel, which the test's identity holds.
+/// The values of the one channel.
 std::vector<double> samples_of(const Node& table,
                                MeasuredCondition condition,
                                const MeasuredConditions& measured) {
-  condition.is_needed = condition.is_in_identity = true;
+  condition.is_needed = true;
   auto values = take_measured(table, {condition}, measured).all().front().values;
   if (values.empty()) table.reject("from", "has no sample of " + condition.channel);
   return values;
 }
 
+/// If one channel was asked for, the list that a person might have written in its place; else every
+/// channel by its name.
+std::string canonical_text(const Channels& channels, std::size_t asked) {
+  if (asked == 1 && channels.all().size() == 1)
+    return canonical(channels.all()[0].values, channels.all()[0].unit);
+  std::string text;
+  for (const Channel& channel : channels.all())
+    text +=
+        (text.empty() ? "" : ", ") + channel.name + " = " + canonical(channel.values, channel.unit);
+  return "{" + text + "}";
+}
+
 }  // namespace
 
 std::optional<Node> find_measured(const Node& test, std::string_view key) {
+  DocumentRecord::may_be_measured(test, key);
   try {
     const auto table = test.find_table(key);
     if (table && table->has("from")) return table;
@@ -40,7 +54,9 @@ Channels take_measured(const Node& table,
   if (!measured)
     table.reject("from",
                  "is " + in_quotes(table.text("from")) + ", which only a test of a study can name");
-  return measured(table, conditions);
+  Channels channels = measured(table, conditions);
+  DocumentRecord::stands_for(table, canonical_text(channels, conditions.size()));
+  return channels;
 }
 
 std::vector<double> measured_values(const Node& table,
@@ -78,28 +94,32 @@ double measured_mean(const Node& table,
                              condition.channel,
                              format_quantity(*least, condition.unit, 4),
                              format_quantity(*most, condition.unit, 4)));
+  DocumentRecord::stands_for(table, canonical(mean, condition.unit));
   return mean;
 }
 
 long measured_count(const Node& table,
                     const MeasuredCondition& condition,
                     const MeasuredConditions& measured) {
-  return std::ssize(samples_of(table, condition, measured));
+  const long count = std::ssize(samples_of(table, condition, measured));
+  DocumentRecord::stands_for(table, std::to_string(count));
+  return count;
 }
 
 Eigen::Matrix3Xd measured_points(const Node& table, const MeasuredConditions& measured) {
-  const Channels channels = take_measured(table,
-                                          {{"x", "m", true, "", true},
-                                           {"y", "m", true, "", true},
-                                           {"z", "m", true, "", true},
-                                           {"mode", "1", false, "", true}},
-                                          measured);
+  const Channels channels =
+      take_measured(table,
+                    {{"x", "m", true}, {"y", "m", true}, {"z", "m", true}, {"mode", "1", false}},
+                    measured);
   const Channel* mode = channels.find("mode");
+  std::vector<std::vector<double>> rows;
   std::vector<double> points;
   for (std::size_t i = 0; i < channels["x"].size(); ++i) {
     if (mode && mode->values[i] != mode->values[0]) continue;
-    for (const char* axis : {"x", "y", "z"}) points.push_back(channels[axis][i]);
+    rows.push_back({channels["x"][i], channels["y"][i], channels["z"][i]});
+    points.insert(points.end(), rows.back().begin(), rows.back().end());
   }
+  DocumentRecord::stands_for(table, canonical(rows, {"m", "m", "m"}));
   return Eigen::Matrix3Xd::Map(points.data(), 3, std::ssize(points) / 3);
 }
 

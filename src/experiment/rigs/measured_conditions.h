@@ -25,11 +25,10 @@ namespace latsch::experiment {
 
 /// A condition that a test takes from a measurement of its study.
 struct MeasuredCondition {
-  std::string channel, unit;    // SI
-  bool is_needed = false;       // else left out where it was not recorded
-  std::string frame = "";       // of a force
-  bool is_in_identity = false;  // of the test, with what it makes of it; else the samples count
-  std::string otherwise = "";   // what is taken where it was not recorded: "0"
+  std::string channel, unit;   // SI
+  bool is_needed = false;      // else left out where it was not recorded
+  std::string frame = "";      // of a force
+  std::string otherwise = "";  // what is taken where it was not recorded: "0"
 };
 
 /// Those that a table such as {from = "measurement.cornering"} names. InputError naming the place:

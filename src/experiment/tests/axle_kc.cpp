@@ -60,23 +60,6 @@ class AxleKc : public Test {
                        test_.springs_locked ? "locked" : "free",
                        test_.states());
   }
-  std::string identity() const override {
-    const auto loads = test_.loads.reshaped();
-    std::string text = fmt::format("axle_kc {} {} {} loads {} rack {}",
-                                   test_.front,
-                                   test_.springs_locked,
-                                   test_.at_wheel_center,
-                                   fmt::join(loads.begin(), loads.end(), " "),
-                                   fmt::join(test_.rack, " "));
-    if (test_.travel)
-      for (const auto& travel : *test_.travel)
-        text += fmt::format(" travel {}", fmt::join(travel, " "));
-    text += fmt::format(" prescribed {}", fmt::join(names(), " "));
-    if (test_.slopes)
-      text += fmt::format(
-          " slopes by {} in {} {}", test_.slopes->by, test_.slopes->from, test_.slopes->to);
-    return text;
-  }
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     for (const Channel& one : test_.prescribed) channels.push_back({one.name, one.unit});

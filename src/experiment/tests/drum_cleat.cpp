@@ -32,32 +32,6 @@ std::string DrumCleatTest::in_words() const {
   return text;
 }
 
-std::string DrumCleatTest::identity() const {
-  const DrumTest& t = test_;
-  std::string text = fmt::format(
-      "drum_cleat speed {} load {} deflection {} camber {} diameter {} inertia {} run_in {} "
-      "duration {} lead {} step {} sample_step {} passages {} wheel {} {} frame {}",
-      t.speed,
-      t.load.value_or(0.0),
-      t.deflection.value_or(0.0),
-      t.camber,
-      t.diameter,
-      t.wheel_inertia,
-      t.run_in,
-      t.duration,
-      t.lead,
-      t.step,
-      t.sample_step,
-      t.passages,
-      t.wheel_step,
-      t.wheel_start,
-      names_of(t.frames));
-  if (t.cleat)
-    text += fmt::format(
-        " cleat {} {} {} {}", t.cleat->height, t.cleat->length, t.cleat->bevel, t.cleat->angle);
-  return fmt::format("{}, {}{}", text, kWheelScheme, identity_of(test_.pressure));
-}
-
 std::vector<ChannelInfo> DrumCleatTest::channels() const {
   std::vector<ChannelInfo> channels = {{"time", "s"}};
   for (ChannelInfo& force : force_channels(test_.frames)) channels.push_back(std::move(force));
@@ -97,6 +71,6 @@ DrumTest read_drum_cleat(const std::filesystem::path& file) {
 }
 
 const TestKind kDrumCleat = {
-    "drum_cleat", "rolls over a cleat on the drum", {Rolls::kName}, read_drum};
+    "drum_cleat", "rolls over a cleat on the drum", {Rolls::kName}, read_drum, kWheelScheme};
 
 }  // namespace latsch::experiment

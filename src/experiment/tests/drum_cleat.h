@@ -13,7 +13,6 @@ class DrumCleatTest : public Test {
   const DrumTest& settings() const { return test_; }
 
   std::string in_words() const override;
-  std::string identity() const override;
   std::vector<ChannelInfo> channels() const override;
   std::vector<std::string> needs() const override;
   std::optional<Reach> reach(const std::string& channel) const override;

@@ -28,28 +28,6 @@ class StandingFootprintTest : public Test {
                        inflated(test.pressure));
   }
 
-  std::string identity() const override {
-    const auto stated = [](const char* name, const std::optional<double>& value) {
-      return value ? fmt::format(" {} {}", name, *value) : "";
-    };
-    std::string sensors;
-    for (const Eigen::Vector2d& at : test_.sensors)
-      sensors += fmt::format(" {} {}", at.x(), at.y());
-    const auto elements =
-        test_.elements
-            ? fmt::format(" elements {} {}", test_.elements->around, test_.elements->across)
-            : "";
-    return fmt::format("footprint loads {} deflections {} camber {}{}{} sensor {} at{}{}",
-                       fmt::join(test_.loads, " "),
-                       fmt::join(test_.deflections, " "),
-                       test_.camber,
-                       stated("pressure", test_.pressure),
-                       stated("friction", test_.friction),
-                       test_.sensor,
-                       sensors,
-                       elements);
-  }
-
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     const Channels none = to_channels(test_, {});

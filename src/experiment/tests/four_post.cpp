@@ -53,33 +53,10 @@ struct Frequencies {
 
 class FourPost : public Test {
  public:
-  FourPost(FourPostTest test,
-           Frequencies frequencies,
-           std::string words,
-           std::filesystem::path file = {})
-      : test_(std::move(test)),
-        frequencies_(frequencies),
-        words_(std::move(words)),
-        file_(std::move(file)) {}
+  FourPost(FourPostTest test, Frequencies frequencies, std::string words)
+      : test_(std::move(test)), frequencies_(frequencies), words_(std::move(words)) {}
 
   std::string in_words() const override { return words_; }
-  std::string identity() const override {
-    std::string text = fmt::format("four_post step {} sample_step {} times {} {} {}",
-                                   test_.step,
-                                   test_.sample_step,
-                                   test_.times.front(),
-                                   test_.times.back(),
-                                   test_.times.size());
-    for (const auto& heights : test_.heights) text += fmt::format(" {}", fmt::join(heights, " "));
-    const auto& [mode, settings, are_recorded] = frequencies_;
-    if (are_recorded)
-      text += fmt::format(" spectra {} segment {} band {} {}",
-                          static_cast<int>(mode),
-                          settings.segment,
-                          settings.from,
-                          settings.to);
-    return text;
-  }
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     for (const auto& [name, unit] : car_channels(false)) channels.push_back({name, unit});
@@ -89,9 +66,6 @@ class FourPost : public Test {
     return channels;
   }
   std::vector<std::string> needs() const override { return kFourPost.needs; }
-  std::vector<std::filesystem::path> files() const override {
-    return file_.empty() ? std::vector<std::filesystem::path>{} : std::vector{file_};
-  }
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "time") return std::nullopt;
     return Reach{test_.times.front(), test_.times.back()};
@@ -150,7 +124,6 @@ class FourPost : public Test {
   FourPostTest test_;
   Frequencies frequencies_;
   std::string words_;
-  std::filesystem::path file_;  // of heights; empty: none
 };
 
 void read_steps(const Node& root, FourPostTest& test) {
@@ -162,24 +135,21 @@ void read_steps(const Node& root, FourPostTest& test) {
 }
 
 /// Of a measurement of the study, or of a table beside the file.
-Channels heights_of(const Node& root, const TestSource& source, std::filesystem::path& file) {
+Channels heights_of(const Node& root, const TestSource& source) {
   std::vector<MeasuredCondition> conditions = {{.channel = "time", .unit = "s", .is_needed = true}};
   for (const std::string& name : of_corners("post"))
     conditions.push_back({.channel = name, .unit = "m", .is_needed = true});
   if (const auto table = find_measured(root, "posts"))
     return take_measured(*table, conditions, source.measured);
-  file = source.folder / root.text("posts");
-  const auto table = formats::CsvTable::read(file);
+  const auto table = formats::CsvTable::read(source.file(root, "posts"));
   Channels channels;
   for (const MeasuredCondition& one : conditions)
     channels.add({one.channel, one.unit, table.numbers(one.channel, one.unit)});
   return channels;
 }
 
-FourPostTest recorded_posts(const Node& root,
-                            const TestSource& source,
-                            std::filesystem::path& file) {
-  const Channels channels = heights_of(root, source, file);
+FourPostTest recorded_posts(const Node& root, const TestSource& source) {
+  const Channels channels = heights_of(root, source);
   FourPostTest test;
   test.times = channels["time"];
   for (std::size_t i = 0; i < 4; ++i) test.heights[i] = channels[of_corners("post")[i]];
@@ -267,16 +237,14 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
       static_cast<PostMode>(std::find(modes.begin(), modes.end(), mode) - modes.begin());
   if (root.has("posts")) {
     const FourPostTest steps = test;
-    std::filesystem::path file;
-    test = recorded_posts(root, source, file);
+    test = recorded_posts(root, source);
     test.step = steps.step;
     test.sample_step = steps.sample_step;
     const PostSpectra usual;
     return std::make_unique<FourPost>(
         test,
         read_frequencies(root, which, test, usual.from, usual.to),
-        fmt::format("four posts as recorded, {:.4g} s", test.times.back()),
-        file);
+        fmt::format("four posts as recorded, {:.4g} s", test.times.back()));
   }
   PostSweep sweep{.mode = which};
   sweep.from = root.quantity("from", "Hz", Range::positive(), sweep.from);

@@ -38,9 +38,6 @@ class InflationTest : public Test {
     return test_.pressures.empty() ? "inflation" : "inflation, " + conditions();
   }
   std::string conditions() const override { return range_in_words(test_.pressures); }
-  std::string identity() const override {
-    return fmt::format("inflation pressures {}", fmt::join(test_.pressures, " "));
-  }
   std::vector<ChannelInfo> channels() const override {
     return {{"pressure", "Pa"}, {"outer_radius", "m"}, {"section_width", "m"}, {"growth", "m"}};
   }

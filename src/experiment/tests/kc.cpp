@@ -47,23 +47,6 @@ class KcTestOfCorner : public Test {
                        test_.loads.cols());
   }
 
-  std::string identity() const override {
-    const auto all = test_.loads.reshaped();
-    std::string text = fmt::format("kc at {} loads {}",
-                                   test_.at_wheel_center ? "wheel_center" : "contact_patch",
-                                   fmt::join(all.begin(), all.end(), " "));
-    for (std::size_t i = 0; i < 6; ++i)
-      if (test_.stated[i]) text += fmt::format(" {}", KcTest::kLoads[i]);
-    if (test_.slopes)
-      text +=
-          fmt::format(" slopes by {} in {} {}",
-                      std::find(KcTest::kLoads.begin(), KcTest::kLoads.end(), test_.slopes->by) -
-                          KcTest::kLoads.begin(),
-                      test_.slopes->from,
-                      test_.slopes->to);
-    return text;
-  }
-
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     for (std::size_t i = 0; i < 6; ++i)
@@ -78,6 +61,7 @@ class KcTestOfCorner : public Test {
   }
 
   std::vector<std::string> needs() const override { return kKc.needs; }
+  std::optional<long> samples() const override { return test_.loads.cols(); }
 
   std::optional<Reach> reach(const std::string& channel) const override {
     for (std::size_t i = 0; i < 6; ++i)

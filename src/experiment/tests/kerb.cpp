@@ -48,6 +48,7 @@
 
 #include <cmath>
 
+#include "base/document_record.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/car/car_record.h"
@@ -61,27 +62,6 @@ namespace latsch::experiment {
 
 extern const TestKind kKerb;
 namespace {
-
-std::string text_of(const History& history) {
-  return fmt::format("{} / {}", fmt::join(history.times, " "), fmt::join(history.values, " "));
-}
-
-std::string text_of(const road::Kerb& k) {
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}",
-                     static_cast<int>(k.shape),
-                     k.pitch,
-                     k.width,
-                     k.height,
-                     k.count,
-                     k.length,
-                     k.bevel,
-                     k.ramp,
-                     k.start.x(),
-                     k.start.y(),
-                     k.angle,
-                     k.friction,
-                     k.road_friction);
-}
 
 class KerbRunTest : public Test {
  public:
@@ -98,34 +78,6 @@ class KerbRunTest : public Test {
       words += fmt::format(", line {:.3g} mm", 1e3 * test_.line.at(0.0));
     return words;
   }
-  std::string identity() const override {
-    const KerbTest& t = test_;
-    std::string text = fmt::format("kerb speed {} line {} run_in {} duration {} step {} {} area {}",
-                                   text_of(t.speed),
-                                   text_of(t.line),
-                                   t.run_in,
-                                   t.duration,
-                                   t.step,
-                                   t.sample_step,
-                                   t.with_area);
-    if (t.kerb) text += " kerb " + text_of(*t.kerb);
-    if (t.filed)
-      text += fmt::format(" road {} {} {} {}",
-                          t.filed->start.x(),
-                          t.filed->start.y(),
-                          t.filed->heading,
-                          t.filed->continues);
-    if (t.loaders) {
-      const auto all = t.loaders->points.reshaped();
-      text += fmt::format(" loaders {} {} {} {}",
-                          fmt::join(all.begin(), all.end(), " "),
-                          t.downforce.x(),
-                          t.downforce.y(),
-                          t.downforce.z());
-    }
-    for (const History& pushrod : t.pushrods) text += " " + text_of(pushrod);
-    return text;
-  }
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     for (const auto& [name, unit] : car_channels(test_.with_area)) channels.push_back({name, unit});
@@ -141,10 +93,6 @@ class KerbRunTest : public Test {
     return channels;
   }
   std::vector<std::string> needs() const override { return kKerb.needs; }
-  std::vector<std::filesystem::path> files() const override {
-    return test_.filed ? formats::files_of_road(test_.filed->file)
-                       : std::vector<std::filesystem::path>();
-  }
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "time") return std::nullopt;
     return Reach{-test_.run_in, test_.duration};
@@ -255,8 +203,9 @@ void read_wander(const Node& node, KerbTest& test) {
 
 FiledRoad read_filed_road(const Node& node, const TestSource& source) {
   FiledRoad filed;
-  filed.file = source.folder / node.text("file");
+  filed.file = source.file(node, "file");
   filed.road = formats::read_road_file(filed.file).road;
+  DocumentRecord::names_files(node, "file", formats::files_of_road(filed.file));
   if (node.has("start")) {
     const auto start = node.quantities("start", "m", Range::between(-1e6, 1e6));
     if (start.size() != 2) node.reject("start", "expected x and y");

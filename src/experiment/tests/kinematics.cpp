@@ -65,29 +65,6 @@ class KinematicsTestOfAxle : public Test {
         test_.travel.size());
   }
 
-  std::string identity() const override {
-    std::string text =
-        fmt::format("kinematics {} at {} travel {} rack {} outer_share {}{}{}",
-                    axle_mode(test_),
-                    test_.at == suspension::TravelOf::contact ? "contact_patch" : "wheel_center",
-                    fmt::join(test_.travel, " "),
-                    fmt::join(test_.rack, " "),
-                    test_.outer_share,
-                    test_.with_rates ? " rates" : "",
-                    test_.with_anti_roll_bar ? " anti_roll_bar" : "");
-    if (test_.wheelbase) text += fmt::format(" wheelbase {}", *test_.wheelbase);
-    if (test_.rack_per_turn) text += fmt::format(" rack_per_turn {}", *test_.rack_per_turn);
-    if (const auto& v = test_.vehicle)
-      text += fmt::format(" {} wheelbase {} cg_height {} brake_share {} drive_share {} {}",
-                          v->is_front ? "front" : "rear",
-                          v->wheelbase,
-                          v->cg_height,
-                          v->brake_share,
-                          v->drive_share,
-                          v->has_outboard_brakes ? "outboard" : "inboard");
-    return text;
-  }
-
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     for (const KinematicChannel& channel : kinematic_channels(test_))

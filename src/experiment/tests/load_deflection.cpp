@@ -65,15 +65,6 @@ std::string LoadDeflectionTest::conditions() const {
   return conditions_in_words(test_.pressure, test_.ground);
 }
 
-std::string LoadDeflectionTest::identity() const {
-  return fmt::format("load_deflection pressure {} mu {} penalty {} deflections {} radii {}",
-                     test_.pressure.value_or(0.0),
-                     test_.ground.mu,
-                     test_.ground.stiffness,
-                     fmt::join(test_.deflections, " "),
-                     fmt::join(test_.loaded_radii, " "));
-}
-
 std::vector<ChannelInfo> LoadDeflectionTest::channels() const {
   return {{"force", "N"},
           {"deflection", "m"},

@@ -25,7 +25,6 @@ class LoadDeflectionTest : public Test {
 
   std::string in_words() const override;
   std::string conditions() const override;
-  std::string identity() const override;
   std::vector<ChannelInfo> channels() const override;
   std::vector<std::string> needs() const override;
   std::optional<Reach> reach(const std::string& channel) const override;

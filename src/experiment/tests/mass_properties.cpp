@@ -24,7 +24,6 @@ class MassPropertiesTest : public Test {
   explicit MassPropertiesTest(const MassTest& test) : test_(test) {}
 
   std::string in_words() const override { return "mass properties" + inflated(test_.pressure); }
-  std::string identity() const override { return "mass_properties" + identity_of(test_.pressure); }
   std::vector<ChannelInfo> channels() const override {
     return {{"mass", "kg"}, {"spin_inertia", "kg m^2"}, {"diametral_inertia", "kg m^2"}};
   }

@@ -45,19 +45,19 @@ Channels measured(const Node& table, const std::vector<MeasuredCondition>& condi
   return channels;
 }
 
-std::unique_ptr<Test> read(const std::string& keys, bool in_a_study = true) {
+ReadTest read(const std::string& keys, bool in_a_study = true) {
   const Document document = Document::parse(keys, "test.toml");
   TestSource source;
   if (in_a_study) source.measured = measured;
-  return language().read_test(document.root(), source);
+  return language().read_identified_test(document.root(), source);
 }
 
 /// The first keys with a measurement in them, the other ones with its numbers.
 void expect_same(const std::string& common, const std::string& taken, const std::string& typed) {
   const auto one = read(common + taken), other = read(common + typed);
-  EXPECT_EQ(one->identity(), other->identity());
-  EXPECT_EQ(one->in_words(), other->in_words());
-  EXPECT_EQ(one->needs(), other->needs());
+  EXPECT_EQ(one.identity, other.identity);
+  EXPECT_EQ(one.test->in_words(), other.test->in_words());
+  EXPECT_EQ(one.test->needs(), other.test->needs());
 }
 
 constexpr const char* kTakes = "{from = \"measurement.rig\"}\n";

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/document_record.h"
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
@@ -38,21 +39,6 @@ std::string ModesTest::in_words() const {
 std::string ModesTest::conditions() const {
   const std::string conditions = conditions_in_words(test_.pressure, test_.ground);
   return conditions + (conditions.empty() ? "" : ", ") + state_in_words(test_);
-}
-
-std::string ModesTest::identity() const {
-  std::string points;
-  for (const double x : test_.points.reshaped()) points += fmt::format("{} ", x);
-  return fmt::format(
-      "modes pressure {} mu {} penalty {} deflection {} load {}{} count {} points {}",
-      test_.pressure.value_or(0.0),
-      test_.ground.mu,
-      test_.ground.stiffness,
-      test_.deflection.value_or(0.0),
-      test_.load.value_or(0.0),
-      test_.camber == 0.0 ? "" : fmt::format(" camber {}", test_.camber),
-      test_.count,
-      points);
 }
 
 std::vector<ChannelInfo> ModesTest::channels() const {
@@ -95,6 +81,7 @@ std::unique_ptr<Test> read_modes_test(const Node& root, const TestSource& source
   if (const auto from = find_measured(root, "count")) {
     const long measured = measured_count(*from, {"frequency", "Hz"}, source.measured);
     test.count = static_cast<int>(std::min(kMost, measured + kMoreModesThanMeasured));
+    DocumentRecord::stands_for(*from, std::to_string(test.count));
   } else {
     test.count = static_cast<int>(root.integer("count", 1, kMost, test.count));
   }

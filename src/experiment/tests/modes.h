@@ -32,7 +32,6 @@ class ModesTest : public Test {
 
   std::string in_words() const override;
   std::string conditions() const override;
-  std::string identity() const override;
   std::vector<ChannelInfo> channels() const override;
   std::vector<std::string> needs() const override;
   Result<Channels> run(Specimen& specimen) const override;

@@ -34,20 +34,6 @@ class RollingStiffness : public Test {
                        fmt::join(measures_, ", "));
   }
 
-  std::string identity() const override {
-    return fmt::format(
-        "rolling_stiffness speed {} load {} slip {} angle {} camber {} step {} {}, {}{}",
-        test_.speed,
-        test_.load,
-        test_.slip,
-        test_.angle,
-        test_.camber,
-        test_.step,
-        fmt::join(measures_, " "),
-        kWheelScheme,
-        identity_of(test_.pressure));
-  }
-
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     if (wants("slip")) channels.push_back({"slip_stiffness", "N"});
@@ -60,6 +46,7 @@ class RollingStiffness : public Test {
   }
 
   std::vector<std::string> needs() const override { return kRollingStiffness.needs; }
+  std::optional<long> samples() const override { return 1; }
 
   Result<Channels> run(Specimen& specimen) const override {
     const auto tire = specimen.find<Rolls>()->tire(test_.pressure);
@@ -129,6 +116,7 @@ std::unique_ptr<Test> read_rolling_stiffness(const Node& root, const TestSource&
 const TestKind kRollingStiffness = {"rolling_stiffness",
                                     "rolls freely: slip, cornering and camber stiffness, trail",
                                     {Rolls::kName},
-                                    read_rolling_stiffness};
+                                    read_rolling_stiffness,
+                                    kWheelScheme};
 
 }  // namespace latsch::experiment

@@ -28,16 +28,14 @@ namespace {
 
 class SlipHistoryTest : public Test {
  public:
-  /// An empty path: the table stands in no file of its own.
-  SlipHistoryTest(const std::string& text, const std::string& name, std::filesystem::path file)
-      : text_(text), history_(formats::CsvTable::parse(text, name)), file_(std::move(file)) {
+  SlipHistoryTest(const std::string& text, const std::string& name, bool is_measured)
+      : history_(formats::CsvTable::parse(text, name)), is_measured_(is_measured) {
     history_.numbers("time", "s");  // said at once where it is not there
   }
 
   std::string in_words() const override {
     return fmt::format("slips of {} samples, lagging", history_.rows());
   }
-  std::string identity() const override { return "slip_history\n" + text_; }
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     const auto in_W = force_names({AxisFrame::W});
@@ -52,14 +50,14 @@ class SlipHistoryTest : public Test {
     return channels;
   }
   std::vector<std::string> needs() const override { return kSlipHistory.needs; }
-  std::vector<std::filesystem::path> files() const override {
-    return file_.empty() ? std::vector<std::filesystem::path>{} : std::vector{file_};
-  }
   std::vector<Ledger> ledgers(const std::string& by) const override {
-    if (file_.empty()) return {};  // the measurement has its own
+    if (is_measured_) return {};  // the measurement has its own
     Ledger ledger = ledger_of_states(history_, by);
     if (LedgerRow* time = ledger.find_written("time")) Ledger::use(*time, by);
     return {std::move(ledger)};
+  }
+  std::vector<double> driven_at(const std::string& condition) const override {
+    return values_of(history_, condition);
   }
   std::optional<long> samples() const override { return history_.rows(); }
   Result<Channels> run(Specimen& specimen) const override {
@@ -71,9 +69,8 @@ class SlipHistoryTest : public Test {
   }
 
  private:
-  std::string text_;
   formats::CsvTable history_;
-  std::filesystem::path file_;
+  bool is_measured_;  // by a measurement of the study, not a file
 };
 
 std::unique_ptr<Test> read_slip_history(const Node& root, const TestSource& source) {
@@ -84,10 +81,10 @@ std::unique_ptr<Test> read_slip_history(const Node& root, const TestSource& sour
     return std::make_unique<SlipHistoryTest>(
         formats::csv_text(take_measured(*measured, wanted, source.measured)),
         measured->text("from"),
-        std::filesystem::path());
+        true);
   }
-  const auto file = source.folder / root.text("states");
-  return std::make_unique<SlipHistoryTest>(read_text_file(file, kLargest), file.string(), file);
+  const auto file = source.file(root, "states");
+  return std::make_unique<SlipHistoryTest>(read_text_file(file, kLargest), file.string(), false);
 }
 
 }  // namespace

@@ -72,28 +72,6 @@ class SlipSweepTest : public Test {
              : fmt::format("kappa {:g} to {:g}", s.kappa_from, s.kappa_to));
   }
 
-  std::string identity() const override {
-    const SlipSweep& s = sweep_;
-    return fmt::format(
-        "slip_sweep speed {} load {} axle {} frame {} camber {} alpha {} {} kappa {} {} run_in {} "
-        "duration {} step {} sample_step {}, {}{}",
-        s.speed,
-        s.load,
-        static_cast<int>(s.axle),
-        names_of(s.frames),
-        s.camber,
-        s.alpha_from,
-        s.alpha_to,
-        s.kappa_from,
-        s.kappa_to,
-        s.run_in,
-        s.duration,
-        s.step,
-        sample_step_,
-        kWheelScheme,
-        identity_of(s.pressure));
-  }
-
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels = {{"time", "s"}, {"alpha", "rad"}, {"kappa", "1"}};
     for (ChannelInfo& force : force_channels(sweep_.frames)) channels.push_back(std::move(force));
@@ -154,7 +132,10 @@ std::unique_ptr<Test> read_slip_sweep(const Node& root, const TestSource& source
 
 }  // namespace
 
-const TestKind kSlipSweep = {
-    "slip_sweep", "is steered or braked on a flat track", {Rolls::kName}, read_slip_sweep};
+const TestKind kSlipSweep = {"slip_sweep",
+                             "is steered or braked on a flat track",
+                             {Rolls::kName},
+                             read_slip_sweep,
+                             kWheelScheme};
 
 }  // namespace latsch::experiment

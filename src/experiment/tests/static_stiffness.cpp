@@ -42,29 +42,6 @@ class StaticStiffnessTest : public Test {
     return text;
   }
 
-  std::string identity() const override {
-    std::vector<int> directions;
-    for (const Direction direction : test_.directions)
-      directions.push_back(static_cast<int>(direction));
-    const auto stated = [](const char* name, double way) {
-      return way == kWay ? "" : fmt::format(" {} {}", name, way);
-    };
-    std::string on;
-    if (const auto& c = test_.cleat)
-      on = fmt::format(" cleat {} {} {} {}", c->height, c->length, c->bevel, c->angle);
-    std::string more = test_.camber == 0.0 ? "" : fmt::format(" camber {}", test_.camber);
-    if (test_.friction) more += fmt::format(" friction {}", *test_.friction);
-    return fmt::format("static_stiffness deflections {}{} load {} directions {}{}{}{}{}",
-                       fmt::join(test_.deflections, " "),
-                       on,
-                       test_.load,
-                       fmt::join(directions, " "),
-                       stated("travel", test_.travel),
-                       stated("twist", test_.twist),
-                       identity_of(test_.pressure),
-                       more);
-  }
-
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     if (!test_.deflections.empty()) channels = {{"deflection", "m"}, {"force", "N"}};
@@ -80,6 +57,11 @@ class StaticStiffnessTest : public Test {
     const auto [least, most] =
         std::minmax_element(test_.deflections.begin(), test_.deflections.end());
     return Reach{*least, *most};
+  }
+
+  std::optional<long> samples_of(const std::string& channel) const override {
+    const bool is_of_curve = channel == "deflection" || channel == "force";
+    return is_of_curve ? std::ssize(test_.deflections) : 1;
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }

@@ -37,25 +37,15 @@ using magic_formula::Conventions;
 
 class SteadyStatesTest : public Test {
  public:
-  /// An empty path: the table stands in no file of its own.
   SteadyStatesTest(std::shared_ptr<const MappedFile> table,
                    const std::string& name,
-                   std::filesystem::path file,
-                   const Conventions& conventions)
-      : table_(std::move(table)),
-        states_(formats::CsvTable::parse(table_, name)),
-        file_(std::move(file)),
-        conventions_(conventions) {}
+                   const Conventions& conventions,
+                   bool is_measured)
+      : states_(formats::CsvTable::parse(std::move(table), name)),
+        conventions_(conventions),
+        is_measured_(is_measured) {}
 
   std::string in_words() const override { return fmt::format("{} steady states", states_.rows()); }
-  std::string identity() const override {
-    std::string text = "steady_states";
-    if (!conventions_.limits) text += ", without limits";
-    if (conventions_.angles == Angles::tangent) text += ", tangent angles";
-    if (conventions_.turn_slip) text += ", turn slip";
-    if (conventions_.mirrored) text += ", mirrored";
-    return text.append("\n").append(table_->text());
-  }
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     const Channels none = answers({});
@@ -68,12 +58,12 @@ class SteadyStatesTest : public Test {
     return channels;
   }
   std::vector<std::string> needs() const override { return kSteadyStates.needs; }
-  std::vector<std::filesystem::path> files() const override {
-    return file_.empty() ? std::vector<std::filesystem::path>{} : std::vector{file_};
-  }
   std::vector<Ledger> ledgers(const std::string& by) const override {
-    if (file_.empty()) return {};  // the measurement has its own
+    if (is_measured_) return {};  // the measurement has its own
     return {ledger_of_states(states_, by)};
+  }
+  std::vector<double> driven_at(const std::string& condition) const override {
+    return values_of(states_, condition);
   }
   std::optional<long> samples() const override { return states_.rows(); }
   Result<Channels> run(Specimen& specimen) const override {
@@ -89,10 +79,9 @@ class SteadyStatesTest : public Test {
   }
 
  private:
-  std::shared_ptr<const MappedFile> table_;
   formats::CsvTable states_;
-  std::filesystem::path file_;
   Conventions conventions_;
+  bool is_measured_;  // by a measurement of the study, not a file
 };
 
 constexpr std::size_t kKept = std::size_t{16} << 20;         // bytes
@@ -120,16 +109,16 @@ std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& sou
   const auto measured = find_measured(root, "states");
   const Conventions conventions = read_conventions(root);
   if (!measured) {
-    const auto file = source.folder / root.text("states");
-    return std::make_unique<SteadyStatesTest>(table_of(file), file.string(), file, conventions);
+    const auto file = source.file(root, "states");
+    return std::make_unique<SteadyStatesTest>(table_of(file), file.string(), conventions, false);
   }
   const std::string from = measured->text("from");
   return std::make_unique<SteadyStatesTest>(
       std::make_shared<MappedFile>(
           formats::csv_text(take_measured(*measured, measured_states(), source.measured))),
       from,
-      std::filesystem::path(),
-      conventions);
+      conventions,
+      true);
 }
 
 }  // namespace

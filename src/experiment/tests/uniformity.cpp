@@ -25,19 +25,6 @@ class Uniformity : public Test {
         test_.diameter > 0.0 ? fmt::format(", drum of {:.4g} m", test_.diameter) : "");
   }
 
-  std::string identity() const override {
-    return fmt::format(
-        "uniformity load {} diameter {} speed {} inertia {} harmonics {} step {}, {}{}",
-        test_.load,
-        test_.diameter,
-        test_.speed,
-        test_.wheel_inertia,
-        test_.harmonics,
-        test_.step,
-        kWheelScheme,
-        identity_of(test_.pressure));
-  }
-
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     for (const auto& [name, value] : values_of({})) channels.push_back({name, "N"});
@@ -45,6 +32,7 @@ class Uniformity : public Test {
   }
 
   std::vector<std::string> needs() const override { return kUniformity.needs; }
+  std::optional<long> samples() const override { return 1; }
 
   Result<Channels> run(Specimen& specimen) const override {
     const auto tire = specimen.find<Rolls>()->tire(test_.pressure);
@@ -81,6 +69,7 @@ const TestKind kUniformity = {
     "uniformity",
     "uniformity machine: force variations over a turn, conicity, ply steer",
     {Rolls::kName},
-    read_uniformity};
+    read_uniformity,
+    kWheelScheme};
 
 }  // namespace latsch::experiment

@@ -18,7 +18,7 @@ namespace {
 constexpr std::uintmax_t kLargestDeck = 256u << 20;
 constexpr std::size_t kLargestSet = 2'000'000;
 
-bool is_number(const std::string& field) {
+bool begins_a_number(const std::string& field) {
   return !field.empty() && (std::isdigit(static_cast<unsigned char>(field[0])) || field[0] == '-');
 }
 
@@ -190,7 +190,7 @@ class DeckReader {
         for (long i = first; i <= last; i += step) members.push_back(static_cast<int>(i));
       } else {
         for (std::size_t i = 0; i < line.fields.size(); ++i) {
-          if (is_number(line.fields[i])) {
+          if (begins_a_number(line.fields[i])) {
             members.push_back(card.integer(line, i));
           } else {
             append(members, find(sets, line.fields[i], kind, card.at(line)), card.at(line));
@@ -225,7 +225,7 @@ class DeckReader {
                                   const std::map<std::string, std::vector<int>>& sets,
                                   const char* kind) {
     const std::string& field = card.text(line, 0);
-    if (is_number(field)) return {card.integer(line, 0)};
+    if (begins_a_number(field)) return {card.integer(line, 0)};
     return find(sets, field, kind, card.at(line));
   }
 

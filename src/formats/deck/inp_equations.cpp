@@ -9,7 +9,7 @@ namespace latsch::formats {
 namespace {
 
 constexpr double kSameWeight = 1e-6;  // decks carry seven digits or more
-constexpr double kSamePlace = 1e-4;   // of the length of the line
+constexpr double kOnTheLine = 1e-4;   // of the length of the line
 constexpr int kTerms = 3;
 
 constexpr const char* kExpected =
@@ -85,7 +85,7 @@ std::map<int, InpTie> InpEquations::ties(const std::map<int, Eigen::Vector3d>& n
             tie.place,
             fmt::format("node {} is tied to node {}, which is tied itself", number, node));
     const Eigen::Vector3d &a = nodes.at(tie.lower), &b = nodes.at(tie.upper);
-    if ((nodes.at(number) - a - tie.at * (b - a)).norm() > kSamePlace * (b - a).norm())
+    if ((nodes.at(number) - a - tie.at * (b - a)).norm() > kOnTheLine * (b - a).norm())
       throw InputError(tie.place,
                        fmt::format("node {} does not lie where its weights place it between nodes "
                                    "{} and {}",

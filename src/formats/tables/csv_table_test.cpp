@@ -194,5 +194,58 @@ TEST(CsvText, AShorterChannelLeavesItsCellsEmpty) {
   EXPECT_EQ(csv_text(channels), "frequency [Hz],deflection [m]\n40,0.02\n60,\n");
 }
 
+TEST(CsvTable, AUnitMayStandInRoundBracketsOrBehindASlash) {
+  const CsvTable table = parse(
+      "Fz (kN),SA (deg),v / (km/h),Temp (C),p (bar(g)),Fy (H),toe (L),n (1)\n1,180,36,0,2,7,8,9\n");
+  EXPECT_EQ(table.numbers("Fz", "N")[0], 1000.0);
+  EXPECT_NEAR(table.numbers("SA", "rad")[0], 3.14159265358979, 1e-14);
+  EXPECT_EQ(table.numbers("v", "m/s")[0], 10.0);
+  EXPECT_EQ(table.numbers("Temp", "K")[0], 273.15);
+  EXPECT_EQ(table.numbers("p", "Pa")[0], 2e5);
+  // The whole title is a name, too. Letters that name a frame, a side or a place are no units.
+  EXPECT_EQ(table.numbers("Fz (kN)", "N")[0], 1000.0);
+  EXPECT_EQ(table.numbers("Fy (H)", "1")[0], 7.0);
+  EXPECT_EQ(table.numbers("toe (L)", "1")[0], 8.0);
+  EXPECT_EQ(table.numbers("n (1)", "1")[0], 9.0);
+  const TableColumn& column = table.header()[2];
+  EXPECT_EQ(column.unit, "km/h");
+  EXPECT_EQ(column.line, 1);
+  EXPECT_EQ(column.place, 3);
+}
+
+// A line of units with an unknown one was taken for values.
+TEST(CsvTable, AnUnknownWordInTheLineOfUnitsIsAnUnknownUnit) {
+  for (const char* text : {"SA,FZ\ndegg,N\n1,2\n", "SA;FZ\ndegg;foo\n1,0;2,0\n"}) {
+    const CsvTable table = parse(text);
+    EXPECT_EQ(table.rows(), 1) << text;
+    EXPECT_EQ(table_complaint(text, [](const CsvTable& t) { t.numbers("SA", "rad"); }),
+              "t.csv:2: column \"SA\" has unknown unit \"degg\", did you mean \"deg\"?");
+  }
+  const CsvTable texts = parse("who,FZ\n,N\nann,2\n");
+  EXPECT_EQ(texts.numbers("FZ", "N"), std::vector<double>{2.0});
+  EXPECT_EQ(texts.unit("who"), "");
+}
+
+TEST(CsvTable, NamesAllMissingColumnsAtOnce) {
+  EXPECT_EQ(table_complaint("a [N],b\n1,2\n",
+                            [](const CsvTable& t) {
+                              t.numbers({{"A", "N"}, {"zeta", "m"}, {"b", "1"}});
+                            }),
+            "t.csv:1: columns \"A\", \"zeta\" are missing, did you mean \"a\" for \"A\"? (columns: "
+            "\"a\" or \"b\")");
+}
+
+TEST(CsvTable, SaysWhyANumberIsNone) {
+  const auto force = [](const CsvTable& t) { t.numbers("F", "N"); };
+  EXPECT_EQ(table_complaint("F [N],b\n\"1,5\",2\n", force),
+            "t.csv:2: F is \"1,5\", a decimal comma, which is not read in files with commas: write "
+            "a decimal point, or a .csv with semicolons or tabs between the columns");
+  EXPECT_EQ(table_complaint("F [N],b\n1'234.5,2\n", force),
+            "t.csv:2: F is \"1'234.5\", expected a number without thousands separators");
+  EXPECT_EQ(table_complaint("F [N],b\n1,5,2\n", force),
+            "t.csv:2: has 3 fields, expected 2 as in the header (line 1); decimal commas need "
+            "semicolons or tabs between the columns");
+}
+
 }  // namespace
 }  // namespace latsch::formats

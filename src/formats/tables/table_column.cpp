@@ -52,7 +52,9 @@ TableColumn column_of_title(std::string_view title) {
   title = trimmed(title);
   TableColumn column{.name = std::string(title), .title = std::string(title)};
   const auto split = [&](std::size_t name_end, std::string_view unit) {
-    column.name = trimmed(title.substr(0, name_end));
+    std::string_view name = trimmed(title.substr(0, name_end));
+    if (name.ends_with(" /")) name = trimmed(name.substr(0, name.size() - 2));  // "v / (km/h)"
+    column.name = name;
     column.unit = trimmed(unit);
   };
   if (title.ends_with(']')) {

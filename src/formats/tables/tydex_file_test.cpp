@@ -172,6 +172,20 @@ TEST(LabUnits, AreUnderstoodAsARigMeansThem) {
   EXPECT_FALSE(Unit::find("quux"));
 }
 
+// "Grad", German for degree, was a giga-radian.
+TEST(TydexFile, AGradOfAGermanRigIsADegree) {
+  const std::string text =
+      "**HEADER\nRELEASE   Release of TYDEX-Format                 1.3\n**MEASURCHANNELS\n"
+      "SLIPANGL  Schraeglaufwinkel             Grad      1         0         0\n"
+      "FZW       Radlast                       N         1         0         0\n"
+      "**MEASURDATA\n-2 3000\n2 3000\n**END\n";
+  const TydexFile file = TydexFile::parse(text, "g_grad.tdx");
+  EXPECT_NEAR(file.channels["SLIPANGL"][1], 2 * std::numbers::pi / 180, 1e-16);
+  std::string lower = text;
+  lower.replace(lower.find("Grad "), 4, "grad");
+  expect_tydex_message(lower, "rig.tdx:4: ", "unit \"grad\", which is a degree in German and 0.9");
+}
+
 // Cornering tests on a flat belt at 25 mph; the files' names tell load and pressure.
 TEST(TydexFile, ReadsTheCorneringTestsAsTheyAreNamed) {
   if (!std::filesystem::exists(kTydexSamples)) GTEST_SKIP() << "no samples in " << kTydexSamples;

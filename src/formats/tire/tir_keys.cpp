@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kDescribes = "describes the file";
 constexpr const char* kSteps = "belongs to the time steps of another program";
-constexpr const char* kRoad = "belongs to another program's search for the road";
+constexpr const char* kRoadSearch = "belongs to another program's search for the road";
 constexpr const char* kDeflection =
     "belongs to the deflection of PAC2002, which is VERTICAL_STIFFNESS or the curve here";
 constexpr const char* kContact =
@@ -43,9 +43,9 @@ const std::map<std::string, Unused, std::less<>>& unused_keys() {
       {"HMAX_LOCAL", {kSteps, false}},
       {"TIME_SWITCH_INTEG", {kSteps, false}},
       {"SWITCH_INTEG", {kSteps, false}},
-      {"ROAD_INCREMENT", {kRoad, false}},
-      {"ROAD_DIRECTION", {kRoad, false}},
-      {"ELLIPS_MAX_STEP", {kRoad, false}},
+      {"ROAD_INCREMENT", {kRoadSearch, false}},
+      {"ROAD_DIRECTION", {kRoadSearch, false}},
+      {"ELLIPS_MAX_STEP", {kRoadSearch, false}},
       {"ELLIPS_NLENGTH", {kContact, false}},
       {"ENV_C1", {kContact, false}},
       {"ENV_C2", {kContact, false}},

@@ -52,7 +52,7 @@ constexpr std::array<std::string_view, 17> kOfPressure = {"PPX1",
                                                           "PCFY3",
                                                           "LIP"};
 
-bool is_group(std::string_view section) {
+bool is_coefficient_group(std::string_view section) {
   return section.ends_with("_COEFFICIENTS") || section.ends_with("_RANGE");
 }
 
@@ -259,7 +259,7 @@ class TirReader {
                                    before->second->line,
                                    before->second->value));
     tir_.parameters.*field.member = value;
-    const bool astray = is_group(field.section) && section.name() != field.section &&
+    const bool astray = is_coefficient_group(field.section) && section.name() != field.section &&
                         home_sections().contains(section.name());
     if (astray)
       note(entry.line,

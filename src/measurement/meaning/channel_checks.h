@@ -19,6 +19,8 @@
 //   inclination and side force    opposite, at one slip angle
 //   kappa and Fx; dx, dy, dz and the force along them; Vx and omega     equal
 //
+// Loads about zero, as a K&C rig changes them or a cleat shakes them, are no loads on a tire.
+//
 // A channel of which at least nine samples of ten are impossible is an error, a minority of odd
 // samples is counted. Not seen: a wrong number of a plausible size.
 #pragma once

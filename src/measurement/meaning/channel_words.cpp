@@ -46,6 +46,9 @@ constexpr std::array kMeanings = {
     ChannelMeaning{"travel", "m", "wheel travel"},
     ChannelMeaning{"rack", "m", "displacement of the rack"},
     ChannelMeaning{"frequency", "Hz", "frequency"},
+    ChannelMeaning{"SL", "1", "slip of the loaded radius"},
+    ChannelMeaning{"NFX", "1", "longitudinal force over load"},
+    ChannelMeaning{"NFY", "1", "lateral force over load"},
 };
 
 /// A spelling without case, blanks and signs, and the channel.

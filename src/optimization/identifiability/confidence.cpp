@@ -56,8 +56,8 @@ Eigen::VectorXd beside(const Eigen::MatrixXd& A, const Eigen::VectorXd& j) {
   return j - A * (inverse_normal_matrix(A) * (A.transpose() * j));
 }
 
-/// On a bound, with S growing inward, by slopes. `way`: in the unit cube, so short that it counts as
-/// none.
+/// On a bound, with S growing inward, by slopes. `way`: in the unit cube, so short that it counts
+/// as none.
 Bound bound_at(double u, double gradient, double way) {
   if (u <= way && gradient > 0.0) return Bound::lower;
   if (u >= 1.0 - way && gradient < 0.0) return Bound::upper;
@@ -264,6 +264,46 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
                                                : Interval{at.u[i] - inward, kInfinity};
   }
   return c;
+}
+
+namespace {
+
+/// Rows of the variables among n rows that are 0 elsewhere.
+Eigen::MatrixXd spread_rows(const Eigen::MatrixXd& part,
+                            const std::vector<int>& places,
+                            Eigen::Index n) {
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n, part.cols());
+  for (std::size_t k = 0; k < places.size(); ++k)
+    all.row(places[k]) = part.row(static_cast<Eigen::Index>(k));
+  return all;
+}
+
+}  // namespace
+
+Confidence of_all_variables(Confidence part,
+                            const std::vector<int>& free,
+                            const Eigen::VectorXd& u) {
+  const Eigen::Index n = u.size();
+  Confidence all = part;
+  all.held.assign(static_cast<std::size_t>(n), Bound::none);
+  all.thresholds.assign(static_cast<std::size_t>(n), part.threshold());
+  all.intervals.clear();
+  for (Eigen::Index i = 0; i < n; ++i) all.intervals.push_back({u[i], u[i]});
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    const auto i = static_cast<std::size_t>(free[k]);
+    all.held[i] = part.held[k];
+    all.thresholds[i] = part.thresholds[k];
+    all.intervals[i] = part.intervals[k];
+  }
+  const auto square = [&](const Eigen::MatrixXd& of_free) -> Eigen::MatrixXd {
+    return spread_rows(spread_rows(of_free, free, n).transpose(), free, n);
+  };
+  all.directions = spread_rows(part.directions, free, n);
+  all.covariance = square(part.covariance);
+  all.correlation = square(part.correlation);
+  all.free.axes = spread_rows(part.free.axes, free, n);
+  all.free.following = spread_rows(part.free.following.transpose(), free, n).transpose();
+  return all;
 }
 
 Eigen::VectorXd shift_of(const Linearization& at,

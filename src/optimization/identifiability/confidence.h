@@ -128,6 +128,12 @@ double rare_ratio(double nu);
 /// Needs a residual at least.
 Confidence confidence(const Linearization& at, const ConfidenceOptions& options = {});
 
+/// The confidence of some of the variables as one of all: the others stand at `u`, have an interval
+/// of no width, no covariance and no part in any direction. There is a direction a free variable.
+Confidence of_all_variables(Confidence part,
+                            const std::vector<int>& free,
+                            const Eigen::VectorXd& u);
+
 /// How far from here the least sum of squares lies when all residuals change by `change`,
 /// -(J'J)^-1 J' change in the variables that are not held: what a model that computes otherwise
 /// does to its numbers. 0 in held ones and along directions that no residual feels.

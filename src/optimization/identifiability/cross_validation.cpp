@@ -20,11 +20,14 @@ double root_mean_square(const Eigen::VectorXd& r) {
 CrossValidation::CrossValidation(const DesignSpace& space,
                                  const Linearization& best,
                                  const std::vector<int>& group,
-                                 double tolerance)
+                                 double tolerance,
+                                 std::vector<int> free)
     : space_(space) {
   assert(std::ssize(group) == best.r.size());
-  std::vector<int> all(space.size());
-  std::iota(all.begin(), all.end(), 0);
+  if (free.empty()) {
+    free.resize(static_cast<std::size_t>(space.size()));
+    std::iota(free.begin(), free.end(), 0);
+  }
   for (int left : std::set<int>(group.begin(), group.end())) {
     if (left < 0) continue;
     std::vector<Eigen::Index> rest, out;
@@ -36,10 +39,10 @@ CrossValidation::CrossValidation(const DesignSpace& space,
     folds_.push_back({rest,
                       out,
                       BroydenFit(without,
-                                 all,
+                                 free,
                                  {.tolerance = tolerance,
                                   .most_evaluations = kEvaluationsOfARefit + 2 * space.size(),
-                                  .refresh = all,
+                                  .refresh = free,
                                   .region = FeasibleRegion(space)}),
                       {left, best.u, now, now}});
   }

@@ -29,11 +29,13 @@ struct LeftOut {
 class CrossValidation {
  public:
   /// `group` of every residual of the common fit `best`, < 0 for what is never left out; at least
-  /// two groups. `tolerance` as in BroydenFitOptions.
+  /// two groups. `tolerance` as in BroydenFitOptions; `free`: the variables that may move,
+  /// ascending; empty: all.
   CrossValidation(const DesignSpace& space,
                   const Linearization& best,
                   const std::vector<int>& group,
-                  double tolerance);
+                  double tolerance,
+                  std::vector<int> free = {});
 
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
   void observe(const std::vector<Result<Evaluated>>& evaluated);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/identifiability/identification.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <memory>
@@ -25,8 +26,27 @@ std::vector<double> numbers(const Eigen::VectorXd& u) { return {u.begin(), u.end
 Identification::Identification(const DesignSpace& space,
                                const DesignPoint& point,
                                const IdentificationOptions& options)
-    : space_(space), options_(options) {
+    : space_(space), options_(options), free_(options.free) {
+  if (free_.empty()) {
+    free_.resize(static_cast<size_t>(space_.size()));
+    std::iota(free_.begin(), free_.end(), 0);
+  }
   begin_at(point);
+}
+
+/// A point of the unit cube, with the exact bits of the variables that may not move.
+DesignPoint Identification::held_at_center(const Eigen::VectorXd& u) const {
+  DesignPoint point = center_;
+  const DesignPoint moved = space_.from_unit(numbers(u));
+  for (const int i : free_)
+    point.values[static_cast<size_t>(i)] = moved.values[static_cast<size_t>(i)];
+  return point;
+}
+
+Confidence Identification::confidence_of_free(const Linearization& at) const {
+  if (std::ssize(free_) == space_.size()) return latsch::confidence(at, options_.confidence);
+  const Linearization part{at.u(free_), at.r, at.J(Eigen::all, free_), at.is_exact};
+  return of_all_variables(latsch::confidence(part, options_.confidence), free_, at.u);
 }
 
 /// A step in one variable, with the exact bits of the others.
@@ -41,6 +61,7 @@ DesignPoint Identification::moved(int variable, double offset) const {
 
 std::vector<Identification::Term> Identification::derivative(int variable) const {
   std::vector<Term> terms;
+  if (!std::binary_search(free_.begin(), free_.end(), variable)) return terms;
   for (const auto& [offset, weight] : searches_[static_cast<size_t>(variable)].terms())
     terms.push_back({offset == 0.0 ? center_ : moved(variable, offset), weight});
   return terms;
@@ -76,7 +97,7 @@ void Identification::begin_at(const DesignPoint& center) {
 void Identification::ask_slopes() {
   wanted_.clear();
   owners_.clear();
-  for (int i = 0; i < space_.size(); ++i) {
+  for (const int i : free_) {
     for (const double offset : searches_[static_cast<size_t>(i)].wanted()) {
       wanted_.push_back(moved(i, offset));
       owners_.push_back(i);
@@ -105,6 +126,8 @@ void Identification::observe(const std::vector<Result<Evaluated>>& evaluated) {
 std::optional<Evaluated> Identification::used(const Result<Evaluated>& evaluated) const {
   if (!evaluated) return std::nullopt;
   Evaluated rows = evaluated->of(rows_);
+  for (int i = 0; rows.has_slopes() && i < space_.size(); ++i)
+    if (!std::binary_search(free_.begin(), free_.end(), i)) rows.J.col(i).setZero();
   return rows.r.allFinite() ? std::optional(std::move(rows)) : std::nullopt;
 }
 
@@ -153,7 +176,7 @@ bool Identification::center_observed(const std::vector<Result<Evaluated>>& evalu
 double Identification::felt() const {
   constexpr double kAsAtTheEnds = 2.0;  // standard deviations
   const Eigen::VectorXd x = r_->cwiseQuotient(scale_);
-  const double freedom = static_cast<double>(x.size()) - space_.size();
+  const double freedom = static_cast<double>(x.size()) - static_cast<double>(free_.size());
   if (options_.confidence.sigma) return kAsAtTheEnds * *options_.confidence.sigma;
   return freedom > 0.0 ? kAsAtTheEnds * x.norm() / std::sqrt(freedom) : 0.0;
 }
@@ -199,6 +222,12 @@ void Identification::take_slopes() {
   qualities_.clear();
   for (int i = 0; i < n; ++i) {
     const SlopeSearch& search = searches_[static_cast<size_t>(i)];
+    if (!std::binary_search(free_.begin(), free_.end(), i)) {
+      at.J.col(i).setZero();
+      lengths_[i] = options_.step;
+      qualities_.push_back(SlopeQuality::straight);
+      continue;
+    }
     if (search.quality() == SlopeQuality::unknown) {
       failure_ = Failure{"the evaluation fails on both sides of the point in " + space_[i].name +
                          ": no derivative is known"};
@@ -218,7 +247,7 @@ void Identification::take_slopes() {
 void Identification::linearized(Linearization at) {
   wanted_.clear();
   at_ = std::move(at);
-  confidence_ = latsch::confidence(*at_, options_.confidence);
+  confidence_ = confidence_of_free(*at_);
   if (!std::isfinite(confidence_->sigma)) return;
   if (!at_->is_exact && ask_weak_directions()) return;
   after_slopes();
@@ -259,12 +288,10 @@ void Identification::after_slopes() {
     continues_at_better_point();
     return;
   }
-  const int n = space_.size();
-  std::vector<int> every(static_cast<size_t>(n));
-  std::iota(every.begin(), every.end(), 0);
+  const int n = static_cast<int>(free_.size());
   refit_.emplace(
       *at_,
-      every,
+      free_,
       BroydenFitOptions{.tolerance = kTolerance * confidence_->threshold(),
                         .most_evaluations = options_.profiles ? kEvaluationsOfTheRefit + 2 * n
                                                               : kEvaluationsOfAShortRefit,
@@ -290,7 +317,7 @@ void Identification::refit_observed(const std::optional<Evaluated>& evaluated) {
 /// The next point of the refit; the profiles where it has ended.
 void Identification::ask_for_refit() {
   if (refit_->wanted()) {
-    wanted_ = {space_.from_unit(numbers(*refit_->wanted()))};
+    wanted_ = {held_at_center(*refit_->wanted())};
   } else {
     begin_profiles();
   }
@@ -304,10 +331,10 @@ void Identification::begin_profiles() {
     wanted_.clear();
     return;
   }
-  const Confidence at_best = latsch::confidence(*best_, options_.confidence);
+  const Confidence at_best = confidence_of_free(*best_);
   thresholds_ = at_best.thresholds;
-  const ProfileSettings settings{FeasibleRegion(space_), lengths_};
-  for (int i = 0; i < space_.size(); ++i) {
+  const ProfileSettings settings{FeasibleRegion(space_), lengths_, free_};
+  for (const int i : free_) {
     const Interval& interval = at_best.intervals[i];
     const double half = std::min(interval.upper - best_->u[i], best_->u[i] - interval.lower);
     for (int direction : {-1, +1}) {
@@ -324,11 +351,12 @@ void Identification::ask_branches() {
     const auto u = branches_[b].wanted();
     if (!u) continue;
     asked_.push_back(static_cast<int>(b));
-    wanted_.push_back(space_.from_unit(numbers(*u)));
+    wanted_.push_back(held_at_center(*u));
   }
   if (!wanted_.empty() || continues_at_better_point()) return;
-  for (int i = 0; i < space_.size(); ++i) {
-    profiles_.push_back(judge(*best_, i, branches_[2 * i], branches_[2 * i + 1], thresholds_[i]));
+  for (size_t k = 0; k < free_.size(); ++k) {
+    const int i = free_[k];
+    profiles_.push_back(judge(*best_, i, branches_[2 * k], branches_[2 * k + 1], thresholds_[i]));
   }
 }
 

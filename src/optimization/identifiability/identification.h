@@ -39,6 +39,9 @@ struct IdentificationOptions {
   bool profiles = true;  // false: no round 3
   double step = 0.01;    // first length of the differences, in the unit cube
   int most_centers = 4;  // 1: stays at the point
+  /// The variables that may move, ascending; empty: all. The others keep their bits at every point
+  /// wanted, have an interval of no width and no profile.
+  std::vector<int> free = {};
 };
 
 class Identification {
@@ -84,7 +87,7 @@ class Identification {
   const std::vector<Eigen::Index>& residuals_used() const { return rows_; }
   /// At the least sum of squares, after round 2.
   const Linearization& refitted() const { return *best_; }
-  /// One a variable, when done and asked for.
+  /// One a variable that may move, when done and asked for.
   const std::vector<Profile>& profiles() const { return profiles_; }
 
  private:
@@ -101,6 +104,8 @@ class Identification {
   void look_for_better(const std::vector<Result<Evaluated>>& evaluated);
   bool continues_at_better_point();
   DesignPoint moved(int variable, double offset) const;
+  DesignPoint held_at_center(const Eigen::VectorXd& u) const;
+  Confidence confidence_of_free(const Linearization& at) const;
   void refit_observed(const std::optional<Evaluated>& evaluated);
   void ask_for_refit();
   void begin_profiles();
@@ -109,6 +114,7 @@ class Identification {
 
   DesignSpace space_;
   IdentificationOptions options_;
+  std::vector<int> free_;  // the variables that may move
   DesignPoint center_;
   int centers_ = 1;
   std::vector<DesignPoint> wanted_;

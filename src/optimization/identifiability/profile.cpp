@@ -30,11 +30,11 @@ constexpr double kFarOut = 1e3;        // ranges; the furthest point is met to i
 // ended early leave ripples.
 constexpr double kFall = 0.1;
 
-std::vector<int> all_but(int variable, Eigen::Index n) {
-  std::vector<int> free;
-  for (int i = 0; i < n; ++i) {
-    if (i != variable) free.push_back(i);
-  }
+/// Of the n variables, or of those that may move where `some` names them.
+std::vector<int> all_but(int variable, Eigen::Index n, const std::vector<int>& some) {
+  std::vector<int> free = some;
+  for (int i = 0; some.empty() && i < n; ++i) free.push_back(i);
+  std::erase(free, variable);
   return free;
 }
 
@@ -108,7 +108,7 @@ ProfileBranch::ProfileBranch(const Linearization& best,
       least_(best.sum_of_squares()),
       settings_(settings),
       end_(last_value(settings.region, best.u, variable, direction)),
-      free_(all_but(variable, best.u.size())),
+      free_(all_but(variable, best.u.size(), settings.free)),
       last_(best) {
   next_rung(best);
 }

@@ -40,6 +40,7 @@ struct ProfilePoint {
 struct ProfileSettings {
   FeasibleRegion region;
   Eigen::VectorXd differences;  // as BroydenFitOptions
+  std::vector<int> free = {};   // the variables that may move, ascending; empty: all
 };
 
 /// One way outward from the best point: ask and tell, as BroydenFit.

@@ -10,8 +10,8 @@
 //   - in a fit that leaves next to nothing, is felt by less than a hundredth of the strongest one,
 // is moved along, by lengths l of 0.002 and 0.0002 of the range:
 //   g(l) = (r(u + l v) - r(u - l v)) / 2l
-// Of J v, g(l1), g(l2) two of different lengths have to agree to a quarter of the smaller one; J then has that slope along v.
-// Where none do, nothing is known along v, and J v = 0.
+// Of J v, g(l1), g(l2) two of different lengths have to agree to a quarter of the smaller one; J
+// then has that slope along v. Where none do, nothing is known along v, and J v = 0.
 #pragma once
 
 #include <Eigen/Core>

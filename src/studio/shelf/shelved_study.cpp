@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/clock.h"
+#include "base/document_record.h"
 #include "base/error.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/study/study_stages.h"
@@ -43,10 +44,34 @@ fs::file_time_type time_of(const fs::path& file) {
   return none ? fs::file_time_type::min() : time;
 }
 
+/// The files that the texts of a model's file name, such as the suspensions and tires of a car, and
+/// those that they name in turn.
+void add_named_files(const fs::path& file, int deepest, std::vector<fs::path>& files) {
+  if (deepest == 0 || file.extension() != ".toml") return;
+  const std::string text = canonical_text(Document::read(file));
+  for (std::size_t begin = text.find('"'); begin != std::string::npos;) {
+    const std::size_t end = text.find_first_of("\"\n", begin + 1);
+    if (end == std::string::npos) return;
+    const fs::path named = file.parent_path() / text.substr(begin + 1, end - begin - 1);
+    std::error_code none;
+    if (named != file.parent_path() / "" && fs::is_regular_file(named, none)) {
+      files.push_back(named);
+      add_named_files(named, deepest - 1, files);
+    }
+    begin = text.find('"', end + 1);
+  }
+}
+
 /// The files a study was read from.
 std::vector<fs::path> files_of(const Study& study) {
   std::vector<fs::path> files{study.file};
-  if (!study.model_file.empty()) files.push_back(study.model_file);
+  if (!study.model_file.empty()) {
+    constexpr int kDeepest = 4;  // car, suspension, bushing
+    files.push_back(study.model_file);
+    add_named_files(study.model_file, kDeepest, files);
+  }
+  for (const auto& test : study.tests)
+    files.insert(files.end(), test.files.begin(), test.files.end());
   for (const auto& experiment : study.experiments) {
     if (!experiment.measurement_file.empty()) files.push_back(experiment.measurement_file);
     if (!experiment.shapes_file.empty()) files.push_back(experiment.shapes_file);
@@ -89,9 +114,12 @@ bool may_be_begun(const Study& study, const std::vector<TableRow>& rows) {
   }
 }
 
-/// Of the experiments whose noise the fit tells.
-bool have_same_noise(const Study& a, const Study& b) {
+/// Whether two are the same as their last stage has them: noise that the fit tells, weights, and
+/// the variables that are held.
+bool have_same_last_stage(const Study& a, const Study& b) {
+  if (a.free != b.free || a.held_at != b.held_at) return false;
   for (std::size_t e = 0; e < a.experiments.size(); ++e) {
+    if (a.experiments[e].objective.weight != b.experiments[e].objective.weight) return false;
     const auto &one = a.experiments[e].noise, &other = b.experiments[e].noise;
     if (!a.experiments[e].estimates_noise) continue;
     if (one.has_value() != other.has_value() || (one && one->relative != other->relative))
@@ -143,9 +171,10 @@ void ShelvedStudy::show_stage() {
   Study shown = shown_stage(*whole_);
   journal_fault_ = journal_fault(shown);
   journal_error_.clear();
-  if (correlation::estimates_noise(*whole_) && fs::exists(whole_->run.journal) &&
+  const bool is_last = !whole_->stages.empty() && shown.stage == whole_->stages.back().name;
+  if ((is_last || correlation::estimates_noise(*whole_)) && fs::exists(whole_->run.journal) &&
       journal_fault_.empty())
-    correlation::take_noise(
+    correlation::take_stage(
         correlation::with_estimated_noise(*whole_, Journal::read(whole_->run.journal)), shown);
   table_ = std::make_unique<TrialTable>(shown);  // what it throws leaves no study without a table
   study_ = std::make_shared<const Study>(std::move(shown));
@@ -235,7 +264,11 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
     } else {
       found.has_ended = static_cast<int>(fits.size()) == correlation::stage_count(*whole) &&
                         fits.back().run.end != RunEnd::stopped;
-      if (found.has_ended) found.words = fits.back().run.ending;
+      if (found.has_ended) {
+        found.words = fits.back().run.ending;
+        found.spoiled =
+            correlation::spoiled_experiments(weighted, fits, Journal::read(whole->run.journal));
+      }
     }
   } catch (const std::exception&) {  // of a stage that is not there, or changed meanwhile
   }
@@ -243,10 +276,10 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
   if (whole != whole_) return {};
   const bool is_of_now = found.rows == table_->rows().size() && found.edition == table_->edition();
   ending_ = std::move(found);
-  if (!is_of_now || have_same_noise(weighted, *study_)) return {.of_state = true};
+  if (!is_of_now || have_same_last_stage(weighted, *study_)) return {.of_state = true};
   // The trials since it was read have told more of the noise.
   Study shown = *study_;
-  correlation::take_noise(weighted, shown);
+  correlation::take_stage(weighted, shown);
   std::unique_ptr<TrialTable> table;
   try {
     table = std::make_unique<TrialTable>(shown);
@@ -279,7 +312,8 @@ ShelvedStudy::Sight ShelvedStudy::sight() const {
               .table = table_.get(),
               .holder = holder_,
               .changed = changed_,
-              .ending = ending_ ? ending_->words : ""};
+              .ending = ending_ ? ending_->words : "",
+              .spoiled = ending_ ? ending_->spoiled : std::vector<std::string>{}};
   if (holder_) {
     sight.run_seconds = steady_clock()() - run_seen_at_;
     sight.run_trials = static_cast<long>(table_->rows().size()) - run_seen_rows_;

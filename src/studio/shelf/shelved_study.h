@@ -60,7 +60,8 @@ class ShelvedStudy {
     /// Since the run that goes on was first seen; rows of it.
     double run_seconds = 0.0;
     long run_trials = 0;
-    std::string ending;  // why its search ended; empty: it has not, or unknown
+    std::string ending;                // why its search ended; empty: it has not, or unknown
+    std::vector<std::string> spoiled;  // experiments that an earlier stage had better, in words
   };
   template <class Look>
   auto look(Look&& look) const {
@@ -99,6 +100,7 @@ class ShelvedStudy {
     int edition = 0;
     bool has_ended = false;
     std::string words;
+    std::vector<std::string> spoiled;
   };
   std::optional<Ending> ending_;
 };

@@ -132,7 +132,10 @@ void StudyRuns::stop(const ShelvedStudy& study) {
   if (ours != started_.end() && !ours->second.exit_code) process = ours->second.id;
   if (holder && holder->process) process = *holder->process;
   if (process > 0) {
-    if (::kill(process, SIGINT) == 0) return;
+    if (::kill(process, SIGINT) == 0) {
+      if (ours != started_.end() && ours->second.id == process) ours->second.was_stopped = true;
+      return;
+    }
     throw InputError(
         {study.file().string(), 0},
         fmt::format("process {} cannot be stopped: {}", process, std::strerror(errno)));
@@ -152,6 +155,7 @@ StudyRuns::Run StudyRuns::of(const ShelvedStudy& study) {
     run.is_ours = true;
     run.is_alive = !ours->second.exit_code;
     run.exit_code = ours->second.exit_code;
+    run.was_stopped = ours->second.was_stopped;
     run.verb = ours->second.verb;
   }
   if (fs::exists(run_log(study.file()))) run.log = last_lines(run_log(study.file()));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "correlation/target/best_trial.h"
 #include "evaluation/journal/journal.h"
 
 namespace latsch::studio {
@@ -26,9 +27,14 @@ Rank rank_of(const PartedTarget::Weighting& weighting, const TargetParts& parts)
 
 TrialTable::TrialTable(const correlation::Study& study)
     : space_(study.space),
+      study_(study),
       target_(study),
       own_weights_(target_.weighting(target_.weights())),
       follower_(study.run.journal) {}
+
+bool TrialTable::can_be_best(const DesignPoint& point) const {
+  return space_.contains(point) && correlation::keeps_held(study_, point);
+}
 
 void TrialTable::take(const Trial& trial) {
   TableRow row{trial.point, std::nullopt, -1, Cause::point, 0.0F};
@@ -44,7 +50,7 @@ void TrialTable::take(const Trial& trial) {
     }
     const bool is_best = !kept_best_ || rank_of(own_weights_, *row.parts) <
                                             rank_of(own_weights_, *rows_[*kept_best_].parts);
-    if (is_best && space_.contains(trial.point)) {
+    if (is_best && can_be_best(trial.point)) {
       kept_best_ = place;
       kept_best_channels_ = *result;
     }
@@ -85,7 +91,7 @@ std::optional<std::size_t> TrialTable::best(const PartedTarget::Weighting& weigh
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     if (!rows_[k].parts) continue;
     const Rank rank = rank_of(weighting, *rows_[k].parts);
-    if (!(rank < least) || !counts(k) || !space_.contains(rows_[k].point)) continue;
+    if (!(rank < least) || !counts(k) || !can_be_best(rows_[k].point)) continue;
     least = rank;
     best = k;
   }

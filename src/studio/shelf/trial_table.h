@@ -63,8 +63,11 @@ class TrialTable {
 
  private:
   void take(const Trial& trial);
+  /// Whether it can be a result: inside the space, and with the variables that are held in place.
+  bool can_be_best(const DesignPoint& point) const;
 
   DesignSpace space_;
+  correlation::Study study_;
   correlation::PartedTarget target_;
   correlation::PartedTarget::Weighting own_weights_;
   JournalFollower follower_;

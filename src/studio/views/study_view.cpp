@@ -110,6 +110,7 @@ Json warnings(const Study& study, const Sight& sight) {
     for (const LedgerDoubt& doubt : ledger.doubts)
       if (std::find(list.begin(), list.end(), Json(doubt.sentence)) == list.end())
         list.push_back(doubt.sentence);  // the page shows each sentence once
+  for (const std::string& words : sight.spoiled) list.push_back(words);
   double largest = 0.0;
   for (const auto& experiment : study.experiments)
     if (experiment.fitted) largest = std::max(largest, experiment.objective.weight);
@@ -142,6 +143,7 @@ Json run_of(const ShelvedStudy& shelved, const Sight& sight, const StudyRuns::Ru
             {"is_ours", run.is_ours},
             {"is_starting", run.is_alive && !sight.holder},
             {"exit_code", run.exit_code ? Json(*run.exit_code) : Json(nullptr)},
+            {"was_stopped", run.was_stopped},
             {"message", sight.holder ? sight.holder->words : std::string()},
             {"log_file", run_log(shelved.file()).filename().string()},
             {"log", run.log},

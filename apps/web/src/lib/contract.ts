@@ -64,6 +64,7 @@ export interface Run {
   workers: number;
   is_starting: boolean;
   exit_code: Value;
+  was_stopped: boolean;
   log_file: string;
   elapsed: Value;
   rate: Value;

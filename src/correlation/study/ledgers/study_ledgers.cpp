@@ -1,10 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/study/ledgers/study_ledgers.h"
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/units.h"
+#include "formats/tables/csv_table.h"
+
 namespace latsch::correlation {
+
+namespace {
+
+/// Of a table whose reader refuses every column that it does not use: load-deflection, modes.
+void add_table(const std::filesystem::path& file,
+               const std::string& by,
+               std::vector<Ledger>& ledgers) {
+  if (file.extension() != ".csv" || !std::filesystem::exists(file)) return;
+  const auto table = formats::CsvTable::read(file);
+  Ledger ledger{file.string()};
+  for (const std::string& column : table.columns()) {
+    LedgerRow row;
+    row.written = row.taken_as = column;
+    row.line = table.header_place().line;
+    row.column = static_cast<int>(ledger.rows.size()) + 1;
+    row.unit_written = table.unit(column);
+    if (const auto unit = Unit::find(row.unit_written); unit && !row.unit_written.empty()) {
+      row.unit = si_unit(unit->dimension());
+      row.offset = unit->to_si(0.0L);
+      row.factor = unit->to_si(1.0L) - row.offset;
+    }
+    Ledger::use(row, by);
+    ledger.rows.push_back(std::move(row));
+  }
+  ledgers.push_back(std::move(ledger));
+}
+
+}  // namespace
 
 std::vector<Ledger> ledgers_of(const Study& study) {
   std::vector<Ledger> all;
@@ -14,7 +46,12 @@ std::vector<Ledger> ledgers_of(const Study& study) {
     for (Ledger& ledger : measurement->ledgers()) all.push_back(std::move(ledger));
   };
   for (const auto& measurement : study.laboratory) add(measurement);
-  for (const StudyExperiment& experiment : study.experiments) add(experiment.read_from);
+  for (const StudyExperiment& experiment : study.experiments) {
+    add(experiment.read_from);
+    if (experiment.read_from) continue;
+    for (const auto* file : {&experiment.measurement_file, &experiment.shapes_file})
+      add_table(*file, "experiment " + experiment.name, all);
+  }
   for (const StudyTest& test : study.tests)
     for (Ledger& ledger : test.test->ledgers(test.in_words())) all.push_back(std::move(ledger));
   return all;

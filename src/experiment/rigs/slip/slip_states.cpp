@@ -86,13 +86,14 @@ const StateColumn* state_of(const formats::CsvTable& table, const std::string& c
     if (fits || Unit::of(state.unit).dimensionless() || !written.empty()) return &state;
     throw InputError(
         table.header_place(),
-        fmt::format("column {0} has no unit, and {1} is {2}: write it as {3}, or call the column "
-                    "{1}, which is in {4} where it has no unit",
-                    in_quotes(column),
-                    state.name,
-                    words_for(Unit::of(state.unit)).noun,
-                    in_quotes(column + " [" + std::string(state.unit) + "]"),
-                    state.unit));
+        fmt::format(
+            "column {0} has no unit, and {1} is {2}: write it as {3}, or call the column "
+            "{1}, which is in {4} where it has no unit",
+            in_quotes(column),
+            state.name,
+            words_for(Unit::of(state.unit)).noun,
+            in_quotes(column + " [" + (found->unit.empty() ? state.unit : found->unit) + "]"),
+            state.unit));
   }
   return nullptr;
 }
@@ -239,6 +240,17 @@ Ledger ledger_of_states(const formats::CsvTable& table, const std::string& by) {
                              doubt.is_error});
   }
   return ledger;
+}
+
+std::vector<double> values_of(const formats::CsvTable& table, const std::string& condition) {
+  constexpr int kMostRows = 200'000;
+  if (table.rows() > kMostRows) return {};
+  const auto known = std::find_if(
+      kStateColumns.begin(), kStateColumns.end(), [&](auto& c) { return condition == c.name; });
+  if (known == kStateColumns.end()) return {};
+  for (const auto& [column, state] : meant_by(table))
+    if (state == &*known) return table.si_numbers(column, known->unit);
+  return {};
 }
 
 std::vector<std::string> for_slip_states(const formats::CsvTable& table,

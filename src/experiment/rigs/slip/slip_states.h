@@ -50,6 +50,10 @@ Channels answers(const std::vector<magic_formula::SteadyState>& results);
 Channels answers(const magic_formula::MagicFormula& tire,
                  const std::vector<magic_formula::State>& states);
 
+/// A column of a table of states, SI; empty where it has none of that name or is longer than
+/// 200,000 rows.
+std::vector<double> values_of(const formats::CsvTable& table, const std::string& condition);
+
 /// The answers with the slopes of some channels in parameters of the tire: magic_formula_slopes.h.
 Channels with_slopes(const Channels& answers,
                      const magic_formula::MagicFormula& tire,

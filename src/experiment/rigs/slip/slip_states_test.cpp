@@ -53,6 +53,51 @@ TEST(SlipStates, WrongTablesAreNamed) {
   EXPECT_NE(complaint("Fz\nnan\n"), "");
 }
 
+// A slip angle under any name is a slip angle; under none it is said that it is 0.
+TEST(SlipStates, KnowTheSpellingsOfAState) {
+  for (const char* header : {"FZ [N],SA [deg]",
+                             "Radlast [N],Schräglaufwinkel [deg]",
+                             "FZW [N],slip angle [deg]",
+                             "Normal load [N],SlipAngle [deg]"}) {
+    const SlipStates s =
+        slip_states(CsvTable::parse(std::string(header) + "\n4000,2\n", "s.csv"), tire());
+    EXPECT_EQ(s.states[0].Fz, 4000.0) << header;
+    EXPECT_DOUBLE_EQ(s.states[0].alpha, 2 * std::numbers::pi / 180) << header;
+    EXPECT_TRUE(s.unused.empty()) << header;
+  }
+}
+
+TEST(SlipStates, AreNeverLeftOutSilently) {
+  const auto complaint = [](const char* text) -> std::string {
+    try {
+      slip_states(CsvTable::parse(text, "s.csv"), tire());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(complaint("Fz [N],SA\n4000,2\n").find("\"SA\" has no unit"), std::string::npos);
+  EXPECT_NE(complaint("Fz [N],Alhpa [deg]\n4000,2\n").find("\"Alhpa\" looks like it"),
+            std::string::npos);
+  EXPECT_NE(complaint("Fz [N],alpha [deg],SA [deg]\n4000,2,2\n").find("both are alpha"),
+            std::string::npos);
+  const Ledger ledger =
+      ledger_of_states(CsvTable::parse("Fz [N],Kanal 7 [deg]\n4000,2\n", "s.csv"), "test steady");
+  ASSERT_FALSE(ledger.doubts.empty());
+  EXPECT_EQ(ledger.doubts[0].name, "Kanal 7");
+  EXPECT_NE(ledger.doubts[0].sentence.find("alpha is taken as 0"), std::string::npos);
+  EXPECT_EQ(ledger.find_taken("alpha")->state, LedgerState::assumed);
+  EXPECT_EQ(ledger.find_taken("Fz")->used_by, std::vector<std::string>{"test steady"});
+}
+
+TEST(SlipStates, HaveLoadsAboveZero) {
+  const Ledger ledger =
+      ledger_of_states(CsvTable::parse("Fz [N],alpha [deg]\n-4000,2\n-4000,1\n", "s.csv"), "test");
+  ASSERT_EQ(ledger.doubts.size(), 1u);
+  EXPECT_TRUE(ledger.doubts[0].is_error);
+  EXPECT_EQ(ledger.doubts[0].place.line, 2);
+}
+
 TEST(SlipStates, OutsideOfTheRanges) {
   EXPECT_EQ(
       outside_of_ranges({{9000.0, 0, 0, 0, 0, 20.0, 2e5}, {4000.0, 0, 0, 0, 0, 20.0, 2e5}}, tire()),

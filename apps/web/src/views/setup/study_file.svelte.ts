@@ -18,6 +18,7 @@ export class EditedFile {
   isReady = $state(false);
   hasConflict = $state(false);
   #onDisk = $state('');
+  #before: string[] = $state.raw([]); // the texts before what the form or Save has written, the last one last
   #version = '';
   #timer: ReturnType<typeof setTimeout> | undefined;
   #question = 0;
@@ -26,6 +27,23 @@ export class EditedFile {
 
   get isChanged(): boolean {
     return this.text !== this.#onDisk;
+  }
+
+  /** Whether something written from here can be taken back. */
+  get canUndo(): boolean {
+    return this.#before.length > 0 && !this.isChanged;
+  }
+
+  /** The file as it was before the last change from here; what another program wrote meanwhile is a conflict. */
+  async undo(): Promise<void> {
+    const text = this.#before.at(-1);
+    if (text === undefined) return;
+    await this.#try('taking the change back', async () => {
+      const { version } = await api.save(this.open.name, this.#version, text);
+      this.#before = this.#before.slice(0, -1);
+      this.#take(text, version);
+      await this.open.read();
+    });
   }
 
   async read(): Promise<void> {
@@ -51,6 +69,7 @@ export class EditedFile {
   async save(): Promise<void> {
     await this.#try('saving the study file', async () => {
       const { version } = await api.save(this.open.name, this.#version, this.text);
+      this.#before = [...this.#before, this.#onDisk];
       this.#onDisk = this.text;
       this.#version = version;
       this.hasConflict = false;
@@ -62,6 +81,7 @@ export class EditedFile {
   async edit(edits: Edit[]): Promise<void> {
     await this.#try('changing the study file', async () => {
       const file = await api.edit(this.open.name, this.#version, edits);
+      this.#before = [...this.#before, this.#onDisk];
       this.#take(file.text, file.version);
       await this.open.read();
     });
@@ -92,7 +112,10 @@ export class EditedFile {
       const file = await api.file(this.open.name);
       if (file.version === this.#version) return;
       if (this.isChanged) this.hasConflict = true;
-      else this.#take(file.text, file.version);
+      else {
+        this.#before = []; // they belong to another file
+        this.#take(file.text, file.version);
+      }
     } catch {
       // The foot of the page says that the server is gone.
     }

@@ -107,20 +107,26 @@ DesignSpace space(double stiffness, double damping) {
                        .scale = Scale::logarithmic}});
 }
 
-int bench() {
-  benchmarks::Table table("drum_identification");
+int bench(const benchmarks::Options& options) {
+  benchmarks::Table table("drum_identification", options);
   const Drum drum;
   const auto truth = drum.score({{kStiffness, kDamping}});
+  table.row("target at the truth, over the number of samples: the noise alone",
+            fmt::format("{:.3f}", truth->value / static_cast<double>(truth->residuals.size())),
+            "0.8 .. 1.2",
+            std::abs(truth->value / static_cast<double>(truth->residuals.size()) - 1.0) <= 0.2);
   const ProblemTraits traits{.variables = 2, .has_residuals = true};
   const OptimizerSettings settings{.method = "auto"};
-  for (const auto& [stiffness, damping] :
-       {std::pair{0.45e6, 150.0}, std::pair{0.75e6, 20.0}, std::pair{0.4e6, 30.0}}) {
+  std::vector<std::pair<double, double>> starts{{0.45e6, 150.0}, {0.75e6, 20.0}, {0.4e6, 30.0}};
+  starts.resize(options.size(starts.size(), std::size_t{1}));
+  const int most = options.size(kMostTrials, 6);
+  for (const auto& [stiffness, damping] : starts) {
     const DesignSpace here = space(stiffness, damping);
     const auto method = make_optimizer(method_of(settings, traits).method, here, settings, traits);
     double least = std::numeric_limits<double>::infinity();
     DesignPoint best = here.initial();
     int trials = 0;
-    for (; trials < kMostTrials && !method->converged(); ++trials) {
+    for (; trials < most && !method->converged(); ++trials) {
       const DesignPoint point = method->propose(1).front();
       const auto outcome = drum.score(point);
       if (outcome && outcome->value < least) {
@@ -130,7 +136,7 @@ int bench() {
       method->observe(point, outcome);
     }
     const double ratio = least / truth->value;
-    table.row(fmt::format("from {:.2f} MN/m^2, {:.0f} N s/m^2: target over the truth's",
+    table.full_row(fmt::format("from {:.2f} MN/m^2, {:.0f} N s/m^2: target over the truth's",
                           1e-6 * stiffness,
                           damping),
               fmt::format("{:.3f} in {} trials", ratio, trials),
@@ -145,4 +151,6 @@ int bench() {
 
 }  // namespace
 
-int main() { return latsch::benchmarks::guarded(bench); }
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, bench);
+}

@@ -97,7 +97,10 @@ double rms(const std::vector<double>& values);
 
 /// `draw` of the noise: 0 is that of the study's own measurements. Throws InputError where the
 /// specimen has no solution.
-void measure(std::vector<Case>& all, const ring_tire::RingParameters& specimen, int draw = 0);
+void measure(std::vector<Case>& all,
+             const ring_tire::RingParameters& specimen,
+             int draw = 0,
+             int passages = kPassages);
 /// As the files of a study, into its folder `measured`.
 void write(const std::vector<Case>& all, const std::filesystem::path& study);
 

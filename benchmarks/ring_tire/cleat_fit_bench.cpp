@@ -40,7 +40,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <span>
 #include <utility>
 
@@ -302,7 +301,7 @@ void say_reached(benchmarks::Table& table,
                  const Fit::Errors& errors,
                  const Fit::Errors& floor) {
   const auto row = [&](const std::string& what, double value, double most) {
-    table.row(specimen.name + ": " + what,
+    table.full_row(specimen.name + ": " + what,
               fmt::format("{:.2f}", value),
               fmt::format("<= {}", most),
               value <= most);
@@ -313,12 +312,21 @@ void say_reached(benchmarks::Table& table,
   row("held out over floor", errors.held_out / floor.held_out, kReach[1]);
 }
 
-void fit_specimen(const Specimen& specimen, int genetic, benchmarks::Table& table) {
+void fit_specimen(const Specimen& specimen,
+                  int genetic,
+                  const benchmarks::Options& options,
+                  benchmarks::Table& table) {
   fmt::print("{}\n", specimen.name);
   const DesignSpace space = space_of(specimen.known);
   const DesignPoint truth = truth_of(space);
   std::vector<Case> all = cases();
-  measure(all, with(tire_at(specimen.known, truth), specimen.friction));
+  all.resize(options.size(all.size(), std::size_t{3}));  // two of them fitted
+  if (options.is_smoke())
+    for (Case& one : all) one.test.passages = 1;
+  measure(all,
+          with(tire_at(specimen.known, truth), specimen.friction),
+          /*draw=*/0,
+          options.size(kPassages, 1));
   Fit fit(all, specimen.known, space);
   table.note(specimen.name + ": PSD RMS", "fitted, held out");
   table.note("noise alone", fmt::format("{:.3f}, {:.3f}", scatter(all, true), scatter(all, false)));
@@ -333,7 +341,8 @@ void fit_specimen(const Specimen& specimen, int genetic, benchmarks::Table& tabl
   // searched.
   const double m = static_cast<double>(fit.residuals());
   ResidualTrustRegion method(space, {.noise_alone = m + 2.0 * std::sqrt(2.0 * m)});
-  const DesignPoint found = fit.run(method, kMostEvaluations, space.initial(), Compared::times);
+  const DesignPoint found = fit.run(
+      method, options.size(kMostEvaluations, 4), space.initial(), Compared::times);
   const int evaluations = fit.evaluations();
   const auto errors = fit.errors(found);
   for (std::size_t i = 0; i < truth.values.size(); ++i)
@@ -342,7 +351,7 @@ void fit_specimen(const Specimen& specimen, int genetic, benchmarks::Table& tabl
   say_errors(table, "residual method", errors);
   table.note("worst held out", fmt::format("{:.3f}: {}", errors.worst, errors.worst_case));
   say_reached(table, specimen, errors, floor);
-  table.row(specimen.name + ": evaluations, residual method",
+  table.full_row(specimen.name + ": evaluations, residual method",
             fmt::format("{}{}", evaluations, method.converged() ? "" : ", not at its end"),
             fmt::format("<= {}", kMostEvaluations),
             method.converged());
@@ -396,33 +405,34 @@ Specimen specimen_of(const std::string& name) {
   throw InputError("--specimen is ring, fe or friction");
 }
 
-int intervals(int draws) {
-  benchmarks::Table table("cleat_fit");
+int intervals(const benchmarks::Options& options) {
+  const int draws = static_cast<int>(options.integer("--draws", 1));
+  benchmarks::Table table("cleat_fit", options);
   count_intervals(draws, table);
   return table.exit_code();
 }
 
-int cleat_fit(int genetic, const std::string& specimen) {
-  benchmarks::Table table("cleat_fit");
-  if (specimen == "ring" && genetic == 0) count_intervals(1, table);
-  fit_specimen(specimen_of(specimen), genetic, table);
+int cleat_fit(const benchmarks::Options& options) {
+  const int genetic = static_cast<int>(options.integer("--genetic", 0));
+  const std::string specimen = options.text("--specimen", "ring");
+  benchmarks::Table table("cleat_fit", options);
+  if (specimen == "ring" && genetic == 0 && !options.is_smoke()) count_intervals(1, table);
+  fit_specimen(specimen_of(specimen), genetic, options, table);
   return table.exit_code();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  int genetic = 0;
-  int draws = 0;
-  std::string specimen = "ring";
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (std::strcmp(argv[i], "--genetic") == 0) genetic = std::atoi(argv[i + 1]);
-    if (std::strcmp(argv[i], "--draws") == 0) draws = std::atoi(argv[i + 1]);
-    if (std::strcmp(argv[i], "--specimen") == 0) specimen = argv[i + 1];
-  }
-  const bool writing = argc == 2 && std::strcmp(argv[1], "--write") == 0;
-  return benchmarks::guarded([&] {
-    if (writing) return write();
-    return draws > 0 ? intervals(draws) : cleat_fit(genetic, specimen);
-  });
+  return benchmarks::run_benchmark(
+      argc,
+      argv,
+      {{"--specimen", "NAME", "ring, fe or friction"},
+       {"--genetic", "N", "evaluations of the genetic algorithm besides"},
+       {"--draws", "N", "the study's intervals alone, over so many draws of the noise"},
+       {"--write", "", "the measurements of studies/cleat_fit"}},
+      [](const benchmarks::Options& options) {
+        if (options.has("--write")) return write();
+        return options.has("--draws") ? intervals(options) : cleat_fit(options);
+      });
 }

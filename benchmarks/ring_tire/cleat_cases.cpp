@@ -94,13 +94,16 @@ double rms(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-void measure(std::vector<Case>& all, const ring_tire::RingParameters& specimen, int draw) {
+void measure(std::vector<Case>& all,
+             const ring_tire::RingParameters& specimen,
+             int draw,
+             int passages) {
   std::vector<std::string> failures(all.size());
   at_once(all.size(), [&](std::size_t i) {
     experiment::DrumTest test = all[i].test;
     test.step *= 0.5;
-    test.passages = kPassages;
-    test.wheel_step = 2.0 * M_PI / (kSpecimen.nodes * kPassages);
+    test.passages = passages;
+    test.wheel_step = 2.0 * M_PI / (kSpecimen.nodes * passages);
     ring_tire::RingTire tire(with(specimen, enough(kSpecimen, all[i])));
     const auto channels = experiment::run(tire, test);
     if (!channels) {

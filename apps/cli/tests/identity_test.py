@@ -1,0 +1,273 @@
+#!/usr/bin/env python3
+"""A journal and the study it belongs to: a best point that was found for other numbers is combined with none, a study in a
+folder that may not be written can be read, and what cannot be compared is no failure of the model.
+
+    identity_test.py PATH/TO/latsch     (the program "spring" lies beside it)
+"""
+import json
+import os
+import pathlib
+import re
+import shutil
+import sqlite3
+import subprocess
+import tempfile
+import unittest
+
+from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, edit, trials_of
+
+SPRING = pathlib.Path(LATSCH).with_name("spring")
+
+STUDY = """
+model = "spring.toml"
+[test.fast]
+kind = "pull"
+speed = "0.4 m/s"
+travels = ["2 mm", "5 mm", "9 mm"]
+[variable.stiffness]
+path = "stiffness"
+lower = "5 N/mm"
+upper = "60 N/mm"
+initial = "9 N/mm"
+[experiment.each]
+kind = "values"
+channel = "fast/force"
+values = ["160 N", "221 N", "300 N"]
+[experiment.last]
+kind = "values"
+channel = "fast/force"
+of = "last"
+value = "301 N"
+[run]
+workers = 1
+"""
+SUITE = """
+[test.fast]
+kind = "pull"
+speed = "0.4 m/s"
+travels = ["2 mm"]
+[check.first]
+channel = "fast/force"
+of = "first"
+lower = "0 N"
+source = "by hand"
+"""
+PULL = '{kind = "pull", speed = "0.1 m/s", travels = ["1 mm"]}'
+
+
+class SpringStudy(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_identity_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        os.chmod(self.folder, 0o755)
+        self.study, self.model = self.folder / "study.toml", self.folder / "spring.toml"
+        self.journal = self.folder / "study.latsch"
+        self.model.write_text('kind = "spring"\nstiffness = "20 N/mm"\ndamping = "300 N s/m"\n')
+        self.study.write_text(STUDY)
+
+    def run_it(self, *arguments, code=DONE, before=(), **options):
+        run = subprocess.run([*before, SPRING, *arguments], capture_output=True, text=True, timeout=300, **options)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return run.stdout + run.stderr
+
+
+class OtherStudies(SpringStudy):
+    def doors(self):
+        """Every verb that takes the best point of a journal."""
+        suite = self.folder / "suite.toml"
+        suite.write_text(SUITE)
+        return {"export": ("export", self.study, "--model", self.folder / "found.toml"),
+                "test": ("test", self.study, PULL),
+                "validate": ("validate", self.study, suite),
+                "report": ("report", self.study),
+                "pareto": ("pareto", self.study, "each", "last"),
+                "identify": ("identify", self.study, "--short"),
+                "run": ("run", self.study),
+                "resume": ("resume", self.study)}
+
+    def test_no_verb_combines_a_best_point_with_a_model_that_was_edited(self):
+        self.run_it("run", self.study)
+        for name, call in self.doors().items():
+            with self.subTest(name):
+                self.run_it(*call)
+        edits = {"model": (self.model, '"300 N s/m"', '"310 N s/m"'),
+                 "tests": (self.study, '"0.4 m/s"', '"0.5 m/s"'),
+                 "variables": (self.study, r"variable.stiffness", "variable.spring")}
+        for part, (file, was, now) in edits.items():
+            text = file.read_text()
+            edit(file, (was, now))
+            for name, call in self.doors().items():
+                with self.subTest(f"{name}, {part}"):
+                    (self.folder / "found.toml").unlink(missing_ok=True)
+                    said = self.run_it(*call, code=WRONG_INPUT)
+                    for words in ("belongs to another study", f'"{part}" differs', "--anew"):
+                        self.assertIn(words, said)
+                    self.assertFalse((self.folder / "found.toml").exists())
+            file.write_text(text)
+        self.run_it("test", self.study, PULL)
+
+    def test_what_differs_is_named_and_anew_begins_again(self):
+        self.run_it("run", self.study)
+        edit(self.study, ('"0.4 m/s"', '"0.5 m/s"'))
+        said = self.run_it("test", self.study, PULL, code=WRONG_INPUT)
+        self.assertIn('the journal has `fast.speed = "0.4 m/s"`, the study has `fast.speed = "0.5 m/s"`', said)
+        self.run_it("run", self.study, "--anew")
+        self.run_it("test", self.study, PULL)
+
+    def test_a_test_that_moves_into_a_file_and_notes_keep_the_journal(self):
+        self.run_it("run", self.study)
+        trials = trials_of(self.journal)
+        (self.folder / "fast.toml").write_text(
+            '# a note\nkind = "pull"\ntravels = {unit = "m", values = [0.002, 0.005, 0.009]}   # the same\nspeed = "40 cm/s"\n')
+        edit(self.study, (r'kind = "pull"\n.*\n.*\n', 'file = "fast.toml"\n'))
+        edit(self.model, ('"20 N/mm"', '"20 kN/m"  # the same'))
+        self.run_it("run", self.study)
+        self.assertEqual(trials_of(self.journal), trials)
+
+
+class NotCompared(SpringStudy):
+    """The model is right, and what it is compared with is mended."""
+
+    def test_a_failed_comparison_leaves_nothing_to_be_tried_again(self):
+        self.run_it("run", self.study)
+        right = self.folder / "right.latsch"
+        self.journal.rename(right)
+        edit(self.study, (r'"221 N", "300 N"\]', '"221 N"]'))
+        said = self.run_it("run", self.study, code=FAILED)
+        self.assertIn("has 3 values, expected 2 as measured", said)
+        trials = trials_of(self.journal)
+        self.assertGreater(trials, 0)
+        self.assertIn(f"{trials} trials so far, {trials} of them without a target", self.run_it("check", self.study))
+        edit(self.study, (r'"221 N"\]', '"221 N", "300 N"]'))
+        self.assertIn(f"{trials} trials so far, 0 of them without a target", self.run_it("check", self.study))
+        said = self.run_it("run", self.study)
+        self.assertIn(f"{trials} finished trials are reused", said)
+        best = json.loads(self.run_it("resume", self.study, "--json"))["result"]["variables"][0]["value"]
+        shutil.copy(right, self.journal)
+        self.assertEqual(json.loads(self.run_it("resume", self.study, "--json"))["result"]["variables"][0]["value"], best)
+
+    def test_check_counts_values_before_a_trial(self):
+        tire = pathlib.Path(__file__).resolve().parents[3] / "studies/tire_model_comparison/magic_formula.tir"
+        study = self.folder / "tire_study.toml"
+
+        def said(channel, values):
+            study.write_text(f"""
+model = "{tire}"
+[test.press]
+kind = "static_stiffness"
+deflections = ["10 mm", "20 mm"]
+[test.stand]
+kind = "static_stiffness"
+load = "4 kN"
+directions = ["vertical"]
+[variable.stiffness]
+path = "VERTICAL_STIFFNESS"
+lower = "100 N/mm"
+upper = "400 N/mm"
+initial = "190 N/mm"
+[experiment.one]
+kind = "values"
+channel = "{channel}"
+{values}
+""")
+            run = subprocess.run([LATSCH, "check", study], capture_output=True, text=True, timeout=300)
+            return run.returncode, run.stdout + run.stderr
+
+        self.assertEqual(said("press/force", 'values = ["2 kN", "4 kN"]')[0], DONE)
+        self.assertEqual(said("press/force", 'value = "4 kN"\nof = "last"')[0], DONE)
+        code, words = said("press/force", 'value = "4 kN"')
+        self.assertEqual(code, WRONG_INPUT)
+        self.assertIn('the test "press" gives 2 values, but 1 is measured; of = "largest" takes one of several', words)
+        code, words = said("press/force", 'values = ["2 kN", "4 kN", "6 kN"]')
+        self.assertEqual(code, WRONG_INPUT)
+        self.assertRegex(words, r'tire_study.toml:\d+: experiment.one.channel .* gives 2 values, but 3 are measured')
+        self.assertEqual(said("stand/vertical_stiffness", 'value = "200 N/mm"')[0], DONE)
+        self.assertEqual(said("stand/vertical_stiffness", 'values = ["200 N/mm", "210 N/mm"]')[0], WRONG_INPUT)
+
+
+class ReadOnly(SpringStudy):
+    """A study in a folder that may not be written, as an archive is."""
+
+    def setUp(self):
+        super().setUp()
+        self.own = pathlib.Path(tempfile.mkdtemp(prefix="latsch_reader_"))
+        self.addCleanup(shutil.rmtree, self.own)
+        self.reader = []
+        if os.geteuid() == 0:  # to whom no permission matters
+            os.chmod(self.own, 0o777)
+            if not shutil.which("setpriv"):
+                self.skipTest("run by root, and setpriv is not here to be somebody else")
+            self.reader = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
+            if subprocess.run([*self.reader, SPRING, "--version"], capture_output=True, cwd="/").returncode != DONE:
+                self.skipTest("run by root, and nobody else may run the program where it lies")
+
+    def close(self):
+        for file in self.folder.iterdir():
+            os.chmod(file, 0o444)
+        os.chmod(self.folder, 0o555)
+        self.addCleanup(os.chmod, self.folder, 0o755)
+
+    def read(self, *arguments, code=DONE):
+        return self.run_it(*arguments, code=code, before=self.reader, cwd="/")
+
+    def assert_readable(self):
+        page, found, bands = self.own / "page.html", self.own / "found.toml", self.own / "bands.html"
+        self.read("report", self.study, "-o", page)
+        self.assertIn("<html", page.read_text())
+        self.read("export", self.study, "--model", found)
+        self.assertIn("stiffness", found.read_text())
+        self.assertIn("force", self.read("test", self.study, PULL))
+        said = self.read("identify", self.study, "-o", bands)
+        self.assertRegex(said, r"stiffness +\d")
+        self.assertIn("<html", bands.read_text())
+        self.assertIn("No report is written", self.read("identify", self.study))
+        self.assertIn("Every page and every hash is in order", self.read("doctor", self.journal))
+        self.assertIn("Everything is in order", self.read("check", self.study))
+        self.assertIn("-o FILE", self.read("report", self.study, code=WRONG_INPUT))
+        self.assertIn("permission", self.read("run", self.study, code=WRONG_INPUT))
+
+    def test_it_is_reported_exported_tested_and_identified(self):
+        self.run_it("run", self.study)
+        self.run_it("identify", self.study)
+        (self.folder / "study.html").unlink()
+        self.close()
+        self.assert_readable()
+
+    def test_also_with_the_log_of_a_process_that_was_killed(self):
+        self.run_it("run", self.study)
+        self.run_it("identify", self.study)
+        there = self.folder / "there.latsch"
+        self.journal.rename(there)
+        rows = sqlite3.connect(there)
+        rows.execute("pragma journal_mode = wal").fetchone()
+        rows.execute("pragma wal_autocheckpoint = 0")
+        rows.execute("update identity set text = text")
+        rows.commit()
+        shutil.copy(there, self.journal)
+        shutil.copy(f"{there}-wal", f"{self.journal}-wal")
+        self.assertGreater((self.folder / "study.latsch-wal").stat().st_size, 0)
+        rows.close()
+        there.unlink()
+        (self.folder / "study.html").unlink()
+        self.close()
+        self.assert_readable()
+
+    def test_what_would_need_trials_says_to_copy_it(self):
+        with self.study.open("a") as study:
+            study.write("[optimizer]\nmax_steps = 1\n")
+        self.run_it("run", self.study)
+        self.assertEqual(trials_of(self.journal), 1)
+        self.close()
+        self.assertIn("copy the study to a folder of your own", self.read("identify", self.study, code=FAILED))
+
+    def test_a_journal_that_may_not_be_read_is_not_called_damaged(self):
+        self.run_it("run", self.study)
+        os.chmod(self.journal, 0o000)
+        self.addCleanup(os.chmod, self.journal, 0o644)
+        said = self.read("doctor", self.journal, code=WRONG_INPUT)
+        self.assertNotIn("damage:", said)
+        self.assertRegex(said.lower(), "permission|may not be read")
+
+
+if __name__ == "__main__":
+    unittest.main()

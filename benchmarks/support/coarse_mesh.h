@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// A finite-element tire on a coarse mesh: for benchmarks that need a trial that is cheap, not one
+// that is right.
+#pragma once
+
+#include <string>
+
+namespace latsch::benchmarks {
+
+/// Elements from bead to bead and around the tire, all equally long and wide.
+struct CoarseMesh {
+  int meridional = 13, sectors = 24;
+};
+
+/// The text of a tire file with another mesh: its own columns, spacing and sector zones are left
+/// out. Rows, plies and rubbers stay. Throws InputError where the file read again does not have
+/// that mesh.
+std::string with_coarse_mesh(const std::string& tire, const CoarseMesh& mesh = {});
+
+}  // namespace latsch::benchmarks

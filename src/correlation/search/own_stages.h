@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stage of a study that has followed an experiment best, and whether the result is worse there.
+//
+// A stage that fits one experiment leaves it an error e_0 in the experiment's own measure, the mean
+// |d|^k to the power 1/k (an RMS for k = 2). A later stage that fits other experiments, too, may
+// spoil it: the result has an error e, which counts as worse where
+//   e > 1.05 e_0,   e > noise that the study states,   e - e_0 > 1e-6 of what counts as 100 %.
+// The own stage of an experiment is the one with the least error among the stages before the last
+// in which it counts and whose model is that of the study: a coarse mesh is another model.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "correlation/study/study.h"
+#include "measurement/channels.h"
+
+namespace latsch::correlation {
+
+/// The best end of a stage for one experiment.
+struct OwnStage {
+  std::string stage = {};                                  // empty: it counted in none
+  double error = std::numeric_limits<double>::infinity();  // in its own measure, 1 = 100 %
+  double rms = std::numeric_limits<double>::infinity();    // rms_error() there
+
+  bool is_known() const { return !stage.empty(); }
+};
+
+/// mean |d|^k to the power 1/k of a comparison without weights, 1 = 100 %.
+double own_measure(const StudyExperiment& experiment, const Comparison& comparison);
+
+/// The name of that measure: "mean", "RMS", "mean to the power 4".
+std::string measure_in_words(const StudyExperiment& experiment);
+
+/// Takes the end of stage k into account; `own` has a place an experiment of the study or is empty.
+void add_stage_end(const Study& study,
+                   int k,
+                   const Channels& recording,
+                   std::vector<OwnStage>& own);
+
+/// Whether an error is worse than that of the own stage, by the rule above.
+bool is_spoiled(const StudyExperiment& experiment, const OwnStage& own, double error);
+
+/// "Fy has an RMS of 3.60 %, 2.10 % at the end of its own stage Fy_conditions"
+std::string spoiled_in_words(const StudyExperiment& experiment, const OwnStage& own, double error);
+
+/// Of every experiment that is spoiled at a recording: spoiled_in_words().
+std::vector<std::string> spoiled_experiments(const Study& study,
+                                             const std::vector<OwnStage>& own,
+                                             const Channels& recording);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "numerics/signals/distinct_levels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace latsch::numerics {
+namespace {
+
+constexpr double kLeastShare = 0.015;    // of the samples: less is a passage between two levels
+constexpr double kValley = 0.35;         // of the lower peak: a density above it parts no levels
+constexpr double kStep = 0.25;           // of the kernel: where the density is computed
+constexpr double kReach = 4.0;           // kernels: farther away a sample adds nothing
+constexpr double kMostKernels = 50'000;  // in the span of the values: finer is not resolved
+constexpr double kTail = 0.02;           // of a level's samples on either side, which may be odd
+
+/// The density at `points` places `step` apart from `first` on, of ascending values.
+std::vector<double> density(
+    const std::vector<double>& values, double first, double step, std::size_t points, double h) {
+  std::vector<double> sum(points, 0.0);
+  for (const double x : values) {
+    const auto from =
+        static_cast<std::size_t>(std::max(0.0, std::ceil((x - kReach * h - first) / step)));
+    for (std::size_t k = from; k < points; ++k) {
+      const double z = (first + step * static_cast<double>(k) - x) / h;
+      if (z > kReach) break;
+      sum[k] += std::exp(-0.5 * z * z);
+    }
+  }
+  return sum;
+}
+
+/// Places of the valleys that part two levels.
+std::vector<std::size_t> valleys(const std::vector<double>& f) {
+  std::vector<std::size_t> found;
+  std::size_t lowest = 0;  // since the highest place of this level
+  double peak = 0.0;
+  for (std::size_t k = 0; k < f.size(); ++k) {
+    if (f[k] < f[lowest]) lowest = k;
+    if (f[lowest] < kValley * std::min(peak, f[k]) && lowest > 0) {
+      found.push_back(lowest);
+      peak = f[k];
+      lowest = k;
+    } else if (f[k] >= peak) {
+      peak = f[k];
+      lowest = k;
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+DistinctLevels distinct_levels(std::vector<double> values, const LevelResolution& resolution) {
+  std::erase_if(values, [](double x) { return !std::isfinite(x); });
+  DistinctLevels levels;
+  if (values.empty()) return levels;
+  std::sort(values.begin(), values.end());
+  const double span = values.back() - values.front();
+  const double h = std::max(resolution.kernel, span / kMostKernels);
+  const double first = values.front() - kReach * h;
+  const auto points = static_cast<std::size_t>((span + 2.0 * kReach * h) / (kStep * h)) + 1;
+  const std::vector<double> f = density(values, first, kStep * h, points, h);
+  std::vector<double> ends;
+  for (const std::size_t k : valleys(f)) ends.push_back(first + kStep * h * double(k));
+  ends.push_back(values.back());
+  auto begin = values.begin();
+  for (const double end : ends) {
+    const auto to = std::upper_bound(begin, values.end(), end);
+    const auto count = to - begin;
+    if (static_cast<double>(count) >= kLeastShare * static_cast<double>(values.size())) {
+      const auto tail = static_cast<std::ptrdiff_t>(kTail * static_cast<double>(count));
+      levels.values.push_back(*(begin + count / 2));
+      if (*(to - 1 - tail) - *(begin + tail) > resolution.swept) levels.is_swept = true;
+    }
+    begin = to;
+  }
+  return levels;
+}
+
+}  // namespace latsch::numerics
