@@ -143,6 +143,7 @@ double CsvTable::number(const CsvFields::Row& row,
 
 Unit CsvTable::unit_of(int column, std::string_view unit) const {
   TableColumn one = columns_[static_cast<std::size_t>(column)];
+  take_unit_of_name(one, std::string(unit));
   return unit_of_column(one, std::string(unit), {file_, one.unit_line});
 }
 

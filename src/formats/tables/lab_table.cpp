@@ -76,6 +76,7 @@ void add_columns(std::vector<LabColumn> columns,
   table.header = header;
   for (LabColumn& column : columns) {
     TableColumn& source = column.source;
+    if (expected && !column.is_si) take_unit_of_name(source, expected(source.name));
     const std::string wanted =
         expected && !source.unit.empty() ? expected(source.name) : std::string();
     const bool is_known =
@@ -113,7 +114,8 @@ LabTable read_csv(const std::filesystem::path& file,
   LabTable table = table_of(file);
   std::vector<CsvTable::Wanted> wanted;
   std::vector<LabColumn> columns;
-  for (const TableColumn& source : csv.header()) {
+  for (TableColumn source : csv.header()) {
+    if (expected && !units.contains(source.name)) take_unit_of_name(source, expected(source.name));
     const std::string known = expected && !source.unit.empty() ? expected(source.name) : "";
     const bool is_si = !source.unit.empty() && fault_of_unit(source, known).empty();
     // Converted from the digits, to the last bit.

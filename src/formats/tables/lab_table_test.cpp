@@ -9,6 +9,7 @@
 
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
+#include "formats/tables/csv_table.h"
 
 namespace latsch::formats {
 namespace {
@@ -145,6 +146,27 @@ TEST_F(LabTables, AreReadInUtf8AndWindows1252AndNotInUtf16) {
       EXPECT_NE(complaint(name, text).find(std::string(name) + ": is UTF-16 text, expected UTF-8"),
                 std::string::npos)
           << complaint(name, text);
+}
+
+// The unit behind a name counts where the name is known.
+TEST_F(LabTables, AUnitMayEndAName) {
+  const auto expected = [](const std::string& name) {
+    return std::string(name.starts_with("SA") ? "rad" : name.starts_with("P") ? "Pa" : "");
+  };
+  write_text_file(folder_ / "a.csv", "SA_deg,P_kPa,run_N,SA_max\n180,80,3,4\n");
+  write_text_file(folder_ / "a.dat", "run\nSA_deg\tP_kPa\trun_N\tSA_max\n180\t80\t3\t4\n");
+  for (const char* name : {"a.csv", "a.dat"}) {
+    const LabTable table = read_lab_table(folder_ / name, {}, expected);
+    EXPECT_NEAR(table.channels["SA_deg"][0], std::numbers::pi, 1e-15);
+    EXPECT_EQ(table.channels["P_kPa"][0], 80e3);
+    EXPECT_EQ(table.channels.find("run_N")->unit, "1");
+    EXPECT_EQ(table.channels.find("SA_max")->unit, "1");
+    EXPECT_EQ(table.columns[0].assumed, "the unit \"deg\" is that of the name");
+  }
+  // A stated unit is the one that counts.
+  const LabTable stated = read_lab_table(folder_ / "a.csv", {{"P_kPa", "bar"}}, expected);
+  EXPECT_EQ(stated.channels["P_kPa"][0], 80e5);
+  EXPECT_EQ(CsvTable::read(folder_ / "a.csv").numbers("P_kPa", "Pa")[0], 80e3);
 }
 
 TEST_F(LabTables, AThousandIsNoOne) {

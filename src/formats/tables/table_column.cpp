@@ -94,6 +94,18 @@ std::string fault_of_unit(const TableColumn& column, const std::string& expected
          in_quotes(column.name + " [" + expected + "]");
 }
 
+void take_unit_of_name(TableColumn& column, const std::string& expected) {
+  if (!column.unit.empty() || expected.empty() || expected == "1") return;
+  const auto mark = column.name.rfind('_');
+  if (mark == column.name.npos || mark == 0) return;
+  const std::string last = column.name.substr(mark + 1);
+  const Unit wanted = Unit::of(expected);
+  const auto unit = find_unit(last, wanted);
+  if (!unit || last == "1" || !unit->same_dimension(wanted)) return;
+  column.unit = last;
+  column.assumed = "the unit " + in_quotes(last) + " is that of the name";
+}
+
 Unit unit_of_column(TableColumn& column, const std::string& expected, const Place& place) {
   const std::string fault = fault_of_unit(column, expected);
   if (!fault.empty()) throw InputError(place, fault);

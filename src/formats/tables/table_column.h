@@ -33,6 +33,10 @@ TableColumn column_of_title(std::string_view title);
 /// The SI unit a column of that name has to have; empty where its name says nothing.
 using ExpectedUnit = std::function<std::string(const std::string& name)>;
 
+/// Takes the unit that ends a name, "deg" of "alpha_deg", for a column that has none and of which
+/// the SI unit `expected` is known. Does nothing where the last word is no unit of that dimension.
+void take_unit_of_name(TableColumn& column, const std::string& expected);
+
 /// The unit of a column. `expected`: the SI unit of the values; empty: not known. Notes in the
 /// column what was assumed. Throws InputError at `place` for a unit that is unknown, has several
 /// meanings of which none is usual, or is of another dimension than expected, and where a unit is
