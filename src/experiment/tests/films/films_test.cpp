@@ -23,7 +23,7 @@ using Eigen::Vector3d;
 using report::Scene;
 using suspension::DoubleWishbone;
 
-const std::filesystem::path kStudies = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies";
+const std::filesystem::path kFilmedStudies = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies";
 
 /// Wishbones that lie level at z = 0.4 and 0.2, a push-rod upright on the upper one, a track-rod
 /// level in the middle; hardly anything gives and joints do not resist turning.
@@ -172,7 +172,7 @@ TEST(RigFilm, KeepsStatesEvenlyWithFirstAndLast) {
 
 TEST(Films, SayHowManyTestsHaveNone) {
   const SpecimenKind& kind = *language().find_kind("car");
-  const auto specimen = kind.build(kind.read(kStudies / "kerb/baseline.toml"));
+  const auto specimen = kind.build(kind.read(kFilmedStudies / "kerb/baseline.toml"));
   const auto test = language().read_test(
       Document::parse("kind = \"axle_kc\"\naxle = \"rear\"\nFz = \"1.5 kN\"\nmode = \"parallel\"\n",
                       "test.toml")
@@ -189,7 +189,7 @@ TEST(Films, SayHowManyTestsHaveNone) {
 
 Scene scene_of_test(const std::string& car, const std::string& keys, int most_steps) {
   const SpecimenKind& kind = *language().find_kind("car");
-  const auto specimen = kind.build(kind.read(kStudies / car));
+  const auto specimen = kind.build(kind.read(kFilmedStudies / car));
   const auto test = language().read_test(Document::parse(keys, "test.toml").root(), {});
   Scene scene;
   const auto done = test->film(*specimen, most_steps, scene);
@@ -233,7 +233,7 @@ TEST(CarFilm, ShowsTheLoadsAndTheWayOfItsChannels) {
       "[kerb]\nkind = \"kerb\"\nshape = \"sine\"\npitch = \"800 mm\"\nwidth = \"800 mm\"\n"
       "height = \"25 mm\"\ncount = 4\nstart = [\"0 m\", \"0.2 m\"]\n";
   const SpecimenKind& kind = *language().find_kind("car");
-  const auto specimen = kind.build(kind.read(kStudies / "kerb/baseline.toml"));
+  const auto specimen = kind.build(kind.read(kFilmedStudies / "kerb/baseline.toml"));
   const auto test = language().read_test(Document::parse(keys, "test.toml").root(), {});
   const auto channels = test->run(*specimen);
   ASSERT_TRUE(channels);
