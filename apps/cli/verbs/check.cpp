@@ -13,6 +13,7 @@
 #include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
 #include "cli/console/tables.h"
+#include "cli/console/tire_faults.h"
 #include "cli/run/model_source.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/coefficient_levels.h"
@@ -265,6 +266,7 @@ void check_model(const std::string& file, const experiment::Language& language) 
   }
   print_numbers(numbers, file);
   for (const std::string& note : kind.notes(file)) warn(note, {file, 0});
+  warn_beyond_data(kind, numbers, file);
   say("\nEverything is in order. Next: a test of it, latsch test {} TEST, or a study with model = "
       "\"{}\"\n",
       file,
@@ -306,6 +308,7 @@ void check(const std::string& file, const experiment::Language& language) {
   if (study.refinement)
     say("\nRefined model, for what mesh and step make of the numbers: {}\n",
         in_words(*study.refinement));
+  warn_beyond_data(study, study.space.initial());
   for (const auto& one : correlation::untold_coefficients(study))
     warn("variable " + one.variable + " is free, but " + one.reason +
              ": the measurement does not tell it; leave it out, or measure more levels",

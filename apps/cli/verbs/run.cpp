@@ -17,6 +17,7 @@
 #include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
 #include "cli/console/tables.h"
+#include "cli/console/tire_faults.h"
 #include "cli/run/interrupt.h"
 #include "cli/run/served_studies.h"
 #include "cli/run/trials.h"
@@ -263,6 +264,8 @@ int fit(const Asked& asked, const experiment::Language& language) {
                                                              : correlation::Depth::at_the_point;
       if (!print_values(study, shown, depth, workers, executor, journal)) return kFailed;
       workers.end();
+      if (const auto found = correlation::best_trial(study, journal))
+        warn_beyond_data(study, found->point);
       return write_report(study, journal, language);
     }
     say("Best of {} steps: target {:.4f} %\nThe search ended {}\n",

@@ -7,6 +7,7 @@
 #include "experiment/kinds/rolling_specimen.h"
 #include "experiment/kinds/slip_plots.h"
 #include "experiment/kinds/tir_numbers.h"
+#include "experiment/kinds/tire_sanity.h"
 #include "experiment/rigs/slip/slip_lag.h"
 #include "experiment/rigs/slip/slip_states.h"
 #include "formats/tire/tir_file.h"
@@ -111,6 +112,10 @@ class MagicFormulaKind : public SpecimenKind {
     return usual_range_of(path);
   }
   std::string text(const Document& numbers) const override { return tir_text_of(numbers); }
+  std::vector<FaultBeyondData> faults_beyond_data(const Document& numbers,
+                                                  const MeasuredAt& values_of) const override {
+    return tire_faults(numbers, values_of);
+  }
   void draw(const Document& numbers,
             const std::vector<const Test*>&,
             Thoroughness,

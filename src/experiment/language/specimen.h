@@ -8,9 +8,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/document.h"
@@ -41,6 +43,16 @@ enum class Thoroughness { seconds, minutes };
 struct UsualRange {
   double lower, upper;
 };
+
+/// What a specimen does beyond the data that it was fitted to, and the numbers that make it do so,
+/// by their paths, SI.
+struct FaultBeyondData {
+  std::string words;
+  std::vector<std::pair<std::string, double>> numbers = {};
+};
+
+/// The values (SI) of a condition, "Fz" or "alpha", at which a specimen was measured.
+using MeasuredAt = std::function<std::vector<double>(const std::string&)>;
 
 /// How a file becomes numbers that can vary, and numbers a specimen. A new kind is one file
 /// x_kind.cpp and its line in language.cpp.
@@ -80,6 +92,13 @@ class SpecimenKind {
   /// Of the number at this path; nullopt where it has none.
   virtual std::optional<UsualRange> usual_range(const std::string& /*path*/) const {
     return std::nullopt;
+  }
+
+  /// How it misbehaves in ranges 1.5 times as wide as those it was measured in; a null function: as
+  /// the ranges of its file, or usual ones.
+  virtual std::vector<FaultBeyondData> faults_beyond_data(const Document&,
+                                                          const MeasuredAt& = nullptr) const {
+    return {};
   }
 
   /// A line for people: "Tire B, 225/50R16, 2400 HEX8, 40 sectors".

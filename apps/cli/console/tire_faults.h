@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Warnings of what a Magic Formula tire does beyond its data, with the coefficients that do it.
+#pragma once
+
+#include <string>
+
+#include "correlation/study/study.h"
+
+namespace latsch::cli {
+
+/// Of the tire of a study at a point, over the states of its fitted tests.
+void warn_beyond_data(const correlation::Study& study, const DesignPoint& point);
+
+/// Of the tire of a file, over its ranges.
+void warn_beyond_data(const experiment::SpecimenKind& kind,
+                      const Document& numbers,
+                      const std::string& file);
+
+}  // namespace latsch::cli

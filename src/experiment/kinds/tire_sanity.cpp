@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/kinds/tire_sanity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "experiment/kinds/tir_numbers.h"
+#include "models/magic_formula/sanity.h"
+
+namespace latsch::experiment {
+namespace {
+
+/// From where to where values reach, without the outermost half of a percent on either side.
+std::pair<double, double> reach_of(std::vector<double> values, double otherwise) {
+  std::erase_if(values, [](double x) { return !std::isfinite(x); });
+  if (values.empty()) return {otherwise, otherwise};
+  std::sort(values.begin(), values.end());
+  const std::size_t tail = values.size() / 200;
+  return {values[tail], values[values.size() - 1 - tail]};
+}
+
+}  // namespace
+
+std::vector<FaultBeyondData> tire_faults(const Document& numbers, const MeasuredAt& values_of) {
+  const magic_formula::Parameters p = parameters_of(numbers);
+  magic_formula::DataRange range = range_of(p);
+  if (values_of) {
+    const std::vector<double> loads = values_of("Fz");
+    if (loads.empty()) return {};
+    std::tie(range.Fz_from, range.Fz_to) = reach_of(loads, p.FNOMIN);
+    range.Fz_from = std::max(range.Fz_from, 1e-3 * p.FNOMIN);
+    range.Fz_to = std::max(range.Fz_to, range.Fz_from);
+    const auto size = [&](const char* slip) {
+      const auto [from, to] = reach_of(values_of(slip), 0.0);
+      return std::max(std::abs(from), std::abs(to));
+    };
+    range.alpha = size("alpha");
+    range.kappa = size("kappa");
+    std::tie(range.gamma_from, range.gamma_to) = reach_of(values_of("gamma"), 0.0);
+    std::tie(range.p_from, range.p_to) = reach_of(values_of("p"), p.INFLPRES);
+  }
+  std::vector<FaultBeyondData> faults;
+  for (const auto& fault : sanity_faults(p, range)) {
+    FaultBeyondData told{fault.words, {}};
+    for (const std::string& name : fault.coefficients)
+      told.numbers.emplace_back(name, p.*magic_formula::find_parameter(name)->member);
+    faults.push_back(std::move(told));
+  }
+  return faults;
+}
+
+}  // namespace latsch::experiment

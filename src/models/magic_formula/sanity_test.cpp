@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/magic_formula/sanity.h"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+namespace latsch::magic_formula {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Field;
+using testing::IsEmpty;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// Coefficients of the size that published sets of passenger tires have.
+Parameters sane_tire() {
+  Parameters p;
+  p.UNLOADED_RADIUS = 0.32;
+  p.FNOMIN = 4000.0;
+  p.VERTICAL_STIFFNESS = 2e5;
+  p.NOMPRES = p.INFLPRES = 2.2e5;
+  p.PCX1 = 1.6;
+  p.PDX1 = 1.2;
+  p.PDX2 = -0.1;
+  p.PKX1 = 22.0;
+  p.PCY1 = 1.35;
+  p.PDY1 = 1.0;
+  p.PDY2 = -0.1;
+  p.PEY1 = -0.8;
+  p.PKY1 = -18.0;
+  p.PKY2 = 1.8;
+  p.RBX1 = p.RBY1 = 10.0;
+  p.RBX2 = p.RBY2 = 8.0;
+  p.RCX1 = p.RCY1 = 1.0;
+  p.QBZ1 = 9.0;
+  p.QCZ1 = 1.15;
+  p.QDZ1 = 0.11;
+  p.QEZ1 = -2.0;
+  return p;
+}
+
+constexpr DataRange kData{
+    2000.0, 6000.0, 12.0 * kDegree, 0.2, -3.0 * kDegree, 3.0 * kDegree, 2.0e5, 2.4e5};
+
+std::vector<std::string> rows_of(const std::vector<SanityFault>& faults) {
+  std::vector<std::string> names;
+  for (const SanityFault& fault : faults) names.push_back(fault.row);
+  return names;
+}
+
+TEST(Sanity, ATireOfUsualCoefficientsHasNoFault) {
+  EXPECT_THAT(rows_of(sanity_faults(sane_tire(), kData)), IsEmpty());
+  EXPECT_THAT(rows_of(sanity_faults(sane_tire(), range_of(sane_tire()))), IsEmpty());
+}
+
+// Each coefficient is wrong alone, so what is named has to be this one.
+TEST(Sanity, AFaultNamesItsRowAndTheCoefficientThatMakesIt) {
+  struct Case {
+    double Parameters::*coefficient;
+    double value;
+    const char *name, *row;
+  };
+  for (const Case& one : {
+           Case{&Parameters::PDY2, 0.5, "PDY2", "friction over load"},
+           Case{&Parameters::PDX2, 0.3, "PDX2", "friction over load"},
+           Case{&Parameters::PDY1, 4.0, "PDY1", "friction"},
+           Case{&Parameters::PKY1, 18.0, "PKY1", "cornering stiffness"},
+           Case{&Parameters::PKX2, -30.0, "PKX2", "slip stiffness"},
+           Case{&Parameters::PKY3, 20.0, "PKY3", "cornering stiffness"},
+           Case{&Parameters::QCZ1, 2.2, "QCZ1", "aligning moment"},
+           Case{&Parameters::RBX1, 60.0, "RBX1", "friction ellipse"},
+           Case{&Parameters::PPZ1, 8.0, "PPZ1", "factors"},
+           Case{&Parameters::PPY2, -9.0, "PPY2", "factors"},
+           Case{&Parameters::QBZ4, -15.0, "QBZ4", "factors"},
+       }) {
+    Parameters p = sane_tire();
+    p.*one.coefficient = one.value;
+    const auto faults = sanity_faults(p, kData);
+    EXPECT_THAT(faults,
+                Contains(testing::AllOf(Field(&SanityFault::row, one.row),
+                                        Field(&SanityFault::coefficients, Contains(one.name)))))
+        << one.name << ": " << testing::PrintToString(rows_of(faults));
+  }
+}
+
+// PDY2 = 0 and two coefficients of pressure: each alone leaves the friction positive.
+TEST(Sanity, TwoCoefficientsThatFailTogetherAreBothNamed) {
+  Parameters p = sane_tire();
+  p.PPY3 = -3.5;
+  p.PPY4 = -9.0;
+  const auto faults = sanity_faults(p, {2000, 6000, 0, 0, 0, 0, 2.2e5, 2.8e5});
+  ASSERT_FALSE(faults.empty());
+  EXPECT_EQ(faults.front().row, "friction");
+  EXPECT_THAT(faults.front().coefficients, testing::UnorderedElementsAre("PPY3", "PPY4"));
+}
+
+// A limit of the file would hide what lies outside of it.
+TEST(Sanity, LimitsOfTheFileHideNothing) {
+  Parameters p = sane_tire();
+  p.PDY2 = 0.5;
+  p.FZMIN = 2000.0;
+  p.FZMAX = 2100.0;
+  EXPECT_THAT(rows_of(sanity_faults(p, kData)), ElementsAre("friction over load"));
+}
+
+TEST(Sanity, ATireWithoutAForceHasNoFaultOfIt) {
+  Parameters p = sane_tire();
+  p.PDX1 = p.PKX1 = p.PDX2 = 0.0;
+  p.QDZ1 = 0.0;
+  EXPECT_THAT(rows_of(sanity_faults(p, kData)), IsEmpty());
+}
+
+}  // namespace
+}  // namespace latsch::magic_formula
