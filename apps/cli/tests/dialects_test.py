@@ -318,5 +318,18 @@ class DeckWithEquations(Coarse):
         self.assertGreater(len(answer["result"]["numbers"]), 100)
 
 
+class PlacedColumns(Coarse):
+    def test_numbers_of_sectors_that_need_too_many_unknowns_do_not_lose_those_that_do_not(self):
+        """24 and 26 sectors need 3,096 and 3,354 unknowns at least, 22 need 2,838."""
+        subprocess.run([LATSCH, "new", self.folder / "co", "--coarse"], check=True, stdout=subprocess.DEVNULL)
+        tire, placed = self.folder / "co/tire.toml", self.folder / "placed.toml"
+        edit(tire, (r"\n\[mesh\]\n", '\n[mesh]\nfaces = ["carcass", "belt_1", "belt_2"]\n'), (r"\nrows_\w+ = .*", ""))
+        self.assert_says(self.latsch("mesh", tire, "--place-columns", placed, "--unknowns", "3000", "--modes", "4",
+                                     "--choose-sectors"), "22 sectors, 2838 unknowns")
+        self.assertIn("sectors = 22", placed.read_text())
+        self.assert_says(self.latsch("mesh", tire, "--place-columns", placed, "--unknowns", "2000", "--modes", "4", code=1),
+                         "more than the 2000 allowed")
+
+
 if __name__ == "__main__":
     unittest.main()
