@@ -58,9 +58,6 @@ class TireTest {
     cornering = has("Fy") && spread("alpha") > 1.0 * kDegree;
     driving = has("Fx") && spread("kappa") > 2.0 * kFreeRolling;
     combined = cornering && driving;
-    levels = condition_levels([&](const std::string& channel) {
-      return measured.has(channel) ? of(channel) : std::vector<double>{};
-    });
     if (cornering) side_lag = recorded_lag(measured, "Fy", "alpha", kSmallAngle);
     if (driving) drive_lag = recorded_lag(measured, "Fx", "kappa", kSmallSlip);
     lags = (side_lag && side_lag->is_seen()) || (drive_lag && drive_lag->is_seen());
@@ -69,7 +66,20 @@ class TireTest {
   std::optional<RecordedLag> side_lag, drive_lag;  // of Fy and Fx; none: cannot be told
   bool lags = false;
   bool cornering, driving, combined;
-  magic_formula::ConditionLevels levels;
+
+  /// The levels of the samples that a stage fits: those of driving, or those of cornering alone
+  /// where a test has both.
+  magic_formula::ConditionLevels levels_of(bool of_driving) const {
+    return condition_levels([&](const std::string& channel) {
+      std::vector<double> all = of(channel);
+      const std::vector<double>& kappa = of("kappa");
+      if (!(cornering && driving) || kappa.size() != all.size()) return all;
+      std::vector<double> some;
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if ((std::abs(kappa[i]) > kFreeRolling) == of_driving) some.push_back(all[i]);
+      return some;
+    });
+  }
 
   bool has(const std::string& channel) const {
     return measured_.has(channel) && quantile(magnitudes(channel), 0.9) > 0.0;
@@ -192,10 +202,15 @@ struct Freed {
 /// the order of its polynomial.
 Freed stages_of(const TireTest& t) {
   Freed freed;
+  const magic_formula::ConditionLevels of_cornering = t.levels_of(false),
+                                       of_driving = t.levels_of(true);
   for (Stage& stage : every_stage_of(t)) {
+    const std::string& experiment = stage.experiments.front();
+    const bool is_of_driving = experiment == "Fx" || experiment == "Fy_driven" || !t.cornering;
     std::vector<std::string> told;
     for (const std::string& name : stage.coefficients) {
-      const std::string reason = magic_formula::reason_against(name, t.levels);
+      const std::string reason =
+          magic_formula::reason_against(name, is_of_driving ? of_driving : of_cornering);
       if (reason.empty()) {
         told.push_back(name);
         continue;

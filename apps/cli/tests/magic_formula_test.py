@@ -170,6 +170,29 @@ class MagicFormula(unittest.TestCase):
         self.assertNotIn("driving", study)
         self.latsch("check", folder / "study.toml")
 
+    def test_levels_of_a_condition_are_those_of_the_samples_that_a_stage_fits(self):
+        """Cornering has three pressures and two cambers, driving one of each."""
+        folder = self.base / "levels"
+        said = self.latsch("new", folder, "--magic-formula", self.base / "cornering.dat", self.base / "driving.dat")
+        study = (folder / "study.toml").read_text()
+        vary = study[study.index("vary = "):].splitlines()[0]
+        for told in ("PPY4", "PPZ1", "PDY3"):
+            self.assertIn(f'"{told}"', vary)
+        for untold in ("PPX1", "PPX4", "PDX3", "QBZ5"):
+            self.assertNotIn(f'"{untold}"', vary)
+            self.assertRegex(study, rf"# not freed, .*\b{untold}\b")
+        self.assertIn("of order 1 in the pressure, of which there is 1 level: 83 kPa: PPX1", said.stdout)
+
+    def test_check_warns_of_a_coefficient_with_too_few_levels(self):
+        folder = self.base / "two"
+        self.latsch("new", folder, "--magic-formula", self.base / "cornering.dat")
+        text = (folder / "study.toml").read_text().replace(
+            "measurement.cornering = {", 'measurement.cornering = {select = {p = "60 kPa .. 90 kPa"}, ')
+        (folder / "study.toml").write_text(text)
+        said = self.latsch("check", folder / "study.toml").stderr
+        self.assertIn("PPY4 is of order 2 in the pressure, of which there are 2 levels: 69, 83 kPa", said)
+        self.assertNotIn("PPY3 is of", said)
+
     def test_what_is_missing_is_said(self):
         without = self.base / "without.dat"
         without.write_text("run\nET\tSA\nsec\tdeg\n0\t1\n1\t2\n")
