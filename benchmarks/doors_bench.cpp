@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Good files changed in some 25 ways: read to the same numbers, refused, or told by name; none silent
+// Good files changed in some 25 ways: same numbers, refused, or told by name; none silent
 //
 //   ./bench.sh doors [--named] [--smoke]
 //

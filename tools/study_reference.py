@@ -65,6 +65,7 @@ SECTIONS = [
 ]
 OTHER_ROOMS = {"rig_data", "comparison"}  # they read files that are no studies
 
+FILE = re.compile(r"\bsource\.file\(\s*\w+,\s*\"([^\"]*)\"\s*\)")  # opens a file that a test names
 GETTER = re.compile(r"\b\w+(?:->|\.)(quantity|quantities|one_or_more|choice|integer|flag|texts?|rows)\(\s*(\w+|\"[^\"]*\")\s*([,)])")
 
 
@@ -179,6 +180,8 @@ def keys_of(source):
         entry = found.setdefault(key.strip('"'), [])
         if (expected, fallback) not in entry:
             entry.append((expected, fallback))
+    for match in FILE.finditer(text):
+        found.setdefault(match[1], []).append(("the name of a file, beside the study or the test", None))
     return found
 
 
