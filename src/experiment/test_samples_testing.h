@@ -10,7 +10,7 @@
 namespace latsch::experiment {
 
 struct TestSample {
-  std::string keys;                           // TOML, with its kind
+  std::string keys;                                // TOML, with its kind
   std::map<std::string, std::string> others = {};  // path -> another text, where no choice says one
 };
 
@@ -67,7 +67,7 @@ inline const std::vector<TestSample>& test_samples() {
       "Fx = [\"0 N\", \"100 N\"]\nFy = [\"0 N\", \"200 N\"]\nFz = [\"1 kN\", \"2 kN\"]\n"
       "Mx = \"10 N m\"\nMy = \"20 N m\"\nMz = \"30 N m\"\n";
   static const std::string kinematics =
-      "kind = \"kinematics\"\nrack = [\"0 mm\", \"1 mm\", \"2 mm\"]\nmode = \"opposed\"\n"
+      "kind = \"kinematics\"\nmode = \"opposed\"\n"
       "at = \"wheel_center\"\nrates = true\nanti_roll_bar = true\nouter_share = 0.6\n"
       "axle = \"rear\"\nwheelbase = \"1.5 m\"\ncg_height = \"0.3 m\"\nbrake_share = 0.6\n"
       "drive_share = 0.1\nbrakes = \"inboard\"\nrack_per_turn = \"85 mm\"\n";
@@ -126,12 +126,13 @@ inline const std::vector<TestSample>& test_samples() {
       {"kind = \"load_deflection\"\npressure = \"2 bar\"\nfriction = 0.8\n"
        "deflections = [\"5 mm\", \"10 mm\"]\n"},
       {"kind = \"load_deflection\"\nloaded_radii = [\"310 mm\", \"300 mm\"]\n"},
-      {"kind = \"kc\"\nat = \"wheel_center\"\nslopes_by = \"Fz\"\nwindow = [\"0.5 kN\", \"4 "
+      {"kind = \"kc\"\nat = \"wheel_center\"\nslopes_by = \"Fz\"\nwindow = [\"-5 kN\", \"5 "
        "kN\"]\n" +
        six},
       {"kind = \"kc\"\nloads = {from = \"measurement.rig\"}\n"},
-      {kinematics + "travel = [\"-30 mm\", \"0 mm\", \"30 mm\"]\n"},
-      {kinematics + "from = \"-30 mm\"\nto = \"30 mm\"\npoints = 3\n"},
+      {kinematics +
+       "rack = [\"0 mm\", \"1 mm\", \"2 mm\"]\ntravel = [\"-30 mm\", \"0 mm\", \"30 mm\"]\n"},
+      {kinematics + "rack = \"1 mm\"\nfrom = \"-30 mm\"\nto = \"30 mm\"\npoints = 3\n"},
       {posts + "from = \"1 Hz\"\nto = \"25 Hz\"\nduration = \"4 s\"\namplitude = \"3 mm\"\n"
                "velocity = \"0.1 m/s\"\n"},
       {posts + "posts = \"heights.csv\"\n"},
@@ -145,7 +146,7 @@ inline const std::vector<TestSample>& test_samples() {
       {kerb_run + placed + "file = \"track.toml\"\n"},
       {axle +
        "mode = \"opposed\"\ntravel = \"3 mm\"\nslopes_by = \"Fz\"\n"
-       "window = [\"0.5 kN\", \"4 kN\"]\n" +
+       "window = [\"-5 kN\", \"5 kN\"]\n" +
        six},
       {axle + of_wheel("_L") + of_wheel("_R")},
       {"kind = \"axle_kc\"\naxle = \"rear\"\nloads = {from = \"measurement.rig\"}\n"},
