@@ -338,7 +338,7 @@ TEST_F(MeasuredStudy, HasALedgerOfWhatItsColumnsWereTakenFor) {
 }
 
 TEST_F(MeasuredStudy, TakesASlipAngleByAnySpelling) {
-  const auto expected = read().tests.front().text;
+  const auto expected = read().tests.front().identity;
   for (const char* name : {"Slip Angle [deg]",
                            "Schräglaufwinkel [deg]",
                            "alpha [deg]",
@@ -346,7 +346,7 @@ TEST_F(MeasuredStudy, TakesASlipAngleByAnySpelling) {
                            "slip_angle [deg]",
                            "SlipAngle [deg]"}) {
     edit_record("SA [deg]", name);
-    EXPECT_EQ(read().tests.front().text, expected) << name;
+    EXPECT_EQ(read().tests.front().identity, expected) << name;
   }
 }
 
