@@ -181,12 +181,14 @@ double error_of_wheel_rate() {
   return worst;
 }
 
-/// The largest |H - H of the linear model|/|H| from 0.5 to 20 Hz at the defaults, of all sensors.
-double error_of_responses(experiment::PostMode mode) {
+/// The largest |H - H of the linear model|/|H| from 0.5 to 20 Hz, of all sensors; at the defaults
+/// but for the amplitude: at 3 mm the tires of this car leave the plates.
+double error_of_responses(experiment::PostMode mode, double amplitude) {
   const auto car = Car::make(car::race_car(false), car::spring_tires());
   const road::PlaneRoad flat;
   const auto linear = car::linearize(**car, *(*car)->settle(flat, 0.0, {}), flat);
-  experiment::FourPostTest test = experiment::sweep_test({.mode = mode}, 1e-3);
+  experiment::FourPostTest test =
+      experiment::sweep_test({.mode = mode, .amplitude = amplitude}, 1e-3);
   test.still = 3.0;
   const auto record = experiment::run(**car, test);
   if (!record) throw std::runtime_error(record.failure().reason);
@@ -241,8 +243,8 @@ int run(const benchmarks::Options& options) {
                                    {PostMode::pitch, "pitch"},
                                    {PostMode::roll, "roll"}}) {
     if (smoke && mode != PostMode::heave) continue;
-    const double error = error_of_responses(mode);
-    table.row(fmt::format("four posts at their defaults, {}: response, 0.5 to 20 Hz", name),
+    const double error = error_of_responses(mode, 1e-4);
+    table.row(fmt::format("four posts, defaults but 0.1 mm, {}: response, 0.5 to 20 Hz", name),
               fmt::format("{:.2f} %", 100.0 * error),
               "<= 2 %",
               error <= 0.02);

@@ -110,7 +110,7 @@ TEST_F(AxleOnKcRig, PadsOfEachWheelRollIt) {
     EXPECT_EQ(opposed[name], each[name]) << name;
 }
 
-/// N/m by virtual work, independent of bodies and bushings: F = -(P0 + k (L - L0)) dL/dz of a
+/// N/m by virtual work, independent of bodies and bushings: F = (P0 + k (L - L0)) dL/dz of a
 /// spring of length L that a linkage of rigid rods moves (suspension/linkage.h), dF/dz by
 /// differences.
 double wheel_rate_of_linkage(const Document& suspension, double k, double preload, double z) {
@@ -122,7 +122,7 @@ double wheel_rate_of_linkage(const Document& suspension, double k, double preloa
     const double up = linkage.move_to(travel + h, 0.0)->spring_length,
                  down = linkage.move_to(travel - h, 0.0)->spring_length,
                  here = linkage.move_to(travel, 0.0)->spring_length;
-    return -(preload + k * (here - at_rest)) * (up - down) / (2.0 * h);
+    return (preload + k * (here - at_rest)) * (up - down) / (2.0 * h);
   };
   constexpr double d = 2e-4;
   return (force(z + d) - force(z - d)) / (2.0 * d);
