@@ -176,7 +176,7 @@ Result<Rest> Car::settle_on_tires(CarState& state,
   double worst = 0.0, before = 0.0;
   std::array<double, kCorners> touching;  // N/m, of each tire as it stood on the road last
   touching.fill(lines[kFL].stiffness);
-  int touched = 0;                          // tires, in the last round
+  int touched = 0;  // tires, in the last round
   for (int i = 0; i < kMost; ++i) {
     double held = 0.0;
     auto stood = stand(lines, state.speed, inputs, rest, state.trim, &held);
@@ -263,7 +263,8 @@ Result<Rest> Car::roll_in(CarState& state,
       const WheelMotion end = motion_of_wheel(corner, rest.poses, &rates);
       const road::PlaneRoad level{{.height = road.height(end.center.x(), end.center.y(), 0.0)}};
       const Vector3d from = wheel.motion.center;
-      HubForces mean;  // over the second half: what has no period left in it
+      HubForces mean;       // over the second half: what has no period left in it
+      double height = 0.0;  // m, of the wheel center, likewise: where the line has that force
       for (int i = 1; i <= way.steps; ++i) {
         const double left = way.duration * (RollIn::kRounds - 1 - round) + h * (way.steps - i);
         WheelMotion there = end;
@@ -279,11 +280,13 @@ Result<Rest> Car::roll_in(CarState& state,
         wheel.motion = there;
         if (2 * i <= way.steps) continue;
         const double share = 1.0 / (way.steps - way.steps / 2);
+        height += share * there.center.z();
         mean.force += share * hub->force;
         mean.moment += share * hub->moment;
       }
       std::swap(wheel.hub, mean);
       take(lines[at(corner)], wheel);
+      lines[at(corner)].height = height;
       std::swap(wheel.hub, mean);
     }
   }
