@@ -7,7 +7,6 @@ folder that may not be written can be read, and what cannot be compared is no fa
 import json
 import os
 import pathlib
-import re
 import shutil
 import sqlite3
 import subprocess
@@ -16,7 +15,7 @@ import unittest
 
 from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, edit, trials_of
 
-SPRING = pathlib.Path(LATSCH).with_name("spring")
+SPRING = pathlib.Path(LATSCH).resolve().with_name("spring")
 
 STUDY = """
 model = "spring.toml"
@@ -69,6 +68,11 @@ class SpringStudy(unittest.TestCase):
         run = subprocess.run([*before, SPRING, *arguments], capture_output=True, text=True, timeout=300, **options)
         self.assertEqual(run.returncode, code, run.stdout + run.stderr)
         return run.stdout + run.stderr
+
+    def found(self):
+        run = subprocess.run([SPRING, "resume", self.study, "--json"], capture_output=True, text=True, timeout=300)
+        self.assertEqual(run.returncode, DONE, run.stderr)
+        return json.loads(run.stdout)["result"]["variables"][0]["value"]
 
 
 class OtherStudies(SpringStudy):
@@ -142,9 +146,9 @@ class NotCompared(SpringStudy):
         self.assertIn(f"{trials} trials so far, 0 of them without a target", self.run_it("check", self.study))
         said = self.run_it("run", self.study)
         self.assertIn(f"{trials} finished trials are reused", said)
-        best = json.loads(self.run_it("resume", self.study, "--json"))["result"]["variables"][0]["value"]
+        best = self.found()
         shutil.copy(right, self.journal)
-        self.assertEqual(json.loads(self.run_it("resume", self.study, "--json"))["result"]["variables"][0]["value"], best)
+        self.assertEqual(self.found(), best)
 
     def test_check_counts_values_before_a_trial(self):
         tire = pathlib.Path(__file__).resolve().parents[3] / "studies/tire_model_comparison/magic_formula.tir"
@@ -181,8 +185,8 @@ channel = "{channel}"
         code, words = said("press/force", 'values = ["2 kN", "4 kN", "6 kN"]')
         self.assertEqual(code, WRONG_INPUT)
         self.assertRegex(words, r'tire_study.toml:\d+: experiment.one.channel .* gives 2 values, but 3 are measured')
-        self.assertEqual(said("stand/vertical_stiffness", 'value = "200 N/mm"')[0], DONE)
-        self.assertEqual(said("stand/vertical_stiffness", 'values = ["200 N/mm", "210 N/mm"]')[0], WRONG_INPUT)
+        self.assertEqual(said("stand/vertical", 'value = "200 N/mm"')[0], DONE)
+        self.assertEqual(said("stand/vertical", 'values = ["200 N/mm", "210 N/mm"]')[0], WRONG_INPUT)
 
 
 class ReadOnly(SpringStudy):
@@ -224,7 +228,7 @@ class ReadOnly(SpringStudy):
         self.assertIn("Every page and every hash is in order", self.read("doctor", self.journal))
         self.assertIn("Everything is in order", self.read("check", self.study))
         self.assertIn("-o FILE", self.read("report", self.study, code=WRONG_INPUT))
-        self.assertIn("permission", self.read("run", self.study, code=WRONG_INPUT))
+        self.assertIn("permission denied", self.read("run", self.study, code=WRONG_INPUT).lower())
 
     def test_it_is_reported_exported_tested_and_identified(self):
         self.run_it("run", self.study)
@@ -241,8 +245,9 @@ class ReadOnly(SpringStudy):
         rows = sqlite3.connect(there)
         rows.execute("pragma journal_mode = wal").fetchone()
         rows.execute("pragma wal_autocheckpoint = 0")
-        rows.execute("update identity set text = text")
-        rows.commit()
+        for change in (1, -1):  # pages that do not change are not written
+            rows.execute(f"update tally set trials = trials + {change}")
+            rows.commit()
         shutil.copy(there, self.journal)
         shutil.copy(f"{there}-wal", f"{self.journal}-wal")
         self.assertGreater((self.folder / "study.latsch-wal").stat().st_size, 0)
@@ -254,7 +259,7 @@ class ReadOnly(SpringStudy):
 
     def test_what_would_need_trials_says_to_copy_it(self):
         with self.study.open("a") as study:
-            study.write("[optimizer]\nmax_steps = 1\n")
+            study.write("intervals = false\n[optimizer]\nmax_steps = 1\n")
         self.run_it("run", self.study)
         self.assertEqual(trials_of(self.journal), 1)
         self.close()
