@@ -66,7 +66,7 @@ class ExactFit(unittest.TestCase):
             run = subprocess.run([LATSCH, "run", folder / "study.toml"], capture_output=True, text=True)
             self.assertEqual(run.returncode, DONE, run.stdout + run.stderr)
             again = subprocess.run([LATSCH, "run", folder / "study.toml", "--json"], capture_output=True, text=True)
-            return run.stdout, json.loads(again.stdout)
+            return run.stdout, json.loads(again.stdout)["result"]
 
     def assert_known(self, answer, names=("a", "b", "c"), to=2e-8):
         for row in answer["variables"]:
