@@ -279,10 +279,12 @@ class DrumPassage {
 
   std::string test(const std::string& cleat, double diameter) const {
     return fmt::format(
-        "kind = \"drum_cleat\"\nspeed = {}\nload = {}           # the mean in front of the hit\n"
+        "kind = \"drum_cleat\"\nspeed = {}\nload = {}           # at rest; rolling in front of the "
+        "hit it is {}\n"
         "drum_diameter = {}\nlead = \"{:.0f} ms\"\nduration = \"{:.0f} ms\"\ncleat = {}\n",
         in_quotes(format_quantity(speed(), "km/h", 5)),
-        in_quotes(format_quantity(std::abs(load()), "N", 4)),
+        in_quotes(format_quantity(load_at_rest(), "N", 4)),
+        format_quantity(std::abs(load()), "N", 4),
         in_quotes(format_quantity(diameter, "m", 5)),
         1e3 * (before_ + room()),
         1e3 * (before_ + behind_ + 2.0 * room()),
@@ -300,6 +302,18 @@ class DrumPassage {
     }
   }
   double alike() const { return alike_; }
+
+  /// N: the load at rest of the tire whose force, rolling at that height, is the measured one.
+  double load_at_rest() const { return at_rest_ * std::abs(load()); }
+  /// The known ring rolls with another force than it stands with; the measured tire is taken to do
+  /// so in proportion.
+  void learn_rolling_load(const Channels& simulated) {
+    const auto &time = simulated["time"], &force = simulated["Fz"];
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < time.size() && time[i] < -kQuiet; ++i, ++count) sum += force[i];
+    if (count > 0 && sum > 0.0) at_rest_ = load_at_rest() / (sum / count);
+  }
 
   std::string measurement(const std::string& folder, const std::string& signs) const {
     return fmt::format(
@@ -349,6 +363,7 @@ class DrumPassage {
   long hit_ = 0;
   double before_ = 0.0, behind_ = 0.0;  // s, the window around the hit
   double moved_ = 0.0, alike_ = 0.0;
+  double at_rest_ = 1.0;  // load at rest over that rolling
 };
 
 /// The drum's diameter, stated or by speed and period, and what is to be said of it.
@@ -409,11 +424,16 @@ DrumStudy drum_study(const DrumRecordings& recordings,
           written.words.push_back(
               "the load is negative: taken for axes of SAE J670, axes = \"sae\"");
       }
+      const auto rolled = [&] {
+        const std::string test = passage.test(cleat, *drum);
+        auto answer = language.run(
+            ring, known, *language.read_test(Document::parse(test, "test of the drum").root(), {}));
+        if (!answer) throw InputError("the known ring over this cleat: " + answer.failure().reason);
+        return std::move(*answer);
+      };
+      passage.learn_rolling_load(rolled());
+      passage.align(rolled(), is_negative ? -1.0 : 1.0);
       const std::string test = passage.test(cleat, *drum);
-      const auto answer = language.run(
-          ring, known, *language.read_test(Document::parse(test, "test of the drum").root(), {}));
-      if (!answer) throw InputError("the known ring over this cleat: " + answer.failure().reason);
-      passage.align(*answer, is_negative ? -1.0 : 1.0);
       written.words.push_back(fmt::format("{}: {} passages at {}, load {}, {} like the known ring",
                                           passage.name(),
                                           passage.passages(),

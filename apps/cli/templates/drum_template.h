@@ -10,9 +10,9 @@
 // The plateaus are found in the speed: the longest stretches that stay within the margin of one
 // speed. An average begins somewhere in a turn of the drum: its hit, the sample farthest from its
 // mean, is moved to where the known ring answers most alike, and the delay that is left is fitted
-// (curve_delay.h). Load is the mean of the average before the hit; forces are compared about their
-// means, so that the load cell's zero does not count. Noise is the spread of the passages over the
-// root of their number.
+// (curve_delay.h). Load is the mean of the average before the hit, less what the known ring gains
+// by rolling; forces are compared about their means, so that the load cell's zero does not count.
+// Noise is the spread of the passages over the root of their number.
 //
 // The cleat is what no recording tells: its height and length are asked for. The drum's diameter
 // follows from speed and period; where teeth were recorded in the place of the speed it is asked
