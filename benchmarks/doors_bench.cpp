@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -165,7 +164,8 @@ std::vector<fs::path> good_files() {
   return files;
 }
 
-int run(bool named, bool smoke) {
+int run(const Options& options) {
+  const bool smoke = options.is_smoke();
   Doors doors;
   std::set<std::string> heads;
   for (const fs::path& file : good_files()) {
@@ -187,9 +187,9 @@ int run(bool named, bool smoke) {
     doors.go_through(good, mutants_of_table(*table), read_table);
   }
   const Counts& c = doors.counts;
-  if (named)
+  if (options.has("--named"))
     for (const std::string& one : c.named) fmt::print("{}\n", one);
-  Table table("doors");
+  Table table("doors", options);
   table.row("good files",
             fmt::format("{}", c.files),
             smoke ? ">= 4" : ">= 40",
@@ -209,11 +209,7 @@ int run(bool named, bool smoke) {
 }  // namespace
 }  // namespace latsch::benchmarks
 
-int main(int count, char** words) {
-  bool named = false, smoke = false;
-  for (int i = 1; i < count; ++i) {
-    named = named || std::strcmp(words[i], "--named") == 0;
-    smoke = smoke || std::strcmp(words[i], "--smoke") == 0;
-  }
-  return latsch::benchmarks::guarded([&] { return latsch::benchmarks::run(named, smoke); });
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(
+      argc, argv, {{"--named", "", "lists the silent ones"}}, latsch::benchmarks::run);
 }

@@ -14,7 +14,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 // Side force with a ripple of half a percent, and an aligning moment that belongs to another side
 // force: the model cannot follow both.
@@ -87,7 +86,7 @@ TEST_F(OwnStages, AnExperimentThatTheLastStageSpoilsIsNamedWithBothErrors) {
 TEST_F(OwnStages, NoiseOfTheOwnStageKeepsWhatItHad) {
   const Told told = told_by(study_of("noise = \"own_stage\"\n", "[stage.all]\n"));
   EXPECT_LE(told.force, 1.05 * told.own[0].error);
-  EXPECT_THAT(told.words, IsEmpty());
+  EXPECT_TRUE(told.words.empty());
   EXPECT_NEAR(told.as_last.experiments[0].noise->relative, told.own[0].rms, 1e-12);
 }
 
@@ -102,14 +101,14 @@ TEST_F(OwnStages, AMeasureOfAnotherExponentIsToldAsWell) {
 TEST_F(OwnStages, StatedNoiseThatIsNotExceededIsNoFault) {
   const Told told = told_by(study_of("noise = \"60 %\"\n", "[stage.all]\n"));
   EXPECT_GT(told.force, 1.05 * told.own[0].error);
-  EXPECT_THAT(told.words, IsEmpty());
+  EXPECT_TRUE(told.words.empty());
 }
 
 TEST_F(OwnStages, ALastStageMayNameItsExperimentsAndVariables) {
   const Told told =
       told_by(study_of("", "[stage.last]\nfree = [\"trail\"]\nexperiments = [\"arm\"]\n"));
   EXPECT_NEAR(told.force, told.own[0].error, 1e-12);  // nothing of it moves
-  EXPECT_THAT(told.words, IsEmpty());
+  EXPECT_TRUE(told.words.empty());
   EXPECT_EQ(told.as_last.experiments[0].objective.weight, 0.0);
   EXPECT_EQ(told.as_last.free, std::vector<int>{2});
 }

@@ -134,7 +134,7 @@ Eigen::VectorXd straight_on(std::size_t bodies, double speed) {
 
 /// How tires roll up to where the car starts, in rounds after each of which it stands anew.
 struct RollIn {
-  static constexpr int kRounds = 10;
+  static constexpr int kRounds = 12;
   static constexpr int kHeld = 3;  // rounds before the car moves: until belts have grown
   double duration;                 // s, of a round: 0.3 m at least, as a tire needs to forget
   int steps;                       // of a round, 12 mm long
