@@ -8,6 +8,7 @@ import pathlib
 import shutil
 import subprocess
 import tempfile
+import tomllib
 import unittest
 
 from cli_testing import DONE, LATSCH, WRONG_INPUT
@@ -119,10 +120,10 @@ class Ledger(unittest.TestCase):
             self.assertIn("`Kanal 7`", text)
 
     def test_a_table_of_states_is_as_strict(self):
-        test = '{kind = "steady_states", states = "states.csv"}'
         def answer(table, code=DONE):
             (self.folder / "states.csv").write_text(table)
-            run = subprocess.run([LATSCH, "test", "tire.tir", "steady.toml"], cwd=self.folder, capture_output=True, text=True)
+            run = subprocess.run([LATSCH, "test", self.folder / "tire.tir", self.folder / "steady.toml"],
+                                 capture_output=True, text=True)
             self.assertEqual(run.returncode, code, run.stdout + run.stderr)
             return run.stdout, run.stderr
         (self.folder / "steady.toml").write_text('kind = "steady_states"\nstates = "states.csv"\n')
@@ -179,10 +180,13 @@ class AxesOfARig(unittest.TestCase):
                 for row in rows:
                     row[place] = repr(-float(row[place]))
                 (folder / "rig.csv").write_text("\n".join([lines[0], *(",".join(row) for row in rows)]) + "\n")
+            bushing = tomllib.loads((folder / "front_left.toml").read_text())["bushing"]["all"]["x"]
+            variable = (f'[variable.x]\npath = "bushing.all.x"\nlower = "1 kN/mm"\nupper = "1000 kN/mm"\ninitial = "{bushing}"\n'
+                        'scale = "logarithmic"\n')
             experiments = "".join(f'[experiment.{name}]\nkind = "curve"\ny = "kc/{name}"\nmeasurement = "rig"\n' for name in moved)
             (folder / "axes_study.toml").write_text(
-                f'model = "front_left.toml"\nvary = ["bushing.ubj.x"]\n[measurement.rig]\nfile = "rig.csv"\naxes = "{axes}"\n'
-                '[test.kc]\nkind = "kc"\nloads = {from = "measurement.rig"}\n' + experiments)
+                f'model = "front_left.toml"\n[measurement.rig]\nfile = "rig.csv"\naxes = "{axes}"\n'
+                '[test.kc]\nkind = "kc"\nloads = {from = "measurement.rig"}\n' + variable + experiments)
             done = run("simulate", folder / "axes_study.toml", "--json")
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertLess(json.loads(done.stdout)["result"]["target"], 1e-9, axes)
