@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <sstream>
 
 #include "base/text.h"
@@ -64,6 +65,12 @@ bool has_a_sign(const std::string& name) {
   return false;
 }
 
+bool is_positive(const TableText& table, std::size_t column) {
+  return std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
+    return std::atof(row[column].c_str()) > 0.0;
+  });
+}
+
 std::optional<std::size_t> find(const TableText& table,
                                 const std::function<bool(std::size_t)>& wanted) {
   for (std::size_t i = 0; i < table.names.size(); ++i)
@@ -103,7 +110,7 @@ void change_names(const TableText& good, TableMutants& mutants) {
   const std::size_t last = good.names.size() - 1;
   mutants.add(
       "renames a column", last, Allowed::told, [&](TableText& t) { t.names[last] = "NFX7"; });
-  mutants.add("misspells a column", last, Allowed::told, [&](TableText& t) {
+  mutants.add("misspells a column", last, Allowed::the_rest, [&](TableText& t) {
     t.names[last] += t.names[last].back();
   });
   mutants.add_named("upper case", [](std::string name) { return in_case(name, std::toupper); });
@@ -116,7 +123,7 @@ void change_names(const TableText& good, TableMutants& mutants) {
     for (auto& row : t.rows) row.push_back(row[0] + "1");
   });
   if (good.names.size() > 1)
-    mutants.add("takes a column away", last, Allowed::told, [&](TableText& t) {
+    mutants.add("takes a column away", last, Allowed::the_rest, [&](TableText& t) {
       t.names.pop_back();
       t.units.pop_back();
       for (auto& row : t.rows) row.pop_back();
@@ -127,9 +134,9 @@ void change_units(const TableText& good, TableMutants& mutants) {
   const auto with_unit = find(good, [&](std::size_t i) { return !good.units[i].empty(); });
   if (!with_unit) return;
   const std::size_t at = *with_unit;
-  mutants.add("drops a unit", at, Allowed::told, [&](TableText& t) { t.units[at].clear(); });
+  mutants.add("drops a unit", at, Allowed::the_rest, [&](TableText& t) { t.units[at].clear(); });
   mutants.add("a unit nobody knows", at, Allowed::told, [&](TableText& t) { t.units[at] = "foo"; });
-  mutants.add("a unit of another dimension", at, Allowed::told, [&](TableText& t) {
+  mutants.add("a unit of another dimension", at, Allowed::the_rest, [&](TableText& t) {
     t.units[at] = t.units[at] == "K" ? "kg" : "K";
   });
   mutants.add("units in round brackets", std::nullopt, Allowed::same_numbers, [](TableText& t) {
@@ -143,7 +150,7 @@ void change_units(const TableText& good, TableMutants& mutants) {
         return i != at && !good.units[i].empty() &&
                !Unit::of(good.units[i]).same_dimension(Unit::of(good.units[at]));
       }))
-    mutants.add("swaps two units", at, Allowed::told, [&](TableText& t) {
+    mutants.add("swaps two units", at, Allowed::the_rest, [&](TableText& t) {
       std::swap(t.units[at], t.units[*other]);
     });
   for (const Other& one : kOthers) {
@@ -162,7 +169,8 @@ void change_units(const TableText& good, TableMutants& mutants) {
 }
 
 void change_numbers(const TableText& good, TableMutants& mutants) {
-  if (const auto signed_one = find(good, [&](std::size_t i) { return has_a_sign(good.names[i]); }))
+  if (const auto signed_one = find(
+          good, [&](std::size_t i) { return has_a_sign(good.names[i]) && is_positive(good, i); }))
     mutants.add("flips a sign", signed_one, Allowed::told, [&](TableText& t) {
       for (auto& row : t.rows)
         row[*signed_one] = fmt::format("{:.17g}", -std::stod(row[*signed_one]));
@@ -171,6 +179,7 @@ void change_numbers(const TableText& good, TableMutants& mutants) {
   mutants.add("a word among the numbers", 0, Allowed::told, [&](TableText& t) {
     t.rows[middle][0] = "broken";
   });
+  if (good.names.size() == 1) return;  // a row without its only cell is an empty line
   mutants.add("an empty cell", 0, Allowed::told, [&](TableText& t) { t.rows[middle][0].clear(); });
   mutants.add("a row with a cell too few", std::nullopt, Allowed::told, [&](TableText& t) {
     t.rows[middle].pop_back();
@@ -194,9 +203,10 @@ void change_form(const TableText& good, TableMutants& mutants) {
     for (std::string& cell : row) std::replace(cell.begin(), cell.end(), '.', ',');
   same("decimal commas and semicolons", german.text(";"));
   if (good.names.size() > 1) same("decimal commas and commas", german.text(","));
-  mutants.add_text("half a file",
-                   text.substr(0, text.size() - good.rows.back().back().size() - 2),
-                   Allowed::told);
+  if (good.names.size() > 1)  // that the end of a number is missing cannot be seen
+    mutants.add_text("half a file",
+                     text.substr(0, text.size() - good.rows.back().back().size() - 2),
+                     Allowed::told);
   mutants.add_text(
       "names alone", text.substr(0, text.find(good.rows.front().front())), Allowed::told);
   std::string degrees = text;

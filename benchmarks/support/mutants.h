@@ -14,6 +14,8 @@ namespace latsch::benchmarks {
 enum class Allowed {
   same_numbers,  // the meaning is the same, or the reader tells by name what is not
   told,          // the meaning is another one: the reader has to name the column or key
+  the_rest,      // no channel has that name and dimension any more, so whoever needs it is refused;
+                 // all others have the same numbers
 };
 
 struct Mutant {

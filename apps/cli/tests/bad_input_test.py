@@ -51,7 +51,7 @@ class BadInput(Coarse):
     def test_files_of_another_kind(self):
         ring = self.folder / "ring.toml"
         ring.write_text('kind = "ring_tire"\n')
-        self.assert_says(self.latsch("check", ring, code=WRONG_INPUT), "ring.toml:1: ", '"ring_tire"', "expected a study")
+        self.assert_says(self.latsch("check", ring, code=WRONG_INPUT), "ring.toml:1: ", "belt is missing")
         self.assert_says(self.latsch("mesh", ring, code=WRONG_INPUT), "ring.toml:1: ", "a tire of finite elements")
         tir = self.folder / "tire.tir"
         tir.write_text("$ a comment\n[MODEL]\n")

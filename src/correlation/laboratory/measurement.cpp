@@ -321,6 +321,9 @@ Measurement read_measurement(const fs::path& file, std::optional<AxisConvention>
 
 MeasuredFile read_measured_file(const fs::path& file, std::optional<AxisConvention> axes) {
   const Measurement measurement = read_measurement(file, axes);
+  if (measurement.samples() == 0)
+    throw InputError({file.string(), 0},
+                     "has names of columns and no row of numbers: was its end cut off?");
   return {measurement.channels(), measurement.ledgers().front()};
 }
 

@@ -110,6 +110,7 @@ class TirReader {
     require("FNOMIN");
     require("VERTICAL_STIFFNESS");
     check_ranges();
+    check_sizes();
     read_curve();
     report_units();
     report_combined_slip();
@@ -119,6 +120,43 @@ class TirReader {
  private:
   void note(int line, const std::string& text) {
     tir_.notes.push_back(Place{tir_.source.file(), line}.text() + ": " + text);
+  }
+
+  /// Sizes that no tire has: a unit of [UNITS] is wrong.
+  void check_sizes() {
+    struct Size {
+      const char *name, *unit;
+      double from, to;
+    };
+    constexpr Size kSizes[] = {{"UNLOADED_RADIUS", "m", 0.05, 3.0},
+                               {"RIM_RADIUS", "m", 0.02, 2.0},
+                               {"WIDTH", "m", 0.01, 2.0},
+                               {"FNOMIN", "N", 10.0, 1e6},
+                               {"VERTICAL_STIFFNESS", "N/m", 1e3, 1e8},
+                               {"NOMPRES", "Pa", 2e4, 1.2e6},
+                               {"INFLPRES", "Pa", 2e4, 1.2e6}};
+    for (const Size& size : kSizes) {
+      const double value = tir_.parameters.*magic_formula::find_parameter(size.name)->member;
+      if (value == 0.0 || (size.from <= value && value <= size.to)) continue;
+      note(line_of(size.name),
+           fmt::format("{} is {:.4g} {}, where tires have {:g} to {:g} {}: is a unit of [UNITS] "
+                       "right?",
+                       size.name,
+                       value,
+                       size.unit,
+                       size.from,
+                       size.to,
+                       size.unit));
+    }
+    if (tir_.parameters.RIM_RADIUS >= tir_.parameters.UNLOADED_RADIUS)
+      note(line_of("RIM_RADIUS"), "RIM_RADIUS is not below UNLOADED_RADIUS");
+  }
+  /// Of a key, in whatever section; 0: the file has none.
+  int line_of(std::string_view key) const {
+    for (const TeimOrbitSection& section : tir_.source.sections())
+      for (const TeimOrbitEntry& entry : section.entries())
+        if (entry.key == key) return entry.line;
+    return 0;
   }
 
   void read_section(const TeimOrbitSection& section) {
