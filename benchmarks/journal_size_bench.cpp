@@ -160,7 +160,7 @@ int run(const Options& options) {
                  cost.read < 3e-3);
   table.row("every bit the same", cost.is_same ? "yes" : "no", "yes", cost.is_same);
   report(table, "the same with noise of 1e-6 on every value", with_ripple(trials), 0.0);
-  report(table, "flexible ring over cleats, a Latin hypercube", rings(options.size(12, 1)), 0.0);
+  report(table, "flexible ring over cleats, a Latin hypercube", rings(options.size(12, 2)), 0.0);
   return table.exit_code();
 }
 

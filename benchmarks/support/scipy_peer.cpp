@@ -70,7 +70,8 @@ SciPy::SciPy() {
     dup2(down[0], STDIN_FILENO);
     dup2(up[1], STDOUT_FILENO);
     for (const int end : {down[0], down[1], up[0], up[1]}) close(end);
-    execl("/usr/bin/python3", "python3", "-c", kScript, nullptr);
+    // By its path: from a bare name Python would look for its library beside the python3 of the PATH.
+    execl("/usr/bin/python3", "/usr/bin/python3", "-c", kScript, nullptr);
     _exit(127);
   }
   close(down[0]);

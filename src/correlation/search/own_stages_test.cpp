@@ -90,9 +90,13 @@ TEST_F(OwnStages, NoiseOfTheOwnStageKeepsWhatItHad) {
   EXPECT_NEAR(told.as_last.experiments[0].noise->relative, told.own[0].rms, 1e-12);
 }
 
-// The mean of the errors in the place of the mean of their squares.
+// The mean of the errors in the place of the mean of their squares. Such a target follows the
+// experiment of the larger weight alone.
 TEST_F(OwnStages, AMeasureOfAnotherExponentIsToldAsWell) {
-  const Told told = told_by(study_of("", "[stage.all]\n", 1));
+  std::string text = "exponent = 1\n" + more("", 1) + kStages + "[stage.all]\n";
+  const std::string arm = "[experiment.arm]\n";
+  text.insert(text.find(arm) + arm.size(), "weight = 100\n");
+  const Told told = told_by(read(text));
   EXPECT_GT(told.force, 1.05 * told.own[0].error);
   EXPECT_THAT(told.words,
               ElementsAre(HasSubstr("light is worse than an earlier stage had it: mean")));
