@@ -70,7 +70,7 @@ SciPy::SciPy() {
     dup2(down[0], STDIN_FILENO);
     dup2(up[1], STDOUT_FILENO);
     for (const int end : {down[0], down[1], up[0], up[1]}) close(end);
-    // By its path: from a bare name Python would look for its library beside the python3 of the PATH.
+    // By its path: from a bare name Python would look for its library beside another python3.
     execl("/usr/bin/python3", "/usr/bin/python3", "-c", kScript, nullptr);
     _exit(127);
   }
