@@ -165,7 +165,7 @@ std::string experiment_table(const StudyReport& report) {
       "class=\"scroll\"><table><thead><tr><th>Experiment</th><th>Conditions</th><th>Compared</"
       "th><th>Use</th>"
       "<th class=\"n\">Weight</th><th class=\"n\">Values</th>{}<th class=\"n\">Mean error</th>"
-      "<th class=\"n\">Largest</th><th class=\"n\">Error fitted</th>{}<th class=\"n\">Own "
+      "<th class=\"n\">Largest</th><th class=\"n\">Own measure</th>{}<th class=\"n\">Own "
       "target</th></tr></thead><tbody>\n",
       initial ? "<th class=\"n\">Mean, initial</th>" : "",
       staged ? "<th class=\"n\">Best earlier stage</th>" : "");
