@@ -54,6 +54,7 @@ constexpr std::array kRanges = {
     UsualRange{"Fx", "N", -1e6, -2e5, 2e5, 1e6, "is it in N, kN or lbf?"},
     UsualRange{"Fy", "N", -1e6, -2e5, 2e5, 1e6, "is it in N, kN or lbf?"},
     UsualRange{"Fz", "N", -1e6, -1e6, 2e5, 1e6, "is it in N, kN or lbf?"},
+    UsualRange{"load", "N", -1e6, 0, 2e5, 1e6, "a load on a tire is positive"},
     UsualRange{"Mx", "N m", -1e6, -1e5, 1e5, 1e6, "is it in N m, kN m or ft lbf?"},
     UsualRange{"My", "N m", -1e6, -1e5, 1e5, 1e6, "is it in N m, kN m or ft lbf?"},
     UsualRange{"Mz", "N m", -1e6, -1e5, 1e5, 1e6, "is it in N m, kN m or ft lbf?"},

@@ -129,5 +129,18 @@ TEST(ChannelChecks, KnowTheSignOfACompliance) {
   EXPECT_EQ(doubts_about(turned).size(), 1u);
 }
 
+TEST(ChannelChecks, CountGapsAndTellANegativeLoad) {
+  Channels table;
+  table.add({"load", "N", {-3000.0, -5000.0, -6000.0}});
+  table.add({"length", "m", {0.1, std::nan(""), 0.14}});
+  table.add({"never", "m", {std::nan(""), std::nan(""), std::nan("")}});
+  const auto doubts = doubts_about(table);
+  ASSERT_EQ(doubts.size(), 2u);
+  EXPECT_EQ(doubts[0].channel, "length");
+  EXPECT_NE(doubts[0].sentence.find("empty in 1 of 3 samples, first in sample 2"),
+            std::string::npos);
+  EXPECT_EQ(doubts[1].channel, "load");
+}
+
 }  // namespace
 }  // namespace latsch
