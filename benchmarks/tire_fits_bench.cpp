@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "base/random.h"
+#include "base/units.h"
 #include "correlation/target/study_trials.h"
 #include "fit_study.h"
 #include "optimization/strategy/optimizer_choice.h"
@@ -71,6 +72,8 @@ struct Solved {
   int failed = 0;                  // of the evaluations
   std::string reason;              // of the first that failed
   double least = 1e300;            // target
+  DesignPoint best;                // of it
+  std::string ending;              // of the method, in words
 };
 
 Solved solve(const correlation::Study& study,
@@ -87,16 +90,29 @@ Solved solve(const correlation::Study& study,
       solved.evaluations = k;
       return solved;
     }
-    if (score) solved.least = std::min(solved.least, score->value);
+    if (score && score->value < solved.least) {
+      solved.least = score->value;
+      solved.best = point;
+    }
     if (!score && ++solved.failed == 1) solved.reason = score.failure().reason;
     optimizer.observe(point, score);
   }
+  solved.ending = optimizer.ending();
   return solved;
 }
 
-std::string text(const Solved& solved) {
+std::string text(const correlation::Study& study, const Solved& solved) {
   if (solved.evaluations) return fmt::format("{} evaluations", *solved.evaluations);
   std::string text = fmt::format("not solved, least target {:.3g} %", 100.0 * solved.least);
+  for (int i = 0; i < study.space.size() && !solved.best.values.empty(); ++i) {
+    const DesignVariable& variable = study.space[i];
+    text += fmt::format(", {} {}",
+                        variable.name,
+                        format_quantity(solved.best.values[static_cast<std::size_t>(i)],
+                                        variable.unit,
+                                        4));
+  }
+  text += "; it ended " + solved.ending;
   if (solved.failed > 0)
     text += fmt::format(", {} trials failed, the first: {}", solved.failed, solved.reason);
   return text;
@@ -118,7 +134,7 @@ Tries try_all(const correlation::Study& study,
                "  {}, start {}: {}\n",
                what,
                start + 1,
-               text(solved));
+               text(study, solved));
   }
   return tries;
 }
