@@ -12,6 +12,7 @@
 #include "correlation/laboratory/frame_conversion.h"
 #include "correlation/laboratory/lab_record.h"
 #include "correlation/laboratory/record_ledger.h"
+#include "measurement/meaning/channel_checks.h"
 #include "measurement/meaning/channel_words.h"
 
 namespace latsch::correlation {
@@ -324,7 +325,10 @@ MeasuredFile read_measured_file(const fs::path& file, std::optional<AxisConventi
   if (measurement.samples() == 0)
     throw InputError({file.string(), 0},
                      "has names of columns and no row of numbers: was its end cut off?");
-  return {measurement.channels(), measurement.ledgers().front()};
+  MeasuredFile read{measurement.channels(), measurement.ledgers().front()};
+  for (const ChannelDoubt& gap : gaps_in(read.channels))
+    read.ledger.doubts.push_back({gap.channel, gap.sentence, measurement.place(gap.sample)});
+  return read;
 }
 
 NamedChannel Measurement::named(const std::string& channel) const {

@@ -68,23 +68,6 @@ std::string base_name(const Channel& channel) {
   return found ? std::string(found->meaning->name) : channel.name;
 }
 
-/// Samples without a number in a channel that has them elsewhere: a channel that is empty as a
-/// whole was not recorded.
-void check_gaps(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
-  for (const Channel& channel : channels.all()) {
-    const auto is_gap = [](double x) { return std::isnan(x); };
-    const auto first = std::find_if(channel.values.begin(), channel.values.end(), is_gap);
-    const auto count = std::count_if(channel.values.begin(), channel.values.end(), is_gap);
-    if (count == 0 || count == std::ssize(channel.values)) continue;
-    doubts.push_back({channel.name,
-                      fmt::format("is empty in {} of {} samples, first in sample {}",
-                                  count,
-                                  channel.values.size(),
-                                  first - channel.values.begin() + 1),
-                      static_cast<std::size_t>(first - channel.values.begin())});
-  }
-}
-
 struct Counted {
   std::size_t count = 0, first = 0;
 };
@@ -331,7 +314,6 @@ void check_rim(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
 
 std::vector<ChannelDoubt> doubts_about(const Channels& channels) {
   std::vector<ChannelDoubt> doubts;
-  check_gaps(channels, doubts);
   for (const Channel& channel : channels.all()) {
     const std::string name = base_name(channel);
     if (name == "Fz" && channel.unit == "N" && channel.name != "load")
@@ -352,6 +334,23 @@ std::vector<ChannelDoubt> doubts_about(const Channels& channels) {
   check_time(channels, doubts);
   check_rim(channels, doubts);
   return doubts;
+}
+
+std::vector<ChannelDoubt> gaps_in(const Channels& channels) {
+  std::vector<ChannelDoubt> gaps;
+  for (const Channel& channel : channels.all()) {
+    const auto is_gap = [](double x) { return std::isnan(x); };
+    const auto first = std::find_if(channel.values.begin(), channel.values.end(), is_gap);
+    const auto count = std::count_if(channel.values.begin(), channel.values.end(), is_gap);
+    if (count == 0 || count == std::ssize(channel.values)) continue;
+    gaps.push_back({channel.name,
+                    fmt::format("is empty in {} of {} samples, first in sample {}",
+                                count,
+                                channel.values.size(),
+                                first - channel.values.begin() + 1),
+                    static_cast<std::size_t>(first - channel.values.begin())});
+  }
+  return gaps;
 }
 
 }  // namespace latsch

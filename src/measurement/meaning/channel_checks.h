@@ -44,4 +44,7 @@ struct ChannelDoubt {
 /// Of channels in SI and iso, in our names; gaps are NaN.
 std::vector<ChannelDoubt> doubts_about(const Channels& channels);
 
+/// Channels that are empty in some samples. A channel that is empty as a whole was not recorded.
+std::vector<ChannelDoubt> gaps_in(const Channels& channels);
+
 }  // namespace latsch
