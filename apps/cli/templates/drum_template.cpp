@@ -291,7 +291,7 @@ class DrumPassage {
         cleat);
   }
 
-  /// Where the record has to be moved so that it is most like the simulation, and how alike.
+  /// Finds the shift by which the record is most like the simulation, and keeps how alike they are.
   void align(const Channels& simulated, double sign) {
     const auto &time = simulated["time"], &force = simulated["Fz"];
     for (double moved = -kFarthest; moved <= kFarthest; moved += kShiftStep) {
@@ -340,7 +340,7 @@ class DrumPassage {
   }
 
  private:
-  /// Of the average moved onto the simulated times with the simulated force.
+  /// The correlation of the simulated force with the average moved onto the simulated times.
   double correlation_at(const std::vector<double>& time,
                         const std::vector<double>& force,
                         double moved) const {

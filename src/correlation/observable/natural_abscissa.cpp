@@ -12,8 +12,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "base/units.h"
 #include "base/unit_reading.h"
+#include "base/units.h"
 
 namespace latsch::correlation {
 namespace {
@@ -121,8 +121,10 @@ std::string name_of(const std::vector<Condition>& conditions,
   for (const Condition& one : conditions) {
     double sum = 0.0;
     for (const std::size_t i : samples) sum += one.values[i];
-    parts.push_back(one.name + " " +
-                    format_quantity(sum / static_cast<double>(samples.size()), one.shown, 3));
+    // A level is written as far as levels differ: the rest is the rig's scatter.
+    const double step = 0.01 * range_of(one.values);
+    const double level = std::round(sum / static_cast<double>(samples.size()) / step) * step;
+    parts.push_back(one.name + " " + format_quantity(level, one.shown, 4));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
