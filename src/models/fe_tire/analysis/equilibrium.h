@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Newton's method on the ring with a factor that is allowed to grow stale.
+// Newton's method on the ring with a factorization that is reused although it is of an earlier
+// state.
 //
-// A factorization of the tangent costs some twenty solves with it. So one factor serves several
-// Newton iterations and load steps: it gives a first direction, the ground apart and exact where
-// (linear_tire.h), and is the preconditioner of conjugate gradients on the current
-// tangent; it is renewed when they slow down:
+// A factorization of the tangent costs as much as some twenty solves with it. So one factorization
+// serves several Newton iterations and load steps: it gives a first direction, with the ground
+// treated separately and exactly (linear_tire.h), and preconditions conjugate gradients on the
+// current tangent. It is renewed when they become slow:
 //
 //   while |f(x)| > tolerance:
 //     d   <- K(x)^-1 f(x), or the solution of (L.1), with a factor of K at an earlier state
 //     x   <- x - s d       with s from a line search on d . f
 //
 // The factor is kept in single precision: half the memory traffic, half the time. A tangent that is
-// not positive (long steps make such) is shifted along its diagonal until it is.
+// not positive definite (long steps cause this) is shifted along its diagonal until it is.
 #pragma once
 
 #include <Eigen/Core>
@@ -36,43 +37,46 @@ class EquilibriumSolver {
                     const SolverSettings& settings);
 
   /// Brings `state` into equilibrium under pressure and contact (may be null). A Failure names
-  /// `step`, the residual and the worst element; `state` then is as it was.
+  /// `step`, the residual and the worst element; `state` then is unchanged.
   std::optional<Failure> solve(const RingElements& elements,
                                RingState& state,
                                double pressure,
                                const TreadContact* contact,
                                const std::string& step);
 
-  /// Follows the ground from the equilibrium `state` on the linear tire, pose by pose: `contact`
-  /// then starts from the last of them. False where it does not hold there.
+  /// Follows the ground from the equilibrium `state` on the linear tire, pose by pose. `contact`
+  /// then starts from the last pose. Returns false if the linear tire is not positive definite on
+  /// that ground.
   bool follow(const RingElements& elements,
               const RingState& state,
               double pressure,
               TreadContact& contact,
               const std::vector<GroundPose>& poses);
 
-  /// Force norm that `tolerance` is relative to: that of the pressure on the undeformed tire, N.
+  /// Sets the force norm that `tolerance` is relative to: that of the pressure on the undeformed
+  /// tire, N.
   void set_reference(double force) { reference_ = force; }
-  /// The values of the tire changed: the factor is of another matrix (still a preconditioner, but a
-  /// poor one).
+  /// Called if the tire's values changed: the factor then belongs to another matrix (still a
+  /// preconditioner, but a poor one).
   void forget_factor() { has_factor_ = false; }
-  /// Gives the factor's memory back.
+  /// Frees the factor's memory.
   void release() {
     forget_factor();
     tire_.release();
   }
-  /// The elements are others: so are their forces at the state last seen.
+  /// Called if the elements changed: the forces stored for the last state are then invalid.
   void forget_forces() { elements_ = nullptr; }
 
-  /// x <- K^-1 x of the tangent K about the equilibrium that solve() has ended with, the ground
-  /// included, until what is left is `enough` of x: by the factor at hand. False, x as it was,
-  /// where that is of no use.
+  /// Solves x <- K^-1 x by the factor at hand, until the residual is `enough` of x. K is the
+  /// tangent, ground included, about the equilibrium with which solve() ended. Returns false, with
+  /// x unchanged, if the factor is too far off for that.
   bool solve_nearby(const numerics::SymmetricMatrix& K, double enough, Eigen::VectorXd& x);
 
   const RingAssembly& assembly() const { return assembly_; }
-  /// Of its pattern, the ground's part included: for whoever factorizes such tangents.
+  /// Elimination order of the pattern, the ground's part included, for callers that factorize such
+  /// tangents.
   const std::shared_ptr<const numerics::Elimination>& elimination() const { return elimination_; }
-  /// Where its work is counted from now on; it has to outlive the solver.
+  /// Sets the counts to which the solver's work is added from now on. They must outlive the solver.
   void count_in(SolverCounts& counts) { counts_ = &counts; }
 
  private:
@@ -100,7 +104,7 @@ class EquilibriumSolver {
   SolverCounts own_counts_;
   SolverCounts* counts_ = &own_counts_;
 
-  // The equilibrium being solved.
+  // State of the equilibrium being solved.
   const RingElements* elements_ = nullptr;
   const TreadContact* contact_ = nullptr;
   double pressure_ = 0.0;
@@ -108,14 +112,14 @@ class EquilibriumSolver {
   double shift_ = 0.0;     // on the diagonal of its last indefinite tangent, N/m
   double previous_ = 0.0;  // norm of the residual one iteration before
   bool has_factor_ = false;
-  bool has_tangent_ = false;    // K_ is that of f_
-  bool knows_tangent_ = false;  // K_ is that of a state of this equilibrium's search
-  bool is_first_ = false;       // the state is where the first step led
+  bool has_tangent_ = false;    // K_ is the tangent at the state of f_
+  bool knows_tangent_ = false;  // K_ is the tangent at some state of this equilibrium's search
+  bool is_first_ = false;       // the state is the result of the first step
   int last_cg_iterations_ = 0;
   int failed_element_ = -1;
   Eigen::VectorXd f_, d_, r_, e_;
   RingState trial_;
-  // Elements' and pressure's forces, and the state that they are of.
+  // Forces of elements and pressure, and the state at which they were computed.
   Eigen::VectorXd g_;
   RingState known_;
 };

@@ -7,9 +7,10 @@
 //   double Fz     = tire.stand(states->back()).force.z();
 //   auto modes    = tire.modes(states->back(), 20);
 //
-// A state is a value: copied, kept, gone on from as often as wanted. What follows from one depends
-// on it and the poses alone. The symbolic work (sparsity, ordering) depends on the mesh alone and
-// is done once, when first more than a sector is needed; set() changes only the values.
+// A state is a value: it can be copied, stored and continued from as often as wanted. Results that
+// follow from a state depend on the state and the poses alone. The symbolic work (sparsity,
+// ordering) depends on the mesh alone and is done once, when more than one sector is first needed;
+// set() changes only the values.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,7 +30,7 @@
 
 namespace latsch::fe_tire {
 
-/// Equilibrium of the inflated tire; the same in every sector. Rim clamped.
+/// Equilibrium of the inflated tire with clamped rim, the same in every sector.
 struct Inflated {
   double pressure = 0.0;  // Pa
   Eigen::Matrix3Xd u;     // [3 x nodes_per_sector], sector frame, m  (S = 1: the whole mesh)
@@ -39,29 +40,30 @@ struct Inflated {
   double width = 0.0;     // m, of the section, from sidewall to sidewall
 };
 
-/// Equilibrium on the ground, or over it. Rim clamped.
+/// Equilibrium on or above the ground, with clamped rim.
 struct TireState {
-  std::shared_ptr<const Inflated> inflated;  // what it was before it touched
+  std::shared_ptr<const Inflated> inflated;  // inflated state from which it started
   Ground ground;
   GroundPose pose;
-  /// Whether poses stay below the wheel center (GroundPose::is_below) and half the ring stands for
+  /// True if poses stay below the wheel center (GroundPose::is_below) and half the ring represents
   /// all of it.
   bool is_halved = false;
   int window = 0;         // how far up the tread may touch: TreadSurface's half angle grows with it
   Eigen::Matrix3Xd u;     // [3 x nodes], sector frames, m
-  Eigen::VectorXd alpha;  // internal parameters there, of the elements solved for: part of the
-                          // state, found only from near it
-  std::vector<Anchor> anchors;  // of friction; none without
+  Eigen::VectorXd alpha;  // internal parameters of the solved elements: part of the state, because
+                          // they are found only from a nearby state
+  std::vector<Anchor> anchors;  // of friction; empty without friction
 
-  /// m, from first touch of the inflated tire on flat ground.
+  /// Deflection, m, from first touch of the inflated tire on flat ground.
   double deflection() const { return inflated->radius - pose.height; }
 };
 
-/// What a rig sees of a state.
+/// Loads and contact patch of a state as a rig measures them.
 struct Standing {
   double deflection = 0.0;     // m, from first touch of the inflated tire
   double loaded_radius = 0.0;  // m, wheel center to ground
-  // Of the ground on the tire, in axes that stand on the ground and head as the wheel does.
+  // Force and moment of the ground on the tire, in axes that stand on the ground and head as the
+  // wheel does.
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // N m, about the wheel center
   ContactPatch patch;
@@ -88,7 +90,7 @@ struct TireDescription;
 class FeTire {
  public:
   FeTire(Mesh mesh, Materials materials, SolverSettings settings = {});
-  /// With the mesh, the materials and the elements of the description.
+  /// Takes mesh, materials and elements from the description.
   explicit FeTire(const TireDescription& description);
   ~FeTire();
   FeTire(FeTire&&) noexcept;
@@ -96,40 +98,41 @@ class FeTire {
 
   const Mesh& mesh() const;
   const Materials& materials() const;
-  /// New material values on the same mesh.
+  /// Sets new material values on the same mesh.
   void set(Materials materials);
 
   Result<Inflated> inflate(double pressure);
-  /// The same, searched near displacements known of another mesh (section_grid.h).
+  /// Starts near displacements known from another mesh (section_grid.h).
   Result<Inflated> inflate(double pressure, const Eigen::Matrix3Xd& near);
 
-  /// The inflated tire over this ground, just touching it. `poses`: whether the ground will stay
-  /// below the wheel center; then half the ring stands for all of it where its symmetry allows.
+  /// Returns the inflated tire over this ground, just touching it. `poses`: below if the ground
+  /// will stay below the wheel center. Then half the ring represents all of it if its symmetry
+  /// allows that.
   enum class Poses { below, any };
   TireState over(const Inflated& inflated, const Ground& ground, Poses poses = Poses::below);
-  /// Where the ground is at a deflection, m, from first touch of the inflated tire.
+  /// Pose of the ground at a deflection, m, from first touch of the inflated tire.
   static GroundPose below(const Inflated& inflated, double deflection) {
     return {.height = inflated.radius - deflection};
   }
-  /// Moves the ground from pose to pose and finds the equilibrium in each of them. With friction
-  /// the way is part of the answer. Failure names pose, residual and worst element; it is one too
-  /// where the last equilibrium is not stable.
+  /// Moves the ground from pose to pose and finds the equilibrium in each. With friction the result
+  /// depends on the path. A Failure names pose, residual and worst element; one is also returned if
+  /// the last equilibrium is not stable.
   Result<std::vector<TireState>> advance(const TireState& from,
                                          const std::vector<GroundPose>& poses);
-  /// The same straight down, to these deflections (m, from first touch) one after the other.
+  /// Moves the tire straight down to these deflections (m, from first touch), one after the other.
   Result<std::vector<TireState>> press(const Inflated& inflated,
                                        const Ground& ground,
                                        const std::vector<double>& deflections);
   Standing stand(const TireState& state);
-  /// The points that touch in a state. Held (Ground::held) they are its branch: another tire of the
-  /// same mesh but for where its nodes are, or the same elsewhere, stands on it too.
+  /// Returns the points that touch in a state. As Ground::held they define the state's branch, on
+  /// which another pose or another tire (same mesh with other coordinates) can stand too.
   TouchingPoints touching(const TireState& state);
 
-  /// The lowest `count` modes of the inflated, unloaded tire by circumferential harmonics.
+  /// Computes the `count` lowest modes of the inflated, unloaded tire by circumferential harmonics.
   Result<std::vector<Mode>> modes(const Inflated& inflated, int count);
-  /// The same by a full eigen-solve over the whole ring, for comparison.
+  /// Computes these modes by a full eigenvalue problem of the whole ring, for comparison.
   Result<std::vector<Mode>> modes_full(const Inflated& inflated, int count);
-  /// Modes about the state; points in contact stay in contact, with friction they stick.
+  /// Computes modes about the state. Points in contact stay in contact; with friction they stick.
   Result<std::vector<Mode>> modes(const TireState& state, int count);
 
   double total_mass() const;  // kg

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tire is made of inside: shared by its statics, its modes (fe_tire.cpp) and their slopes
-// (tire_slopes.cpp), and by nobody else.
+// Internals of the tire, shared by its statics and modes (fe_tire.cpp) and their slopes
+// (tire_slopes.cpp) only.
 #pragma once
 
 #include <cmath>
@@ -21,9 +21,9 @@
 
 namespace latsch::fe_tire {
 
-/// All that depends on the mesh, on whether half the ring stands for all of it, and on how much of
-/// the tread may touch. Even states carry the loading; even and odd ones together all loaded modes.
-/// Of the whole ring `even` is all there is.
+/// Everything that depends on the mesh, on whether half the ring represents all of it, and on how
+/// much of the tread may touch. Even states carry the loading; even and odd ones together give all
+/// loaded modes. If the whole ring is used, the `even` members are all there is.
 struct Systems {
   RingUnknowns unknowns;
   TreadSurface tread;
@@ -31,14 +31,14 @@ struct Systems {
   std::optional<RingUnknowns> odd_unknowns;
   std::optional<TreadSurface> odd_tread;
   std::optional<RingAssembly> odd;
-  double half_angle;  // rad, of the tread that may touch
-  // Of tangents about `factored`, of even and odd motions: they have the same pattern.
+  double half_angle;  // rad, half angle of the tread that may touch
+  // Tangents about `factored`, of even and of odd motions. They have the same pattern.
   numerics::SymmetricMatrix tangent;
   std::optional<numerics::SymmetricMatrix> odd_tangent;
   numerics::Factorization factor;
   std::optional<numerics::Factorization> odd_factor;
-  std::optional<TireState> factored;  // none: no state, or one whose tangents are not definite
-  std::optional<numerics::SymmetricMatrix> mass, odd_mass;  // of the materials, where asked for
+  std::optional<TireState> factored;  // none: no state, or one with indefinite tangents
+  std::optional<numerics::SymmetricMatrix> mass, odd_mass;  // of the materials, once needed
   std::optional<numerics::Davidson> search, odd_search;     // how modes about `factored` were found
 
   Systems(const Ring& ring,
@@ -73,11 +73,12 @@ struct Systems {
 };
 
 struct FeTire::Impl {
-  Ring ring;                 // pressed on the ground
-  std::optional<Ring> even;  // all sectors equally wide, where those of `ring` are not
+  Ring ring;                 // the ring pressed on the ground
+  std::optional<Ring> even;  // all sectors equally wide; only if those of `ring` are not
   SolverSettings settings;
   SolverCounts counts;
-  /// Is told every state that a way passes, but the last, while the solver is near it.
+  /// Called for every intermediate equilibrium on the path, while the solver's factorization
+  /// belongs to a nearby state. The final state is returned, not reported here.
   std::function<void(Systems& all, const TireState& state)> on_passing;
 
   Impl(Mesh mesh, const Materials& materials, const SolverSettings& s)
@@ -100,8 +101,8 @@ struct FeTire::Impl {
 
   const RingElements& elements() const { return *elements_; }
 
-  /// Symbolic work, for whoever needs more than one sector; done again only where new materials
-  /// make or break the symmetry.
+  /// Returns the systems for more than one sector. Their symbolic work is done at the first call,
+  /// and again only if new materials make or break the symmetry.
   Systems& systems(bool halved, int window) {
     auto& systems = systems_[{halved, window}];
     if (!systems) {
@@ -112,45 +113,49 @@ struct FeTire::Impl {
     }
     return *systems;
   }
-  /// What the half turn makes of the section's nodes, where it is a symmetry.
+  /// Returns the permutation of the section's nodes by the half turn, if the half turn is a
+  /// symmetry.
   const std::optional<std::vector<int>>& mirror() {
     if (!is_symmetry_known_) mirror_ = find_mirror(ring.mesh(), elements().materials());
     is_symmetry_known_ = true;
     return mirror_;
   }
 
-  /// What inflation and unloaded modes see: one sector stands for the ring.
+  /// Ring used for inflation and unloaded modes, where one sector represents all.
   const Ring& even_ring() const { return even ? *even : ring; }
   const RingElements& even_elements() const { return even ? *even_elements_ : *elements_; }
 
-  /// Where the way is part of the answer the window stays as it is, and a bar stands out.
+  /// Index of the first window tried. If the result depends on the path (friction), or if a bar
+  /// stands out of the ground, the wide window 1 is used from the start and kept.
   static int first_window(const Ground& ground) {
     if (ground.held) return ground.held->window;
     return ground.mu > 0.0 || ground.bar ? 1 : 0;
   }
-  /// Of what goes on from a state: the points that are held are those of one window.
+  /// Index of the window for a path that starts at a state: points that are held belong to one
+  /// window.
   static int window_from(const TireState& state) {
     return state.ground.held ? state.ground.held->window : state.window;
   }
   Result<TireState> move(const TireState& from, const GroundPose& pose, const std::string& name);
   Result<std::vector<Mode>> modes_at(const TireState& state, int count);
-  /// The factors of the tangents about a state with its ground, of even and odd motions; those of
-  /// the state before, where it is the same. A Failure where the tire does not keep that state: a
-  /// motion about it gives energy. Newton's method finds such equilibria just as well.
+  /// Factorizes the tangents of even and odd motions about a state with its ground; keeps the
+  /// factors if the state is the one factorized last. Returns a Failure if the state is unstable,
+  /// that is, if a motion about it releases energy. Newton's method finds such equilibria too.
   std::optional<Failure> factorize(Systems& all, const TireState& state);
-  /// The tangent of even motions alone, the ground included, wherever it is wanted; a Failure where
-  /// there is none.
+  /// Assembles the tangent of even motions alone, the ground included. Returns a Failure if an
+  /// element fails.
   std::optional<Failure> assemble(Systems& all,
                                   const TireState& state,
                                   numerics::SymmetricMatrix& tangent);
-  /// A Failure where that tangent about the state is not definite.
+  /// Returns a Failure if the tangent about the state is not positive definite.
   std::optional<Failure> factorize(const TireState& state,
                                    const numerics::SymmetricMatrix& tangent,
                                    numerics::Factorization& factor);
 
  private:
-  // rad to both sides. A tire touches flat ground 0.22 rad up at 8 % of its radius, half as far as
-  // a circle is cut there. What is touched beyond needs a wider window.
+  // Half angles of the tread that may touch, rad to both sides. At a deflection of 8 % of its
+  // radius a tire touches flat ground 0.22 rad up, half as far as the ground cuts a circle. If the
+  // tread touches beyond the angle, a window wider by the factor kWider is used.
   static constexpr double kHalfAngle = 0.3, kHalfAngleOfWays = 0.4, kWider = 1.5;
   static double half_angle(int window) {
     return window == 0 ? kHalfAngle : kHalfAngleOfWays * std::pow(kWider, window - 1);

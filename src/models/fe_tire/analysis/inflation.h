@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inflation on one sector: the state is the same in all of them, so 260 unknowns stand for 15,480.
+// Inflation on one sector: the state is the same in all sectors, so 260 unknowns replace 15,480.
 #pragma once
 
 #include "base/result.h"
@@ -9,15 +9,17 @@
 
 namespace latsch::fe_tire {
 
-/// Newton's method on the axisymmetric equilibrium f(x; p) = 0, the pressure raised in steps that
-/// halve where a step does not converge. Failure names pressure, residual and worst element. From
-/// displacements `near` the equilibrium, where there are any, at once if it can be.
+/// Solves the axisymmetric equilibrium f(x; p) = 0 by Newton's method. The pressure is raised in
+/// steps that are halved if they do not converge. A Failure names pressure, residual and worst
+/// element. If displacements `near` the equilibrium are given, the full pressure is first tried at
+/// once from them.
 Result<Inflated> inflate_sector(const RingElements& elements,
                                 double pressure,
                                 const SolverSettings& settings,
                                 const Eigen::Matrix3Xd* near = nullptr);
 
-/// The same on a mesh without symmetry; `reference` is the force norm of the pressure, N.
+/// Works as inflate_sector() on a mesh without symmetry. `reference` is the force norm of the
+/// pressure, N.
 Result<Inflated> inflate_ring(EquilibriumSolver& solver,
                               const RingElements& elements,
                               double pressure,

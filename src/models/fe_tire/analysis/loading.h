@@ -10,17 +10,18 @@
 
 namespace latsch::fe_tire {
 
-/// An equilibrium of what is assembled.
+/// An equilibrium of the assembled sectors.
 struct Placed {
   GroundPose pose;
   RingState state;
   std::vector<Anchor> anchors;
 };
 
-/// Goes on from `placed` to the equilibrium at `pose`. With friction in steps, each followed in
-/// parts on the linear tire (EquilibriumSolver::follow): a point's way along the ground is straight
-/// in a part. A step that does not converge is halved and begins anew, the next one may be twice as
-/// long; the Failure names the pose where that did not help either, and `placed` then is as it was.
+/// Moves from `placed` to the equilibrium at `pose`. With friction this takes several steps, each
+/// followed in parts on the linear tire (EquilibriumSolver::follow); within a part a point moves
+/// along the ground in a straight line. A step that does not converge is halved and repeated, and
+/// the next one may be twice as long. If halving does not help, the Failure names the pose, and
+/// `placed` is unchanged.
 std::optional<Failure> move_ground(EquilibriumSolver& solver,
                                    const RingElements& elements,
                                    double pressure,

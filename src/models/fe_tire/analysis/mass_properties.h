@@ -2,12 +2,13 @@
 // Mass and moments of inertia of the tire, rubber and cords, about the wheel's center.
 //   m = sum M_ab,   I_spin = sum M_ab (x_a x_b + z_a z_b)
 //   I_diametral = I_spin / 2 + sum M_ab y_a y_b
-// with the mass M of the elements that vibrate (hex8.h) and their nodes where the state has them:
-// twice the kinetic energy of a turn by 1 rad/s. y is the spin axis; about it the tire repeats, so
-// all diameters have the same moment; of a mesh without symmetry it is the mean over them.
+// M is the mass of the elements that vibrate (hex8.h), at the positions of their nodes in the
+// state: I is twice the kinetic energy of a rotation by 1 rad/s. y is the spin axis. The tire is
+// rotationally periodic about it, so all diameters have the same moment; on a mesh without symmetry
+// the mean over them is used.
 //
-// Neither rim nor air. S sectors are the pieces of a polygon: of a body of revolution the mass is
-// short by 2/3 (pi/S)^2 of itself, 0.2 % of 60 sectors, I_spin by half as much again.
+// Rim and air are not included. S sectors form a polygon: relative to a body of revolution the mass
+// is too small by 2/3 (pi/S)^2, 0.2 % for 60 sectors, and I_spin by half as much again.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,7 +22,8 @@ struct MassProperties {
   double spin_inertia = 0.0, diametral_inertia = 0.0;  // kg m^2
 };
 
-/// Of sectors all equally wide, displaced alike: u [3 x nodes_per_sector], sector frame, m.
+/// Mass properties of equally wide sectors with equal displacements u [3 x nodes_per_sector],
+/// sector frame, m.
 MassProperties mass_properties(const RingElements& elements, const Eigen::Matrix3Xd& u);
 
 }  // namespace latsch::fe_tire

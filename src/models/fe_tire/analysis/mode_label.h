@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names for mode shapes: circumferential number n, type and, in the loaded tire, symmetry.
 //
-// An unloaded mode has one n; its type is the direction that carries most of the kinetic energy:
+// An unloaded mode has one n. Its type is the direction that carries most of the kinetic energy:
 // around the circumference (only with n = 0: torsion, windup), along the spin axis (lateral) or in
 // the wheel plane (radial). A loaded mode is named after the group of unloaded modes that it
 // resembles most: the group whose span holds the largest share of its kinetic energy. Its phase
@@ -15,25 +15,26 @@
 
 namespace latsch::fe_tire {
 
-/// Shares of a mode's kinetic energy by direction [x, y, z of sector frames]:  Re phi_k* (M phi)_k
-/// summed over the unknowns k of a direction. Their sum is phi* M phi, whatever the mesh.
+/// Returns the shares of a mode's kinetic energy by direction [x, y, z of sector frames]: Re phi_k*
+/// (M phi)_k summed over the unknowns k of a direction. They add up to phi* M phi on every mesh.
 Eigen::Vector3d kinetic_energy(const Eigen::VectorXcd& phi, const Eigen::VectorXcd& M_phi);
 
-/// Type of a mode of circumferential number n by its kinetic energy around, along and across [x, y,
-/// z of sector frames].
+/// Returns the type of a mode of circumferential number n by its kinetic energy in the directions
+/// [x, y, z of sector frames].
 ModeType type_of(int n, const Eigen::Vector3d& kinetic_energy);
 
-/// Numbers modes of the same n and type 1, 2, ...; a degenerate pair shares its number. Modes in
-/// ascending order.
+/// Numbers modes of the same n and type 1, 2, ...; a degenerate pair shares its number. Modes must
+/// be in ascending order.
 void number_orders(std::vector<Mode>& modes);
 
-/// Names loaded modes after unloaded ones; kinetic energies by the nodal masses [nodes], kg.
+/// Names loaded modes after unloaded ones. Kinetic energies are weighted by the nodal masses
+/// [nodes], kg.
 void name_after(const std::vector<Mode>& unloaded,
                 const Eigen::VectorXd& nodal_mass,
                 std::vector<Mode>& loaded);
 
-/// 's', 'a' or ' ' by the overlap of a shape [3 x nodes] with its mirror image in the plane x = 0;
-/// ' ' where the mesh is not its own mirror image.
+/// Returns 's', 'a' or ' ' by the overlap of a shape [3 x nodes] with its mirror image in the plane
+/// x = 0. Returns ' ' if the mesh is not its own mirror image.
 char phase_of(const Mesh& mesh, const Eigen::Matrix3Xd& shape);
 
 }  // namespace latsch::fe_tire

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vibration modes of the tire: (K - omega^2 M) phi = 0 at an equilibrium, rim clamped.
+// Vibration modes of the tire with the rim clamped: (K - omega^2 M) phi = 0 at an equilibrium.
 #pragma once
 
 #include <optional>
@@ -14,46 +14,49 @@
 
 namespace latsch::fe_tire {
 
-/// What is said where a state has no tangent because an element (sector by sector) fails.
+/// Returns the failure reported if a state has no tangent because an element (counted sector by
+/// sector) fails.
 Failure no_tangent(const Ring& ring, int element);
 
-/// Modes of the inflated ring by circumferential harmonics n = 0, 1, ...: one small Hermitian
-/// problem each, until no further n can hold one of the `count` lowest. A mode of n > 0 comes as an
-/// orthogonal pair. Sectors of the ring are equally wide; shapes are given on the planes of `mesh`,
-/// which is the same tire, however divided. `tolerance`: SolverSettings::mode_tolerance.
+/// Computes modes of the inflated ring by circumferential harmonics n = 0, 1, ..., each a small
+/// Hermitian problem, until no further n can hold one of the `count` lowest. A mode of n > 0 comes
+/// as an orthogonal pair. Sectors of the ring are equally wide; shapes are given on the planes of
+/// `mesh`, which is the same tire with any division into sectors. `tolerance`:
+/// SolverSettings::mode_tolerance.
 Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
                                          const Mesh& mesh,
                                          const Inflated& inflated,
                                          int count,
                                          double tolerance);
 
-/// The `count` lowest modes of the states that `assembly` can hold (all, even or odd ones), without
-/// names. `factor` holds the tangent. Shapes are mass-normalized over the whole ring.
+/// Computes the `count` lowest modes of the states that `assembly` can represent (all, even or
+/// odd), without names. `factor` holds the tangent. Shapes are mass-normalized over the whole ring.
 Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      const numerics::Factorization& factor,
                                      const numerics::SymmetricMatrix& M,
                                      int count,
                                      double tolerance);
-/// The same of a state on the ground: Lanczos' method finds the modes with rough solutions,
-/// Davidson's makes those that are asked for modes of K; where that does not succeed, solutions are
-/// refined.
+/// Modes about a state on the ground. Lanczos' method finds the modes with inexact solves,
+/// Davidson's method then makes those that are asked for modes of K. If that does not succeed, the
+/// solves are refined.
 class LoadedModes {
  public:
-  /// `factor`: a refined one of the tangent K. All of them must outlive it.
+  /// `factor`: a refined factorization of the tangent K. All arguments must outlive this object.
   LoadedModes(const RingAssembly& assembly,
               const numerics::SymmetricMatrix& K,
               const numerics::Factorization& factor,
               const numerics::SymmetricMatrix& M,
               const SolverSettings& settings);
 
-  /// A frequency of approach() errs by less than this share, and is too high rather than too low.
+  /// Largest relative error of a frequency of approach(), which is too high rather than too low.
   static constexpr double kNearby = 0.01;
-  /// Frequencies of the `count` lowest modes, ascending, Hz, roughly: of the last `spare` worst.
+  /// Returns approximate frequencies of the `count` lowest modes, ascending, Hz. The last `spare`
+  /// are the least accurate.
   Result<std::vector<double>> approach(int count, int spare);
-  /// The `count` lowest of these.
+  /// Returns the `count` lowest modes of these.
   Result<std::vector<Mode>> find(int count);
-  /// How find() found them, for whoever wants them sharper while K, M and the factor stay as they
-  /// are; none where solutions were refined.
+  /// State of the search by which find() found the modes, for sharpening them while K, M and the
+  /// factor stay the same. None if solves were refined.
   std::optional<numerics::Davidson> search() && { return std::move(search_); }
 
  private:
@@ -64,7 +67,7 @@ class LoadedModes {
   std::optional<numerics::Davidson> search_;
 };
 
-/// Mass of each node of the ring, kg: rows of the mass matrix summed.
+/// Returns the mass of each node of the ring, kg: sums over the rows of the mass matrix.
 Eigen::VectorXd nodal_masses(const RingElements& elements);
 
 }  // namespace latsch::fe_tire

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Residual, tangent and mass of the ring (or its half); the sparsity and the scatter map are made
-// once a mesh.
+// Assembly of residual, tangent and mass of the ring or its half. The sparsity pattern and the
+// scatter map are made once per mesh.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@
 
 namespace latsch::fe_tire {
 
-/// Unknowns and enhanced parameters of the sectors assembled.
+/// Unknowns and enhanced parameters of the assembled sectors.
 struct RingState {
   Eigen::VectorXd x;
   Eigen::VectorXd alpha;
@@ -22,30 +22,30 @@ struct RingState {
 
 class RingAssembly {
  public:
-  /// The pattern has places for the ground under the points of `tread`, where there is one.
+  /// The pattern includes places for the ground under the points of `tread`, if given.
   explicit RingAssembly(const RingUnknowns& unknowns, const TreadSurface* tread = nullptr);
-  /// On the pattern of another assembly of the same ring: even and odd states share it.
+  /// Uses the pattern of another assembly of the same ring, so that even and odd states share it.
   RingAssembly(const RingUnknowns& unknowns,
                std::shared_ptr<const numerics::SymmetricPattern> pattern);
 
   const RingUnknowns& unknowns() const { return unknowns_; }
   const std::shared_ptr<const numerics::SymmetricPattern>& pattern() const { return pattern_; }
-  /// Where the cells of the tread begin among the elements of the pattern.
+  /// Index of the tread's first cell among the elements of the pattern.
   int first_cell() const { return ring_.elements_per_sector() * unknowns_.sectors(); }
-  /// All zero, of the size that assemble() needs.
+  /// Returns a state of zeros, of the size that assemble() needs.
   RingState zero_state() const;
 
-  /// Forces f(x) = internal - pressure, zero in equilibrium off the ground; K = df/dx (symmetric
-  /// part) where given. False where an element fails; `worst` then is sector * elements_per_sector
-  /// + element.
+  /// Computes the forces f(x) = internal - pressure, zero in equilibrium off the ground, and K =
+  /// df/dx (its symmetric part) if K is not null. Returns false if an element fails; `worst` then
+  /// is sector * elements_per_sector + element.
   bool assemble(const RingElements& elements,
                 RingState& state,
                 double pressure,
                 Eigen::VectorXd& f,
                 numerics::SymmetricMatrix* K,
                 int* worst) const;
-  /// The same with elements' stiffness in single precision: forces are exact, K is what a step of
-  /// Newton's method needs.
+  /// Works as assemble(), with the elements' stiffness in single precision: the forces are exact, K
+  /// is accurate enough for a step of Newton's method.
   bool assemble_roughly(const RingElements& elements,
                         RingState& state,
                         double pressure,
@@ -53,20 +53,21 @@ class RingAssembly {
                         numerics::SymmetricMatrix& K,
                         int* worst) const;
 
-  /// Tangent at `state` in the numbering `vibration` of the motions about it (even or odd ones).
-  /// False as for assemble().
+  /// Computes the tangent at `state` in the numbering `vibration` of the motions about it (even or
+  /// odd). Returns false as assemble() does.
   bool assemble_tangent(const RingElements& elements,
                         RingState& state,
                         double pressure,
                         const RingUnknowns& vibration,
                         numerics::SymmetricMatrix& K,
                         int* worst) const;
-  /// A tangent and the numbering it is wanted in.
+  /// A tangent and the numbering in which it is assembled.
   struct Vibration {
     const RingUnknowns* unknowns;
     numerics::SymmetricMatrix* K;
   };
-  /// The same of several numberings; the elements' tangents are the same.
+  /// Works as assemble_tangent() for several numberings at once; the elements' tangents are
+  /// computed only once.
   bool assemble_tangents(const RingElements& elements,
                          RingState& state,
                          double pressure,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a tire's equations are solved, and what that took.
+// Settings for solving a tire's equations, and counts of the work done.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace latsch::fe_tire {
 
 struct SolverSettings {
   ElementKind element = ElementKind::solid_shell;
-  /// What the ground feels of the tread; none: the comparison element shows its facets, as the
-  /// programs do that it is compared with, the default is smooth.
+  /// Tread surface that the ground feels. None: facets for the comparison element, as in the
+  /// programs it is compared with, smooth for the default element.
   std::optional<TreadShape> tread = {};
   TreadShape tread_shape() const {
     if (tread) return *tread;
@@ -20,17 +20,18 @@ struct SolverSettings {
   }
   double tolerance = 1e-5;  // residual norm relative to the norm of the pressure load
   int max_iterations = 40;  // Newton iterations a load step
-  /// Of its tangents along their diagonal, each a factorization, until the residual has halved:
-  /// where they stay indefinite the step is too long.
+  /// Most shifts of an indefinite tangent along its diagonal, each a factorization, until the
+  /// residual has halved. If the tangent stays indefinite, the step is too long.
   int max_shifts = 6;
-  /// Of the inverted residual, thrice it of loaded modes; a frequency errs, relatively, by its
-  /// square over the relative gap to the next one, a shape by itself over that gap.
+  /// Tolerance of the residual of the inverted problem, three times as large for loaded modes. The
+  /// relative error of a frequency is the square of this over the relative gap to the next
+  /// frequency; the error of a shape is this over that gap.
   double mode_tolerance = 1e-5;
 };
 
-/// What a trial cost: for benchmarks and for the report.
+/// Work done in a trial, for benchmarks and for the report.
 struct SolverCounts {
-  int analyses = 0;  // symbolic ones, of the ring
+  int analyses = 0;  // symbolic analyses of the ring
   int assemblies = 0, factorizations = 0, cg_iterations = 0, solves = 0, shifts = 0;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tread on rigid ground: penalty in the normal direction, Coulomb friction along the ground.
+// Contact of the tread with rigid ground: penalty in the normal direction, Coulomb friction along
+// it.
 //
 // At every point of the tread's surface (tread_surface.h) with the distance g to the ground, its
 // normal n and the reference area dA,
@@ -7,10 +8,11 @@
 //                                                 (where points are held: of these, of any g)
 //   tangential trial    t = -epsilon_t (1 - n n^T) (x - a)  from the anchor a it sticks to   (C.2)
 //   Coulomb             |t| <= mu p; beyond it the point slips: t = mu p t / |t|, a follows (C.3)
-// in the ground's axes: the ground carries the anchors along. A point that comes down within a step
-// is anchored where it touched, on the straight way from where it was at the step's start,
-//   a = x_0 + s (x - x_0),   s = g_0 / (g_0 - g),                                           (C.4)
-// which holds it near where the step began: loading.h divides ways into short ones.
+// in the ground's axes, so the ground carries the anchors along. A point that comes down within a
+// step is anchored where it touched, on the straight path from its position x_0 at the step's
+// start,
+//   a = x_0 + s (x - x_0),   s = g_0 / (g_0 - g).                                           (C.4)
+// This holds only near the step's start: loading.h divides paths into short steps.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,11 +25,12 @@
 
 namespace latsch::fe_tire {
 
-/// What a point of the tread remembers of the ground.
+/// The contact history of a tread point.
 struct Anchor {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  // m, ground's axes
   bool holds = false;                            // in contact
-  bool slid = false;                             // in the step that ended with the last equilibrium
+  bool slid = false;                             // slid in the step that ended with the last
+                                                 // equilibrium
   bool operator==(const Anchor&) const = default;
 };
 
@@ -35,10 +38,11 @@ class TreadContact {
  public:
   /// A point in contact, wheel frame.
   struct Touch {
-    int point;                  // of the surface
+    int point;                  // N, on the tire
     Eigen::Vector3d force;      // N, on the tire
     Eigen::Matrix3d stiffness;  // N/m: minus the change of the force, its symmetric part
-    Eigen::Matrix3d coupling;   // N/m: what is left of it, of sliding friction with pressure
+    Eigen::Matrix3d coupling;   // N/m: the remainder, from sliding friction that depends on
+                                // pressure
   };
 
   TreadContact(const TreadSurface& tread, const Ground& ground);
@@ -46,51 +50,52 @@ class TreadContact {
   const TreadSurface& tread() const { return tread_; }
   const Ground& ground() const { return ground_; }
   bool has_friction() const { return ground_.mu > 0.0; }
-  /// Whether forces depend on the heights of the tread's nodes over flat, level ground alone.
+  /// True if forces depend only on the heights of the tread's nodes over flat, level ground.
   bool is_by_height() const { return !has_friction() && !ground_.bar && pose_.camber == 0.0; }
 
-  /// The equilibrium that the next steps start from.
+  /// Sets the equilibrium from which the next steps start.
   void start(const GroundPose& pose, const Eigen::VectorXd& x, std::vector<Anchor> anchors);
-  /// The same of displacements of the tread's nodes (TreadSurface::displacements).
+  /// Sets it by displacements of the tread's nodes (TreadSurface::displacements).
   void start(const GroundPose& pose, const Eigen::Matrix3Xd& u, std::vector<Anchor> anchors);
-  /// The ground moves on; anchors stay those of the start.
+  /// Moves the ground; anchors remain those of the start.
   void move(const GroundPose& pose);
   const GroundPose& pose() const { return pose_; }
 
-  /// Points in contact while the tread's nodes are displaced by u (TreadSurface::displacements).
+  /// Returns the points in contact with the tread's nodes displaced by u
+  /// (TreadSurface::displacements).
   std::vector<Touch> touches(const Eigen::Matrix3Xd& u) const;
-  /// The same points, all of them sticking where there is friction: for small motions about x.
+  /// Returns these points, all sticking if there is friction, for small motions about x.
   std::vector<Touch> stuck(const Eigen::VectorXd& x) const;
-  /// Anchors of the equilibrium x, or of displacements u, that the step has ended with.
+  /// Returns the anchors of the equilibrium x, or displacements u, with which the step ended.
   std::vector<Anchor> anchors(const Eigen::VectorXd& x) const;
   std::vector<Anchor> anchors(const Eigen::Matrix3Xd& u) const;
-  /// How deep in the ground the deepest point is, m; 0 where none is.
+  /// Returns the largest depth of a point in the ground, m; 0 if none is in it.
   double deepest(const Eigen::Matrix3Xd& u) const;
-  /// Points that are no farther from the ground than `distance`, m, ascending; on held ground those
-  /// that touch.
+  /// Returns the points that are no farther from the ground than `distance`, m, ascending. On held
+  /// ground these are the points that touch.
   std::vector<int> within(double distance, const Eigen::Matrix3Xd& u) const;
 
-  /// The contact patch (of the whole ring) in the state x, an equilibrium whose anchors are those
-  /// of the start.
+  /// Returns the contact patch (of the whole ring) in the state x, an equilibrium whose anchors are
+  /// those of the start.
   ContactPatch patch(const Eigen::VectorXd& x) const;
-  /// Force (N) and moment about the wheel center (N m) on the tire there, of the whole ring, in the
-  /// ground's axes but its yaw: z along its normal, x where the wheel heads.
+  /// Force (N) on the tire and moment about the wheel center (N m) of the whole ring, in the
+  /// ground's axes without its yaw: z along its normal, x in the wheel's heading.
   struct Sum {
     Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = force;
   };
   Sum sum(const Eigen::VectorXd& x) const;
-  /// Whether a part of the tread that is no part of the surface is in the ground.
+  /// True if a part of the tread outside the surface is in the ground.
   bool misses(const Eigen::VectorXd& x) const;
 
  private:
-  /// Whether a point at the distance g does.
+  /// True if a point at the distance g touches.
   bool touches_at(int point, double g) const {
     return is_held_.empty() ? g < 0.0 : is_held_[point] != 0;
   }
   struct Traction {
     double p;                  // Pa per reference area
-    Eigen::Vector3d t;         // ground's axes, likewise
-    Eigen::Matrix3d dt;        // minus the symmetric tangent of t by x
+    Eigen::Vector3d t;         // Pa per reference area, ground's axes
+    Eigen::Matrix3d dt;        // minus the symmetric derivative of t with respect to x
     Eigen::Vector3d coupling;  // minus the derivative of t along the normal
     bool sticks;
   };
@@ -105,21 +110,22 @@ class TreadContact {
   Ground ground_;
   GroundPose pose_;
   PosedGround posed_;
-  std::vector<char> is_held_;  // every point of the tread; empty where none is held
+  std::vector<char> is_held_;  // for every point of the tread; empty if none is held
   std::vector<Anchor> anchors_;
-  Eigen::Matrix3Xd start_;  // of the points, ground's axes; with friction
+  Eigen::Matrix3Xd start_;  // positions of the points, ground's axes; only with friction
   std::vector<double> start_g_;
 };
 
-/// Of every cell of `tread`, whose points move by the same nodes.
+/// Groups touches by the cells of `tread`, whose points depend on the same nodes.
 std::vector<std::vector<const TreadContact::Touch*>> by_cells(
     const TreadSurface& tread, const std::vector<TreadContact::Touch>& touches);
-/// f of the unknowns of `tread`, internal sign: minus what the ground does to the tire.
+/// Adds minus the ground's forces on the tire to f, which holds internal forces in the numbering of
+/// `tread`.
 void add_forces(const TreadSurface& tread,
                 const std::vector<TreadContact::Touch>& touches,
                 Eigen::VectorXd& f);
-/// The symmetric tangent, in the numbering of `tread` (of even or odd motions); its cells are the
-/// elements of K's pattern from `first_cell` on.
+/// Adds the symmetric tangent in the numbering of `tread` (of even or odd motions). Its cells are
+/// the elements of K's pattern from `first_cell` on.
 void add_stiffness(const TreadSurface& tread,
                    const std::vector<TreadContact::Touch>& touches,
                    int first_cell,

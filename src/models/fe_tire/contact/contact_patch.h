@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where tread and ground touch.
+// The contact patch of tread and ground.
 #pragma once
 
 #include <vector>
 
 namespace latsch::fe_tire {
 
-/// Axes of the ground.
+/// Contact patch in axes of the ground.
 struct ContactPatch {
   double length = 0.0, width = 0.0;  // m, extent along x and y
   double area = 0.0;                 // m^2
@@ -14,8 +14,8 @@ struct ContactPatch {
     double x, y;              // m, from the point below the wheel center
     double pressure;          // Pa
     double shear_x, shear_y;  // Pa, on the tire
-    double area;              // m^2 that it stands for
-    double length;            // m of it along the road
+    double area;              // m^2 for which it stands
+    double length;            // m, its length along the road
     bool sticks;
   };
   std::vector<Point> points;

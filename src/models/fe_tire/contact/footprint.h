@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Length, width and area of a footprint, finer than the elements that leave it.
+// Length, width and area of a footprint, resolved finer than the elements.
 //
-// Beside a patch from -a to a around its middle the gap between a cylinder and the ground grows as
+// The gap between a cylinder and the ground beside a patch from -a to a grows as
 //   g(s) ~ f(s / a),   f(t) = t sqrt(t^2 - 1) - arcosh t                                      (F.1)
-// [Johnson, Contact Mechanics, Cambridge 1985, section 4.2: of a line contact], first as the power
-// 3/2 of the way from the edge, as at any free edge, then as the square. So along lines of samples
-// around the tire and across, the edge is where (F.1) has it that passes two heights where the
-// surface does. Both lie above what penalty, interpolation and the offset of (T.1) leave in the
-// patch. Where the surface ends or comes down again before the second of them, the first is the
-// edge. No line around that has a length, no patch: a gap that grows slower than (F.1) is none.
+// [Johnson, Contact Mechanics, Cambridge 1985, section 4.2, for line contact], near the edge as the
+// distance from it to the power 3/2, as at any free edge, farther off as its square. The edge on a
+// line of samples, around the tire or across, is therefore that of the curve (F.1) which passes
+// through two heights at the same places as the surface. Both heights lie above the distance that
+// penalty, interpolation and the offset of (T.1) leave in the patch. If the surface ends or comes
+// down again before the second height, the place of the first is the edge. Without a line around
+// that has a length there is no patch: a gap that grows slower than (F.1) is no contact.
 //
-// Of a smooth surface the ground feels means around nodes: between two columns it may bulge into
-// the ground beside one that just does not touch, by 0.2 mm where columns are 16 mm wide. Means
-// across of lines around, weighted by a hat a column wide to both sides, bulge not; but where the
-// tread is round they lie behind its lowest line. Lines around have
+// On a smooth surface the ground acts on means around nodes, so between two columns the surface may
+// bulge into the ground beside a column that just does not touch, by 0.2 mm if columns are 16 mm
+// wide. Means across of lines around, weighted by a hat a column wide to both sides, do not bulge;
+// but on a round tread they lie behind its lowest line. Lines around therefore use
 //   g <- (g + mean of g across) / 2                                                           (F.2)
-// half of the difference, as half of the sag is what counts in (T.2). Facets are as they are.
+// that is, half of the difference, as half of the sag counts in (T.2). Facets are used unchanged.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,9 +31,9 @@ struct FootprintSize {
   double area = 0.0;                 // m^2
 };
 
-/// Of all the ring. `at`: every sample of the tread in axes of the ground, x along the road, z the
-/// distance from it; `area`, m^2, what it stands for. `rest`, m: how far from the ground they may
-/// be in the patch.
+/// Computes the footprint of the whole ring. `at`: every sample of the tread in axes of the ground,
+/// x along the road, z its distance from the ground. `area`, m^2: the area of each sample. `rest`,
+/// m: largest distance from the ground within the patch.
 FootprintSize footprint_size(const TreadSurface& tread,
                              const Eigen::Matrix3Xd& at,
                              const Eigen::VectorXd& area,

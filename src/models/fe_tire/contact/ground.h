@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tire stands on: a rigid surface and where it is.
+// The rigid ground on which the tire stands, and its pose.
 //
-// The ground is flat or has one bar on it: a cleat, or where it is long a plank. It is the graph of
-// a height h(x, y) in its own axes, z upward; a point of the tread at (x, y, z) there has the
-// normal distance, to first order in it,
+// The ground is flat or has one bar on it: a cleat, or a plank if it is long. It is the graph of a
+// height h(x, y) in its own axes, z upward. A point of the tread at (x, y, z) there has, to first
+// order, the normal distance g and normal n
 //   g = (z - h) / sqrt(1 + |grad h|^2),   n = (-h_x, -h_y, 1) / sqrt(1 + |grad h|^2)          (G.1)
-// so bevels push along their normals, and the upright sides of a bar do not push: a tread that
-// bends over a bar spans the corner beside it.
+// Bevels therefore push along their normals, and the upright sides of a bar do not push: a tread
+// that bends over a bar spans the corner beside it.
 //
-// The wheel's frame is the one of mesh.h. A pose is what the rig sets: how high the wheel center is
-// over the ground, where below it the ground's origin lies, the wheel's camber and the ground's
+// The wheel's frame is that of mesh.h. A pose is what the rig sets: the height of the wheel center
+// over the ground, the place of the ground's origin below it, the wheel's camber and the ground's
 // yaw.
 //
-// As points come to touch and leave, loads have kinks and modes jumps. Between two of them the tire
-// is on one branch, and `held` goes on with it: these points touch, pushed or pulled, and no
-// others. It is smooth, with the same values and slopes where these are the points that touch.
+// When points begin or cease to touch, loads have kinks and modes jump. Between two such events the
+// tire is on one branch. `held` continues this branch: the given points touch, pushed or pulled,
+// and no others. The branch is smooth, with the same values and slopes as free contact in which
+// these points touch.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,15 +24,15 @@
 
 namespace latsch::fe_tire {
 
-/// A bar on the ground through its origin, symmetric to it.
+/// A bar through the ground's origin, symmetric to it.
 struct Bar {
-  double height = 0.0, length = 0.0;  // m; length: along the road where angle is 0
-  double bevel = 0.0;                 // m, of the upper edges at 45 degrees
+  double height = 0.0, length = 0.0;  // m; length: along the road if angle is 0
+  double bevel = 0.0;                 // m, 45 degree bevel of the upper edges
   double angle = 0.0;                 // rad, against the axle
   bool operator==(const Bar&) const = default;
 };
 
-/// Points of the tread, ascending, in the numbers of a state's window (FeTire::touching).
+/// Points of the tread, ascending, numbered as in the window of a state (FeTire::touching).
 struct TouchingPoints {
   int window = 0;
   std::vector<int> points;
@@ -43,48 +44,48 @@ struct Ground {
   double stiffness = 2.0e10;  // normal penalty, Pa/m
   double mu = 0.0;            // friction coefficient; 0: frictionless
   std::optional<Bar> bar = {};
-  /// Whatever their distance, these touch and no others; none: those in the ground. On flat ground
-  /// without friction.
+  /// Points that touch, and no others, whatever their distance; only on flat ground without
+  /// friction. None: the points below the ground's surface touch.
   std::optional<TouchingPoints> held = {};
   bool operator==(const Ground&) const = default;
 };
 
 struct GroundPose {
-  double height = 0.0;      // m, of the wheel center over the ground, along the ground's normal
-  double x = 0.0, y = 0.0;  // m, of the ground's origin from the point below the wheel center
-  double camber = 0.0;      // rad, of the wheel against the ground, about x: top to the right
-  double yaw = 0.0;         // rad, of the ground about its normal
+  double height = 0.0;      // m, wheel center over the ground, along the ground's normal
+  double x = 0.0, y = 0.0;  // m, ground's origin from the point below the wheel center
+  double camber = 0.0;      // rad, wheel against the ground, about x: top to the right
+  double yaw = 0.0;         // rad, ground about its normal
 
-  /// Whether the half turn about the vertical through the wheel center leaves the ground as it is.
+  /// True if the half turn about the vertical through the wheel center leaves the ground unchanged.
   bool is_below() const { return x == 0.0 && y == 0.0 && camber == 0.0; }
   bool operator==(const GroundPose&) const = default;
 };
 
-/// On the way from a to b, share 0 to 1.
+/// Returns the pose on the path from a to b at this share, 0 to 1.
 GroundPose between(const GroundPose& a, const GroundPose& b, double share);
 
-/// The ground in a pose, as points of the wheel frame see it.
+/// The ground in a pose, seen from the wheel frame.
 class PosedGround {
  public:
   PosedGround(const Ground& ground, const GroundPose& pose);
 
-  /// p of the wheel frame in the ground's axes, m.
+  /// Returns the point p of the wheel frame in the ground's axes, m.
   Eigen::Vector3d in_ground(const Eigen::Vector3d& p) const { return R_ * p + shift_; }
-  /// Turns a vector of the ground's axes into the wheel frame.
+  /// Turns a vector from the ground's axes into the wheel frame.
   Eigen::Vector3d to_wheel(const Eigen::Vector3d& v) const { return R_.transpose() * v; }
 
   struct Distance {
     double g;           // m, negative in the ground
     Eigen::Vector3d n;  // ground's axes
   };
-  /// Of a point in the ground's axes.
+  /// Returns the distance of a point given in the ground's axes.
   Distance distance(const Eigen::Vector3d& q) const;
 
  private:
   std::optional<Bar> bar_;
   Eigen::Matrix3d R_;
   Eigen::Vector3d shift_;
-  Eigen::Vector2d along_;  // of the bar's section
+  Eigen::Vector2d along_;  // direction of the bar's section
 };
 
 }  // namespace latsch::fe_tire

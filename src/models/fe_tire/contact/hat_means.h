@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One direction of the tread's smooth surface (tread_surface.h): Hermite's cubics between its nodes
-// and their means over hats.
+// One direction of the tread's smooth surface (tread_surface.h): cubic Hermite interpolation
+// between its nodes, and means of it over hat functions.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,43 +11,46 @@
 
 namespace latsch::fe_tire {
 
-/// Means a face, around and across.
+/// Number of means a face, in each direction.
 constexpr int kPlaces = 4;
 
-/// Weights of four neighbors, the second and third being the ends of a face, and their derivatives
-/// by u in [-1, 1].
+/// Weights of four neighbors, of which the second and third are the ends of a face, and their
+/// derivatives with respect to u in [-1, 1].
 struct Cubic {
   Eigen::Vector4d value, slope;
 };
 
-/// Of a face of length h; h0 and h2 are those of its neighbors, none where the surface ends.
+/// Hermite cubic of a face of length h. h0 and h2 are the lengths of its neighbors, none where the
+/// surface ends.
 Cubic hermite(std::optional<double> h0, double h, std::optional<double> h2, double u);
 Cubic linear(double u);
 
-/// (T.3) of the node between the second and the third of four faces beside each other, those that
-/// are there, by their lengths.
+/// Returns (T.3) of the node between the second and the third of four adjacent faces, given the
+/// lengths of those that exist.
 double share_of_uniform(const std::array<std::optional<double>, 4>& h);
 
-/// Of a place, counted in kPlaces a face; that at a node belongs to the face behind it.
+/// Returns the face of a place, counted in kPlaces a face. A place at a node belongs to the face
+/// behind it.
 inline int face_of(int place) {
   return place >= 0 ? place / kPlaces : -((kPlaces - 1 - place) / kPlaces);
 }
 
-/// On [-1, 1] of that face.
+/// Returns the place's coordinate in [-1, 1] of that face.
 inline double within_face(int place) {
   return 2.0 * (place - kPlaces * face_of(place)) / kPlaces - 1.0;
 }
 
-/// Integrals over the hat N that is 1 at a place and 0 a face before and behind it, in one
-/// direction of the surface.
+/// Integrals over the hat function N in one direction of the surface. N is 1 at a place and 0 a
+/// face before and behind it.
 struct HatMean {
   int first = 0;  // node of the first weight
   std::array<double, 6> weight{};
   double size = 0.0;
 };
 
-/// `cubic` and `measure` (per u) of a face at u. Where there are ends, nothing is before node 0 nor
-/// behind the `last` one: what hats of places beyond them would have, those of their images take.
+/// Integrates over the hat at `place`. `cubic_at` and `measure_at` (per u) evaluate a face at u. If
+/// `last` is given, the surface ends at node 0 and at node `last`: the parts of hats beyond these
+/// ends are mirrored to the inside.
 template <class CubicAt, class MeasureAt>
 HatMean hat_mean(int place, std::optional<int> last, CubicAt cubic_at, MeasureAt measure_at) {
   const auto hat = [](double at, int center) {

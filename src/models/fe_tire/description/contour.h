@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The meridian of a tire: a smooth curve through given points, seen in the (y, r) half-plane.
 //
-// A natural cubic spline over the chord length through points given for one half, from crown to
-// bead, and mirrored. Positions along it are the normalized arc length s: -1 at the +y bead, 0 at
-// the crown, +1 at the -y bead; |s| is what a tire file calls "position".
+// A natural cubic spline over the chord length runs through points given for one half, from crown
+// to bead, and is mirrored. Positions along it are the normalized arc length s: -1 at the +y bead,
+// 0 at the crown, +1 at the -y bead. |s| is what a tire file calls "position".
 #pragma once
 
 #include <Eigen/Core>
@@ -19,13 +19,13 @@ struct MeridianPoint {
 
 class Contour {
  public:
-  /// Points of the +y half from crown (y = 0) to bead; at least three.
+  /// Takes points of the +y half from crown (y = 0) to bead, at least three.
   explicit Contour(const std::vector<MeridianPoint>& half);
 
   double length() const { return length_; }  // m, bead to bead
   MeridianPoint point(double s) const;       // on the curve
   MeridianPoint tangent(double s) const;     // unit vector of increasing s
-  /// The point at a distance (m, positive outward) along the normal.
+  /// Returns the point at this distance (m, positive outward) along the normal.
   MeridianPoint offset(double s, double distance) const;
 
  private:

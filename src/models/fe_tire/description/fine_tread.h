@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tire of which the tread has short elements where it may touch the ground.
+// A tire with short elements in the part of the tread that may touch the ground.
 //
-// Growth, forces and modes ask for short elements where the wall bends, a footprint for some
-// across and along the patch: where it has two or three of either, its length grows by elements.
-// The same tire on a mesh of its own for footprints costs less than such elements in all that is
-// done with it.
+// Growth, forces and modes need short elements where the wall bends; a footprint needs several
+// across and along the patch. If the patch spans only two or three elements in either direction,
+// its length grows in steps of elements. A second mesh of the same tire, used for footprints only,
+// costs less than such short elements in every computation.
 #pragma once
 
 #include <vector>
@@ -13,24 +13,26 @@
 
 namespace latsch::fe_tire {
 
-/// Largest lengths of a tread's elements, m.
+/// Largest lengths of the tread's elements, m.
 struct TreadElements {
   double around = 7e-3, across = 7e-3;
   bool operator==(const TreadElements&) const = default;
 };
 
-/// Into how many equal parts columns (from the crown to the bead) and sectors (from the contact
-/// upward, on both sides) are split; those behind the last stay as they are.
+/// Number of equal parts into which each column (from the crown to the bead) and each sector (from
+/// the contact upward, on both sides) is split. Columns and sectors behind the last entry stay as
+/// they are.
 struct TreadSplit {
   std::vector<int> columns, sectors;
   bool operator==(const TreadSplit&) const = default;
 };
 
-/// Columns below the tread and sectors that touch on flat ground are split until none is longer,
-/// in the first millimeters' patch half of that around. Where any column is split, all are.
+/// Splits the columns below the tread and the sectors that touch flat ground until none is longer
+/// than `largest`; sectors in the patch of the first millimeters are split to half of `around`. If
+/// any column is split, all are.
 TreadSplit split_of(const TireDescription& tire, const TreadElements& largest);
 
-/// The same tire, split.
+/// Returns the tire with columns and sectors split.
 TireDescription with_split_tread(TireDescription tire, const TreadSplit& split);
 
 }  // namespace latsch::fe_tire

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The version of the finite-element tire and its rig. Raised whenever a tire of the same numbers
-// answers other than before, beyond rounding: trials of another version are not taken for this
-// one's. Before 2 none was kept.
+// Version of the finite-element tire and its rig. It is raised whenever a tire with the same
+// numbers gives other results, beyond rounding: trials of another version are not reused. Versions
+// before 2 stored no number.
 #pragma once
 
 namespace latsch::fe_tire {

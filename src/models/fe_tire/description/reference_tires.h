@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two passenger tires with the cords smeared, of which an independent program has computed
-// inflation, load-deflection and modes: the tires A and B of [Hempel & Oertel 2016] in size and
+// Two passenger tires with smeared cords, for which an independent program has computed inflation,
+// load-deflection curve and modes. They are tires A and B of [Hempel & Oertel 2016] in size and
 // number of elements, with assumed contours and moduli.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a section can exist at all. Every function returns the complaint, empty where all is
-// well.
+// Checks that a section can exist at all. Every function returns the complaint, or an empty text if
+// there is none.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace latsch::fe_tire {
 
-/// The wall crosses itself or folds over where it is thicker than it is curved.
+/// The wall must not cross itself or fold over where it is thicker than its radius of curvature.
 std::string wall_conflict(const Section& section);
 
-/// The ply leaves the wall somewhere along its extent.
+/// The ply must stay inside the wall along its whole extent.
 std::string ply_conflict(const Section& section, const CordPly& ply);
 
-/// Plies on which rows of elements meet are not in order, or too near to each other or to a face of
-/// the wall.
+/// Plies on which rows of elements meet must be in order and not too near to each other or to a
+/// face of the wall.
 std::string row_conflict(const Section& section);
 
 /// Largest radius and width of the outer face, m.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The columns of elements of a section as positions at which they end.
+// Columns of elements of a section, given by the positions at which they end.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,12 @@
 
 namespace latsch::fe_tire {
 
-/// Section::columns of any section, from 0 (crown) to 1 (bead): where its columns end. An odd
-/// number of them has one across the crown, which ends at the first position behind 0.
+/// Returns Section::columns of any section: the positions, from 0 (crown) to 1 (bead), where its
+/// columns end. If their number is odd, one column lies across the crown and ends at the first
+/// position behind 0.
 std::vector<double> columns_of(const Section& section);
 
-/// The tire with columns that end there.
+/// Returns the tire with columns that end at these positions.
 TireDescription with_columns(TireDescription tire, std::vector<double> columns);
 
 }  // namespace latsch::fe_tire

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which material goes where: the one numbering build_mesh and build_materials share.
+// Assignment of materials to elements: the numbering that build_mesh and build_materials share.
 #pragma once
 
 #include <vector>
@@ -17,13 +17,14 @@ class SectionPlan {
   int columns() const { return tire_.section.meridional; }
   int rows() const { return tire_.section.rows(); }
   bool inside(int row) const { return row < tire_.section.rows_inside; }
-  /// s in [-1, 1] of the column's middle; |s| is its position along the wall.
+  /// Returns s in [-1, 1] of the column's middle. |s| is its position along the wall.
   double middle(int column) const { return middles_[column]; }
 
-  /// Index into TireDescription::regions. Throws InputError where no region or two are.
+  /// Returns the index into TireDescription::regions. Throws InputError if an element has no region
+  /// or two.
   int region(int column, int row) const;
-  /// Index into Materials::solids: regions first, then the smeared columns, which are
-  /// `refined_column`s.
+  /// Returns the index into Materials::solids. Regions come first, then the smeared columns,
+  /// numbered by `refined_column`.
   int solid(int column, int row, int refined_column) const;
   bool smeared(int row) const { return tire_.cord_model == CordModel::smeared && inside(row); }
 
@@ -37,7 +38,8 @@ class SectionPlan {
 
  private:
   const TireDescription& tire_;
-  std::vector<double> middles_;  // of columns; a station takes Newton's method
+  std::vector<double> middles_;  // s of the columns' middles, stored because each takes Newton's
+                                 // method
   std::vector<std::vector<PlyHere>> plies_;
   int layers_ = 0;
 };

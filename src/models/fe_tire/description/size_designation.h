@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The size molded into a tire's sidewall and what it says about the section.
+// The size molded into a tire's sidewall and the section dimensions it stands for.
 //
 //   225/50R16      metric: nominal width 225 mm, height 50 % of it, radial, rim of 16 inches
 //   195/65R390     metric, rim in mm where it is 100 or more
@@ -9,10 +9,10 @@
 //   16x7.5-10      outer diameter, width, rim, all in inches; 138x41-84, 31x10.50R15LT
 //   1400x530R23    outer diameter and width in mm, rim in inches (aircraft)
 //
-// R is radial, with or without the letter of a speed before it (ZR, VR, HR, SR); -, D, B are bias.
-// Small letters, a multiplication sign for x, prefixes (P, LT, ST, T, C, IF, VF, H, B), marks close
-// behind the rim (LT, C, M/C) and service marks after a blank ("94W", "XL") are allowed and
-// ignored.
+// R means radial, also with the letter of a speed before it (ZR, VR, HR, SR); - and D and B mean
+// bias. Small letters, a multiplication sign in place of x, prefixes (P, LT, ST, T, C, IF, VF, H,
+// B), marks directly behind the rim (LT, C, M/C) and service marks after a blank ("94W", "XL") are
+// allowed and ignored.
 #pragma once
 
 #include <optional>
@@ -26,20 +26,21 @@ struct SizeDesignation {
   double width = 0.0;           // m, nominal: of the section (metric) or of the tread (racing)
   double outer_diameter = 0.0;  // m, nominal, inflated and unloaded
   double rim_diameter = 0.0;    // m, nominal
-  bool metric = true;           // else all in inches
+  bool metric = true;           // false: all numbers are inches
   bool radial = true;
-  /// Relative deviations of a real tire that its designation allows; wide where it names no height.
+  /// Relative deviations of a real tire that its designation allows. They are wide if the
+  /// designation names no height.
   double diameter_tolerance = 0.02;
   double least_width = 0.94, most_width = 1.06;
 };
 
-/// Nothing where the text is no size designation.
+/// Returns nothing if the text is no size designation.
 std::optional<SizeDesignation> parse_size(const std::string& text);
 
-/// What is wrong with a section of this outer radius, overall width (m) and bead point for a tire
-/// of this size; empty where they agree. Tolerances: metric sizes follow the tire and rim
-/// standard's order of magnitude (diameter 2 %, width 6 %); a racing section is up to a third wider
-/// than its tread; sizes without a height name the diameter within 8 % (10.00R20: 1054 mm, 11R22.5:
+/// Returns what is wrong with a section of this outer radius, overall width (m) and bead point for
+/// a tire of this size; empty if they agree. Tolerances: metric sizes follow the order of magnitude
+/// of the tire and rim standard (diameter 2 %, width 6 %). A racing section is up to a third wider
+/// than its tread. Sizes without a height name the diameter within 8 % (10.00R20: 1054 mm, 11R22.5:
 /// 1054 mm, 18.4-38: 1750 mm, 40.00R57: 3594 mm).
 std::string size_conflict(const SizeDesignation& size,
                           double outer_radius,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A tire as its maker describes it: size, contour, thicknesses, cord layers, rubber regions.
 //
-// The section hangs on a reference line, the contour through its wall. Thicknesses are measured
-// from it along its normal, to the inside (toward the inflation gas) and to the outside. A place
-// along the wall is its `position`: arc length from the crown (0) to the bead (1), equal on both
-// sides.
+// The section is built around a reference line, the contour through its wall. Thicknesses are
+// measured from this line along its normal, to the inside (toward the inflation gas) and to the
+// outside. A place along the wall is given by its `position`: arc length from the crown (0) to the
+// bead (1), equal on both sides.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,8 @@
 
 namespace latsch::fe_tire {
 
-/// A length over the position along the wall, linear between its points, constant beyond them.
+/// A length as a function of the position along the wall: linear between its points, constant
+/// beyond them.
 struct WallProfile {
   std::vector<double> position;  // ascending, from 0 to 1
   std::vector<double> length;    // m
@@ -27,14 +28,15 @@ struct WallProfile {
   bool operator==(const WallProfile&) const = default;
 };
 
-/// A stretch of the wall on both sides of the tire, from <= position < to (the bead, 1, included).
+/// A stretch of the wall on both sides of the tire: from <= position < to. If `to` is 1, the bead
+/// is included.
 struct Extent {
   double from = 0.0, to = 1.0;
   bool contains(double q) const { return from <= q && (q < to || to >= 1.0); }
   bool operator==(const Extent&) const = default;
 };
 
-enum class Side { inside, outside, both };  // of the reference line
+enum class Side { inside, outside, both };  // side of the reference line
 
 struct Rubber {
   std::string name;
@@ -42,7 +44,7 @@ struct Rubber {
   double density = 0.0;  // kg/m^3
 };
 
-/// Where one rubber is: every element belongs to exactly one region.
+/// The part of the section that one rubber fills. Every element belongs to exactly one region.
 struct RubberRegion {
   std::string name;
   Extent extent;
@@ -56,35 +58,37 @@ struct CordPly {
   Extent extent;
   WallProfile offset = {{0.0}, {0.0}};  // from the reference line, positive outward
   CordLayer cords;
-  /// Built flat on a drum and lifted: the cords then keep cos(angle) / r, and their number around
-  /// the tire stays the same. Otherwise angle and thickness are the same everywhere.
+  /// True if the ply is built flat on a drum and lifted: its cords then keep cos(angle) / r and
+  /// their number around the tire. Otherwise angle and thickness are the same everywhere.
   bool lifted = false;
 };
 
 enum class CordModel {
-  rebar,    // cords at their own place inside the elements
-  smeared,  // anisotropic St. Venant-Kirchhoff inside the reference line: for comparison
+  rebar,    // cords at their true place inside the elements
+  smeared,  // anisotropic St. Venant-Kirchhoff inside the reference line, for comparison
 };
 
-/// Relative meridional length of the elements over the position along the wall, linear between its
-/// points; none: all the same. Short elements belong where the wall bends in a short distance: at
-/// the bead and on both sides of a belt's edge.
+/// Relative meridional length of the elements as a function of the position along the wall, linear
+/// between its points. Without points all elements have equal lengths. Short elements belong where
+/// the wall bends over a short distance: at the bead and on both sides of a belt's edge.
 struct SpacingProfile {
   std::vector<double> position;  // ascending, from 0 to 1
   std::vector<double> length;    // > 0
   bool operator==(const SpacingProfile&) const = default;
 };
 
-/// Equally wide sectors beside each other, counted from the contact upward, the same on both sides.
+/// A group of adjacent, equally wide sectors, counted from the contact upward, the same on both
+/// sides.
 struct SectorZone {
   int sectors = 1;
-  double width = 0.0;  // rad, of each
+  double width = 0.0;  // rad, width of each sector
   bool operator==(const SectorZone&) const = default;
 };
 
-enum class BeadClamp { whole, inside, outside };  // inside, outside: up to the reference line
+enum class BeadClamp { whole, inside, outside };  // rim holds the whole bead face, or its part on
+                                                  // this side of the line
 
-/// Everything the mesh depends on.
+/// The part of a tire's description that determines the mesh.
 struct Section {
   std::vector<MeridianPoint> contour;  // +y half of the reference line, crown to bead, m
   WallProfile inside, outside;         // thicknesses, > 0
@@ -92,37 +96,37 @@ struct Section {
   BeadClamp clamp = BeadClamp::whole;
   int meridional = 29, rows_inside = 1, rows_outside = 1, sectors = 60;  // elements
   SpacingProfile spacing;
-  /// Positions where columns end, from 0 (crown) to 1 (bead), meridional / 2 columns; none: as
-  /// `spacing` has them.
+  /// Positions where the meridional / 2 columns end, from 0 (crown) to 1 (bead). Empty: `spacing`
+  /// determines them.
   std::vector<double> columns;
-  /// Offsets of the plies on which rows of elements meet, from inside to outside: rows_inside rows
-  /// lie below the first, one between two neighbors, rows_outside above the last. None: rows meet
-  /// on the reference line. Behind `faces_to`, where the last of them ends that ends before the
-  /// bead, faces go over into equal parts of the wall outside the first one and end there: the
-  /// sidewall has one row outside it. The first face is the reference line there, or its ply if
-  /// that reaches the bead.
+  /// Offsets of the plies on which rows of elements meet, from inside to outside: `rows_inside`
+  /// rows lie below the first, one between two neighbors, `rows_outside` above the last. Empty:
+  /// rows meet on the reference line. `faces_to` is the position where the last of these plies ends
+  /// that does not reach the bead. Behind it the faces blend into equal parts of the wall outside
+  /// the first face and end, so that the sidewall has one row outside the first face. There the
+  /// first face is the reference line, or its ply if that ply reaches the bead.
   std::vector<WallProfile> faces;
   bool first_face_to_bead = false;
   double faces_to = 0.0;
-  /// Columns from the crown to where all rows but those of the sidewall end; none where the plies
-  /// reach the bead.
+  /// Number of columns from the crown to where all rows but those of the sidewall end; none if the
+  /// plies reach the bead.
   std::optional<double> crown_columns() const;
-  /// Positions, ascending, where columns end exactly, the nearest ones moved there: where plies and
-  /// rubbers end. None where columns are all alike.
+  /// Positions, ascending, where plies and rubbers end. The nearest ends of columns are moved
+  /// exactly there. Empty if all columns are alike.
   std::vector<double> ends;
-  /// Of the wall's half length, behind `faces_to`: over which faces go over.
+  /// Share of the wall's half length behind `faces_to` over which the faces blend.
   static constexpr double kFaceTransition = 0.08;
   int rows() const { return rows_inside + rows_between() + rows_outside; }
   int rows_between() const { return faces.empty() ? 0 : static_cast<int>(faces.size()) - 1; }
-  /// Offset at position q of the face below row k (0 to rows(), fractions too), m.
+  /// Offset at position q of the face below row k (0 to rows(), fractions allowed), m.
   double face(double q, double k) const;
-  /// Narrow sectors belong where the contact ends. The sectors not named here share the rest of the
-  /// ring; none named: all equally wide.
+  /// Zones of sectors. Narrow sectors belong where the contact ends. Sectors not named here share
+  /// the rest of the ring; if none is named, all are equally wide.
   std::vector<SectorZone> sector_zones;
-  /// theta of mesh.h, every sector split in `refinement`.
+  /// Returns theta of mesh.h with every sector split into `refinement` parts.
   std::vector<double> sector_planes(int refinement) const;
-  /// s in [-1, 1], |s| the position, of the end of column `column` (0 to meridional, fractions
-  /// too).
+  /// Returns s in [-1, 1] of the end of column `column` (0 to meridional, fractions allowed). |s|
+  /// is the position.
   double station(double column) const;
   bool operator==(const Section&) const = default;
 };
@@ -130,35 +134,37 @@ struct Section {
 struct TireDescription {
   std::string name;
   std::string size;       // designation, "225/50R16"
-  double pressure = 0.0;  // Pa, the usual one
+  double pressure = 0.0;  // Pa, nominal
   Section section;
   std::vector<Rubber> rubbers;
   std::vector<RubberRegion> regions;
   std::vector<CordPly> plies;
   CordModel cord_model = CordModel::rebar;
   ElementKind element = ElementKind::solid_shell;
-  Place place;  // of the file, for complaints
+  Place place;  // place of the description in its file, for complaints
 };
 
-/// Reads and checks a tire file; throws InputError naming file, line, found and expected.
+/// Reads and checks a tire file. Throws InputError naming file, line, found and expected.
 TireDescription read_tire(const Node& root);
 
-/// Into how many every element is split around the circumference, along and through the wall.
+/// Number of parts into which every element is split around the circumference, along and through
+/// the wall.
 struct Refinement {
   int around = 1, along = 1, through = 1;
   Refinement(int around, int along, int through) : around(around), along(along), through(through) {}
   Refinement(int all = 1) : Refinement(all, all, all) {}  // NOLINT: a number is a refinement
 };
 
-/// HEX8 mesh of the description. A refinement has its nodes on the true contour; materials, clamped
-/// and tread boundary stay those of the unrefined element. Throws InputError naming the element
-/// where the section folds over.
+/// Builds the HEX8 mesh of the description. A refinement has its nodes on the true contour;
+/// materials, clamped boundary and tread boundary stay those of the unrefined elements. Throws
+/// InputError naming the element at which the section folds over.
 Mesh build_mesh(const TireDescription& tire, Refinement refinement = 1);
 
-/// The materials in the numbering of build_mesh with the same refinement; cheap, for every trial.
+/// Builds the materials in the numbering of build_mesh with the same refinement. Cheap enough for
+/// every trial.
 Materials build_materials(const TireDescription& tire, Refinement refinement = 1);
 
-/// Whether both give the same mesh, so that what was prepared for one serves the other.
+/// True if both descriptions give the same mesh, so that results prepared for one serve the other.
 bool same_mesh(const TireDescription& a, const TireDescription& b);
 
 }  // namespace latsch::fe_tire

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an element is made of, ready for its kernel: laws, cord layers laid into its shape. Made
-// once for all sectors of a width, whenever shapes or materials change.
+// Laws and cord layers of an element in the form its kernel needs. Built once for all sectors of a
+// width, whenever shapes or materials change.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ namespace latsch::fe_tire {
 struct CordSheet {
   struct Point {
     double W[3][3];  // strain e = (sum W_mn y_m . y_n - 1) / 2 of the displacements
-    double p[2];     // what the solid's alpha_0 and alpha_1 add to it
+    double p[2];     // addition by the solid's alpha_0 and alpha_1
     double dV;       // m^3 of cord
   };
   double zeta;  // y = (x_1 + zeta x_13, x_2 + zeta x_23, x_12 + zeta x_123)
@@ -23,10 +23,10 @@ struct CordSheet {
 };
 
 struct ElementLaw {
-  static constexpr int kCordLayers = 12;  // at most
+  static constexpr int kCordLayers = 12;  // largest number of layers
 
   const HexShape* shape = nullptr;
-  bool linear = false;  // St. Venant-Kirchhoff: D; otherwise rubber
+  bool linear = false;  // true: St. Venant-Kirchhoff with D, false: rubber
   Hyperelastic rubber;
   double D[6][6] = {};
   double relaxation = 0.0;  // Pa, stiffens the solid-shell's gradients of the thickness strain
@@ -34,10 +34,10 @@ struct ElementLaw {
   EdgeTie tie;
 };
 
-/// The shape must outlive the law. Throws InputError for more than kCordLayers layers.
+/// The shape must outlive the law. Throws InputError if there are more than kCordLayers layers.
 ElementLaw element_law(const HexShape& shape, const Materials& materials, const Element& element);
 
-/// The layers of an element laid into its shape.
+/// Returns the cord layers of an element placed in its shape.
 std::vector<CordSheet> cord_sheets(const HexShape& shape,
                                    const Materials& materials,
                                    const Element& element);

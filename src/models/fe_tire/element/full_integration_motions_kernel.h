@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strains of the comparison element along motions, and (M.3) of hex8_motions.h of its solid.
+// Strains of the comparison element along motions, and (M.3) of hex8_motions.h for its solid.
 //
-// Read once a kernel set, by hex8_kernels.h alone.
+// Included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_FULL_INTEGRATION_MOTIONS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_FULL_INTEGRATION_MOTIONS
 #undef LATSCH_FE_TIRE_FULL_INTEGRATION_MOTIONS
@@ -13,7 +13,7 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-/// F of a point of the comparison element, [row i][column k].
+/// Computes F at a point of the comparison element, [row i][column k].
 LATSCH_INLINE void gradient(const double (*dN)[8], const V* x, V (*F)[3]) {
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) {
@@ -23,7 +23,7 @@ LATSCH_INLINE void gradient(const double (*dN)[8], const V* x, V (*F)[3]) {
     }
   }
 }
-/// Strain of F^T G, symmetric part twice where `whole`: as engineering strains.
+/// Computes the symmetric part of F^T G as engineering strains: E_kk once, shear components twice.
 LATSCH_INLINE void strain_of(const V (*F)[3], const V (*G)[3], V* E) {
   for (int r = 0; r < 6; ++r) {
     const int k = voigt::kRow[r], l = voigt::kColumn[r];
@@ -36,7 +36,7 @@ LATSCH_INLINE void strain_of(const V (*F)[3], const V (*G)[3], V* E) {
   }
 }
 
-/// (M.3) of the comparison element, solid alone.
+/// Computes (M.3) of the comparison element's solid.
 void curve_full_integration(const ElementLaw& law, const V* x, const V* phi, NodalSums& sums) {
   const HexShape& shape = *law.shape;
   for (int q = 0; q < kPoints; ++q) {

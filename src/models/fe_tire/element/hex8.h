@@ -16,25 +16,24 @@ using Matrix24 = Eigen::Matrix<double, 24, 24>;
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
 enum class ElementKind {
-  full_integration,  // 2x2x2 displacement element, CalculiX' C3D8: for comparison, it locks
-  solid_shell,       // the default: assumed and enhanced strains, see
-                     // hex8_solid_shell_kernel.h
+  full_integration,  // 2x2x2 displacement element, CalculiX' C3D8: for comparison, because it locks
+  solid_shell,       // the default, with assumed and enhanced strains: hex8_solid_shell_kernel.h
 };
 
-/// Everything about an element that does not change with the displacement: gradients, weights,
-/// strain operators. Built once a mesh for every element of a sector.
+/// Quantities of an element that do not change with the displacement: gradients, weights, strain
+/// operators. Built once per mesh for every element of a sector.
 struct HexShape;  // hex8_shape.h, a plain value of fixed size
-/// From the reference coordinates [3 x 8], m, of the element's corners; `wall`: Element::wall.
+/// Takes the reference coordinates [3 x 8], m, of the element's corners. `wall`: Element::wall.
 HexShape make_shape(ElementKind kind, const Matrix38& X, double wall = 0.0);
 
-/// Enhanced strain parameters an element kind keeps between evaluations (a warm start only, not
-/// history).
+/// Number of enhanced strain parameters that an element kind stores between evaluations. They are
+/// only a starting point of the inner solution, not a history.
 int internal_parameters(ElementKind kind);
 
-/// Internal forces f = dW/du and, where K is given, the symmetric tangent K = d2W/du2 of one
-/// element of displacement u (sector frame, m); W includes rebars. alpha: internal_parameters(kind)
-/// numbers, solved inside from the values given and returned condensed. False where an integration
-/// point is inverted or the inner solution fails; f, K then void.
+/// Computes internal forces f = dW/du and, if K is not null, the symmetric tangent K = d2W/du2 of
+/// one element with displacement u (sector frame, m). W includes rebars. alpha:
+/// internal_parameters(kind) numbers, solved from the values given; f and K are condensed. Returns
+/// false if an integration point is inverted or the inner solution fails; f and K are then void.
 bool evaluate(const HexShape& shape,
               const Materials& materials,
               const Element& element,
@@ -43,8 +42,9 @@ bool evaluate(const HexShape& shape,
               Vector24& f,
               Matrix24* K);
 
-/// Mass [kg] between nodes, the same in all three directions, rebars included; consistent for
-/// full_integration, the average of consistent and lumped along the wall for the solid-shell.
+/// Returns the mass [kg] between nodes, the same in all three directions, rebars included. It is
+/// consistent for full_integration, and the average of consistent and lumped along the wall for the
+/// solid-shell.
 Matrix8 mass(const HexShape& shape, const Materials& materials, const Element& element);
 
 }  // namespace latsch::fe_tire

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forces and stiffness of the cord layers inside elements: equations (1) to (4) of hex8_rebar.cpp,
-// law of cord_law.h. A layer's y are modal vectors of the element:
+// law of cord_law.h. The y of a layer are combinations of the element's modal vectors:
 //   y_1 = x_1 + zeta x_13,  y_2 = x_2 + zeta x_23,  y_12 = x_12 + zeta x_123
 //
-// Read once a kernel set, by hex8_kernels.h alone.
+// Included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_CORDS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_CORDS
 #undef LATSCH_FE_TIRE_HEX8_CORDS
@@ -22,7 +22,7 @@ inline constexpr int kThrough[3] = {solid_shell::k13, solid_shell::k23, solid_sh
 template <class V>
 struct CordsOf {
   struct Point {
-    V e, S, tangent;  // strain of the displacements; Pa, of the whole strain
+    V e, S, tangent;  // strain of the displacements; Pa, at the total strain
   };
   struct Sheet {
     V y[3][3];  // [m][i], m
@@ -37,7 +37,7 @@ struct CordsOf {
 
 using Cords = CordsOf<V>;
 
-/// Sets y and e at the modal vectors x[m][i].
+/// Sets y and e for the modal vectors x[m][i].
 LATSCH_INLINE void follow(const V (*x)[3], Cords& cords) {
   for (int k = 0; k < cords.count(); ++k) {
     const CordSheet& law = cords.laws[k];
@@ -61,7 +61,7 @@ LATSCH_INLINE void follow(const V (*x)[3], Cords& cords) {
   }
 }
 
-/// The law: S and dS/de at the strain e.
+/// The cord law: S and dS/de at the strain e.
 LATSCH_INLINE void stretch(const CordLayer& layer, const V& e, V& S, V& tangent) {
   constexpr double w = kCordTransition;
   const double half = 0.5 * (layer.E_tension - layer.E_compression);
@@ -70,7 +70,7 @@ LATSCH_INLINE void stretch(const CordLayer& layer, const V& e, V& S, V& tangent)
   tangent = half * (1.0 + e / root) + layer.E_compression;
 }
 
-/// Sets the stresses at alpha_0, alpha_1.
+/// Sets the stresses for alpha_0, alpha_1.
 LATSCH_INLINE void stretch(Cords& cords, const V& alpha_0, const V& alpha_1) {
   for (int k = 0; k < cords.count(); ++k) {
     const CordSheet& law = cords.laws[k];
@@ -83,7 +83,7 @@ LATSCH_INLINE void stretch(Cords& cords, const V& alpha_0, const V& alpha_1) {
   }
 }
 
-/// de / dy_m of a point.
+/// Computes de / dy_m at a point.
 template <class V>
 LATSCH_INLINE void strain_operator(const CordSheet::Point& law, const V (*y)[3], V (*b)[3]) {
   for (int m = 0; m < 3; ++m) {
@@ -131,8 +131,8 @@ LATSCH_INLINE void add_pair(const V& k, double zeta, int m, int n, bool whole, V
   add(kThrough[m], kThrough[n], zeta * k_zeta);
 }
 
-/// `coupling` [alpha][direction][modal vector], where given, receives the stiffness between
-/// alpha_0, alpha_1 and the element.
+/// If `coupling` [alpha][direction][modal vector] is not null, the stiffness between alpha_0,
+/// alpha_1 and the element is added to it.
 template <class V>
 void add_stiffness(const CordsOf<V>& cords, ModalSumsOf<V>& sums, V (*coupling)[3][kModes]) {
   for (int k = 0; k < cords.count(); ++k) {

@@ -3,10 +3,10 @@
 //   F = x dN^T,  E = (F^T F - 1) / 2
 //   f = sum dV dN^T F S
 //   K(a i, b j) = sum dV dN_a^T (B_i^T D B_j + S delta_ij) dN_b,  B_i = dE / dF_i
-// For comparison: it locks in shear, in thickness bending and for nearly incompressible rubber.
-// [Bathe 1996] Finite Element Procedures, section 6.3.5.
+// Used for comparison: it locks in shear, in thickness bending and for nearly incompressible
+// rubber. [Bathe 1996] Finite Element Procedures, section 6.3.5.
 //
-// Read once a kernel set, by hex8_kernels.h alone.
+// Included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_FULL_INTEGRATION) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_FULL_INTEGRATION
 #undef LATSCH_FE_TIRE_HEX8_FULL_INTEGRATION
@@ -18,14 +18,15 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-/// B_i^T v of a stress-like v: rows of F's row i, columns of Voigt order.
+/// Computes B_i^T v of a stress-like v. F is row i of the deformation gradient; columns of B_i are
+/// in Voigt order.
 LATSCH_INLINE void times_strain_operator(const V* F, const V* v, V* product) {
   product[0] = F[0] * v[0] + (F[1] * v[3] + F[2] * v[5]);
   product[1] = F[0] * v[3] + (F[1] * v[1] + F[2] * v[4]);
   product[2] = F[0] * v[5] + (F[1] * v[4] + F[2] * v[2]);
 }
 
-/// C[K][L] = B_i^T D B_j.
+/// Computes C[K][L] = B_i^T D B_j.
 LATSCH_INLINE void moduli(const V (*D)[6], const V* F_i, const V* F_j, V (*C)[3]) {
   V DB[3][6];
   for (int r = 0; r < 6; ++r) {
@@ -66,7 +67,7 @@ LATSCH_INLINE void add_point_stiffness(
   }
 }
 
-/// Adds to the sums of the nodes at x[3 a + i]; void where it fails.
+/// Adds to the sums for nodes at x[3 a + i]. In lanes that fail, the sums are void.
 Mask add_full_integration(const ElementLaw& law, bool stiffness, const V* x, NodalSums& sums) {
   using voigt::kColumn, voigt::kRow;
   const HexShape& shape = *law.shape;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A register full of elements from beginning to end: laws, pressure, the next sector's frame.
+// Complete evaluation of a register of elements: laws, pressure, the next sector's frame.
 #include "models/fe_tire/element/hex8_full_integration_kernel.h"
 #include "models/fe_tire/element/pressure_kernel.h"
 
@@ -12,14 +12,14 @@ LATSCH_INLINE void turn_pair(const ElementSurroundings& around, V& x, V& z) {
   x = turned_x;
 }
 
-/// Turns forces of the nodes `around.turned` by Q^T.
+/// Turns forces on the nodes `around.turned` by Q^T.
 LATSCH_INLINE void turn_forces(const ElementSurroundings& around, NodalSums& sums) {
   for (int a = 0; a < 8; ++a) {
     if (around.turned >> a & 1) turn_pair(around, sums.f[3 * a], sums.f[3 * a + 2]);
   }
 }
 
-/// The same of stiffness.
+/// Turns the stiffness of these nodes.
 void turn_stiffness(const ElementSurroundings& around, NodalSums& sums) {
   const auto at = [&](int row, int column) -> V& {
     return sums
@@ -43,7 +43,7 @@ void turn_stiffness(const ElementSurroundings& around, NodalSums& sums) {
   }
 }
 
-/// A solid-shell, from which its stiffness follows.
+/// State of a solid-shell from which its stiffness is computed.
 template <class V>
 struct ElementState {
   SolidShellState<V> shell;
@@ -52,7 +52,7 @@ struct ElementState {
   explicit ElementState(const ElementLaw& law) : cords(law.cords) {}
 };
 
-/// Takes lanes `first` ... of a register.
+/// Rounds a register's lanes into lanes `first` ... of the batch's state.
 LATSCH_INLINE void round(const ElementState<V>& from, int first, ElementState<F>& to) {
   round(from.shell, first, to.shell);
   for (int k = 0; k < from.cords.count(); ++k) {
@@ -60,7 +60,7 @@ LATSCH_INLINE void round(const ElementState<V>& from, int first, ElementState<F>
   }
 }
 
-/// Stiffness of the nodes from that of the modal vectors, that of the pressure with it.
+/// Computes the nodes' stiffness, pressure included, from that of the modal vectors.
 void finish_stiffness(const ElementLaw& law,
                       const ElementSurroundings& around,
                       const ModalSums& modal,
@@ -79,7 +79,7 @@ void finish_stiffness(const ElementLaw& law,
   for (int n = 0; n < ElementBatch::kEntries; ++n) sums.K[n].save(batch.K[n] + first);
 }
 
-/// Stiffness of solid and cords.
+/// Sums the stiffness of solid and cords.
 template <class V>
 LATSCH_INLINE void sum_stiffness(const Operators<V>& operators,
                                  const ElementState<V>& state,
@@ -89,9 +89,10 @@ LATSCH_INLINE void sum_stiffness(const Operators<V>& operators,
   add_stiffness<V>(operators, shell.k, shell.inner, shell.t, state.cords, modal);
 }
 
-/// Only the sums by modal vectors are in single precision: of what comes to the nodes from there in
-/// double, a translation of the element feels nothing at all, as it has to be where the stiffness
-/// of a tire is many thousand times less than that of its elements.
+/// Computes the stiffness with sums over modal vectors in single precision. The nodes' entries
+/// follow from these sums in double precision, so a translation of the element causes no force at
+/// all. This is necessary because the stiffness of a tire is many thousand times less than that of
+/// its elements.
 void find_rough_stiffness(const ElementLaw& law,
                           const ElementSurroundings& around,
                           const ElementState<F>& state,
@@ -107,7 +108,8 @@ void find_rough_stiffness(const ElementLaw& law,
   }
 }
 
-/// Forces, and stiffness where it is to be exact; `rough`, where given, receives the state.
+/// Computes forces, and stiffness if it is to be exact. If `rough` is not null, it receives the
+/// state.
 unsigned evaluate_solid_shell(const ElementLaw& law,
                               const ElementSurroundings& around,
                               int first,
@@ -193,7 +195,7 @@ unsigned evaluate_batch(const ElementLaw& law,
   return valid;
 }
 
-/// S and dS/de.
+/// Computes S and dS/de.
 void cord_at(const CordLayer& layer, double e, double* S, double* tangent) {
   V stress, slope;
   stretch(layer, e, stress, slope);
@@ -204,7 +206,7 @@ void cord_at(const CordLayer& layer, double e, double* S, double* tangent) {
   *tangent = lanes[0];
 }
 
-/// Of one face.
+/// Computes force and stiffness of the pressure on one face.
 void pressure_at(const double* x, double p, double* f, double* K) {
   NodalSums sums;
   for (V& v : sums.f) v = 0.0;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Elements side by side, one in each lane of a register (numerics/kernels/kernel_registers.h).
 //
-// Lanes never meet: no sum runs across them and nothing that is stored depends on a neighbor. So an
-// element has the same bits in whichever lane, beside whatever neighbors, in registers of four or
-// of eight. A register rather than eight lanes at once, because tiles of a product are held in
-// them: sixteen of AVX2 hold a tile of three by four.
+// Lanes do not interact: no sum runs across them and no stored value depends on a neighbor. So an
+// element has the same bits in any lane, beside any neighbors, in registers of four or of eight. V
+// is one register, not all eight lanes, because tiles of a product are held in registers: the
+// sixteen of AVX2 hold a tile of three by four.
 //
-// Read once a kernel set, by hex8_kernels.h alone.
+// Included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_LANES) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_LANES
 #undef LATSCH_FE_TIRE_HEX8_LANES
@@ -27,7 +27,7 @@ using V = latsch::LATSCH_KERNELS::Register4;
 using V = latsch::LATSCH_KERNELS::Register2;
 #endif
 using Mask = V::Mask;
-/// All lanes of a batch, for what may be rough.
+/// All lanes of a batch in single precision, for results of low accuracy.
 using F = latsch::LATSCH_KERNELS::Floats8;
 static_assert(F::kWidth == ElementBatch::kLanes);
 
@@ -43,7 +43,7 @@ LATSCH_INLINE void round(const V& v, float* p) {
   for (int lane = 0; lane < V::kWidth; ++lane) p[lane] = static_cast<float>(v.v[lane]);
 #endif
 }
-/// Floats of a register's lanes as doubles.
+/// Converts a register's worth of floats to doubles.
 LATSCH_INLINE V widened(const float* p) {
 #if LATSCH_KERNEL_WIDTH == 8
   return _mm512_maskz_cvtps_pd(V::kEvery, _mm256_loadu_ps(p));
@@ -53,7 +53,7 @@ LATSCH_INLINE V widened(const float* p) {
   return latsch::LATSCH_KERNELS::Doubles2{p[0], p[1]};
 #endif
 }
-/// Arrays and what consists of V: its lanes `first` ... of the same of F.
+/// Rounds arrays, and structures that consist of V, into lanes `first` ... of the corresponding F.
 template <class Exact, class Rough>
 LATSCH_INLINE void round(const Exact& from, int first, Rough& to) {
   constexpr std::size_t kCount = sizeof(Exact) / sizeof(V);
@@ -63,7 +63,7 @@ LATSCH_INLINE void round(const Exact& from, int first, Rough& to) {
   for (std::size_t k = 0; k < kCount; ++k) round(v[k], p + k * F::kWidth);
 }
 
-/// Bits of the lanes where the mask holds.
+/// Returns a bit for each lane in which the mask is true.
 LATSCH_INLINE unsigned lanes_of(const Mask& mask) {
   double chosen[V::kWidth];
   select(mask, V(1.0), V(0.0)).save(chosen);
@@ -76,11 +76,12 @@ LATSCH_INLINE Mask negated(const Mask& mask) { return select(mask, V(0.0), V(1.0
 
 LATSCH_INLINE V dot(const V* a, const V* b) { return a[0] * b[0] + (a[1] * b[1] + a[2] * b[2]); }
 
-/// a^(-1/3), a > 0, within a few units in the last place: two steps of order four from a value
-/// within 4 per cent, which dividing the exponent by three gives. With y = 1 - a r^3, a^(-1/3) =
-/// r (1 - y)^(-1/3).
+/// Returns a^(-1/3), a > 0, within a few units in the last place, by two steps of order four. They
+/// start from a value within 4 percent, obtained by dividing the exponent by three. With y = 1 - a
+/// r^3, a^(-1/3) = r (1 - y)^(-1/3).
 LATSCH_INLINE V inverse_cube_root(const V& a) {
-  constexpr std::uint64_t kFromWord = 0x553ef00000000000;  // least largest error over [1, 8)
+  constexpr std::uint64_t kFromWord = 0x553ef00000000000;  // minimizes the largest error over [1,
+                                                           // 8)
   double values[V::kWidth];
   a.save(values);
   for (double& value : values) {

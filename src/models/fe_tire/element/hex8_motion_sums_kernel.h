@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums (M.4) of hex8_motions.h over elements with other numbers, in both elements: strains are
-// those of the state and of its motions, held, and are found once for all numbers of one shape.
+// Sums (M.4) of hex8_motions.h over elements with other numbers, for both element kinds. The
+// strains of the state and of its held motions are computed once for all numbers that keep the
+// shape.
 //
-// Read once a kernel set, by hex8_kernels.h alone.
+// Included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_MOTION_SUMS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_MOTION_SUMS
 #undef LATSCH_FE_TIRE_HEX8_MOTION_SUMS
@@ -16,8 +17,8 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-/// Strains at the points of one shape: of the state E, of the motions first and second derivatives
-/// as (M.4) takes them.
+/// Strains at the points of one shape: E of the state, and first and second derivatives along the
+/// motions as used in (M.4).
 struct MotionStrains {
   V x[24], modal[kModes][3], alpha[kEnhanced], E[kPoints][6];
   struct Motion {
@@ -98,7 +99,7 @@ void strains_at(const ElementLaw& law,
   }
 }
 
-/// The solid's share of (M.4).
+/// Adds the solid's part of (M.4).
 void sum_solid(const ElementLaw& law,
                std::span<const ElementMotion> motions,
                const MotionStrains& at,
@@ -176,8 +177,8 @@ void sum_cords(const ElementLaw& law,
   }
 }
 
-/// The gas' share: forces f are homogeneous of second order, so Df[phi] = f(x + phi) - f(x) -
-/// f(phi).
+/// Adds the gas' part of (M.4). Its forces f are homogeneous of second order, so Df[phi] = f(x +
+/// phi) - f(x) - f(phi).
 void sum_gas(const ElementLaw& law,
              double pressure,
              unsigned open_edges,
@@ -234,7 +235,7 @@ void sum_motions_of_batch(std::span<const VariedElement> varied,
   }
 }
 
-/// The same with a place for the strains.
+/// Calls sum_motions_of_batch() with storage for the strains.
 void sum_motions_batch(std::span<const VariedElement> varied,
                        unsigned open_edges,
                        const ElementBatch& batch,

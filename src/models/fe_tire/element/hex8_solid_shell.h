@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The default element: what of it is the same at every displacement. Its equations are in
+// Quantities of the default element that do not depend on the displacement. The equations are in
 // hex8_solid_shell_kernel.h.
 #pragma once
 
@@ -11,14 +11,14 @@ namespace latsch::fe_tire {
 SolidShellShape make_solid_shell_shape(const Matrix38& X, double wall = 0.0);
 SolidShellOperators<float> rounded(const SolidShellOperators<double>& operators);
 
-/// What is left of the shear stiffness along eta in an element of length h of a rubber wall of
-/// thickness t: a straight element has one curvature, a wall under a shear force one that changes
-/// along it, which is as much flexibility as h^2 / 12 D in shear [MacNeal 1978, Comput. Struct. 8].
-/// At least half.
+/// Returns the factor, at least one half, by which the shear stiffness along eta is reduced in an
+/// element of length h of a rubber wall of thickness t. A straight element has one curvature,
+/// whereas a wall under a shear force has a curvature that varies along it; this adds the
+/// flexibility h^2 / 12 D in shear [MacNeal 1978, Comput. Struct. 8].
 double bending_of_shear(double h, double t);
 
-/// D of a composite wall layer with its transverse shear stiffness as one of `layer_rows` elements
-/// through the layer's thickness has to see it.
+/// Returns D of a composite wall layer with the transverse shear stiffness that one of `layer_rows`
+/// elements through the layer's thickness must have.
 Matrix6 layer_stiffness(const Matrix6& D, const SolidShellShape& shape, int layer_rows);
 
 }  // namespace latsch::fe_tire

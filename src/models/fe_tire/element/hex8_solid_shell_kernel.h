@@ -7,38 +7,24 @@
 //   e = x_m . x_n - X_m . X_n,  x = x_0 + x_1 xi + x_2 eta + ... + x_123 xi eta zeta            (3)
 //   z_m = x_m - F X_m,  c_mj = z_m . F a_j,  a_j: unit vectors along xi, across it, normal (4)
 //
-// E_c is the strain of the mean deformation gradient; e are the twelve coefficients of the
+// E_c is the strain of the mean deformation gradient. e are the twelve coefficients of the
 // convected strains in xi, eta, zeta that bending, twisting and tapering need
-// (hex8_solid_shell_modes.h), H E_c their values in a constant strain E_c, and A turns convected
-// strain at a point into Cartesian strain. What is left out is what locks: shear that varies along
-// its own direction (2 E_13 along xi, as in the assumed strains of Dvorkin and Bathe), in-plane
-// shear along xi and eta, and the thickness strain of a curved element's middle. Six and twelve
-// strains hold the 24 - 6 deformations exactly once: there is no hourglass mode and no hourglass
-// stiffness.
-//   Twelve modes with values and slopes zero in a constant strain and <A - <A>> = 0 pass every
-// patch test on any shape [Simo & Hughes 1986]; curved walls then stretch their nodes' thickness a
-// little instead of locking. The mean of the quadratic terms, w c c, is second order there too; it
-// keeps the tension of an inflated wall acting on the hourglass shapes. A square of c belongs into
-// E_11 or E_22 exactly where the strain that is linear in that c is kept: z_12 along xi (E_11),
-// across it (E_22) and along the normal (twist, both); z_13 along xi and across it (E_11), z_23
-// likewise (E_22). Where a shear is left out, leaning edges count as turned without strain, and
-// their square alone would dilate the element: pressure would then buckle long elements in turn,
-// from a pressure of the order of G (b/L)^2 on. For the same reason the thickness strain has none.
-//   alpha: E_11 along xi, E_22 along eta, E_33 along zeta, xi zeta and eta zeta (Poisson's
-// contraction in bending, in plane and through the thickness) and E_33 along xi, eta, xi eta.
-// Without the last three an element of fixed volume would tie the thickness of neighboring nodes to
-// its own in-plane strain. They are stiffened by the shear modulus, or nodes could move in and out
-// in turn.
-//   alpha solves sum dV P_alpha^T S = 0 by Newton's method, so f is the gradient and K the Hessian
-// of the condensed energy.
-//   [Simo & Rifai 1990, IJNME 29; Klinkel, Gruttmann & Wagner 1999, Comput. Struct. 71; Schwarze &
-// Reese 2009, IJNME 80] for enhanced strain in E and for the Taylor expansion.
+// (hex8_solid_shell_modes.h). H E_c are their values in a constant strain E_c, and A turns
+// convected strain at a point into Cartesian strain. The omitted strains are those that lock: shear
+// that varies along its own direction (2 E_13 along xi, as in the assumed strains of Dvorkin and
+// Bathe), in-plane shear along xi and eta, and the thickness strain of a curved element's middle.
+// Six and twelve strains represent the 24 - 6 deformations exactly once: there is no hourglass mode
+// and no hourglass stiffness.
+//   The twelve modes have zero values and slopes in a constant strain, and <A - <A>> = 0, so elements of any shape pass every patch test [Simo & Hughes 1986]. Curved walls then stretch their nodes' thickness a little instead of locking. The mean of the quadratic terms, w c c, is of second order there too; it keeps the tension of an inflated wall acting on the hourglass shapes. The square of a c belongs in E_11 or E_22 exactly if the strain that is linear in that c is kept: z_12 along xi (E_11), across it (E_22) and along the normal (twist, both); z_13 along xi and across it (E_11); z_23 along xi and across it (E_22). If a shear is omitted, leaning edges count as turned without strain, and their square alone would dilate the element: pressure of the order of G (b/L)^2 or more would then buckle long elements alternately. For the same reason the thickness strain has no such squares.
+//   alpha: E_11 along xi, E_22 along eta, E_33 along zeta, xi zeta and eta zeta (Poisson's contraction in bending, in plane and through the thickness) and E_33 along xi, eta, xi eta. Without the last three an element of fixed volume would tie the thickness of neighboring nodes to its own in-plane strain. These three are stiffened by the shear modulus; otherwise nodes could move alternately in and out.
+//   alpha solves sum dV P_alpha^T S = 0 by Newton's method, so f is the gradient and K the Hessian of the condensed energy.
+//   Enhanced strain in E and the Taylor expansion follow [Simo & Rifai 1990, IJNME 29; Klinkel, Gruttmann & Wagner 1999, Comput. Struct. 71; Schwarze & Reese 2009, IJNME 80].
 //
-// Forces and stiffness are summed up in the modal vectors (hex8_sums.h), where b and gamma are
-// short sums and every coefficient of e is a product of two vectors. Products with P, 48 x 26
-// numbers, are most of the work; they are the same for all lanes.
+// Forces and stiffness are summed in the modal vectors (hex8_sums.h), where b and gamma are short
+// sums and every coefficient of e is a product of two vectors. Products with P, 48 x 26 numbers,
+// are most of the work; P is the same for all lanes.
 //
-// Read once a kernel set, by hex8_kernels.h alone.
+// Included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_SOLID_SHELL) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_SOLID_SHELL
 #undef LATSCH_FE_TIRE_HEX8_SOLID_SHELL
@@ -58,12 +44,13 @@ inline constexpr int kEnhanced = SolidShellShape::kEnhanced;
 inline constexpr int kSquareCount = SolidShellShape::kSquares;
 inline constexpr int kStrains = SolidShellShape::kStrains;
 inline constexpr int kColumns = SolidShellShape::kColumns;
-inline constexpr double kInnerTolerance = 1e-9;  // strain; what is left of alpha enters f
+inline constexpr double kInnerTolerance = 1e-9;  // strain; the remaining error of alpha enters f
                                                  // quadratically
-inline constexpr double kLastStep = 1e-6;        // strain; the step after one this small meets it
+inline constexpr double kLastStep = 1e-6;        // strain; the step after one this small meets
+                                                 // kInnerTolerance
 inline constexpr int kInnerIterations = 15;
 
-/// Where the element is: F = [f_1 f_2 f_3], hourglass vectors z_m (not z_123) and their c.
+/// Position of the element: F = [f_1 f_2 f_3], hourglass vectors z_m (not z_123) and their c.
 template <class V>
 struct KinematicsOf {
   V F[3][3];  // [column][i]
@@ -73,11 +60,11 @@ struct KinematicsOf {
 
 using Kinematics = KinematicsOf<V>;
 
-/// Numbers of the shape that go with V.
+/// The shape's numbers in the precision of V.
 template <class V>
 using Operators = SolidShellOperators<typename V::Constant>;
 
-/// False where the mean deformation turns the element inside out.
+/// Returns false in lanes where the mean deformation turns the element inside out.
 LATSCH_INLINE Mask follow(const SolidShellShape& s, Kinematics& k) {
   for (int j = 0; j < 3; ++j) {
     for (int i = 0; i < 3; ++i) {
@@ -100,7 +87,7 @@ LATSCH_INLINE Mask follow(const SolidShellShape& s, Kinematics& k) {
   return dot(F[0], minors) > V(s.volume > 0.0 ? 0.0 : HUGE_VAL);
 }
 
-/// (E_c, e), equations (2) and (3).
+/// Computes (E_c, e), equations (2) and (3).
 LATSCH_INLINE void generalized_strains(const SolidShellShape& s, const Kinematics& k, V* g) {
   using voigt::kColumn, voigt::kRow;
   for (int r = 0; r < 6; ++r) {
@@ -115,7 +102,7 @@ LATSCH_INLINE void generalized_strains(const SolidShellShape& s, const Kinematic
   for (const auto& [e, m, n] : kPairs) g[6 + e] += dot(k.x[m], k.x[n]);
 }
 
-/// dc = Dc dx, [square][direction][modal vector].
+/// Sets Dc, with dc = Dc dx, [square][direction][modal vector].
 template <class V>
 void hourglass_operator(const Operators<V>& s, const KinematicsOf<V>& k, V (*Dc)[3][kModes]) {
   for (int q = 0; q < kSquareCount; ++q) {
@@ -128,7 +115,7 @@ void hourglass_operator(const Operators<V>& s, const KinematicsOf<V>& k, V (*Dc)
   }
 }
 
-/// dE_c = B dx; de is as short as equation (3).
+/// Sets B, with dE_c = B dx. de is not stored because equation (3) is as short.
 template <class V>
 void strain_operator(const Operators<V>& s,
                      const KinematicsOf<V>& k,
@@ -151,7 +138,7 @@ void strain_operator(const Operators<V>& s,
   }
 }
 
-/// f += B^T t
+/// Adds B^T t to f.
 void add_forces(const SolidShellShape& s, const Kinematics& k, const V* t, ModalSums& sums) {
   V T[kSquareCount];
   for (int q = 0; q < kSquareCount; ++q) {
@@ -186,8 +173,9 @@ void add_forces(const SolidShellShape& s, const Kinematics& k, const V* t, Modal
   }
 }
 
-/// Second derivative of the generalized strains times their stresses t: TDc is what the squares
-/// have of it, T Dc^T Dc; the rest, the same in all directions, is added here.
+/// Computes the second derivative of the generalized strains times their stresses t. TDc receives
+/// the part of the squares, T in T Dc^T Dc; the remaining part, the same in all directions, is
+/// added here.
 template <class V>
 void add_stress_stiffness(const Operators<V>& s,
                           const KinematicsOf<V>& k,
@@ -230,8 +218,9 @@ void add_stress_stiffness(const Operators<V>& s,
   }
 }
 
-/// L D L^T of a symmetric matrix in place (unit L below the diagonal); false where a pivot
-/// vanishes. Negative ones occur far from equilibrium, under hydrostatic tension beyond G.
+/// Factorizes a symmetric matrix in place as L D L^T (unit L below the diagonal). Returns false
+/// where a pivot vanishes. Negative pivots occur far from equilibrium, under hydrostatic tension
+/// beyond G.
 LATSCH_INLINE Mask factorize(V (*A)[kEnhanced]) {
   Mask regular = V(1.0) > V(0.0);
   for (int j = 0; j < kEnhanced; ++j) {
@@ -257,7 +246,7 @@ LATSCH_INLINE void solve(const V (*A)[kEnhanced], V* x) {
   }
 }
 
-/// Stresses and tangents at the points, times dV.
+/// Stresses and tangents at the points, times dV, and the tangent of alpha.
 template <class V>
 struct InnerOf {
   V S[8][6], D[8][6][6];
@@ -266,7 +255,7 @@ struct InnerOf {
 
 using Inner = InnerOf<V>;
 
-/// S and D at the strain E, times dV; false where det C <= 0.
+/// Computes S and D at the strain E, times dV. Returns false where det C <= 0.
 LATSCH_INLINE Mask stress(const ElementLaw& law, double dV, const V* E, V* S, V (*D)[6]) {
   V det;
   if (!law.linear) {
@@ -291,7 +280,7 @@ LATSCH_INLINE Mask stress(const ElementLaw& law, double dV, const V* E, V* S, V 
   return det > V(0.0);
 }
 
-/// Laws of all points at alpha; `compatible` are the strains without it.
+/// Evaluates the laws of all points at alpha; `compatible` are the strains without alpha.
 Mask stress_at(const ElementLaw& law, const V (*compatible)[6], const V* alpha, Inner& inner) {
   const SolidShellShape& s = law.shape->solid_shell;
   Mask valid = V(1.0) > V(0.0);
@@ -307,7 +296,7 @@ Mask stress_at(const ElementLaw& law, const V (*compatible)[6], const V* alpha, 
   return valid;
 }
 
-/// DP[p][c] = sum over r of D P, the columns first_column ... of P.
+/// Computes DP[p][c] = sum over r of D P, for the columns first_column ... of P.
 template <int columns, class V>
 LATSCH_INLINE void times_P(const Operators<V>& s,
                            const InnerOf<V>& inner,
@@ -337,7 +326,7 @@ LATSCH_INLINE void times_P(const Operators<V>& s,
   }
 }
 
-/// sum_p P[p][row + r] DP[p][c] for `rows` rows of P^T D P.
+/// Computes sum_p P[p][row + r] DP[p][c] for `rows` rows of P^T D P.
 template <int rows, int columns, class V, class Store>
 LATSCH_INLINE void times_P_transposed(const Operators<V>& s,
                                       int row,
@@ -362,7 +351,7 @@ LATSCH_INLINE void times_P_transposed(const Operators<V>& s,
   }
 }
 
-/// The tangent of alpha, P_alpha^T D P_alpha, its lower triangle.
+/// Computes the lower triangle of the tangent of alpha, P_alpha^T D P_alpha.
 template <class V>
 void tangent_of_alpha(const Operators<V>& s, const InnerOf<V>& inner, V (*A)[kEnhanced]) {
   for (int column = 0; column < kEnhanced; column += 2) {
@@ -376,7 +365,7 @@ void tangent_of_alpha(const Operators<V>& s, const InnerOf<V>& inner, V (*A)[kEn
   }
 }
 
-/// Residual of alpha, -P_alpha^T S.
+/// Computes the residual of alpha, -P_alpha^T S.
 LATSCH_INLINE void residual_of_alpha(const SolidShellShape& s, const Inner& inner, V* residual) {
   for (int j = 0; j < kEnhanced; ++j) residual[j] = 0.0;
   for (int q = 0; q < 8; ++q) {
@@ -388,7 +377,7 @@ LATSCH_INLINE void residual_of_alpha(const SolidShellShape& s, const Inner& inne
   }
 }
 
-/// S and the cords' S along the step of alpha.
+/// Extrapolates S and the cords' S along the step of alpha.
 LATSCH_INLINE void extrapolate(const SolidShellShape& s,
                                const V* step,
                                Cords& cords,
@@ -413,9 +402,9 @@ LATSCH_INLINE void extrapolate(const SolidShellShape& s,
   }
 }
 
-/// Newton's method for alpha. On return alpha is in equilibrium to first order, `inner` its last
-/// linearization and inner.S the stress extrapolated to that alpha. An element that has met the
-/// tolerance is evaluated again at the same alpha until its neighbors have.
+/// Solves for alpha by Newton's method. On return alpha is in equilibrium to first order, `inner`
+/// is its last linearization, and inner.S is the stress extrapolated to that alpha. An element that
+/// has met the tolerance is evaluated again at the same alpha until its neighbors have met it.
 LATSCH_INLINE Mask
 solve_alpha(const ElementLaw& law, const V* g, Cords& cords, V* alpha, Inner& inner) {
   const SolidShellShape& s = law.shape->solid_shell;
@@ -469,7 +458,7 @@ solve_alpha(const ElementLaw& law, const V* g, Cords& cords, V* alpha, Inner& in
   return valid & settled;
 }
 
-/// Tangents of the generalized strains, D, and between alpha and them, Da.
+/// Computes the tangent D of the generalized strains, and Da between alpha and them.
 template <class V>
 void tangents(const Operators<V>& s, const InnerOf<V>& inner, V (*D)[kStrains], V (*Da)[kStrains]) {
   for (int column = 0; column < kStrains; column += 3) {
@@ -489,7 +478,7 @@ void tangents(const Operators<V>& s, const InnerOf<V>& inner, V (*D)[kStrains], 
   }
 }
 
-/// rows x (B, d(e)/dx), `rows` being tangents of generalized strains.
+/// Multiplies `rows`, tangents of generalized strains, by (B, d(e)/dx).
 template <class V>
 void times_B(const V (*rows)[kStrains],
              int count,
@@ -513,7 +502,7 @@ void times_B(const V (*rows)[kStrains],
   }
 }
 
-/// K += (de/dx)^T DB of the rows of e.
+/// Adds (de/dx)^T DB of the rows of e to K.
 template <class V>
 void add_pairs(const V (*x)[3], const V (*DB)[3][kModes], ModalSumsOf<V>& sums) {
   for (int block = 0; block < 6; ++block) {
@@ -528,8 +517,8 @@ void add_pairs(const V (*x)[3], const V (*DB)[3][kModes], ModalSumsOf<V>& sums) 
   }
 }
 
-/// K_a <- L^-1 K_a and scaled = -(D of L D L^T)^-1 of it: what condensing alpha takes from K is
-/// the product of the two.
+/// Sets K_a <- L^-1 K_a and scaled = -D^-1 L^-1 K_a, with alpha's tangent L D L^T. The product of
+/// the two is what condensing alpha adds to K.
 template <class V>
 void condense(const InnerOf<V>& inner, V (*Ka)[3][kModes], V (*scaled)[3][kModes]) {
   for (int k = 0; k < kEnhanced; ++k) {
@@ -545,7 +534,7 @@ void condense(const InnerOf<V>& inner, V (*Ka)[3][kModes], V (*scaled)[3][kModes
   }
 }
 
-/// Adds stiffness of solid and cords; t are the stresses of the generalized strains.
+/// Adds the stiffness of solid and cords; t are the stresses of the generalized strains.
 template <class V>
 void add_stiffness(const Operators<V>& s,
                    const KinematicsOf<V>& k,
@@ -571,7 +560,7 @@ void add_stiffness(const Operators<V>& s,
   add_pairs<V>(k.x, DB, sums);
 }
 
-/// What forces and stiffness of an element are made of.
+/// Intermediate results from which forces and stiffness of an element are computed.
 template <class V>
 struct SolidShellState {
   KinematicsOf<V> k;
@@ -580,7 +569,7 @@ struct SolidShellState {
 };
 
 /// Adds forces of solid and cords at the modal vectors in state.k.x; alpha is solved from the
-/// values given. Where it fails, sums and state are void.
+/// values given. In lanes that fail, sums and state are void.
 Mask add_solid_shell_forces(
     const ElementLaw& law, SolidShellState<V>& state, Cords& cords, V* alpha, ModalSums& sums) {
   const SolidShellShape& s = law.shape->solid_shell;

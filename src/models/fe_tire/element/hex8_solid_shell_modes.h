@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The solid-shell's modal vectors and which of their products are strains.
+// Modal vectors of the solid-shell and their products that appear in its strains.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace latsch::fe_tire::solid_shell {
 
-/// x = x_0 + x_1 xi + x_2 eta + x_3 zeta + x_12 xi eta + x_23 eta zeta + x_13 xi zeta + x_123 xi
-/// eta zeta
+/// Position x = x_0 + x_1 xi + x_2 eta + x_3 zeta + x_12 xi eta + x_23 eta zeta + x_13 xi zeta
+///             + x_123 xi eta zeta
 enum Mode { k1, k2, k3, k12, k23, k13, k123 };
 
-/// Strain e += x_m . x_n - X_m . X_n
+/// Contribution to a strain: e += x_m . x_n - X_m . X_n.
 struct Pair {
   int e;
   Mode m, n;
@@ -44,7 +44,7 @@ struct Square {
 };
 inline constexpr Square kSquares[7] = {{0, 0}, {0, 1}, {0, 2}, {2, 0}, {2, 1}, {1, 0}, {1, 1}};
 
-/// x_m = sum_a x_a h_m[a]
+/// Returns the matrix h with x_m = sum_a x_a h_m[a].
 Eigen::Matrix<double, 7, 8> modal_matrix();
 
 }  // namespace latsch::fe_tire::solid_shell

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derivatives of the solid-shell's generalized strains along a motion, and of its forces, which are
-// those of hex8_solid_shell_kernel.h differentiated twice by the rule of products.
+// Derivatives along a motion of the solid-shell's generalized strains, and of its forces, which are
+// those of hex8_solid_shell_kernel.h differentiated twice by the product rule.
 //
-// Read once a kernel set, by hex8_kernels.h alone.
+// Included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_STRAIN_MOTIONS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_STRAIN_MOTIONS
 #undef LATSCH_FE_TIRE_HEX8_STRAIN_MOTIONS
@@ -14,8 +14,8 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-/// Strains at the points of `count` sets of generalized strains g and enhanced ones alpha; numbers
-/// of P are read once for all of them.
+/// Computes strains at the points for `count` sets of generalized strains g and enhanced strains
+/// alpha. Entries of P are read once for all sets.
 template <int count>
 LATSCH_INLINE void to_points(const SolidShellShape& s,
                              const V* const (&g)[count],
@@ -40,8 +40,9 @@ LATSCH_INLINE void to_points(const SolidShellShape& s,
   }
 }
 
-/// The transposed: what stresses S at the points, weighted, are to the generalized strains and to
-/// the enhanced ones. Sums of many columns are in registers together.
+/// Applies the transposed operator: adds the contributions of the weighted stresses S at the points
+/// to the stresses of the generalized and of the enhanced strains. Sums of many columns are kept in
+/// registers together.
 LATSCH_INLINE void from_points(const SolidShellShape& s, const V (*S)[6], V* t, V* alpha) {
   constexpr int kTogether = 9;
   static_assert(kStrains % kTogether == 0);
@@ -60,7 +61,8 @@ LATSCH_INLINE void from_points(const SolidShellShape& s, const V (*S)[6], V* t, 
   add(std::integral_constant<int, kEnhanced>(), kStrains, alpha);
 }
 
-/// First derivatives of the generalized strains along a motion, and of the squares' c.
+/// Computes first derivatives of the generalized strains, and of the c of the squares, along a
+/// motion.
 LATSCH_INLINE void first_strains(
     const SolidShellShape& s, const Kinematics& k, const Kinematics& m, V* c1, V* g) {
   using voigt::kColumn, voigt::kRow;
@@ -78,7 +80,7 @@ LATSCH_INLINE void first_strains(
   for (const auto& [e, a, b] : kPairs) g[6 + e] += dot(m.x[a], k.x[b]) + dot(k.x[a], m.x[b]);
 }
 
-/// Second derivatives along the motion.
+/// Computes second derivatives of the generalized strains along the motion.
 LATSCH_INLINE void second_strains(
     const SolidShellShape& s, const Kinematics& k, const Kinematics& m, const V* c1, V* g) {
   using voigt::kColumn, voigt::kRow;
@@ -94,7 +96,8 @@ LATSCH_INLINE void second_strains(
   for (const auto& [e, a, b] : kPairs) g[6 + e] += 2.0 * dot(m.x[a], m.x[b]);
 }
 
-/// Second derivative of f = B^T t along the motion; t[0], t[1], t[2]: t and its derivatives.
+/// Adds the second derivative of f = B^T t along the motion. t[0], t[1], t[2] are t and its
+/// derivatives.
 void add_second_forces(const SolidShellShape& s,
                        const Kinematics& k,
                        const Kinematics& m,

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces and stiffness of elements while they are summed up: in their modal vectors x_m = sum_a
-// h_m[a] x_a, m = 1 ... 7 (hex8_solid_shell_modes.h), which is where strains are simple, then of
-// the nodes.
+// Sums of forces and stiffness of elements, first in their modal vectors x_m = sum_a h_m[a] x_a, m
+// = 1 ... 7 (hex8_solid_shell_modes.h), in which strains are simple, then of the nodes.
 //
 // The eighth modal vector, the mean of the nodes, moves the element without strain. Entries of h
-// are +-1/8, so the way back to the nodes takes sums and differences only: the fast transform of
-// Walsh and Hadamard in the three parent directions.
+// are +-1/8, so the transformation to the nodes takes only sums and differences: the fast
+// Walsh-Hadamard transform in the three parent directions.
 //
-// Read once a kernel set, by hex8_kernels.h alone.
+// Included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_SUMS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_SUMS
 #undef LATSCH_FE_TIRE_HEX8_SUMS
@@ -21,8 +20,8 @@ namespace latsch::fe_tire::LATSCH_KERNELS {
 
 inline constexpr int kModes = SolidShellShape::kModes;
 
-/// By direction and modal vector; blocks of the pairs of directions (i, j), j >= i, in Voigt order,
-/// of blocks (i, i) the entries n >= m are kept.
+/// Sums by direction and modal vector. The blocks of K belong to pairs of directions (i, j), j >=
+/// i, in Voigt order; blocks (i, i) hold only entries n >= m.
 template <class V>
 struct ModalSumsOf {
   V f[3][kModes];
@@ -37,18 +36,18 @@ struct ModalSumsOf {
 
 using ModalSums = ModalSumsOf<V>;
 
-/// By node: entry [entry(3 a + i, 3 b + j)].
+/// Sums by node: K[entry(3 a + i, 3 b + j)].
 struct NodalSums {
   V f[24];
   V K[ElementBatch::kEntries];
 };
 
-/// Bit k of a node: on the side -1 of parent direction k. Modal vectors count alike: bit 0 for xi,
-/// 1 for eta, 2 for zeta.
+/// Bit k of a node is set on the side -1 of parent direction k. Modal vectors have the same bits: 0
+/// for xi, 1 for eta, 2 for zeta.
 inline constexpr int kSideOfNode[8] = {7, 6, 4, 5, 3, 2, 0, 1};
 inline constexpr int kPlaceOfMode[kModes] = {1, 2, 4, 3, 6, 5, 7};
 
-/// Sums and differences along the three directions.
+/// Forms sums and differences along the three directions.
 LATSCH_INLINE void transform(V* v) {
   for (int step = 1; step < 8; step *= 2) {
     for (int k = 0; k < 8; ++k) {
@@ -60,7 +59,7 @@ LATSCH_INLINE void transform(V* v) {
   }
 }
 
-/// Modal vectors of the nodes' positions x[3 a + i].
+/// Computes the modal vectors of the nodes' positions x[3 a + i].
 LATSCH_INLINE void modal_vectors(const V* x, V (*modal)[3]) {
   for (int i = 0; i < 3; ++i) {
     V v[8];
@@ -80,7 +79,7 @@ LATSCH_INLINE void to_nodes(const ModalSums& modal, NodalSums& sums) {
   }
 }
 
-/// A block (i, j) of the stiffness; `whole`: i != j.
+/// Transforms a block (i, j) of the stiffness. `whole`: i != j.
 LATSCH_INLINE void block_to_nodes(const V (*block)[kModes], int i, int j, NodalSums& sums) {
   const bool whole = i != j;
   V rows[8][8];  // [node place of the column][mode place of the row]
@@ -114,7 +113,7 @@ void stiffness_to_nodes(const ModalSums& modal, NodalSums& sums) {
   }
 }
 
-/// A block of a product: acc[r][c] += sum_k L[k][first_row + r] R[k][first_column + c].
+/// Computes a block of a product: acc[r][c] += sum_k L[k][first_row + r] R[k][first_column + c].
 template <int rows, int columns, class V>
 LATSCH_INLINE void tile(
     const V* left, int left_stride, const V* right, int right_stride, int count, V (*sum)[kModes]) {
@@ -135,7 +134,7 @@ LATSCH_INLINE void tile(
   }
 }
 
-/// K += sum_k L_k^T R_k; L and R are [row k][direction][modal vector].
+/// Adds sum_k L_k^T R_k to K. L and R are [row k][direction][modal vector].
 template <class V>
 void add_product(const V (*L)[3][kModes],
                  const V (*R)[3][kModes],

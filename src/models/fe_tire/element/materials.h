@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the elements are made of: rubber, smeared composites and cord layers.
+// Materials of the elements: rubber, smeared composites and cord layers.
 //
 // Voigt order everywhere: 11, 22, 33, 12, 23, 13; strains are engineering (2 E12), stresses are
 // not.
@@ -16,7 +16,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 namespace voigt {
 
-/// The component (i, j) of a place, and the place of a component.
+/// Component (i, j) of a Voigt index, and the Voigt index of a component.
 inline constexpr int kRow[6] = {0, 1, 2, 0, 1, 0}, kColumn[6] = {0, 1, 2, 1, 2, 2};
 inline constexpr int kPlace[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
 
@@ -30,18 +30,18 @@ struct Hyperelastic {
   double C01 = 0.0;
   double K = 0.0;
 
-  /// Neo-Hooke rubber of Young's modulus E (Pa) and Poisson's ratio nu; `ratio` = C01 / C10 makes
-  /// it Mooney-Rivlin.
+  /// Returns neo-Hooke rubber of Young's modulus E (Pa) and Poisson's ratio nu. A `ratio` = C01 /
+  /// C10 other than 0 makes it Mooney-Rivlin.
   static Hyperelastic from_young_modulus(double E, double nu, double ratio = 0.0);
 };
 
 /// St. Venant-Kirchhoff S = D E with D in cylindrical axes (radial, circumferential, axial) at
-/// every Gauss point, where circumferential is the direction of increasing theta and axial = radial
-/// x circumferential. Pa.
+/// every Gauss point, Pa. Circumferential is the direction of increasing theta, and axial = radial
+/// x circumferential.
 struct StVenantKirchhoff {
   Matrix6 D = Matrix6::Zero();
 
-  /// Of Lame's constants: shear modulus G and lambda.
+  /// Takes Lame's constants: shear modulus G and lambda.
   static StVenantKirchhoff isotropic(double G, double lambda);
 };
 
@@ -50,9 +50,9 @@ struct Solid {
   double density = 0.0;  // kg/m^3
 };
 
-/// Parallel cords seen as a membrane that carries stress along the cords only.
+/// Parallel cords, modeled as a membrane that carries stress only along the cords,
 ///   S = S0 + E_c e + (E_t - E_c) m(e),   e = (lambda^2 - 1) / 2
-/// on the full stretch lambda; m: cord_law.h.
+/// with the full stretch lambda and m of cord_law.h.
 struct CordLayer {
   double E_tension = 0.0;      // Pa, of the cord
   double E_compression = 0.0;  // Pa

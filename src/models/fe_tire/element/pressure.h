@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inflation pressure on a four-node face, following the deformation, with its load stiffness:
-// pressure_kernel.h, here for one face.
+// Inflation pressure on one four-node face, following the deformation, with its load stiffness; the
+// law is in pressure_kernel.h.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Follower pressure on a bilinear face, 2x2 Gauss points: n dA = (x_xi cross x_eta) dxi deta.
-// The gas has the potential -p V; over a closed boundary, or one held at its rim, the load
-// stiffness is therefore symmetric, and its symmetric part a face is all of it. [Schweizerhof &
-// Ramm 1984, Computers & Structures 18] An edge that neither closes nor is held would leave the
-// volume, and so the load, undefined: a seal closes it.
+// Follower pressure on a bilinear face with 2x2 Gauss points: n dA = (x_xi cross x_eta) dxi deta.
+// The gas has the potential -p V. Over a closed boundary, or one held at its rim, the load
+// stiffness is therefore symmetric and equals the sum of the symmetric parts of all faces.
+// [Schweizerhof & Ramm 1984, Computers & Structures 18] An edge that is neither closed nor held
+// would leave the volume, and so the load, undefined: a seal closes it.
 //
-// Read once a kernel set, by hex8_kernels.h alone.
+// Included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_PRESSURE) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_PRESSURE
 #undef LATSCH_FE_TIRE_PRESSURE
@@ -17,7 +17,8 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-/// Pressure p on the face x[3 a + i], whose corners are the nodes `node` of the sums or (-1) fixed.
+/// Adds pressure p on the face x[3 a + i]. Its corners are the nodes `node` of the sums, or fixed
+/// (-1).
 LATSCH_INLINE void add_face_pressure(
     const V* x, const int* node, double p, bool stiffness, NodalSums& sums) {
   V w[6][3];  // K_ab = [w]x of the pairs b > a
@@ -58,7 +59,7 @@ LATSCH_INLINE void add_face_pressure(
     for (int b = a + 1; b < 4; ++b, ++pair) {
       if (node[a] < 0 || node[b] < 0) continue;
       const int row = 3 * std::max(node[a], node[b]), column = 3 * std::min(node[a], node[b]);
-      for (int i = 0; i < 3; ++i) {  // below the diagonal -[w]x, or [w]x where a is the lower row
+      for (int i = 0; i < 3; ++i) {  // below the diagonal -[w]x, or [w]x if a is the lower row
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         const V entry = node[a] < node[b] ? w[pair][i] : -w[pair][i];
         sums.K[ElementBatch::entry(row + j, column + k)] += entry;
@@ -68,8 +69,9 @@ LATSCH_INLINE void add_face_pressure(
   }
 }
 
-/// Pressure on the face of nodes 0-3 at x[3 a + i] and on the seals of its open edges (bit k: from
-/// node k to node k + 1): strips from where the edge is to where it is in the undeformed element X.
+/// Adds pressure on the face of nodes 0-3 at x[3 a + i] and on the seals of its open edges (bit k:
+/// from node k to node k + 1). A seal is a strip between an edge's current place and its place in
+/// the undeformed element X.
 void add_pressure(
     const double* X, const V* x, unsigned open_edges, double p, bool stiffness, NodalSums& sums) {
   constexpr int kFace[4] = {0, 1, 2, 3};
@@ -77,7 +79,7 @@ void add_pressure(
   for (int k = 0; k < 4; ++k) {
     if (!(open_edges >> k & 1)) continue;
     const int a = k, b = (k + 1) % 4;
-    const int node[4] = {b, a, -1, -1};  // passes the edge the other way round than the face does
+    const int node[4] = {b, a, -1, -1};  // passes the edge in the sense opposite to the face
     V strip[12];
     for (int i = 0; i < 3; ++i) {
       strip[i] = x[3 * b + i];

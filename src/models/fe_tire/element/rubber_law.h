@@ -6,7 +6,7 @@
 // Holds for moderate strain (rubber below about 100 %); no Mullins effect, no viscosity.
 // [Holzapfel 2000] Nonlinear Solid Mechanics, sections 6.4-6.6.
 //
-// Read once a kernel set, by hex8_kernels.h alone.
+// Included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_RUBBER_LAW) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_RUBBER_LAW
 #undef LATSCH_FE_TIRE_RUBBER_LAW
@@ -18,7 +18,7 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS::rubber_law {
 
-/// C and its inverse (Voigt) from the strain E.
+/// Computes C and its inverse (Voigt) from the strain E.
 LATSCH_INLINE void invert(const V* E, V* C, V* Ci, V& det) {
   for (int k = 0; k < 6; ++k) C[k] = k < 3 ? 2.0 * E[k] + 1.0 : E[k];
   Ci[0] = C[1] * C[2] - C[4] * C[4];
@@ -32,7 +32,7 @@ LATSCH_INLINE void invert(const V* E, V* C, V* Ci, V& det) {
   for (int k = 0; k < 6; ++k) Ci[k] *= inverse;
 }
 
-/// D = ci (C^-1 (.) C^-1) + A x C^-1 + C^-1 x A, symmetric.
+/// Computes D = ci (C^-1 (.) C^-1) + A x C^-1 + C^-1 x A, symmetric.
 LATSCH_INLINE void tangent(const V* Ci, const V* A, const V& ci, V (*D)[6]) {
   using voigt::kPlace;
   const V half = 0.5 * ci;
@@ -46,7 +46,8 @@ LATSCH_INLINE void tangent(const V* Ci, const V* A, const V& ci, V (*D)[6]) {
   }
 }
 
-/// S and D = dS/dE of the strain E, and det C: where that is not positive, S and D are void.
+/// Computes S and D = dS/dE at the strain E, and returns det C. Where it is not positive, S and D
+/// are void.
 LATSCH_INLINE V stress(const Hyperelastic& law, const V* E, V* S, V (*D)[6]) {
   V C[6], Ci[6], det;
   invert(E, C, Ci, det);
@@ -58,10 +59,10 @@ LATSCH_INLINE V stress(const Hyperelastic& law, const V* E, V* S, V (*D)[6]) {
   const V a = 2.0 * law.C10 * j, jj = j * j, b = 2.0 * law.C01 * jj;
   const V aI1 = a * I1, bI2 = b * I2, KJ = law.K * J;
   const V pJ = KJ * (J - 1.0);
-  const V s = pJ - (aI1 * (1.0 / 3.0) + bI2 * (2.0 / 3.0));  // along C^-1
+  const V s = pJ - (aI1 * (1.0 / 3.0) + bI2 * (2.0 / 3.0));  // coefficient of C^-1
   const V cc = (2.0 / 9.0) * (aI1 + 4.0 * bI2) + KJ * (2.0 * J - 1.0);
   const V ci = (2.0 / 3.0) * (aI1 + 2.0 * bI2) - 2.0 * pJ;
-  V A[6];  // with half of cc C^-1 x C^-1
+  V A[6];  // includes half of cc C^-1 x C^-1
   for (int k = 0; k < 6; ++k) {
     const V B = k < 3 ? I1 - C[k] : -C[k];  // dI2/dC
     const V bB = b * B;

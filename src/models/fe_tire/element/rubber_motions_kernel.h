@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Second derivative of rubber's stress (rubber_law.h) along a strain: series in its size, of the
-// minors of C and of the powers of det C.
+// Second derivative of rubber's stress (rubber_law.h) along a strain, by power series of the minors
+// of C and of the powers of det C in the size of the strain.
 //
-// Read once a kernel set, by hex8_kernels.h alone.
+// Included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_RUBBER_MOTIONS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_RUBBER_MOTIONS
 #undef LATSCH_FE_TIRE_RUBBER_MOTIONS
@@ -14,9 +14,10 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-inline constexpr int kPoints = 8;  // of an element, where it has a stress
+inline constexpr int kPoints = 8;  // stress points of an element
 
-/// Minors of a symmetric matrix in Voigt order, of two of them: cof(a + b) = cof a + mixed + cof b.
+/// Minors of a symmetric matrix in Voigt order, and mixed minors: cof(a + b) = cof a + mixed + cof
+/// b.
 LATSCH_INLINE void minors(const V* a, V* cof) {
   cof[0] = a[1] * a[2] - a[4] * a[4];
   cof[1] = a[0] * a[2] - a[5] * a[5];
@@ -33,13 +34,13 @@ LATSCH_INLINE void mixed_minors(const V* a, const V* b, V* cof) {
   cof[4] = (a[3] * b[5] + b[3] * a[5]) - (a[0] * b[4] + b[0] * a[4]);
   cof[5] = (a[3] * b[4] + b[3] * a[4]) - (a[1] * b[5] + b[1] * a[5]);
 }
-/// a : b of symmetric matrices.
+/// Returns a : b of symmetric matrices.
 LATSCH_INLINE V double_dot(const V* a, const V* b) {
   const V shear = a[3] * b[3] + (a[4] * b[4] + a[5] * b[5]);
   return 2.0 * shear + (a[0] * b[0] + (a[1] * b[1] + a[2] * b[2]));
 }
 
-/// Rubber at a point, what is the same along all strains.
+/// Quantities of rubber at a point that are the same along all strains.
 struct RubberPoint {
   V C[6], cof[6], det, inverse, J, I1, I2, a, b;
 };
@@ -65,7 +66,7 @@ LATSCH_INLINE Series power(double n, const V& a1, const V& a2) {
   return {n * a1, n * a2 + (0.5 * n * (n - 1.0)) * (a1 * a1)};
 }
 
-/// Second derivative of S (rubber_law.h) along the strain E + e E1.
+/// Computes the second derivative of S (rubber_law.h) along the strain E + e E1.
 LATSCH_INLINE void second_stress(const Hyperelastic& law, const RubberPoint& p, const V* E1, V* S) {
   V c[6], cof1[6], cof2[6];
   for (int k = 0; k < 6; ++k) c[k] = k < 3 ? V(2.0 * E1[k]) : E1[k];

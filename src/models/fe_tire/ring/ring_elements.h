@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ring's elements with their materials in them: laws are made once, whenever materials change,
-// and evaluated in as many sectors at a time as are equally wide.
+// The ring's elements with their materials. Element laws are built once for each set of materials
+// and evaluated in several equally wide sectors at a time.
 #pragma once
 
 #include <span>
@@ -13,13 +13,14 @@ namespace latsch::fe_tire {
 
 class RingElements {
  public:
-  /// The ring must outlive them. Throws InputError for elements of too many cord layers.
+  /// The ring must outlive this object. Throws InputError if an element has too many cord layers.
   RingElements(const Ring& ring, Materials materials);
 
   const Ring& ring() const { return ring_; }
   const Materials& materials() const { return materials_; }
 
-  /// Of the elements `element` of sectors as wide as `sector`; surroundings without pressure.
+  /// Law and surroundings of the elements `element` in sectors as wide as `sector`; the
+  /// surroundings have no pressure.
   const ElementLaw& law(int sector, int element) const {
     return laws_[ring_.width(sector)][element];
   }
@@ -31,20 +32,20 @@ class RingElements {
   struct Sectors {
     int first, count;
   };
-  /// The sectors 0 ... count-1 in such groups.
+  /// Returns the sectors 0 ... count-1 in such groups.
   std::vector<Sectors> groups(int count) const;
 
-  /// Forces and, where asked for, stiffness of the elements `element` of sectors as wide as
-  /// `sector`, in the frames of their nodes; pressure (Pa) acts on inner faces. Displacements stand
-  /// in the batch. Bits of the lanes that succeeded, see evaluate() of a batch.
+  /// Computes forces and, if asked for, stiffness of the elements `element` in sectors as wide as
+  /// `sector`, in the frames of their nodes. The pressure (Pa) acts on inner faces. The batch holds
+  /// the displacements. Returns a bit for each lane that succeeded, see evaluate() of a batch.
   unsigned evaluate(
       int sector, int element, double pressure, Stiffness stiffness, ElementBatch& batch) const;
 
  private:
   const Ring& ring_;
   Materials materials_;
-  std::vector<std::vector<ElementLaw>> laws_;                   // of every width
-  std::vector<std::vector<ElementSurroundings>> surroundings_;  // likewise, without pressure
+  std::vector<std::vector<ElementLaw>> laws_;                   // for every width
+  std::vector<std::vector<ElementSurroundings>> surroundings_;  // for every width, without pressure
 };
 
 }  // namespace latsch::fe_tire

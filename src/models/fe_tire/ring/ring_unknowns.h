@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbering of the ring's unknowns, whole or halved by symmetry.
 //
-// A tire whose section is the same on both sides does not change when it is turned by 180 degrees
-// about the vertical axis through the wheel center - cords included, since that turn keeps their
-// angle, which a mirror would not. Flat ground keeps this symmetry. Pressed straight down the tire
-// therefore stays even under the turn, and its modes are even or odd:
+// A tire with equal sides does not change when it is turned by 180 degrees about the vertical axis
+// through the wheel center. This includes its cords, because the turn keeps their angle, which a
+// mirror would not. Flat ground keeps this symmetry. A tire pressed straight down therefore stays
+// even under the turn, and its modes are even or odd:
 //   u(-x, -y, z) = +- (-u_x, -u_y, u_z).
 // Half the ring then holds everything: in sector frames node i of plane s and its image, node
 // mirror(i) of plane S - s, share their unknowns up to the signs (-, -, +), all reversed for odd
-// states. Exact, and half the work.
+// states. This is exact and halves the work.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,48 +22,50 @@ namespace latsch::fe_tire {
 
 enum class RingSymmetry { none, even, odd };
 
-/// mirror[i]: the section node that the half turn brings to i; nothing where mesh or materials do
-/// not have the symmetry.
+/// Returns mirror[i], the section node that the half turn brings to i, or nothing if mesh or
+/// materials do not have the symmetry.
 std::optional<std::vector<int>> find_mirror(const Mesh& mesh, const Materials& materials);
 
 class RingUnknowns {
  public:
-  /// `mirror` is used only with a symmetry.
+  /// `mirror` is used only if there is a symmetry.
   RingUnknowns(const Ring& ring, RingSymmetry symmetry, const std::vector<int>& mirror);
 
   const Ring& ring() const { return ring_; }
   int size() const { return size_; }
-  /// Sectors whose elements are assembled: 0 ... sectors()-1; all, or half of them.
+  /// Number of sectors whose elements are assembled, 0 ... sectors()-1: all, or half of them.
   int sectors() const { return sectors_; }
-  /// The whole ring is so many times what is assembled.
+  /// Size of the whole ring over that of the assembled part, 1 or 2.
   double multiplicity() const { return symmetry_ == RingSymmetry::none ? 1.0 : 2.0; }
 
-  /// Unknowns of each element's 24 displacements, -1 where the rim holds them; element index
-  /// sector-major.
+  /// Returns the unknowns of each element's 24 displacements, -1 if the rim holds them. The element
+  /// index is sector-major.
   std::vector<std::vector<int>> connectivity() const;
   struct NodeUnknowns {
-    int first = -1;  // of three consecutive unknowns; -1: held by the rim
+    int first = -1;  // first of three consecutive unknowns; -1: held by the rim
     Eigen::Vector3d sign = Eigen::Vector3d::Ones();
   };
-  /// Of a node of the whole ring, planes 0 ... S-1: its displacement is sign x unknowns.
+  /// Returns the unknowns of a node of the whole ring, planes 0 ... S-1. Its displacement is sign x
+  /// unknowns.
   NodeUnknowns of_node(int plane, int section_node) const;
-  /// Unknowns that symmetry holds at zero (on the axis of the half turn); they keep a place in the
+  /// Unknowns that symmetry holds at zero (on the axis of the half turn). They keep a place in the
   /// numbering.
   const std::vector<int>& held() const { return held_; }
 
-  /// Element displacements [3 x 8] in its sector's frame.
+  /// Returns element displacements [3 x 8] in the frame of the element's sector.
   Matrix38 gather(int sector, int element, const Eigen::VectorXd& x) const;
-  /// Brings the stiffness of an element, in the frames of its nodes, to the order and signs of the
-  /// unknowns.
+  /// Transforms the stiffness of an element from the frames of its nodes to the order and signs of
+  /// the unknowns.
   void bring_in_order(int sector, int element, Matrix24& K) const;
 
-  /// Adds element forces, in the frames of their nodes, to a sum over the unknowns.
+  /// Adds element forces, in the frames of the element's nodes, to a sum over the unknowns.
   void add_forces(int sector,
                   int element,
                   const Vector24& f,
                   Eigen::Ref<Eigen::VectorXd> sum) const;
 
-  /// Displacements of all nodes of the ring [3 x nodes], sector frames; and back.
+  /// Convert between unknowns and displacements of all nodes of the ring [3 x nodes], sector
+  /// frames.
   Eigen::Matrix3Xd expand(const Eigen::VectorXd& x) const;
   Eigen::VectorXd compress(const Eigen::Matrix3Xd& u) const;
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// One sector stands for the ring while all are equally wide and the state is the same in them
+// One sector represents the ring as long as all sectors are equally wide and have the same state
 // (inflated, not yet loaded).
 //
 // In sector frames the tangent of the ring is block-circulant: every sector sees
 //   A = K_00 + K_11   (its own nodes, from the elements on both sides)
 //   B = K_01          (toward the next sector)
-// so for displacements u_s = Re(u exp(i n s 2 pi / S)) of circumferential number n it acts as the
-// Hermitian matrix
+// For displacements u_s = Re(u exp(i n s 2 pi / S)) of circumferential number n it therefore acts
+// as the Hermitian matrix
 //   K(n) = A + B exp(i phi) + B^T exp(-i phi),   phi = 2 pi n / S.
-// n = 0 is the axisymmetric tangent that inflation needs; all n together give every mode of the
+// n = 0 is the axisymmetric tangent needed for inflation; all n together give every mode of the
 // unloaded tire.
 #pragma once
 
@@ -26,9 +26,10 @@ class SectorBlocks {
   explicit SectorBlocks(const Ring& ring);
 
   void set_zero();
-  /// Adds a 24x24 element matrix in node frames, with the ring's local dofs of that element.
+  /// Adds a 24x24 element matrix in node frames. `local_dofs` are the ring's local unknowns of that
+  /// element.
   void add(const std::array<int, 24>& local_dofs, const Matrix24& K);
-  /// A + B exp(i phi) + B^T exp(-i phi) for circumferential number n.
+  /// Returns A + B exp(i phi) + B^T exp(-i phi) for circumferential number n.
   numerics::BandedHermitian harmonic(int n) const;
 
   int size() const { return static_cast<int>(A_.cols()); }
@@ -40,12 +41,13 @@ class SectorBlocks {
   Eigen::MatrixXd A_, B_;  // [2 band + 1 x size]
 };
 
-/// Largest distance of two coupled unknowns of a sector, the sectors laid over each other.
+/// Returns the largest distance of two coupled unknowns in a sector's numbering, adjacent sectors
+/// overlaid.
 int sector_band(const Ring& ring);
 
-/// Internal forces per sector (pressure included) of the axisymmetric state x [sector unknowns],
-/// and, where given, the blocks of its tangent. False where an element fails; `worst` then names
-/// it.
+/// Computes the internal forces per sector (pressure included) of the axisymmetric state x [sector
+/// unknowns] and, if `tangent` is not null, the blocks of its tangent. Returns false if an element
+/// fails; `worst` then is its index.
 bool assemble_sector(const RingElements& elements,
                      const Eigen::VectorXd& x,
                      double pressure,
@@ -54,10 +56,10 @@ bool assemble_sector(const RingElements& elements,
                      SectorBlocks* tangent,
                      int* worst);
 
-/// Consistent mass of one element between its 24 displacements, in its sector's frame, kg.
+/// Returns the consistent mass matrix of one element's 24 displacements in its sector's frame, kg.
 Matrix24 element_mass(const Ring& ring, const Materials& materials, int sector, int element);
 
-/// Blocks of the consistent mass matrix.
+/// Returns the blocks of the consistent mass matrix.
 SectorBlocks sector_mass(const RingElements& elements);
 
 }  // namespace latsch::fe_tire

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves with a number of the tire's description in the sums of (M.4) of hex8_motions.h,
-// element by element: differences between the tire with the number on either side, of those parts
-// of an element that feel it.
+// Changes of elements with a number of the tire's description, for the sums (M.4) of
+// hex8_motions.h: differences between the tires with the number moved to either side, over the
+// affected parts of each element only.
 #pragma once
 
 #include <functional>
@@ -12,12 +12,12 @@
 
 namespace latsch::fe_tire {
 
-/// A tire with a number moved to one side, of which `way` is how far it is from the other side.
+/// Two tires with a number moved to either side; `way` is the distance between the two values.
 struct MovedNumber {
   const RingElements *below, *above;
   double pressure_below, pressure_above;  // Pa
   double way;                             // in the number's unit
-  /// Parts of a section's elements in which it is felt.
+  /// The parts of a section's element that the number changes.
   struct Parts {
     bool solid, gas, mass;
     unsigned cords;  // VariedElement::cords
@@ -32,20 +32,20 @@ struct MovedNumber {
   const std::vector<Parts>* parts;
 };
 
-/// The numbers that an element feels, each as two elements, below and above.
+/// The numbers that change an element, each as two elements, below and above.
 struct FeltNumbers {
   std::vector<VariedElement> elements;
   std::vector<std::size_t> numbers;
-  std::vector<std::size_t> masses;  // numbers that its mass feels
+  std::vector<std::size_t> masses;  // numbers that change its mass
 
   void find(int sector, int element, const std::vector<MovedNumber>& moved);
 };
 
-/// Of a motion and a number, in every lane.
+/// Receives the value of a motion and a number in every lane.
 using LaneSink = std::function<void(
     std::size_t motion, std::size_t number, const double (&lanes)[ElementBatch::kLanes])>;
 
-/// dL/dp of (M.4), a unit of the number. False where the element has no state.
+/// Computes dL/dp of (M.4) per unit of the number. Returns false if the element has no state.
 bool sum_differences(const ElementLaw& law,
                      unsigned open_edges,
                      const FeltNumbers& felt,
@@ -54,7 +54,7 @@ bool sum_differences(const ElementLaw& law,
                      std::vector<ElementMotion>& motions,
                      const LaneSink& sink);
 
-/// phi dM/dp phi of the motions' modes, kg a unit of the number.
+/// Computes phi dM/dp phi of the motions' modes, kg per unit of the number.
 void sum_masses(int sector,
                 int element,
                 const FeltNumbers& felt,

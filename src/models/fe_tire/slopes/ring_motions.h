@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motions of the ring about a state, element by element: sums of (M.3) and (M.4) of hex8_motions.h
-// over the sectors that are assembled.
+// over the assembled sectors.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,8 @@ namespace latsch::fe_tire {
 
 class RingMotions {
  public:
-  /// Refers to all of them. `pressure`, Pa; `modes`, at most ElementMotion::kMost, none: loads.
+  /// Keeps references to all arguments. `pressure` is in Pa. `modes` has at most
+  /// ElementMotion::kMost entries; it is empty for slopes of loads.
   RingMotions(const RingUnknowns& unknowns,
               const RingElements& elements,
               const Eigen::VectorXd& x,
@@ -24,12 +25,14 @@ class RingMotions {
               double pressure,
               const std::vector<Mode>& modes);
 
-  /// D3W[phi, phi, .] of every mode [unknowns x modes]. False where an element has no state.
+  /// Computes D3W[phi, phi, .] of every mode [unknowns x modes]. Returns false if an element has no
+  /// state.
   bool curvatures(Eigen::MatrixXd& g);
 
-  /// d/dp of D2W[phi~, phi~] - omega^2 phi.M phi + DW[along~] of every motion and number
-  /// [motions x numbers], motions held; `along` [unknowns x motions], a column a mode or, without
-  /// modes, any number of them. After curvatures(). False likewise.
+  /// Computes d/dp of D2W[phi~, phi~] - omega^2 phi.M phi + DW[along~] of every motion and number
+  /// [motions x numbers] with motions held. `along` [unknowns x motions] has a column for each mode
+  /// or, without modes, any number of columns. Call it after curvatures(). Returns false if an
+  /// element has no state.
   bool slopes(const Eigen::MatrixXd& along,
               const std::vector<MovedNumber>& numbers,
               Eigen::MatrixXd& sums);
@@ -37,7 +40,7 @@ class RingMotions {
  private:
   void set_batch(int first, int count, int element, ElementBatch& batch) const;
   void set_modes(int first, int count, int element, std::vector<ElementMotion>& motions) const;
-  /// From where those of the element stand, and gives back where those of the next one do.
+  /// Reads the element's stored values at `alphas` and returns the place of the next element's.
   const double* recall_alphas(const double* alphas, std::vector<ElementMotion>& motions) const;
   bool add_differences(int first,
                        int count,

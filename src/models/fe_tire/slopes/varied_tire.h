@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A varied tire (tire_slopes.h) with its elements. What the base tire has already is shared with
-// it, and of every element it is known which parts feel the number that moves: the others have no
-// slope and are not evaluated.
+// A varied tire (tire_slopes.h) with its elements. It shares what the base tire already has, and
+// knows for every element which parts the moved number changes. The other parts have zero slope and
+// are not evaluated.
 #pragma once
 
 #include <optional>
@@ -17,9 +17,9 @@ struct Varied {
   using Base = FeTire::Impl;
   const VariedTire& tire;
   bool same_shape;
-  std::optional<Ring> own_ring, own_even;  // where its shape is another one
+  std::optional<Ring> own_ring, own_even;  // only if its shape differs
   std::optional<RingElements> elements, even_elements;
-  std::vector<MovedNumber::Parts> parts;  // that differ, of the section's elements
+  std::vector<MovedNumber::Parts> parts;  // parts of the section's elements that differ
 
   Varied(const Varied&) = delete;  // elements refer to their ring
   Varied(const VariedTire& varied, const Base& base);
@@ -28,7 +28,7 @@ struct Varied {
   const Ring& ring() const { return elements->ring(); }
 };
 
-/// The tread of a varied tire of another shape, on the unknowns of the tire's own.
+/// The tread of a varied tire with another shape, on the unknowns of the base tire.
 struct VariedTread {
   RingUnknowns unknowns;
   TreadSurface surface;
@@ -37,10 +37,10 @@ struct VariedTread {
   VariedTread(const Varied& varied, const Systems& all, Varied::Base& base, bool is_halved);
 };
 
-/// A number moved to both sides.
+/// The tires with a number moved to either side.
 struct VariedPair {
   Varied below, above;
-  std::vector<MovedNumber::Parts> parts;  // that differ on either side
+  std::vector<MovedNumber::Parts> parts;  // parts that differ on either side
   VariedPair(const Variation& variation, const Varied::Base& base);
 };
 
