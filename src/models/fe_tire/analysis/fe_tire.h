@@ -48,11 +48,11 @@ struct TireState {
   /// True if poses stay below the wheel center (GroundPose::is_below) and half the ring represents
   /// all of it.
   bool is_halved = false;
-  int window = 0;         // how far up the tread may touch: TreadSurface's half angle grows with it
+  int window = 0;         // range of the tread that may touch: grows with TreadSurface's half angle
   Eigen::Matrix3Xd u;     // [3 x nodes], sector frames, m
   Eigen::VectorXd alpha;  // internal parameters of the solved elements: part of the state, because
                           // they are found only from a nearby state
-  std::vector<Anchor> anchors;  // of friction; empty without friction
+  std::vector<Anchor> anchors;  // anchors of friction; empty without friction
 
   /// Deflection, m, from first touch of the inflated tire on flat ground.
   double deflection() const { return inflated->radius - pose.height; }
@@ -78,8 +78,8 @@ struct Mode {
   int n = 0;               // dominating circumferential number
   ModeType type = ModeType::other;
   int order = 1;     // 1, 2, ... among modes of the same n and type, by frequency
-  char phase = ' ';  // of a split pair in the loaded state: 's' symmetric, 'a' antisymmetric in x;
-                     // ' ' unloaded
+  char phase = ' ';  // symmetry of a split pair in the loaded state: 's' symmetric, 'a'
+                     // antisymmetric in x; ' ' unloaded
   Eigen::Matrix3Xd
       shape;  // [3 x nodes], sector frames, mass-normalized; unloaded pairs: two orthogonal members
   std::string label() const;  // "lateral n=1", "radial n=2 a", "radial n=3 (2)"

@@ -38,8 +38,9 @@ struct Systems {
   numerics::Factorization factor;
   std::optional<numerics::Factorization> odd_factor;
   std::optional<TireState> factored;  // none: no state, or one with indefinite tangents
-  std::optional<numerics::SymmetricMatrix> mass, odd_mass;  // of the materials, once needed
-  std::optional<numerics::Davidson> search, odd_search;     // how modes about `factored` were found
+  std::optional<numerics::SymmetricMatrix> mass, odd_mass;  // masses of the materials, once needed
+  std::optional<numerics::Davidson> search, odd_search;     // searches that found modes about
+                                                            // `factored`
 
   Systems(const Ring& ring,
           const SolverSettings& settings,
@@ -165,7 +166,7 @@ struct FeTire::Impl {
                   const TireState& at,
                   const RingState& state,
                   numerics::SymmetricMatrix& tangent);
-  std::optional<RingElements> elements_, even_elements_;  // of `ring`, of `even`
+  std::optional<RingElements> elements_, even_elements_;  // elements of `ring`, of `even`
   std::map<std::pair<bool, int>, std::unique_ptr<Systems>> systems_;
   std::optional<std::vector<int>> mirror_;
   bool is_symmetry_known_ = false;

@@ -110,7 +110,7 @@ class LinearTire {
   Eigen::MatrixXd A_;
   CondensedTire by_nodes_;        // all directions of the nodes that the ground may reach
   std::vector<char> is_reached_;  // for every point of the tread
-  std::vector<int> first_row_;    // of every node within reach, -1: beyond reach
+  std::vector<int> first_row_;    // for every node within reach, -1: beyond reach
   GroundTangent tangent_;         // dc/dw of the last step, all directions
   Eigen::MatrixXd S_;             // condensed stiffness of the heights
   Eigen::MatrixXd C_, L_;         // dc/dw of the last step by heights, factor of S + C
@@ -118,7 +118,7 @@ class LinearTire {
   std::optional<std::vector<std::pair<int, double>>> springs_;
   Eigen::Matrix3Xd u_;     // displacements of the nodes at the last step
   Eigen::VectorXd ahead_;  // first guess of w for the step after a path was followed
-  Eigen::VectorXd w_, g_;  // how far the last step moved the nodes back; its g
+  Eigen::VectorXd w_, g_;  // the nodes' displacement in the last step, reversed; its g
   Eigen::VectorXd c_;      // the ground's forces at its end
 };
 

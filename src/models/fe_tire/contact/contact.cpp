@@ -12,7 +12,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-// The ground resists sliding before slip as stiffly, by half, as it resists penetration.
+// Tangential penalty before slip as a share of the normal penalty. A larger share lets points slide
+// less before they slip and conditions the tangent worse.
 constexpr double kTangentialShare = 0.5;
 
 }  // namespace
@@ -55,7 +56,8 @@ void TreadContact::move(const GroundPose& pose) {
   posed_ = PosedGround(ground_, pose);
 }
 
-/// (C.4); `share` of the way from the anchor's motion that the point's own motion is.
+/// Computes (C.4). `share` is the derivative of the point's distance from its anchor by the point's
+/// motion.
 Anchor TreadContact::anchor_of(int point, const Eigen::Vector3d& q, double g, double* share) const {
   *share = 1.0;
   if (anchors_[point].holds) return anchors_[point];
@@ -194,13 +196,14 @@ ContactPatch TreadContact::patch(const Eigen::VectorXd& x) const {
     const Eigen::Vector3d q = posed_.in_ground(p);
     const PosedGround::Distance at = posed_.distance(q);
     if (!touches_at(k, at.g)) continue;
-    // Its anchor has followed: whether it slides, the tractions there would tell by rounding.
+    // The anchor has followed the point. Tractions computed from it would decide by rounding
+    // whether the point slides.
     const Anchor anchor = has_friction() ? anchors_[k] : Anchor();
     const Traction on = traction(q, at, anchor, 1.0);
     const Eigen::Vector3d shear =
         level.in_ground(posed_.to_wheel(on.t)) - level.in_ground(Eigen::Vector3d::Zero());
     const Eigen::Vector3d here = level.in_ground(p);
-    // What is half of an image's is shown once.
+    // A point shared with its image is listed once.
     const TreadSurface::Point& point = tread_.points()[k];
     rest = std::max(rest, point.offset.norm());
     patch.points.push_back({here.x(),
@@ -289,7 +292,7 @@ void add_stiffness(const TreadSurface& tread,
     const std::vector<int>& nodes = tread.cell_nodes()[cell];
     for (std::size_t k = 0; k < nodes.size(); ++k) row[nodes[k]] = static_cast<int>(k);
     const Eigen::Index size = 3 * std::ssize(nodes), directions = 3 * std::ssize(of_cell[cell]);
-    // Motions of the points by the unknowns, and what forces these motions need.
+    // Motions of the points by the unknowns, and the forces that these motions require.
     Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(size, directions), forces(directions, size);
     for (std::size_t t = 0; t < of_cell[cell].size(); ++t) {
       const TreadContact::Touch& touch = *of_cell[cell][t];

@@ -9,12 +9,13 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kNear = 3e-4;       // m, the lower one of the heights where (F.1) is met
-constexpr double kRatio = 4.0;       // of the other one to it
-constexpr double kBeyondRest = 4.0;  // the lower one is at least so many of how far samples rest
+constexpr double kNear = 3e-4;       // m, lower of the heights at which (F.1) is fitted
+constexpr double kRatio = 4.0;       // ratio of the other height to it
+constexpr double kBeyondRest = 4.0;  // least ratio of the lower height to the samples' rest
+                                     // distance
 
-/// Half the length of the patch by (F.1): g(s_2) / g(s_1) = ratio. Zero where the gap grows slower
-/// than any patch would have it.
+/// Returns half the length of the patch by (F.1), from g(s_2) / g(s_1) = ratio. Returns zero if the
+/// gap grows slower than beside any patch.
 double half_length(double s_1, double s_2, double ratio) {
   const auto f = [](double t) { return t * std::sqrt(t * t - 1.0) - std::acosh(t); };
   if (s_2 * s_2 >= ratio * s_1 * s_1) return 0.0;
@@ -26,19 +27,20 @@ double half_length(double s_1, double s_2, double ratio) {
   return low;
 }
 
-/// Samples one after the other along x (axis 0) or y (axis 1).
+/// Samples in a row along x (axis 0) or y (axis 1).
 struct Line {
   const std::vector<int>& samples;
   const Eigen::Matrix3Xd& at;
   int axis;
-  double near;  // m
+  double near;  // m, lower height
 
   int size() const { return static_cast<int>(samples.size()); }
   double place(int k) const { return at(axis, samples[k]); }
   double root(int k) const { return std::sqrt(std::max(at(2, samples[k]), 0.0)); }
   bool touches(int k) const { return at(2, samples[k]) < near; }
 
-  /// Where the height is passed beyond k; nullopt where the line ends or comes down before.
+  /// Returns the place beyond k where the height is passed, or nullopt if the line ends or comes
+  /// down before.
   std::optional<double> passes(double height, int k, int step) const {
     const double value = std::sqrt(height);
     for (int next = k + step; next >= 0 && next < size(); k = next, next += step) {
@@ -51,11 +53,11 @@ struct Line {
   }
 };
 
-/// Runs of samples that touch.
+/// A run of consecutive samples that touch.
 struct Run {
   int first, last;
   double from, to;  // m, its edges
-  double length;    // m; not positive where the edges meet before they leave something
+  double length;    // m; not positive if the edges meet before leaving a patch
 };
 
 Run run_of(const Line& line, int first, int last, bool from_middle) {
@@ -75,7 +77,8 @@ Run run_of(const Line& line, int first, int last, bool from_middle) {
   return run;
 }
 
-/// `halved`: the line begins at the middle of what it is half of, half a sample before the first.
+/// Finds runs of touching samples. If `halved`, the line is the half of one that begins half a
+/// sample before its first.
 std::vector<Run> runs_of(const Line& line, bool halved) {
   std::vector<Run> runs;
   for (int k = 0; k < line.size(); ++k) {
@@ -88,8 +91,9 @@ std::vector<Run> runs_of(const Line& line, bool halved) {
   return runs;
 }
 
-/// m^2 of the strip of samples that a run covers, its width between samples linear: continuous
-/// where samples come into the run. A sample whose neighbors are where it is has no width.
+/// Returns the area of the strip of samples that a run covers, m^2. The strip's width is linear
+/// between samples, so the area is continuous as samples join the run. A sample whose neighbors are
+/// in its own place has no width.
 double covered(const Line& line, const Eigen::VectorXd& area, const Run& run) {
   const int last = line.size() - 1;
   const auto width = [&](int k) {
@@ -114,7 +118,8 @@ double covered(const Line& line, const Eigen::VectorXd& area, const Run& run) {
   return sum;
 }
 
-/// Means of the heights along lines of samples, weighted by a hat a face wide to both sides.
+/// Returns means of the heights along lines of samples, weighted by a hat function a face wide to
+/// both sides.
 Eigen::VectorXd means(const std::vector<std::vector<int>>& lines, const Eigen::VectorXd& height) {
   constexpr int kReach = TreadSurface::kSamples;
   Eigen::VectorXd mean = height;
@@ -144,7 +149,7 @@ struct Extent {
     add(run.from);
     add(run.to);
   }
-  /// With the image under the half turn.
+  /// Length including the image under the half turn.
   double length(bool halved) const {
     if (highest < lowest) return 0.0;
     return halved ? 2.0 * std::max(highest, -lowest) : highest - lowest;
@@ -174,7 +179,8 @@ FootprintSize footprint_size(const TreadSurface& tread,
       if (run.length > 0.0) size.area += covered(line, area, run);
     }
   }
-  if (along.length(halved) == 0.0) return {};  // near the ground, but no patch would leave the gap
+  if (along.length(halved) == 0.0) return {};  // near the ground, but the gap is not that beside a
+                                               // patch
   for (const std::vector<int>& samples : lines_across) {
     const Line line{samples, at, 1, near};
     for (const Run& run : runs_of(line, false)) across.add(run);

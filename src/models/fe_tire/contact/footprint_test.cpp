@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges of a patch, and what the ground feels of an arc, against closed forms.
+// Tests edges of a patch, and the effect of an arc on the ground, against closed forms.
 #include "models/fe_tire/contact/footprint.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,8 @@ struct Tread {
 
 constexpr double kRadius = 0.31;  // m
 
-/// The tread's samples above a ground from which they are `gap` of their places along it away.
+/// The tread's samples above a ground. `gap` is their distance from it as a function of their place
+/// along it.
 struct Above {
   Eigen::Matrix3Xd at;
   Eigen::VectorXd area;
@@ -55,7 +56,7 @@ struct Above {
   }
 };
 
-/// (F.1) a^2 / (2 R) of a cylinder of radius R on a half-space [Johnson 1985, section 4.2].
+/// Gap (F.1) a^2 / (2 R) of a cylinder of radius R on a half-space [Johnson 1985, section 4.2].
 std::function<double(double)> line_contact(double a) {
   return [a](double x) {
     const double t = std::max(std::abs(x) / a, 1.0);
@@ -74,9 +75,9 @@ TEST(FootprintSize, FindsTheEdgesOfALineContact) {
   }
 }
 
-// A wave from column to column, which the ground does not feel of a surface, counts by half: it
-// lengthens the patch as an even dip does that is half as deep as its lowest samples. Where the
-// tread ends, the hat is cut: a mean of 0.054 of the wave is left there, 6 % of that dip.
+// A wave from column to column, which does not load the ground on a smooth surface, counts by half:
+// it lengthens the patch like a uniform dip half as deep as its lowest samples. At the ends of the
+// tread the hat is cut, which leaves a mean of 0.054 of the wave, 6 % of that dip.
 TEST(FootprintSize, FeelsHalfOfAWaveAcross) {
   const Tread tread("race_16x7.5-10.toml");
   const auto length = [&](const std::function<double(double share)>& more) {
@@ -109,7 +110,7 @@ TEST(FootprintSize, IsNothingOfATreadThatComesNearTheGroundAndDoesNotTouch) {
   EXPECT_EQ(size.area, 0.0);
 }
 
-// Away from the patch a tread may be upright, sample above sample.
+// Away from the patch a tread may be upright, with samples above each other.
 TEST(FootprintSize, DoesNotMindSamplesInOnePlace) {
   const Tread tread("passenger_205_55R16.toml");
   Above above(tread, line_contact(0.045));
@@ -120,8 +121,8 @@ TEST(FootprintSize, DoesNotMindSamplesInOnePlace) {
 }
 
 // On the crown of the race tire, flat to 1 % across, a sector of h = 3 deg has the sag R h^2 / 12:
-// the mean of a parabola weighted by hats over two sectors, around nodes and other places alike.
-// Of it 0.47 are left.
+// the mean of a parabola weighted by hat functions over two sectors, around nodes and other places
+// alike. Points lie 0.47 of this sag behind the arc.
 TEST(TreadSurface, PointsOfAnArcLieAShareOfItsSagBehindIt) {
   const Tread tread("race_16x7.5-10.toml");
   const Eigen::Matrix3Xd positions = tread.undeformed();
@@ -130,7 +131,7 @@ TEST(TreadSurface, PointsOfAnArcLieAShareOfItsSagBehindIt) {
   for (const TreadSurface::Point& point : tread.surface.points()) {
     const Eigen::Vector3d x = tread.surface.at(point, positions);
     if (std::abs(x.y()) > 1e-3 || std::abs(std::atan2(x.x(), -x.z())) > 5.0 * h) continue;
-    double radius = 0.0;  // of the crown
+    double radius = 0.0;  // radius of the crown
     for (int k = 0; k < point.weights; ++k) {
       const auto& place = tread.surface.places()[tread.surface.weights(point)[k].place];
       if (std::abs(place.X.y()) < 1e-3) radius = std::hypot(place.X.x(), place.X.z());

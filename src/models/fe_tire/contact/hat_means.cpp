@@ -4,12 +4,13 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Slope at the middle one of three abscissae, of the parabola through them.
+/// Returns the weights for the slope at the middle of three abscissae, of the parabola through
+/// them.
 Eigen::Vector3d middle_slope(double h0, double h1) {
   return {-h1 / (h0 * (h0 + h1)), (h1 - h0) / (h0 * h1), h0 / (h1 * (h0 + h1))};
 }
 
-/// Slope at the first one of three abscissae.
+/// Returns the weights for the slope at the first of three abscissae.
 Eigen::Vector3d end_slope(double h0, double h1) {
   return {-(2.0 * h0 + h1) / (h0 * (h0 + h1)), (h0 + h1) / (h0 * h1), -h0 / (h1 * (h0 + h1))};
 }
@@ -45,12 +46,13 @@ Cubic hermite(std::optional<double> h0, double h, std::optional<double> h2, doub
 }
 
 double share_of_uniform(const std::array<std::optional<double>, 4>& h) {
-  // What a slope at a node adds: its faces' lengths squared over 12.
+  // Change of the integral by a slope at a node: the difference of its faces' lengths squared over
+  // 12.
   const auto weight = [&h](int left) {
     return (*h[left + 1] * *h[left + 1] - *h[left] * *h[left]) / 12.0;
   };
   double more = 0.0;
-  for (const int left : {0, 1, 2}) {  // face before a node whose slope this one tells
+  for (const int left : {0, 1, 2}) {  // face before a node whose slope depends on this node
     if (!h[left] || !h[left + 1]) continue;
     more += weight(left) * middle_slope(*h[left], *h[left + 1])[2 - left];
   }

@@ -14,14 +14,15 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Along each side of a facet: with eight, Fz where the patch is shorter than two facets is 1 % off
-/// that of sixteen, with twelve not 0.1 %; with two, at Gauss' places, 24 %.
+/// Number of points along each side of a facet. With eight, Fz of a patch shorter than two facets
+/// is 1 % off that with sixteen; with twelve less than 0.1 %; with two, at Gauss points, 24 %.
 constexpr int kFacetPoints = 12;
 
-/// Of the sag (T.2), what counts.
+/// Share of the sag (T.2) that offsets a point.
 constexpr double kOfSag = 0.53;
 
-/// What a node is short of, the mean around it makes up for alone.
+/// Share of a place by (T.3). The mean around a node alone makes up for the area that the node
+/// lacks.
 template <class ShareAt>
 double share_of(int place, ShareAt share_at) {
   return place % kPlaces == 0 ? 1.0 + kPlaces * (share_at(place / kPlaces) - 1.0) : 1.0;
@@ -29,9 +30,9 @@ double share_of(int place, ShareAt share_at) {
 
 }  // namespace
 
-/// Tread faces of a section, one beside the other: the nodes between them.
+/// A row of adjacent tread faces of a section, given by the nodes between them.
 struct TreadSurface::Strip {
-  std::vector<int> nodes;    // of the section
+  std::vector<int> nodes;    // section nodes
   std::vector<double> span;  // m, from one node to the next
 
   std::optional<double> span_at(int face) const {
@@ -40,24 +41,24 @@ struct TreadSurface::Strip {
   }
 };
 
-/// In the direction around: planes being alike, weights of (T.1) are products of those around and
-/// those across.
+/// A mean around the circumference. All planes are alike, so weights of (T.1) are products of those
+/// around and across.
 struct TreadSurface::MeanAround {
-  int place;  // kPlaces a face
+  int place;  // counted in kPlaces a face
   HatMean mean;
-  double theta;   // rad, of the place
-  double moment;  // second one of the hat, rad^3
+  double theta;   // rad, angle of the place
+  double moment;  // second moment of the hat function, rad^3
   double share;   // (T.3)
 };
 
-/// The same across, in the section.
+/// A mean across, in the section.
 struct TreadSurface::MeanAcross {
   HatMean mean;
   double share;
-  Eigen::Vector3d X, slope;  // m, at the place, and along the section
+  Eigen::Vector3d X, slope;  // m, position and tangent along the section
 };
 
-/// Runs of tread faces; none where faces do not lie beside each other from plane to plane.
+/// Returns runs of tread faces; none if faces are not adjacent from plane to plane.
 std::vector<TreadSurface::Strip> TreadSurface::strips_of(const Mesh& mesh) {
   const int n = mesh.nodes_per_sector();
   if (mesh.sectors == 1) return {};
@@ -129,11 +130,12 @@ TreadSurface::TreadSurface(const RingUnknowns& unknowns, TreadShape shape, doubl
   const bool is_halved = unknowns.multiplicity() > 1.0;
   const int planes = is_halved ? unknowns.sectors() + 1 : mesh.sectors;
   const auto is_plane_near = [&](int plane) { return is_near(mesh.angle(plane % mesh.sectors)); };
-  const int last_plane = is_halved ? planes - 1 : planes;  // of a place between two
+  const int last_plane = is_halved ? planes - 1 : planes;  // last plane of a place between two
+                                                           // planes
   std::vector<std::vector<MeanAcross>> means;
   for (const Strip& strip : strips) means.push_back(means_across(strip));
   std::vector<std::vector<int>> lines(strips.size(), std::vector<int>(mesh.sectors, -1));
-  int cells = 0, first_cell = 0, row = -1;  // of faces around
+  int cells = 0, first_cell = 0, row = -1;  // cells and rows of faces around
   for (int along = 0; along <= kPlaces * last_plane; ++along) {
     if (shape_ != TreadShape::smooth || (!is_halved && along == kPlaces * last_plane) ||
         !is_plane_near(face_of(along)) || !is_plane_near(face_of(along + kPlaces - 1)))
@@ -244,7 +246,7 @@ void TreadSurface::add_facet(const std::array<std::pair<int, int>, 4>& corner) {
   add_samples({grid[0], grid[1], grid[2], grid[3]}, grid, weights_at);
 }
 
-/// Places and weights of the surface on a face.
+/// Returns places and weights of the surface on a face.
 std::pair<TreadSurface::Grid, TreadSurface::Weights> TreadSurface::smooth_face(int sector,
                                                                                int face,
                                                                                const Strip& strip) {
@@ -279,7 +281,7 @@ std::pair<TreadSurface::Grid, TreadSurface::Weights> TreadSurface::smooth_face(i
           }};
 }
 
-/// rad, of any plane, counted on around the ring.
+/// Returns the angle of any plane, rad, counted on around the ring.
 double TreadSurface::angle(int plane) const {
   const Mesh& mesh = unknowns_.ring().mesh();
   const int turns = static_cast<int>(std::floor(static_cast<double>(plane) / mesh.sectors));
@@ -339,7 +341,7 @@ std::vector<TreadSurface::MeanAcross> TreadSurface::means_across(const Strip& st
   return means;
 }
 
-/// Means across at a plane, one behind the other; the first of them.
+/// Adds the means across at a plane, in a row. Returns the index of the first.
 int TreadSurface::add_line(int plane, const std::vector<MeanAcross>& means, const Strip& strip) {
   const int line = static_cast<int>(first_across_.size()) - 1;
   for (const MeanAcross& across : means) {
@@ -354,8 +356,8 @@ int TreadSurface::add_line(int plane, const std::vector<MeanAcross>& means, cons
   return line;
 }
 
-/// (T.1) at the places of a strip; `lines`: its means across at every plane, -1 where there are
-/// none yet. Where half the ring stands for all of it, half of what lies on its own image's plane
+/// Adds the points (T.1) of a strip. `lines` holds the first mean across of every plane, -1 if not
+/// yet made. If half the ring represents all of it, half of each point on its own image's plane
 /// belongs to the image.
 void TreadSurface::add_mean_points(const MeanAround& around,
                                    const std::vector<MeanAcross>& means,
@@ -366,7 +368,7 @@ void TreadSurface::add_mean_points(const MeanAround& around,
   const HatMean& hat = around.mean;
   const bool is_own_image = unknowns_.multiplicity() > 1.0 &&
                             (around.place == 0 || around.place == kPlaces * unknowns_.sectors());
-  std::vector<Part> planes;  // the first of their means across
+  std::vector<Part> planes;  // indices of the planes' first means across
   for (std::size_t i = 0; i < hat.weight.size(); ++i) {
     if (hat.weight[i] == 0.0) continue;
     const int plane = ((hat.first + static_cast<int>(i)) % S + S) % S;
@@ -473,14 +475,15 @@ std::vector<int> TreadSurface::nodes_of(const Point& point) const {
   return nodes;
 }
 
-/// Faces one behind the other, each having the corners `front` where the next one has `back`.
+/// Returns rows of faces in which the corners `front` of each face are the corners `back` of the
+/// next.
 std::vector<std::vector<int>> TreadSurface::rows_of_faces(std::array<int, 2> back,
                                                           std::array<int, 2> front) const {
   const auto edge = [this](int face, const std::array<int, 2>& ends) {
     return std::pair(faces_[face].corner[ends[0]], faces_[face].corner[ends[1]]);
   };
   const int count = static_cast<int>(faces_.size());
-  std::map<std::pair<int, int>, int> behind;  // by the edge they begin at
+  std::map<std::pair<int, int>, int> behind;  // index of each face by its back edge
   for (int face = 0; face < count; ++face) behind[edge(face, back)] = face;
   std::vector<bool> follows(count, false), is_done(count, false);
   const auto next_of = [&](int face) {
@@ -491,7 +494,7 @@ std::vector<std::vector<int>> TreadSurface::rows_of_faces(std::array<int, 2> bac
     if (const int next = next_of(face); next >= 0) follows[next] = true;
   }
   std::vector<std::vector<int>> rows;
-  for (const bool rings : {false, true}) {  // what is left after all beginnings goes all around
+  for (const bool rings : {false, true}) {  // faces without a beginning form closed rings
     for (int first = 0; first < count; ++first) {
       if (is_done[first] || (follows[first] && !rings)) continue;
       rows.emplace_back();

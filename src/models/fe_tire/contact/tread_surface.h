@@ -66,7 +66,7 @@ class TreadSurface {
   };
   /// A point that follows the surface.
   struct Point {
-    int first_weight, weights;                         // of weights()
+    int first_weight, weights;                         // range in weights()
     double share;                                      // share of a sample in the face's parameter
                                                        // square
     double dA;                                         // m^2 of the undeformed surface
@@ -168,7 +168,8 @@ class TreadSurface {
   TreadShape shape_;
   std::vector<int> nodes_;
   std::vector<Place> places_;
-  std::vector<std::vector<int>> place_index_;  // by plane and node, used while the surface is built
+  std::vector<std::vector<int>> place_index_;  // index by plane and node, used while the surface is
+                                               // built
   std::vector<Weight> weights_;
   std::vector<Point> points_, samples_;
   // A point is a sum of means across, and a mean across is a sum of places. Their weights are

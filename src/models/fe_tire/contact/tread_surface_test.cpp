@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tread's surface on the meshes that are shipped, whose rows meet on plies and end at tied
+// Tests of the tread's surface on the shipped meshes, whose rows meet on plies and end at tied
 // corners.
 #include "models/fe_tire/contact/tread_surface.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kWindow = 0.4;  // rad, to both sides of the lowest place
 
-/// Of the flat faces of the tread with an edge in the window, m^2.
+/// Returns the area of the tread's flat faces with an edge in the window, m^2.
 double area_of_facets(const Mesh& mesh) {
   const auto is_near = [&](int plane) {
     const double angle = mesh.angle(plane);
@@ -38,8 +38,8 @@ double area_of_facets(const Mesh& mesh) {
 }
 
 // A smooth surface through the nodes bulges out of the facets: with sectors of 3 deg the arc is
-// (0.052 rad)^2 / 24 = 0.011 % longer than its chords, across the tread's shoulders a few times
-// that.
+// (0.052 rad)^2 / 24 = 0.011 % longer than its chords, and a few times that across the tread's
+// shoulders.
 TEST(TreadSurface, OfShippedTiresCoversTheTreadOfHalfTheRing) {
   for (const char* name : {"passenger_205_55R16", "passenger_225_50R16", "passenger_235_45R20"}) {
     const TireDescription tire =
@@ -62,9 +62,9 @@ TEST(TreadSurface, OfShippedTiresCoversTheTreadOfHalfTheRing) {
   }
 }
 
-// A uniform pressure loads every plane by its sectors' halves, as elements want it, also where
-// narrow sectors end: without (T.3) the last narrow plane beside one of twice the width got 17 %
-// less; to first order, a third of that is allowed.
+// A uniform pressure must load every plane in proportion to the halves of its sectors, as the
+// elements require, also where narrow sectors end. Without (T.3) the last narrow plane beside one
+// of twice the width got 17 % less. (T.3) is exact to first order; a third of the 17 % is allowed.
 TEST(TreadSurface, AUniformPressureLoadsPlanesEvenly) {
   TireDescription tire = read_tire(Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) /
                                                   "studies/tires/passenger_205_55R16.toml")
@@ -82,7 +82,7 @@ TEST(TreadSurface, AUniformPressureLoadsPlanesEvenly) {
       force[tread.places()[weight.place].plane] += weight.w * point.dA;
     }
   }
-  double per_angle = 0.0;  // of the narrow planes in the middle
+  double per_angle = 0.0;  // mean of the narrow planes in the middle
   double largest = 0.0;
   for (int s = 1; mesh.angle(s + 2) < kWindow - 0.1; ++s) {
     const double half = 0.5 * (mesh.angle(s + 1) - mesh.angle(s - 1));
@@ -92,8 +92,8 @@ TEST(TreadSurface, AUniformPressureLoadsPlanesEvenly) {
   EXPECT_LT(largest, 0.17 / 3.0);
 }
 
-// Points summed up in two steps, means across first, are where their weights say; and what moves
-// them are the nodes of their cell.
+// Points summed in two steps, means across first, agree with the sum over their weights, and depend
+// only on the nodes of their cell.
 TEST(TreadSurface, PointsAreWhereTheirWeightsSay) {
   const TireDescription tire =
       read_tire(Document::read(LATSCH_SOURCE_DIR "/studies/tires/passenger_225_50R16.toml").root());
@@ -119,7 +119,8 @@ TEST(TreadSurface, PointsAreWhereTheirWeightsSay) {
   }
 }
 
-// A half turn takes a tied edge to the other side of the wall; one tied elsewhere has no image.
+// The half turn takes a tied edge to the other side of the wall. An edge tied elsewhere has no
+// image.
 TEST(TreadSurface, AnEdgeTiedElsewhereIsNoImage) {
   const TireDescription tire =
       read_tire(Document::read(LATSCH_SOURCE_DIR "/studies/tires/passenger_225_50R16.toml").root());

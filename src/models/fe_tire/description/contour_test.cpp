@@ -9,7 +9,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// A torus' meridian: n + 1 points of a half circle of radius a about radius R.
+/// Returns the meridian of a torus: n + 1 points of a half circle of radius a about radius R.
 Contour circle(double a, double R, int n) {
   std::vector<MeridianPoint> half;
   for (int i = 0; i <= n; ++i) {
@@ -27,7 +27,7 @@ TEST(Contour, StraightLineIsExact) {
   EXPECT_NEAR(line.tangent(0.0).y, -1.0, 1e-15);
 }
 
-// A natural spline ends straight and so misses a curved end by O(h^2); doubling the points of a
+// A natural spline ends straight and so misses a curved end by O(h^2). Doubling the points of a
 // circle must divide the error of its length by at least 4.
 TEST(Contour, LengthOfACircleConvergesWithTheSquareOfThePointDistance) {
   const double exact = 0.1 * std::numbers::pi;

@@ -12,8 +12,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-// rad, half of patches: one 0.56 of the radius long, longer than a rated load makes it, and one of
-// the first two millimeters.
+// Half angles of patches, rad: of one that is 0.56 of the radius long, longer than at rated load,
+// and of the patch of the first two millimeters. Larger values refine more sectors.
 constexpr double kReach = 0.28, kFirstReach = 0.05;
 
 int parts(double length, double largest) {
@@ -21,7 +21,7 @@ int parts(double length, double largest) {
   return std::max(1, static_cast<int>(std::ceil(length / largest - kRounding)));
 }
 
-/// Widths of the sectors of one half of the ring, from the contact upward, rad.
+/// Returns the widths of the sectors of one half of the ring, from the contact upward, rad.
 std::vector<double> sector_widths(const Section& section) {
   std::vector<double> widths;
   double left = std::numbers::pi;
@@ -45,7 +45,8 @@ TreadSplit split_of(const TireDescription& tire, const TreadElements& largest) {
   for (std::size_t j = 0; columns[j] < section.tread_to; ++j) {
     split.columns.push_back(parts((columns[j + 1] - columns[j]) * half_length, largest.across));
   }
-  // Short columns are so because the wall bends there: where any is split, all of them are.
+  // Columns are short where the wall bends. If any column is split, all of them are, to keep their
+  // ratios.
   if (std::ranges::max(split.columns) > 1) {
     for (int& of_column : split.columns) of_column = std::max(of_column, 2);
   }
@@ -73,7 +74,8 @@ TireDescription with_split_tread(TireDescription tire, const TreadSplit& split) 
   columns.push_back(whole.back());
   tire = with_columns(std::move(tire), std::move(columns));
 
-  // Zones are the same on both sides: of an odd number of sectors the others share the last one.
+  // Zones are the same on both sides. If the number of sectors is odd, the remaining sectors share
+  // the last zone.
   Section& section = tire.section;
   const std::vector<double> widths = sector_widths(section);
   section.sectors = 0;
@@ -87,7 +89,7 @@ TireDescription with_split_tread(TireDescription tire, const TreadSplit& split) 
     section.sector_zones.back().sectors += p;
     section.sectors += 2 * p;
   }
-  section.sector_zones.pop_back();  // the others share the rest of the ring
+  section.sector_zones.pop_back();  // The remaining sectors share the rest of the ring.
   return tire;
 }
 

@@ -19,7 +19,7 @@ TireDescription fine(const TireDescription& tire, const TreadElements& largest =
   return with_split_tread(tire, split_of(tire, largest));
 }
 
-/// Of every element of the tread on the plane of an angle, rad: its length around.
+/// Returns the circumferential length of the tread's elements in a sector, m.
 double arc(const Mesh& mesh, int sector) {
   return (mesh.angle(sector + 1) - mesh.angle(sector)) * mesh.outer_radius();
 }
@@ -59,7 +59,8 @@ TEST(FineTread, LeavesWallAndTopOfTheRingAsTheyAre) {
   EXPECT_NEAR(mesh.angle(mesh.sectors), 2.0 * std::numbers::pi, 1e-12);
 }
 
-// Of two meshes of one tire the finer one is nearer to that with all elements split.
+// Of two meshes of one tire the finer one agrees better with the mesh in which all elements are
+// split.
 TEST(FineTread, IsTheSameTire) {
   const TireDescription tire = reference_tire_b();
   FeTire own(tire), split(fine(tire)), finest(build_mesh(tire, 3), build_materials(tire, 3));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the description of a section to material values, in the numbering of its mesh.
+// Computes material values from the description of a section, in the numbering of its mesh.
 //
-// The smeared layer, for comparison with programs that have no rebars, is the isotropic law of its
-// rubber plus the cords' stiffness spread over the wall inside the reference line:
+// The smeared layer serves comparison with programs that have no rebars. Its law is the isotropic
+// law of its rubber plus the cords' stiffness spread over the wall inside the reference line:
 //   D = (K - 2/3 G) I(x)I + 2 G I4 + sum_c (E_c t_c / t_inside) d_c(x)d_c(x)d_c(x)d_c
 #include <cmath>
 
@@ -11,16 +11,16 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// d (x) d of a direction in Voigt order, for stresses: d^T E d = v . E_voigt.
+/// Returns d (x) d of a direction in Voigt order, for stresses: d^T E d = v . E_voigt.
 Vector6 dyad(const Eigen::Vector3d& d) {
   Vector6 v;
   for (int k = 0; k < 6; ++k) v[k] = d[voigt::kRow[k]] * d[voigt::kColumn[k]];
   return v;
 }
 
-/// What a column of elements is like in its middle.
+/// Geometry in the middle of a column of elements.
 struct Column {
-  double r = 0.0;              // m, of the reference line
+  double r = 0.0;              // m, radius of the reference line
   double thickness = 0.0;      // m, inside the reference line
   Eigen::Vector3d meridional;  // (radial, circumferential, axial), toward the -y bead
 };
@@ -38,8 +38,8 @@ Column column_of(const TireDescription& tire, const Contour& line, int i, int co
   return column;
 }
 
-/// The cords of a ply at radius r. Lifted from the drum, a cord keeps cos(angle) / r, and the
-/// cords' spacing grows with r sin(angle).
+/// Returns the cords of a ply at radius r. A cord lifted from the drum keeps cos(angle) / r, and
+/// the cords' spacing grows with r sin(angle).
 CordLayer cords_at(const CordPly& ply, double r, double r_crown) {
   CordLayer cords = ply.cords;
   if (!ply.lifted) return cords;
@@ -89,7 +89,7 @@ Materials build_materials(const TireDescription& tire, Refinement refinement) {
     }
     return materials;
   }
-  // Smeared cords lie along the wall where they are: a refined column has a direction of its own.
+  // Smeared cords follow the wall's direction, so each refined column has its own material.
   const int split = refinement.along;
   for (int i = 0; i < split * plan.columns(); ++i) {
     const Column column = column_of(tire, line, i, split * plan.columns());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the description of a section to the HEX8 mesh of one sector.
+// Builds the HEX8 mesh of one sector from the description of a section.
 
 #include <algorithm>
 #include <cassert>
@@ -48,7 +48,8 @@ class MeshBuilder {
  private:
   int columns() const { return r_.along * plan_.columns(); }
   double s(double i) const { return section_.station(i / r_.along); }
-  /// Rows of elements that end at station i. The sidewall has one outside the reference line.
+  /// Returns the number of element rows that end at station i. The sidewall has one row outside the
+  /// reference line.
   int rows_at(int i) const {
     const bool sidewall = std::abs(i - 0.5 * columns()) > crown_ - 0.5;
     return r_.through * (sidewall ? section_.rows_inside + 1 : plan_.rows());
@@ -56,14 +57,15 @@ class MeshBuilder {
   int node(int i, int k) const { return first_node_[i] + k; }
   int top(int i) const { return node(i, rows_at(i)); }
 
-  /// Row k of `rows`, fractions too, in those of the unrefined crown.
+  /// Converts row k of `rows` (fractions allowed) to rows of the unrefined crown.
   double parent_row(double k, int rows) const {
     const double row = k / r_.through, inside = section_.rows_inside;
     const int outside = rows / r_.through - section_.rows_inside;
     if (row <= inside) return row;
     return inside + (row - inside) * (plan_.rows() - section_.rows_inside) / outside;
   }
-  /// Distance of the face below row k of `rows` from the reference line at s, positive outward.
+  /// Returns the distance of the face below row k of `rows` from the reference line at s, positive
+  /// outward.
   double face(double s, int k, int rows) const {
     return section_.face(std::abs(s), parent_row(k, rows));
   }
@@ -77,8 +79,8 @@ class MeshBuilder {
       }
   }
 
-  /// Nodes of station i below and above row k of `rows`; where fewer rows end there, those between
-  /// which the row ends, and where.
+  /// Nodes of station i below and above row k of `rows`. If fewer rows end there, these are the
+  /// nodes between which the row ends, and `from` and `to` the places where it ends.
   struct RowEnd {
     int lower, upper;
     double from = 0.0, to = 1.0;
@@ -120,7 +122,8 @@ class MeshBuilder {
     return e;
   }
 
-  /// Bends as one: a sidewall, no crown with belts under a thick tread.
+  /// True for a column that bends as one wall: a sidewall, but not a crown with belts under a thick
+  /// tread.
   bool is_wall(int column, int rows) const {
     if (!section_.faces.empty()) return rows < r_.through * plan_.rows();
     return tire_.cord_model == CordModel::rebar &&
@@ -129,7 +132,7 @@ class MeshBuilder {
            });
   }
 
-  /// Of the wall in the middle of a column, m.
+  /// Returns the thickness of the wall in the middle of a column, m.
   double thickness(int i) const {
     const double q = std::abs(s(i + 0.5));
     return section_.inside.at(q) + section_.outside.at(q);
@@ -141,7 +144,8 @@ class MeshBuilder {
     std::vector<RebarPlacement> found;
     for (const auto& [ply, layer] : plan_.plies(i / r_.along)) {
       const double d = tire_.plies[ply].offset.at(std::abs(middle));
-      const bool lowest = k == 0 && d == lower;  // a ply on a face belongs to the element inside it
+      const bool lowest = k == 0 && d == lower;  // A ply on a face belongs to the element inside
+                                                 // it.
       if (lowest || (lower < d && d <= upper))
         found.push_back({layer, 2.0 * (d - lower) / (upper - lower) - 1.0});
     }
@@ -157,7 +161,7 @@ class MeshBuilder {
     }
   }
 
-  /// Outer nodes at the crown, at both edges of the tread and at both widest places.
+  /// Chooses the outer nodes at the crown, at both edges of the tread and at both widest places.
   void choose_sensors(Mesh& mesh) const {
     const auto nearest = [&](double target) {
       int found = 0;
@@ -180,7 +184,7 @@ class MeshBuilder {
   Refinement r_;
   SectionPlan plan_;
   Contour line_;
-  double crown_ = 0.0;  // columns from the crown to where rows of the sidewall begin
+  double crown_ = 0.0;  // columns from the crown to the first row of the sidewall
   std::vector<int> first_node_ = {0};
 };
 

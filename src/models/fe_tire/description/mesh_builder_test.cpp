@@ -12,7 +12,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-// [Hempel & Oertel 2016], table of both tires.
+// The numbers are from the table of both tires in [Hempel & Oertel 2016].
 TEST(MeshBuilder, TiresAAndBHaveTheElementsAndFreedomsOfThePaper) {
   const Mesh a = build_mesh(reference_tire_a()), b = build_mesh(reference_tire_b());
   EXPECT_EQ(a.element_count(), 7020);
@@ -21,8 +21,8 @@ TEST(MeshBuilder, TiresAAndBHaveTheElementsAndFreedomsOfThePaper) {
   EXPECT_EQ(b.free_dofs(), 15480);
 }
 
-/// Volume of a trilinear hexahedron: its Jacobian is of second degree in each coordinate, so the
-/// 2 x 2 x 2 Gauss rule is exact.
+/// Returns the volume of a trilinear hexahedron. Its Jacobian is of second degree in each
+/// coordinate, so the 2 x 2 x 2 Gauss rule is exact.
 double volume(const Eigen::Matrix<double, 3, 8>& X) {
   static constexpr int kSign[8][3] = {{-1, -1, -1},
                                       {1, -1, -1},
@@ -54,8 +54,8 @@ double volume(const Mesh& mesh) {
   return mesh.sectors * sum;
 }
 
-/// The solid the section sweeps, by Green's and Pappus' theorems along the section's outline:
-/// V = 2 pi int r dA = pi | closed int r^2 dy |.
+/// Returns the volume swept by the section, by Green's and Pappus' theorems along its outline: V =
+/// 2 pi int r dA = pi | closed int r^2 dy |.
 double swept_volume(const Section& section) {
   constexpr int kSteps = 20000;
   const Contour line(section.contour);
@@ -91,8 +91,9 @@ TEST(MeshBuilder, VolumeOfACylinderIsThatOfItsPolygon) {
   EXPECT_NEAR(swept_volume(tire.section) * std::sin(angle) / angle, polygon, 1e-9 * polygon);
 }
 
-// Where many rows end on the straight edge of two, elements neither gap nor overlap: the same
-// volume as with two rows everywhere, for faces inside the wall move none of its surface.
+// Where many rows end on the straight edge of two, the elements leave no gap and do not overlap.
+// The volume equals that of two rows everywhere, because faces inside the wall do not move its
+// surface.
 TEST(MeshBuilder, RowsThatEndInTheSidewallLeaveTheVolume) {
   TireDescription tire = reference_tire_b();
   tire.cord_model = CordModel::rebar;
@@ -104,12 +105,12 @@ TEST(MeshBuilder, RowsThatEndInTheSidewallLeaveTheVolume) {
     const Mesh many = build_mesh(tire, refinement);
     EXPECT_TRUE(
         std::ranges::any_of(many.elements, [](const Element& e) { return e.tie.eta != 0; }));
-    // Faces of the elements are bilinear, and twisted ones cut a little off: second order.
+    // Faces of the elements are bilinear, and twisted ones cut off a volume of second order.
     EXPECT_NEAR(volume(many), volume(two), 1e-4 / refinement / refinement * volume(two));
   }
 }
 
-// Nodes lie on the true contour, so the volume approaches that of the swept section with order 2.
+// Nodes lie on the true contour, so the volume converges to that of the swept section with order 2.
 TEST(MeshBuilder, VolumeConvergesToTheSweptSectionWithOrderTwo) {
   for (TireDescription tire : {reference_tire_a(), reference_tire_b()}) {
     tire.section.inside = {{0.0}, {5e-3}};  // kinks of the thickness between nodes would add noise
@@ -124,7 +125,7 @@ TEST(MeshBuilder, VolumeConvergesToTheSweptSectionWithOrderTwo) {
   }
 }
 
-/// Rubber of the solids and cords of the layers, kg.
+/// Returns the mass of the solids' rubber and the layers' cords, kg.
 double mass(const Mesh& mesh, const Materials& materials) {
   double sum = 0.0;
   for (const Element& element : mesh.elements) {
@@ -161,7 +162,7 @@ TEST(MeshBuilder, RefinementKeepsTheMassWithinTheGeometricError) {
   EXPECT_LT(std::abs(m2 - m3), 0.3 * std::abs(m1 - m3));
 }
 
-// Every ply crosses every element column it covers exactly once, at its own distance from the
+// Every ply crosses every element column that it covers exactly once, at its own distance from the
 // reference line.
 TEST(MeshBuilder, RefinementKeepsTheCordsAtTheirPlaceInTheWall) {
   const TireDescription tire = with_rebars();
@@ -177,7 +178,8 @@ TEST(MeshBuilder, RefinementKeepsTheCordsAtTheirPlaceInTheWall) {
         for (const RebarPlacement& rebar : element.rebars) {
           ++found;
           EXPECT_LE(std::abs(rebar.zeta), 1.0);
-          // Middle of the element's section, between its two columns of nodes in the sector plane.
+          // p is the middle of the element's section, between its two columns of nodes in the
+          // sector plane.
           const auto X = mesh.coordinates(element);
           const double w = 0.5 * (1.0 + rebar.zeta);
           const Eigen::Vector3d p =
@@ -230,7 +232,7 @@ TEST(Mesh, SectorsAreCountedFromTheBottomTowardTheFront) {
   Eigen::Matrix3d round = Eigen::Matrix3d::Identity();
   for (int s = 0; s < mesh.sectors; ++s) round = mesh.sector_rotation() * round;
   EXPECT_NEAR((round - Eigen::Matrix3d::Identity()).norm(), 0.0, 1e-13);
-  // Crown of the reference line and tread, less the sag of half an element column.
+  // The radius is that of crown and tread, less the sag of half an element column.
   EXPECT_NEAR(mesh.outer_radius(), 0.310 + 0.009, 5e-5);
 }
 
@@ -254,8 +256,9 @@ TEST(Mesh, AnInvertedElementIsNamedWithItsPlace) {
   }
 }
 
-// Relative lengths 2 at the crown and 1/2 at the bead: the columns there have that ratio to 10 %
-// (they see the mean of the profile over their own length), and refining keeps the coarse nodes.
+// With relative lengths 2 at the crown and 1/2 at the bead the columns there have that ratio to 10
+// % (each takes the mean of the profile over its own length). A refined mesh contains the coarse
+// nodes.
 TEST(MeshBuilder, SectorZonesAreMirroredAtTheContactAndNestWhenRefined) {
   constexpr double kDegree = M_PI / 180.0;
   TireDescription tire = reference_tire_b();
@@ -264,7 +267,7 @@ TEST(MeshBuilder, SectorZonesAreMirroredAtTheContactAndNestWhenRefined) {
   const Mesh mesh = build_mesh(tire), fine = build_mesh(tire, 2);
   for (int s = 0; s <= 4; ++s) EXPECT_NEAR(mesh.angle(s), 5.0 * kDegree * s, 1e-15);
   EXPECT_NEAR(mesh.angle(6), 40.0 * kDegree, 1e-15);
-  EXPECT_NEAR(mesh.angle(7), 75.0 * kDegree, 1e-15);  // four share what is left
+  EXPECT_NEAR(mesh.angle(7), 75.0 * kDegree, 1e-15);  // four sectors share the rest
   EXPECT_EQ(mesh.angle(10), M_PI);
   for (int s = 0; s <= 20; ++s) {
     EXPECT_NEAR(mesh.angle(s) + mesh.angle(20 - s), 2.0 * M_PI, 1e-14);

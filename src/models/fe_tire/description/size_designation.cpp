@@ -12,18 +12,18 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr double kInch = 0.0254, kMillimeter = 1e-3;
-constexpr double kLargestFlange = 20e-3;        // m, from rim diameter to the clamped bead
-constexpr double kFlangeOfRim = 0.04;           // of the rim's diameter, of large tires
-constexpr double kSmallestMetricRim = 100.0;    // larger ones are in mm
+constexpr double kLargestFlange = 20e-3;        // m, largest distance from rim to clamped bead
+constexpr double kFlangeOfRim = 0.04;           // the same as a share of a large rim's diameter
+constexpr double kSmallestMetricRim = 100.0;    // rims from here on are in mm
 constexpr double kSmallestMillimeters = 200.0;  // outer diameters from here on are in mm
-constexpr double kLargestOfMotorcycles = 24.5;  // inches, rim of a narrow metric tire
+constexpr double kLargestOfMotorcycles = 24.5;  // inches, largest rim of a narrow metric tire
 constexpr double kHeightOfSeries82 = 0.82, kHeightOfInches = 0.95;
 
 const char* const kPrefix = R"(\s*(?:P|LT|ST|T|C|IF|VF|H|B)?\s*)";
 const char* const kConstruction = R"(\s*([ZVHS]?R|B|D|-)\s*)";
 const char* const kRim = R"((\d{1,3}(?:\.\d)?)(?:LT|CP|C|M/C|NHS|XL)?(?:\s.*)?)";
 
-/// Capitals, and x for the sign of multiplication.
+/// Converts to capitals, and the multiplication sign to X.
 std::string plain(const std::string& text) {
   static const std::string kTimes = "\u00d7";
   std::string result;
@@ -45,7 +45,7 @@ double rim_of(const std::string& text) {
 
 bool is_radial(const std::string& construction) { return construction.back() == 'R'; }
 
-/// Width, ratio, rim.
+/// Reads width, ratio and rim.
 SizeDesignation with_ratio(const std::smatch& m) {
   SizeDesignation size;
   const double width = std::stod(m[1]);
@@ -57,7 +57,7 @@ SizeDesignation with_ratio(const std::smatch& m) {
   return size;
 }
 
-/// Width and rim.
+/// Reads width and rim.
 SizeDesignation without_ratio(const std::smatch& m) {
   SizeDesignation size;
   const double width = std::stod(m[1]);
@@ -72,7 +72,7 @@ SizeDesignation without_ratio(const std::smatch& m) {
   return size;
 }
 
-/// Outer diameter, width, rim.
+/// Reads outer diameter, width and rim.
 SizeDesignation with_diameter(const std::smatch& m) {
   SizeDesignation size;
   const double outer = std::stod(m[1]);

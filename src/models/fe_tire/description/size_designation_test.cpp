@@ -31,7 +31,8 @@ TEST(SizeDesignation, MarksAroundTheSizeAreAllowed) {
     EXPECT_TRUE(parse_size(text)) << text;
 }
 
-// Outer diameters in mm as makers' tables have them, within the tolerance of the designation.
+// Outer diameters in mm are those of makers' tables, to be met within the tolerance of the
+// designation.
 TEST(SizeDesignation, SizesOfTrucksFieldsMinesAircraftAndMotorcyclesAreRead) {
   struct Row {
     const char* text;

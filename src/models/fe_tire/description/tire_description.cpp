@@ -17,7 +17,8 @@ double WallProfile::at(double q) const {
 
 namespace {
 
-/// Elements up to position q, in units of elements of length 1: the integral of dq / length.
+/// Returns the number of elements up to position q for elements of length 1: the integral of dq /
+/// length.
 double elements_before(const SpacingProfile& spacing, double q) {
   double count = 0.0, from = 0.0;
   for (std::size_t i = 0; i + 1 < spacing.position.size() && from < q; ++i) {
@@ -39,14 +40,14 @@ double length_at(const SpacingProfile& spacing, double q) {
   return spacing.length[i] + (spacing.length[i + 1] - spacing.length[i]) * (q - a) / (b - a);
 }
 
-/// Linear between y_i at i.
+/// Interpolates linearly between values y_i at i.
 double interpolate(const std::vector<double>& y, double at) {
   const double whole = std::clamp(std::floor(at), 0.0, static_cast<double>(y.size() - 2));
   const auto i = static_cast<std::size_t>(whole);
   return y[i] + (at - whole) * (y[i + 1] - y[i]);
 }
 
-/// Columns from the crown to position q.
+/// Returns the number of columns from the crown to position q.
 double columns_before(const Section& section, double q) {
   if (const std::vector<double>& columns = section.columns; !columns.empty()) {
     const auto next = std::upper_bound(columns.begin() + 1, columns.end() - 1, q);
@@ -59,9 +60,9 @@ double columns_before(const Section& section, double q) {
   return 0.5 * section.meridional * part;
 }
 
-/// Columns from the crown, as `spacing` alone has them, to where column `count` ends after the
-/// nearest ends of columns have moved to `ends`, those between two of them in proportion. An end
-/// whose nearest column already ends at another one, or at crown or bead, moves none.
+/// Returns where column `count`, counted by `spacing` alone, ends after the nearest ends of columns
+/// have moved to `ends` and those between two of them in proportion. An end moves no column if its
+/// nearest column already ends at another one, or at crown or bead.
 double moved_to_ends(const Section& section, double count) {
   const double half = 0.5 * section.meridional, first = half - std::floor(half);
   double from = 0.0, moved_from = 0.0;
@@ -139,7 +140,7 @@ double Section::station(double column) const {
   if (spacing.position.empty()) return std::copysign(wanted / (0.5 * meridional), s);
   const double before = wanted / (0.5 * meridional) * elements_before(spacing, 1.0);
   double low = 0.0, high = 1.0, q = wanted / (0.5 * meridional);
-  for (int i = 0; i < 60 && high - low > 1e-16; ++i) {  // Newton's method, kept between the two
+  for (int i = 0; i < 60 && high - low > 1e-16; ++i) {  // Newton's method, kept in the bracket
     const double left = before - elements_before(spacing, q);
     if (left == 0.0) break;
     (left > 0.0 ? low : high) = q;

@@ -56,7 +56,7 @@ struct RubberRegion {
 struct CordPly {
   std::string name;
   Extent extent;
-  WallProfile offset = {{0.0}, {0.0}};  // from the reference line, positive outward
+  WallProfile offset = {{0.0}, {0.0}};  // distance from the reference line, positive outward
   CordLayer cords;
   /// True if the ply is built flat on a drum and lifted: its cords then keep cos(angle) / r and
   /// their number around the tire. Otherwise angle and thickness are the same everywhere.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tire file: the tables [mesh], [section], [rubber.*], [region.*] and [layer.*], see
+// Reader of a tire file: the tables [mesh], [section], [rubber.*], [region.*] and [layer.*], see
 // docs/fe_tire_section.md.
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr int kMostElements = 2000;  // along one direction
+constexpr int kMostElements = 2000;  // largest number along one direction
 
 Extent read_extent(const Node& node) {
   const Range unit = Range::between(0.0, 1.0);
@@ -75,8 +75,8 @@ SpacingProfile read_spacing(const Node& mesh) {
   return spacing;
 }
 
-/// Positions where columns end, in place of their number and relative lengths; none where not
-/// given.
+/// Reads the positions where columns end, which replace their number and relative lengths. Empty if
+/// they are not given.
 std::vector<double> read_columns(const Node& mesh) {
   constexpr const char* kKey = "columns";
   if (!mesh.has(kKey)) return {};
@@ -96,7 +96,7 @@ std::vector<double> read_columns(const Node& mesh) {
   return columns;
 }
 
-/// Each in `parts` of equal width.
+/// Splits each column into `parts` of equal width.
 std::vector<double> split(const std::vector<double>& columns, int parts) {
   std::vector<double> ends;
   for (std::size_t j = 0; j + 1 < columns.size(); ++j) {
@@ -107,7 +107,7 @@ std::vector<double> split(const std::vector<double>& columns, int parts) {
   return ends;
 }
 
-/// How many columns of elements there are is told by one of two keys.
+/// The number of columns must be given by one of two keys.
 void expect_columns(const Node& mesh) {
   if (mesh.has("columns") || mesh.has("meridional")) return;
   for (const std::string& key : mesh.keys()) {
@@ -119,7 +119,8 @@ void expect_columns(const Node& mesh) {
               "where they end");
 }
 
-/// [count, "width"] from the contact upward; the others share what is left of half the ring.
+/// Reads pairs [count, "width"] from the contact upward. The other sectors share the remainder of
+/// half the ring.
 std::vector<SectorZone> read_sector_zones(const Node& mesh, int sectors) {
   constexpr const char* kKey = "sector_zones";
   std::vector<SectorZone> zones;
@@ -260,7 +261,7 @@ RubberRegion read_region(const Node& node, const std::vector<Rubber>& rubbers) {
   return region;
 }
 
-/// Cross-section of one cord, m^2.
+/// Reads the cross-section of one cord, m^2.
 double cord_area(const Node& node) {
   if (!node.has("cord_diameter")) return node.quantity("cord_area", "m^2", Range::positive());
   if (node.has("cord_area"))
@@ -270,7 +271,7 @@ double cord_area(const Node& node) {
 }
 
 CordPly read_ply(const Node& node, const Section& section) {
-  constexpr double kRightAngle = 0.5 * std::numbers::pi + 1e-12;  // 90 deg in any rounding
+  constexpr double kRightAngle = 0.5 * std::numbers::pi + 1e-12;  // 90 deg with any rounding
   CordPly ply;
   ply.name = node.name();
   ply.extent = read_extent(node);
@@ -291,7 +292,7 @@ CordPly read_ply(const Node& node, const Section& section) {
   return ply;
 }
 
-/// The plies on which rows of elements meet.
+/// Reads the plies on which rows of elements meet.
 void read_faces(const Node& mesh, TireDescription& tire) {
   constexpr const char* kKey = "faces";
   if (!mesh.has(kKey)) return;
@@ -314,7 +315,7 @@ void read_faces(const Node& mesh, TireDescription& tire) {
   }
 }
 
-/// Columns end where plies and rubbers end, unless they are all alike.
+/// Makes columns end where plies and rubbers end, unless the columns are all alike.
 void place_ends(TireDescription& tire) {
   const Section& section = tire.section;
   if (section.faces.empty() && section.spacing.position.empty() && section.columns.empty()) return;
@@ -328,7 +329,8 @@ void place_ends(TireDescription& tire) {
   tire.section.ends.assign(ends.begin(), ends.end());
 }
 
-/// Every region and every layer must own an element, every element one region.
+/// Checks that every region and every layer owns an element, and that every element belongs to one
+/// region.
 void check_plan(const Node& root, const TireDescription& tire) {
   const SectionPlan plan(tire);
   std::vector<char> region_used(tire.regions.size()), ply_used(tire.plies.size());

@@ -18,8 +18,8 @@ TireDescription read(const std::string& file) {
   return read_tire(Document::read(kTires / file).root());
 }
 
-// [Hempel & Oertel 2016]: 15,480 and 27,000 unknowns. Rows on the plies take more, up to half as
-// many.
+// [Hempel & Oertel 2016] has 15,480 and 27,000 unknowns. Rows on the plies need up to half as many
+// more.
 TEST(TireReader, ShippedTiresHaveUpToOneAndAHalfTimesThePapersFreedoms) {
   EXPECT_LE(build_mesh(read("passenger_225_50R16.toml")).free_dofs(), 3 * 15480 / 2);
   EXPECT_LE(build_mesh(read("passenger_235_45R20.toml")).free_dofs(), 3 * 27000 / 2);
@@ -105,8 +105,8 @@ TEST(TireReader, AVariedModulusKeepsTheMeshAndChangesTheMaterials) {
   EXPECT_NEAR(2.0 * rubber.C10, 22.3e6 / (2.0 * (1.0 + 0.49)), 1.0);
 }
 
-// A cord on a drum of radius r_0 at angle a_0, lifted to radius r: cos a = cos a_0 r / r_0, and the
-// number of cords around, 2 pi r sin a / spacing, stays.
+// A cord on a drum of radius r_0 at angle a_0, lifted to radius r, has cos a = cos a_0 r / r_0. The
+// number of cords around, 2 pi r sin a / spacing, stays constant.
 TEST(TireReader, LiftedBiasPliesSteepenTowardTheBead) {
   const TireDescription tire = read("race_16x7.5-10.toml");
   const Contour line(tire.section.contour);
@@ -120,7 +120,7 @@ TEST(TireReader, LiftedBiasPliesSteepenTowardTheBead) {
   EXPECT_GT(bead.angle, crown.angle);
 }
 
-/// Tire B with one line replaced.
+/// Returns tire B with one line replaced.
 std::string edited(const std::string& from, const std::string& to) {
   std::ifstream file(kTires / "passenger_225_50R16.toml");
   std::ostringstream stream;
@@ -132,18 +132,19 @@ std::string edited(const std::string& from, const std::string& to) {
   return text;
 }
 
-/// Tire B with the line of [mesh] that begins with `key` replaced.
+/// Returns tire B with the line of [mesh] that begins with `key` replaced.
 std::string with_line(const std::string& key, const std::string& line) {
   std::string text = edited(key, key);
   const auto at = text.find(key);
   return text.replace(at, text.find('\n', at) - at, line);
 }
 
-/// An element at q takes a share of the wall in proportion to the length the profile has there.
+/// An element at q takes a share of the wall in proportion to the profile's length there.
 TEST(TireReader, SpacingGradesTheColumns) {
   std::string with_spacing = with_line(
       "columns = [", "meridional = 2000\nspacing = [[0, 2], [0.4, 2], [0.4001, 1], [1, 3]]");
-  const auto faces = with_spacing.find("faces = [");  // ends of columns then move to ends of plies
+  const auto faces = with_spacing.find("faces = [");  // otherwise ends of columns move to ends of
+                                                      // plies
   with_spacing.replace(faces, with_spacing.find('\n', faces) - faces, "");
   const Section section = read_tire(Document::parse(with_spacing, "t").root()).section;
   const auto length_at = [&](double q) {
@@ -158,7 +159,7 @@ TEST(TireReader, SpacingGradesTheColumns) {
   EXPECT_NEAR(section.station(section.meridional), 1.0, 1e-15);
 }
 
-// What [refined] of a study asks for: a number of the shipped file.
+// `split_columns` is the number that [refined] of a study sets in the shipped file.
 TEST(TireReader, ColumnsAreSplitInEqualParts) {
   Document document = Document::parse(edited("", ""), "t");
   const Section whole = read_tire(document.root()).section;
@@ -177,8 +178,8 @@ TEST(TireReader, ColumnsEndWhereTheyAreToldAndRefinedOnesInBetween) {
       with_line("columns = [", "columns = [0, 0.2, 0.38, 0.46, 0.6, 0.8, 0.95, 1]");
   const Section section = read_tire(Document::parse(text, "t").root()).section;
   EXPECT_EQ(section.meridional, 14);
-  // 0.74 and 0.92, where rubbers end, take the nearest end along, and what lies between: 0.8 goes
-  // to 0.74 by 0.3 of a column, 0.6 by half of that.
+  // The positions 0.74 and 0.92, where rubbers end, attract the nearest end of a column, and the
+  // ends between move in proportion: 0.8 moves to 0.74 by 0.3 of a column, 0.6 by half of that.
   const std::vector<double> expected = {0.0, 0.2, 0.38, 0.46, 0.46 + 0.85 * 0.14, 0.74, 0.92, 1.0};
   for (int i = 0; i <= 7; ++i) {
     EXPECT_NEAR(section.station(7 + i), expected[i], 1e-14) << i;
@@ -199,7 +200,7 @@ TEST(TireReader, AnOffsetMayChangeAlongTheWall) {
   EXPECT_DOUBLE_EQ(belt.at(0.9), 0.0);
 }
 
-/// The complaint about tire B with one line replaced.
+/// Returns the complaint about tire B with one line replaced.
 std::string complaint(const std::string& from, const std::string& to) {
   const std::string text = edited(from, to);
   try {

@@ -29,7 +29,7 @@ struct CordsOf {
     Point points[4];
   };
   const std::vector<CordSheet>& laws;
-  Sheet sheets[ElementLaw::kCordLayers];  // as many as there are laws
+  Sheet sheets[ElementLaw::kCordLayers];  // one for each law
 
   explicit CordsOf(const std::vector<CordSheet>& given) : laws(given) {}
   int count() const { return static_cast<int>(laws.size()); }

@@ -15,10 +15,25 @@
 // Bathe), in-plane shear along xi and eta, and the thickness strain of a curved element's middle.
 // Six and twelve strains represent the 24 - 6 deformations exactly once: there is no hourglass mode
 // and no hourglass stiffness.
-//   The twelve modes have zero values and slopes in a constant strain, and <A - <A>> = 0, so elements of any shape pass every patch test [Simo & Hughes 1986]. Curved walls then stretch their nodes' thickness a little instead of locking. The mean of the quadratic terms, w c c, is of second order there too; it keeps the tension of an inflated wall acting on the hourglass shapes. The square of a c belongs in E_11 or E_22 exactly if the strain that is linear in that c is kept: z_12 along xi (E_11), across it (E_22) and along the normal (twist, both); z_13 along xi and across it (E_11); z_23 along xi and across it (E_22). If a shear is omitted, leaning edges count as turned without strain, and their square alone would dilate the element: pressure of the order of G (b/L)^2 or more would then buckle long elements alternately. For the same reason the thickness strain has no such squares.
-//   alpha: E_11 along xi, E_22 along eta, E_33 along zeta, xi zeta and eta zeta (Poisson's contraction in bending, in plane and through the thickness) and E_33 along xi, eta, xi eta. Without the last three an element of fixed volume would tie the thickness of neighboring nodes to its own in-plane strain. These three are stiffened by the shear modulus; otherwise nodes could move alternately in and out.
-//   alpha solves sum dV P_alpha^T S = 0 by Newton's method, so f is the gradient and K the Hessian of the condensed energy.
-//   Enhanced strain in E and the Taylor expansion follow [Simo & Rifai 1990, IJNME 29; Klinkel, Gruttmann & Wagner 1999, Comput. Struct. 71; Schwarze & Reese 2009, IJNME 80].
+//   The twelve modes have zero values and slopes in a constant strain, and <A - <A>> = 0, so
+// elements of any shape pass every patch test [Simo & Hughes 1986]. Curved walls then stretch their
+// nodes' thickness a little instead of locking. The mean of the quadratic terms, w c c, is of
+// second order there too; it keeps the tension of an inflated wall acting on the hourglass shapes.
+// The square of a c belongs in E_11 or E_22 exactly if the strain that is linear in that c is kept:
+// z_12 along xi (E_11), across it (E_22) and along the normal (twist, both); z_13 along xi and
+// across it (E_11); z_23 along xi and across it (E_22). If a shear is omitted, leaning edges count
+// as turned without strain, and their square alone would dilate the element: pressure of the order
+// of G (b/L)^2 or more would then buckle long elements alternately. For the same reason the
+// thickness strain has no such squares.
+//   alpha: E_11 along xi, E_22 along eta, E_33 along zeta, xi zeta and eta zeta (Poisson's
+// contraction in bending, in plane and through the thickness) and E_33 along xi, eta, xi eta.
+// Without the last three an element of fixed volume would tie the thickness of neighboring nodes to
+// its own in-plane strain. These three are stiffened by the shear modulus; otherwise nodes could
+// move alternately in and out.
+//   alpha solves sum dV P_alpha^T S = 0 by Newton's method, so f is the gradient and K the Hessian
+// of the condensed energy.
+//   Enhanced strain in E and the Taylor expansion follow [Simo & Rifai 1990, IJNME 29; Klinkel,
+// Gruttmann & Wagner 1999, Comput. Struct. 71; Schwarze & Reese 2009, IJNME 80].
 //
 // Forces and stiffness are summed in the modal vectors (hex8_sums.h), where b and gamma are short
 // sums and every coefficient of e is a product of two vectors. Products with P, 48 x 26 numbers,

@@ -42,7 +42,7 @@ struct EdgeTie {
 /// counterclockwise seen from outside (order of CalculiX' C3D8): (-,-) (+,-) (+,+) (-,+) in
 /// (xi, eta).
 struct Element {
-  std::array<int, 8> node;  // from nodes_per_sector on: node - nodes_per_sector of the next sector
+  std::array<int, 8> node;  // numbers from nodes_per_sector on belong to the next sector
   int solid = 0;            // index into Materials::solids
   int region = 0;           // index into Mesh::region_names
   bool inner = false;       // face zeta = -1 carries the inflation pressure
@@ -63,9 +63,10 @@ struct Mesh {
   /// the contact: theta_(S-s) = 2 pi - theta_s. Empty: all sectors equally wide.
   std::vector<double> theta;
   Eigen::Matrix3Xd X;  // [3 x nodes_per_sector] reference positions in the sector frame, m
-  std::vector<Element> elements;  // of one sector
+  std::vector<Element> elements;  // elements of one sector
   std::vector<int> clamped;       // nodes of one sector held by the rim, ascending
-  std::vector<int> sensors;       // of one sector's outer surface, where mode shapes are compared
+  std::vector<int> sensors;       // nodes on one sector's outer surface, where mode shapes are
+                                  // compared
   std::vector<std::string> region_names;
 
   int nodes_per_sector() const { return static_cast<int>(X.cols()); }
@@ -93,7 +94,7 @@ struct Mesh {
 struct Corners {
   struct Tied {
     int lower, upper;  // nodes of the plane
-    double at;         // from the lower (0) to the upper node (1)
+    double at;         // share between the lower (0) and the upper node (1)
     bool operator==(const Tied&) const = default;
   };
   std::vector<Tied> tied;

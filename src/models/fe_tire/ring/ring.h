@@ -67,7 +67,7 @@ class Ring {
  private:
   Mesh mesh_;
   std::vector<int> width_;          // index of every sector's width
-  std::vector<Eigen::Matrix3d> Q_;  // of every width: next sector's frame -> own frame
+  std::vector<Eigen::Matrix3d> Q_;  // for every width: next sector's frame -> own frame
   int alphas_ = 0;
   int free_nodes_ = 0;
   std::vector<int> first_dof_;

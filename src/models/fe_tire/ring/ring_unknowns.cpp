@@ -8,10 +8,10 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kSamePlace = 1e-7;  // m: nodes this close are images of each other
+constexpr double kSamePlace = 1e-7;  // m, largest distance of a node from its image
 constexpr double kSameValue = 1e-9;  // difference of material constants, relative or to one in SI
 
-/// Displacement of a node's image under the half turn, in sector frames.
+/// Signs of the displacement of a node's image under the half turn, in sector frames.
 const Eigen::Vector3d kTurn(-1.0, -1.0, 1.0);
 
 std::optional<std::vector<int>> mirrored_nodes(const Mesh& mesh) {
@@ -34,7 +34,8 @@ std::optional<std::vector<int>> mirrored_nodes(const Mesh& mesh) {
   return mirror;
 }
 
-/// D after the half turn about the radial axis: circumferential and axial directions reversed.
+/// Returns D after the half turn about the radial axis, which reverses circumferential and axial
+/// directions.
 Matrix6 turned(const Matrix6& D) {
   Vector6 sign;
   sign << 1, 1, 1, -1, 1, -1;  // 12 and 13 couple the radial direction with a reversed one
@@ -75,8 +76,8 @@ bool same_element(const Element& a, const Element& b, const Materials& materials
   return same_solid(materials.solids[a.solid], materials.solids[b.solid]);
 }
 
-/// Nodes of an element and of its image: the half turn exchanges the sector's own plane and the
-/// next one.
+/// Returns the nodes of an element or of its image. The half turn exchanges the sector's own plane
+/// and the next one.
 std::array<int, 8> sorted_nodes(const Element& element, int n, const std::vector<int>* mirror) {
   std::array<int, 8> nodes = element.node;
   if (mirror) {
@@ -183,7 +184,7 @@ Matrix38 RingUnknowns::gather(int sector, int element, const Eigen::VectorXd& x)
 }
 
 void RingUnknowns::bring_in_order(int sector, int element, Matrix24& K) const {
-  // Only the planes of the half turn's axis have images of their own.
+  // Only planes on the half turn's axis hold their own images.
   if (symmetry_ == RingSymmetry::none || (sector > 0 && sector + 1 < sectors_)) return;
   const int n = ring_.mesh().nodes_per_sector();
   for (int a = 0; a < 8; ++a) {

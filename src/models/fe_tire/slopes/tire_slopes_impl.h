@@ -36,7 +36,7 @@ struct TireSlopes::Impl {
     numerics::Factorization factor;
     std::optional<TireState> of;  // none: the tangent is not positive definite
   };
-  std::map<const Systems*, Tangent> own_tangents;  // of the last state that needed one
+  std::map<const Systems*, Tangent> own_tangents;  // tangents of the last state that needed one
   /// w of (S.2) at the intermediate states of a path, found while the solver's factor was near.
   struct Passed {
     TireState state;
