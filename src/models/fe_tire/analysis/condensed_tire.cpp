@@ -8,7 +8,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// The same in single precision, in the middle of its exponents; `scale`: by how much.
+/// Converts to single precision after division by `scale`, which keeps values in the middle of the
+/// exponent range.
 Eigen::VectorXf single(const Eigen::VectorXd& v, double scale) { return (v / scale).cast<float>(); }
 
 double scale_of(const Eigen::VectorXd& v) {

@@ -10,10 +10,10 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr int kSize = 40;
-// Single precision, of matrices whose condition is below 100.
+// Error of single precision for matrices with a condition number below 100.
 constexpr double kSingle = 1e-5;
 
-/// Positive definite but for `shift`, of springs in a row and to the wall.
+/// Matrix of springs in a row and to the wall, positive definite unless `shift` is too negative.
 Eigen::MatrixXd springs(double shift) {
   Eigen::MatrixXd S = Eigen::MatrixXd::Zero(kSize, kSize);
   for (int i = 0; i < kSize; ++i) {
@@ -23,7 +23,7 @@ Eigen::MatrixXd springs(double shift) {
   return S;
 }
 
-/// Stiff where it sticks, with a part that is not symmetric where it slides.
+/// Ground that is stiff where it sticks, with a part that is not symmetric if it slides.
 GroundTangent ground(const std::vector<int>& rows, bool slides) {
   const auto m = std::ssize(rows);
   GroundTangent tangent{rows, Eigen::MatrixXd::Identity(m, m) * 50.0, {}};
@@ -35,7 +35,7 @@ GroundTangent ground(const std::vector<int>& rows, bool slides) {
   return tangent;
 }
 
-/// S with the tangent on rows of what is within reach.
+/// Adds the tangent to S in the rows within reach.
 Eigen::MatrixXd sum(Eigen::MatrixXd S,
                     const std::vector<int>& reached,
                     const GroundTangent& tangent) {
@@ -49,7 +49,7 @@ Eigen::MatrixXd sum(Eigen::MatrixXd S,
   return S;
 }
 
-// On ground that grows and moves on, within reaches from few rows to all.
+// The ground grows and moves, with few to all rows within reach.
 TEST(CondensedTire, AnswersAsTheDenseSumOfBoth) {
   const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(kSize, -1.0, 2.0);
   const Eigen::MatrixXd S = springs(0.0);
@@ -77,7 +77,8 @@ TEST(CondensedTire, AnswersAsTheDenseSumOfBoth) {
   }
 }
 
-// It stands by the ground alone, or not at all; a step of Newton's method is exact in both.
+// The tire is stable on the ground only in one of two cases; a step of Newton's method is exact in
+// both.
 TEST(CondensedTire, SaysWhereGroundMakesItUnstable) {
   const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(kSize, -1.0, 2.0);
   CondensedTire tire;

@@ -11,30 +11,36 @@
 namespace latsch::fe_tire {
 namespace {
 
-// A factorization costs as much as some twenty conjugate-gradient iterations (measured on tires A
+// Number of conjugate-gradient iterations that cost as much as a factorization (measured on tires A
 // and B).
 constexpr int kIterationsWorthAFactor = 20;
-// Of one solution to the last digits: a factor of its own and three solutions cost as much as 12 to
-// 17. One that has come so far ends sooner than those would.
+// Most iterations of a solution to the last digits. A factorization of its own and three solves
+// cost as much as 12 to 17 iterations; a solution that has come this far converges sooner than
+// that.
 constexpr int kIterationsOfOwnFactor = 24;
-// A solve that needed this many is a sign that the next one will be too slow.
+// A solve that needs more iterations than this marks the factor as too old for the next one.
 constexpr int kIterationsOfAStaleFactor = 9;
-// Linear equations are solved to this share of the residual: cords that go slack or taut leave as
-// much of it anyway. Where Newton's method goes all the way (kExact), between these.
+// Relative residual to which linear equations are solved. A smaller one gains nothing, because
+// cords that go slack or taut leave about as much. If Newton's method continues below kExact, the
+// tolerance lies between kFinest and kCoarsest.
 constexpr double kLinear = 3e-2;
 constexpr double kCoarsest = 1e-2, kFinest = 1e-4;
-// Of a first step that ended where the tangent is indefinite.
+// Share of the first step that is kept if the step ended where the tangent is indefinite.
 constexpr double kTakenBack = 0.5;
-// Of the tolerance: nothing to gain below, nor much below the second.
+// Relative to the tolerance: residual below which the first polishing pass, and the following ones,
+// are not worth their cost. Smaller values polish more.
 constexpr double kPolished = 1e-3, kPolishedAgain = 1e-2;
 constexpr int kMostPolishing = 3;
-// Of what is left, solved so far: soft motions of the tire, on which its load stands, err by more.
+// Residual reduction that each polishing solve must reach. It is tight because the load acts
+// through the soft motions of the tire, whose relative error is larger than the residual's.
 constexpr double kOfPolishing = 1e-3;
 constexpr double kLargestShift = 1e3;  // relative to the diagonal
-// From this many times the tolerance on the last tangent there is leads to the end, if the residual
-// falls so fast: cords that go slack or taut hold it up earlier.
+// The iteration ends with the last tangent, without a new one, from kClose times the tolerance on,
+// if the residual falls below kSlow of the previous one. Cords that go slack or taut slow it down
+// before that.
 constexpr double kClose = 100.0, kSlow = 0.1;
-// To tolerances below this Newton's method goes all the way: what is left then is far less.
+// Tolerances below this are met with a new tangent in every iteration: the residual is then far
+// smaller.
 constexpr double kExact = 1e-7;
 constexpr int kMaxBacktracks = 10;
 constexpr double kSlopeDecrease = 0.8;  // accepted |d . f(x - s d)| relative to |d . f(x)|
@@ -99,8 +105,9 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
       previous_ = 10.0 * f_.norm();
       continue;
     }
-    // Newton's method is of second order: where the residual would be close, no tangent is made.
-    // What the first step leaves, of the ground that moved, says nothing of that.
+    // Newton's method converges quadratically. If the next residual is expected to be close enough,
+    // no further tangent is made. The ratio of the first step says nothing about this, because it
+    // contains the ground's motion.
     const bool ends = is_close || (is_first_ ? 1.0 : ratio * ratio) * norm <= close;
     previous_ = norm;
     if (!line_search(now, !ends))
@@ -109,22 +116,22 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
   return failure(step, fmt::format("not converged in {} iterations", settings_.max_iterations));
 }
 
-/// Share of the residual that linear equations leave. All the way only as exactly as Newton's own
-/// convergence deserves (Eisenstat and Walker 1996, choice 2).
+/// Returns the relative residual of the linear equations. For small tolerances they are solved as
+/// accurately as Newton's own convergence justifies (Eisenstat and Walker 1996, choice 2).
 double EquilibriumSolver::linear_tolerance(double ratio) const {
   if (settings_.tolerance >= kExact) return kLinear;
   return std::clamp(0.5 * ratio * ratio, kFinest, kCoarsest);
 }
 
-/// Further steps with the last tangent there is, where they help: they take a pass of forces alone,
-/// and processors whose sums differ then agree in the digits results show.
+/// Adds steps with the last tangent as long as they help. Each costs one pass of forces only, and
+/// results then agree in the displayed digits on processors whose sums differ.
 void EquilibriumSolver::polish(RingState& state) {
   if (!has_factor_) return;
   double enough = kPolished;
   for (int pass = 0; pass < kMostPolishing; ++pass, enough = kPolishedAgain) {
     const double norm = f_.norm();
     if (norm <= enough * settings_.tolerance * reference_ || !start(state)) return;
-    correct(kOfPolishing, false);  // of what use it was, forces tell
+    correct(kOfPolishing, false);  // The forces judge the correction.
     trial_.x = state.x - d_;
     trial_.alpha = state.alpha;
     if (!assemble(trial_, false) || !(f_.norm() < norm)) return;
@@ -146,8 +153,8 @@ bool EquilibriumSolver::follow(const RingElements& elements,
   return has_factor_;
 }
 
-/// What the ground has moved by, the factor of the last equilibrium answers as well as a new one;
-/// and where that is the state last seen, its elements' forces are known.
+/// Starts the iteration. The factor of the last equilibrium serves the ground's motion as well as a
+/// new one, and if the state is the one last seen, its elements' forces are known.
 bool EquilibriumSolver::begin(RingState& state, const RingElements& elements, double pressure) {
   const bool is_known = has_factor_ && elements_ == &elements && pressure_ == pressure &&
                         known_.x == state.x && known_.alpha == state.alpha;
@@ -187,12 +194,12 @@ bool EquilibriumSolver::factorize() {
   return has_factor_;
 }
 
-/// A direction by a new factor. Shifts the tangent along its diagonal until it is positive; false
-/// where that leads nowhere, as with values that are not numbers, and where it was the first step
-/// that led here: of that there may be less.
+/// Finds a direction by a new factor. Shifts the tangent along its diagonal until it is positive
+/// definite. Returns false if no shift helps, as with values that are not numbers, or if the first
+/// step led to an indefinite tangent: that step can be shortened.
 bool EquilibriumSolver::renew_factor(const RingState& state, double tolerance) {
   const double largest = K_.diagonal().maxCoeff();
-  // What the last indefinite tangent of this equilibrium needed is where to begin with the next.
+  // The shift starts from that of the last indefinite tangent of this equilibrium.
   double shift = std::max(1e-5 * largest, 0.25 * shift_);
   while (!factorize() || !start(state)) {
     if (is_first_ || !(shift < kLargestShift * largest)) return false;
@@ -201,17 +208,17 @@ bool EquilibriumSolver::renew_factor(const RingState& state, double tolerance) {
     ++counts_->shifts;
     shift *= 4.0;
   }
-  correct(tolerance, false);  // even where it stops early, what it has is a direction of descent
+  correct(tolerance, false);  // Even if it stops early, the result is a direction of descent.
   return true;
 }
 
-/// A first direction, on the ground as it is, by the tangent of the factor.
+/// Finds a first direction, with the present ground, by the factor's tangent.
 bool EquilibriumSolver::start(const RingState& state) {
   ++counts_->solves;
   return tire_.step(contact_, state.x, f_, d_);
 }
 
-/// False where the tangent does not exist or has no factor.
+/// Returns false if the tangent does not exist or has no factor.
 bool EquilibriumSolver::find_direction(RingState& state, double tolerance) {
   const bool is_factor_of_use =
       has_factor_ && (!has_tangent_ || last_cg_iterations_ <= kIterationsOfAStaleFactor);
@@ -221,14 +228,14 @@ bool EquilibriumSolver::find_direction(RingState& state, double tolerance) {
   return renew_factor(state, tolerance);
 }
 
-/// Brings the direction to the tolerance with the current tangent, on what is left by conjugate
-/// gradients, or by minimal residuals where something slides: that tangent is not symmetric.
+/// Improves the direction to the tolerance with the current tangent: by conjugate gradients on the
+/// residual, or by minimal residuals if something slides, because that tangent is not symmetric.
 bool EquilibriumSolver::correct(double tolerance, bool may_give_up) {
   r_ = tire_.residual(K_, d_);
   const double wanted = tolerance * f_.norm(), norm = r_.norm();
   last_cg_iterations_ = 0;
   if (norm <= wanted) return true;
-  // A factor whose step leaves more than it found is of another structure.
+  // A factor whose step increases the residual belongs to another structure.
   if (may_give_up && norm > f_.norm()) return false;
   const auto multiply = [this](const Eigen::VectorXd& v, Eigen::VectorXd& Kv) {
     tire_.multiply(K_, v, Kv);
@@ -272,7 +279,7 @@ bool EquilibriumSolver::line_search(RingState& state, bool wants_tangent) {
   for (int back = 0; back <= kMaxBacktracks; ++back, s *= 0.5) {
     trial_.x = state.x - s * d_;
     trial_.alpha = state.alpha;
-    // The full step is taken nearly always: its tangent comes in the same pass.
+    // The full step is nearly always accepted, so its tangent is computed in the same pass.
     const bool valid = assemble(trial_, wants_tangent && back == 0);
     if (valid && (f_.norm() < norm || std::abs(d_.dot(f_)) <= kSlopeDecrease * slope)) {
       std::swap(state, trial_);

@@ -19,7 +19,8 @@ namespace latsch::fe_tire {
 
 namespace {
 
-/// Force norm of the pressure on the undeformed tire: what the solver's tolerance is relative to.
+/// Returns the force norm of the pressure on the undeformed tire, to which the solver's tolerance
+/// is relative.
 double pressure_force(const RingElements& elements, double pressure) {
   const Ring& ring = elements.ring();
   Eigen::VectorXd alpha =
@@ -33,7 +34,7 @@ double pressure_force(const RingElements& elements, double pressure) {
 
 constexpr int kMostWindows = 4;
 
-/// "deflection 25 mm", and what else of a pose is not zero.
+/// Describes a pose: "deflection 25 mm", and its other values that are not zero.
 std::string in_words(const GroundPose& pose, const Inflated& inflated) {
   std::string text = fmt::format("deflection {:.4g} mm", (inflated.radius - pose.height) * 1e3);
   const auto add = [&text](const char* name, double value, const char* unit) {
@@ -47,7 +48,7 @@ std::string in_words(const GroundPose& pose, const Inflated& inflated) {
   return text;
 }
 
-/// Where what the rim holds would lie in the ground.
+/// Returns a Failure if the part held by the rim would lie in the ground.
 std::optional<Failure> in_the_rim(const Mesh& mesh,
                                   const GroundPose& pose,
                                   const std::string& name) {
@@ -63,7 +64,7 @@ std::optional<Failure> in_the_rim(const Mesh& mesh,
                   1e3 * rim)};
 }
 
-/// Held points know no way along the ground, nor another height of it.
+/// Returns the failure for held points on other ground: they have no friction and know no bar.
 Failure held_elsewhere(const std::string& name) {
   return Failure{name +
                  ": points are held to ground with friction or a bar; expected flat ground without "
@@ -82,7 +83,7 @@ Failure unstable(const std::string& where) {
                  "buckles; check pressure, thicknesses and moduli"};
 }
 
-/// Whether tangents about them are the same, of a tire whose materials did not change.
+/// True if the tangents about both states are the same, for a tire with unchanged materials.
 bool same_tangent(const TireState& a, const TireState& b) {
   return a.pose == b.pose && a.ground == b.ground && a.inflated->pressure == b.inflated->pressure &&
          a.u == b.u && a.alpha == b.alpha && a.anchors == b.anchors;
@@ -146,7 +147,7 @@ Result<std::vector<TireState>> FeTire::advance(const TireState& from,
     if (auto failure = in_the_rim(mesh(), pose, in_words(pose, *from.inflated))) return *failure;
   }
   for (std::size_t k = 0; k < poses.size(); ++k) {
-    // A factor is taken along the way, not from whatever was solved before it.
+    // The factor comes from this path, not from an earlier computation, so that results repeat.
     const TireState& last = states.empty() ? from : states.back();
     if (k == 0) tire.systems(last.is_halved, Impl::window_from(last)).solver.forget_factor();
     const std::string name = fmt::format("load step {} of {} ({} at {:.4g} bar)",
@@ -163,7 +164,7 @@ Result<std::vector<TireState>> FeTire::advance(const TireState& from,
   if (states.empty()) return states;
   const TireState& last = states.back();
   Systems& all = tire.systems(last.is_halved, last.window);
-  all.solver.release();  // to the factors of the last state
+  all.solver.release();  // makes room for the last state's factors
   if (auto failure = tire.factorize(all, last)) return *failure;
   return states;
 }
@@ -176,7 +177,8 @@ Result<std::vector<TireState>> FeTire::press(const Inflated& inflated,
   return advance(over(inflated, ground), poses);
 }
 
-/// Where something touches that is not in the window, the step is done again with a wider one.
+/// Moves to a pose. If a part of the tread outside the window touches, the step is repeated with a
+/// wider window.
 Result<TireState> FeTire::Impl::move(const TireState& from,
                                      const GroundPose& pose,
                                      const std::string& name) {
@@ -259,7 +261,8 @@ Result<std::vector<Mode>> FeTire::modes(const TireState& state, int count) {
   if (!modes) return modes;
   for (Mode& mode : *modes) mode.phase = phase_of(tire.ring.mesh(), mode.shape);
   if (tire.ring.sectors() > 1) {
-    // Half as many again: some of the unloaded modes that the loaded ones resemble lie higher.
+    // Half as many again are computed, because some of the unloaded modes that resemble the loaded
+    // ones lie higher.
     const auto unloaded = harmonic_modes(tire.even_elements(),
                                          tire.ring.mesh(),
                                          *state.inflated,
@@ -276,9 +279,9 @@ MassProperties FeTire::mass_properties(const Inflated& inflated) const {
   return fe_tire::mass_properties(impl_->even_elements(), inflated.u);
 }
 
-/// Modes of even and odd states together, the lowest `count`. Of each kind somewhat more than its
-/// half are found roughly: as many are made exact as are among the lowest, and where all of them
-/// are, there may be more.
+/// Computes the `count` lowest of the even and odd modes together. Somewhat more than half as many
+/// of each kind are first found approximately. Those among the lowest are then made exact; if all
+/// of a kind are among them, more are searched.
 Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int count) {
   constexpr int kSpare = 3;
   if (state.is_halved && !mirror()) return of_other_materials();
@@ -367,8 +370,9 @@ std::optional<Failure> FeTire::Impl::factorize(const TireState& at,
   return std::nullopt;
 }
 
-/// The state is even; odd unknowns hold only what may vibrate about it. So elements and ground see
-/// the state of the even numbering, and the tangent is gathered in the numbering asked for.
+/// Adds the ground to the tangent. The state is even; odd unknowns hold only vibrations about it.
+/// So elements and ground are evaluated in the even numbering, and the tangent is gathered in the
+/// requested one.
 void FeTire::Impl::add_ground(Systems& all,
                               const TreadSurface& tread,
                               const TireState& at,

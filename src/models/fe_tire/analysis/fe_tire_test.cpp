@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kPressure = 2.6e5;
 
-/// Tire B with few elements, for tests of the method rather than of the tire.
+/// Returns tire B with few elements, for tests of the method rather than of the tire.
 TireDescription small_tire() {
   TireDescription tire = reference_tire_b();
   tire.section.meridional = 13;
@@ -44,7 +44,7 @@ TEST(FeTire, HarmonicModesEqualThoseOfTheWholeRing) {
 }
 
 TEST(FeTire, HarmonicShapesAreModesOfTheRingsOwnMatrices) {
-  // K phi = omega^2 M phi with K and M assembled sector by sector, on another path than the
+  // K phi = omega^2 M phi must hold with K and M assembled sector by sector, independently of the
   // harmonics.
   const TireDescription description = small_tire();
   FeTire tire = make(description);
@@ -103,7 +103,7 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
   for (const TreadShape shape : {TreadShape::facets, TreadShape::smooth}) {
     const TreadSurface tread(whole, shape, 0.4);
     const RingAssembly assembly(whole, &tread);
-    // Soft ground and no slip: the kink at first touch is out of the way.
+    // Soft ground and no slip keep the kink at first touch out of the comparison.
     TreadContact contact(tread, {.stiffness = 2e8, .mu = 5.0});
     RingState state = assembly.zero_state();
     state.x = whole.compress(inflated->u.replicate(1, ring.sectors()));
@@ -121,7 +121,7 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
     };
     numerics::SymmetricMatrix K(*assembly.pattern());
     forces(state, &K);
-    // All nodes move, those of the bead's free inner edge too, too little to cross the ground.
+    // All nodes move, those of the bead's free inner edge too, but too little to cross the ground.
     Eigen::Matrix3Xd u(3, ring.mesh().nodes());
     for (int k = 0; k < u.cols(); ++k) {
       u.col(k) = Eigen::Vector3d(std::sin(k), std::cos(3 * k), std::sin(2 * k + 1));
@@ -139,8 +139,8 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
 }
 
 TEST(FeTire, TangentOfThePressureIsExactAtAnOpenEdgeToo) {
-  // Nothing but the free nodes of the bead's inner edge moves: on soft rubber under much gas their
-  // load is a share of the tangent that shows.
+  // Only the free nodes of the bead's inner edge move. On soft rubber under high pressure their
+  // load is a visible part of the tangent.
   const TireDescription description = small_tire();
   const Ring ring(build_mesh(description), ElementKind::full_integration);
   const RingUnknowns whole(ring, RingSymmetry::none, {});
@@ -161,7 +161,7 @@ TEST(FeTire, TangentOfThePressureIsExactAtAnOpenEdgeToo) {
       }
     }
   }
-  ASSERT_EQ(moved_nodes, 2 * ring.sectors());  // of both beads
+  ASSERT_EQ(moved_nodes, 2 * ring.sectors());  // nodes of both beads
   const Eigen::VectorXd d = whole.compress(u);
   RingState state = assembly.zero_state();
   state.x = 1e-4 * d;
@@ -181,7 +181,7 @@ TEST(FeTire, TangentOfThePressureIsExactAtAnOpenEdgeToo) {
 }
 
 TEST(FeTire, HalfTheRingGivesWhatTheWholeRingGives) {
-  // The same load case by the whole ring: even and odd halves together must leave nothing out.
+  // The whole ring must give the results of the even and odd halves of the ring together.
   const TireDescription description = small_tire();
   FeTire tire = make(description);
   const auto inflated = tire.inflate(kPressure);
@@ -192,7 +192,7 @@ TEST(FeTire, HalfTheRingGivesWhatTheWholeRingGives) {
   ASSERT_TRUE(modes) << modes.failure().reason;
 
   Mesh skewed =
-      build_mesh(description);  // breaks the symmetry by less than anything else here can resolve
+      build_mesh(description);  // a change of the symmetry far below all other errors
   skewed.X(1, 20) += 1e-6;
   FeTire whole(skewed, build_materials(description), {ElementKind::full_integration});
   const auto inflated_whole = whole.inflate(kPressure);
@@ -217,14 +217,14 @@ TEST(FeTire, HalfTheRingGivesWhatTheWholeRingGives) {
   }
 }
 
-/// Narrow sectors at the contact.
+/// Returns a tire with narrow sectors at the contact.
 TireDescription graded_tire() {
   TireDescription tire = small_tire();
   tire.section.sector_zones = {{3, 8.0 * M_PI / 180.0}, {2, 14.0 * M_PI / 180.0}};
   return tire;
 }
 
-/// The whole ring as a mesh that knows nothing of sectors.
+/// Returns the whole ring as a mesh without sectors.
 Mesh without_sectors(const Mesh& mesh) {
   const int n = mesh.nodes_per_sector(), S = mesh.sectors;
   Mesh whole = mesh;
@@ -246,11 +246,12 @@ Mesh without_sectors(const Mesh& mesh) {
 }
 
 TEST(FeTire, GradedSectorsGiveWhatTheSameMeshGivesWithoutThem) {
-  // The other path has one frame for all, no symmetry and inflates the ring as it is; deflections
-  // are counted from the inflated radius, which an unevenly divided ring does not have as one.
+  // The mesh without sectors has one frame for all, no symmetry, and is inflated as a whole ring.
+  // Deflections are counted from the inflated radius, which is not unique on an unevenly divided
+  // ring.
   const TireDescription description = graded_tire();
   SolverSettings settings;
-  settings.tread = TreadShape::facets;  // without sectors there is nothing else
+  settings.tread = TreadShape::facets;  // the only shape without sectors
   FeTire graded(build_mesh(description), build_materials(description), settings);
   FeTire whole(without_sectors(build_mesh(description)), build_materials(description), settings);
   const auto inflated = graded.inflate(kPressure);
@@ -293,7 +294,7 @@ TEST(FeTire, GradingSectorsDoesNotTouchTheFreeTire) {
 TEST(FeTire, CordsKeepTheHalfTurnSymmetryAndALopsidedSectionDoesNot) {
   TireDescription tire = small_tire();
   tire.cord_model =
-      CordModel::rebar;  // plies at +- angle: no mirror plane is left, but the half turn is
+      CordModel::rebar;  // plies at +- angle leave no mirror plane, but the half turn
   const Materials materials = build_materials(tire);
   EXPECT_TRUE(find_mirror(build_mesh(tire), materials).has_value());
 
@@ -307,8 +308,8 @@ TEST(FeTire, CordsKeepTheHalfTurnSymmetryAndALopsidedSectionDoesNot) {
   EXPECT_FALSE(find_mirror(build_mesh(tire), materials).has_value());
 }
 
-/// What the rim holds: the forces of elements and gas on the nodes it clamps, wheel frame, N; and
-/// those of the gas on all of the wall.
+/// Forces held by the rim: those of elements and gas on the nodes it clamps, wheel frame, N; and
+/// the forces of the gas on the whole wall.
 struct RimForces {
   Eigen::Vector3d held = Eigen::Vector3d::Zero(), gas = Eigen::Vector3d::Zero();
 };
@@ -348,7 +349,7 @@ RimForces rim_forces(const Ring& ring, const Materials& materials, const TireSta
 }
 
 TEST(FeTire, GroundAndGasTogetherAreWhatTheRimHolds) {
-  // Global balance: what the ground pushes up and the gas pushes out arrives at the rim.
+  // In global balance the rim holds the forces of ground and gas.
   const TireDescription description = small_tire();
   for (const double mu : {0.0, 0.5}) {
     FeTire tire = make(description);
@@ -366,8 +367,9 @@ TEST(FeTire, GroundAndGasTogetherAreWhatTheRimHolds) {
 }
 
 TEST(FeTire, FrictionStiffensTheLoadedModesAndHoldsTheTreadBack) {
-  // What friction adds to the force takes a mesh on which points slide apart within the patch:
-  // 0.5 % on the small tire's own, 1.7, 1.5 and 1.3 % on two, three and four times as fine ones.
+  // The effect of friction on the force requires a mesh on which points slide apart within the
+  // patch: 0.5 % on the small tire's own mesh, 1.7, 1.5 and 1.3 % on meshes two, three and four
+  // times as fine.
   FeTire tire(build_mesh(small_tire(), {2, 2, 1}),
               build_materials(small_tire(), {2, 2, 1}),
               {.element = ElementKind::solid_shell});
@@ -377,7 +379,7 @@ TEST(FeTire, FrictionStiffensTheLoadedModesAndHoldsTheTreadBack) {
   const auto rough = tire.press(*inflated, Ground{2e10, 0.8}, {0.01, 0.02});
   ASSERT_TRUE(slick && rough);
   // An independent prototype with other elements found +3.1 % in force and +15 % in the lowest
-  // frequency of this tire with mu = 0.8 on another mesh and at 25 mm.
+  // frequency of this tire with mu = 0.8, on another mesh and at 25 mm.
   const double gain =
       tire.stand(rough->back()).force.z() / tire.stand(slick->back()).force.z() - 1.0;
   EXPECT_GT(gain, 0.01);
@@ -417,7 +419,7 @@ TEST(FeTire, AStateWithAnInvertedElementHasNoModesAndSaysWhere) {
   ASSERT_TRUE(inflated);
   auto loaded = tire.press(*inflated, Ground{}, {0.005});
   ASSERT_TRUE(loaded);
-  const int node = tire.mesh().elements[5].node[4];  // through the wall
+  const int node = tire.mesh().elements[5].node[4];  // pulled through the wall
   inflated->u.col(node).z() += 0.1;
   loaded->back().u.col(node).z() += 0.1;
   for (const auto& modes :
@@ -430,8 +432,8 @@ TEST(FeTire, AStateWithAnInvertedElementHasNoModesAndSaysWhere) {
 }
 
 TEST(FeTire, HasModesWhereverItCouldBePressed) {
-  // Far beyond service, elements bend so much that their enhanced strains are found only from those
-  // of the equilibrium itself: a state without them has no tangent there.
+  // Far beyond service, elements bend so much that their enhanced strains can be found only from
+  // those of the equilibrium itself. A state without them would have no tangent.
   FeTire tire = make(small_tire(), ElementKind::solid_shell);
   const auto inflated = tire.inflate(kPressure);
   ASSERT_TRUE(inflated);
@@ -445,7 +447,7 @@ TEST(FeTire, HasModesWhereverItCouldBePressed) {
 }
 
 TEST(FeTire, ModesThatLanczosDoesNotFindAreAFailure) {
-  // Without mass nothing vibrates.
+  // A tire without mass has no vibration.
   FeTire tire = make(small_tire());
   const auto inflated = tire.inflate(kPressure);
   ASSERT_TRUE(inflated);
@@ -468,7 +470,7 @@ TEST(FeTire, OneSectorsWorkAnalyzesNoRing) {
   EXPECT_EQ(tire.counts().analyses, 1);
   tire.set(tire.materials());
   ASSERT_TRUE(tire.press(*inflated, Ground{}, {0.002}));
-  EXPECT_EQ(tire.counts().analyses, 1);  // once a mesh
+  EXPECT_EQ(tire.counts().analyses, 1);  // once per mesh
 }
 
 TEST(FeTire, SolvingTwiceGivesTheSameBits) {
@@ -476,7 +478,7 @@ TEST(FeTire, SolvingTwiceGivesTheSameBits) {
   const auto inflated = tire.inflate(kPressure);
   ASSERT_TRUE(inflated);
   const auto first = tire.press(*inflated, Ground{}, {0.01});
-  ASSERT_TRUE(tire.press(*inflated, Ground{}, {0.004, 0.02}));  // something else in between
+  ASSERT_TRUE(tire.press(*inflated, Ground{}, {0.004, 0.02}));  // another path in between
   const auto second = tire.press(*inflated, Ground{}, {0.01});
   ASSERT_TRUE(first && second);
   EXPECT_EQ(tire.stand((*first)[0]).force.z(), tire.stand((*second)[0]).force.z());
@@ -490,7 +492,7 @@ TEST(FeTire, BucklingPressureEndsAsAFailureInWords) {
   EXPECT_NE(sucked.failure().reason.find("bar"), std::string::npos) << sucked.failure().reason;
 }
 
-// At 65 mm walls of this element buckle on the way: with tangents made positive it comes through.
+// Walls of this element buckle on the path to 65 mm; with shifted tangents the solver succeeds.
 TEST(FeTire, TangentsThatStayIndefiniteEndAsAFailureInWords) {
   SolverSettings settings{.element = ElementKind::full_integration};
   const auto press = [&](double deflection) {
@@ -507,7 +509,7 @@ TEST(FeTire, TangentsThatStayIndefiniteEndAsAFailureInWords) {
   EXPECT_TRUE(press(0.04));
 }
 
-// What a longer step left behind, a factor of where it went, is not felt.
+// The factor left behind by the failed longer step must not influence the result.
 TEST(FeTire, AStepThatIsHalvedEndsWhereItsHalvesLead) {
   SolverSettings impatient;
   impatient.max_iterations = 6;

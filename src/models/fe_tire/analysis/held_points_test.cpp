@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Held points (Ground::held): the branch of a state. That slopes are its slopes tire_slopes_test
-// says.
+// Tests held points (Ground::held), the branch of a state. tire_slopes_test shows that slopes are
+// those of this branch.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPressed = 0.02;  // m
 
-/// A small tire whose rubbers are stiffer by that share, solved until nothing is left.
+/// Returns a small tire whose rubbers are stiffer by this share, solved to the last digits.
 FeTire coarse_and_exact(double stiffer) {
   TireDescription tire = reference_tire_b();
   tire.section.meridional = 13;
@@ -39,8 +39,9 @@ double force(FeTire& tire, const Ground& ground) {
   return tire.stand(pressed(tire, ground)).force.z();
 }
 
-// Of its own points, on another way: they are held from where the tire does not touch yet. So it is
-// with a tire beside it that touches in the same points: to first order the branch is its own too.
+// A state's own points are held on another path, from where the tire does not touch yet. A
+// neighboring tire that touches in the same points must arrive at its own state, because to first
+// order it has the same branch.
 TEST(HeldPoints, OfAStateAreThatState) {
   TouchingPoints touching;
   for (const double stiffer : {0.0, 0.01}) {
@@ -61,8 +62,8 @@ TEST(HeldPoints, OfAStateAreThatState) {
   }
 }
 
-// Second differences of a smooth force are of second order in the step; where points leave on the
-// way its kink makes others.
+// Second differences of a smooth force are of second order in the step; a kink, where points leave
+// on the path, makes them larger.
 TEST(HeldPoints, GoOnSmoothlyWhereOthersWouldTouch) {
   constexpr double kMiddle = -0.25, kStep = 0.05;
   FeTire tire = coarse_and_exact(0.0);

@@ -13,28 +13,31 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr double kTolerance =
-    1e-10;  // cheap to reach here, and everything after builds on this state
-constexpr double kOnTheWay = 1e-3;  // of pressures on the way, which are a start for the next
+    1e-10;  // relative; cheap to reach here, and all later states build on this one
+constexpr double kOnTheWay = 1e-3;  // tolerance at intermediate pressures, which only start the
+                                    // next
 constexpr double kRoundOff =
-    1e-7;  // below this a residual that no longer falls is round-off of stiff walls
+    1e-7;  // a larger residual that no longer falls is a failure, a smaller one round-off of stiff
+           // walls
 constexpr int kRingSteps = 4;
 constexpr int kMaxHalvings = 8;
 constexpr int kMaxBacktracks = 8;
 
 struct SectorState {
   Eigen::VectorXd x, alpha;
-  bool held = true;  // by a tangent that is positive, as the last iteration had it
+  bool held = true;  // stable: the last iteration's tangent was positive definite
 };
 
-/// "at y = 92 mm, r = 231 mm, in column 3 of 16 of the mesh": where a node or an element's middle
-/// stands before any load, and the column of elements it belongs to, from the +y bead.
+/// Describes a place such as "at y = 92 mm, r = 231 mm, in column 3 of 16 of the mesh": where a
+/// node or an element's middle is without load, and its column of elements, counted from the +y
+/// bead.
 std::string place_in_words(const Mesh& mesh, const Eigen::Vector3d& X) {
   constexpr double kMillimeters = 1e3;
   const double r = std::hypot(X.x(), X.z());
   int columns = 0, nearest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (const Element& element : mesh.elements) {
-    if (!element.inner) continue;  // one of each column
+    if (!element.inner) continue;  // one element of each column
     ++columns;
     const Eigen::Vector3d middle = mesh.coordinates(element).rowwise().mean();
     const double away = std::hypot(middle.y() - X.y(), std::hypot(middle.x(), middle.z()) - r);
@@ -56,7 +59,7 @@ std::string inverted_in_words(const Ring& ring, int element) {
   return fmt::format("an element is inverted {}", place_in_words(mesh, middle));
 }
 
-/// Where the residual f is largest.
+/// Describes where the residual f is largest.
 std::string residual_in_words(const Ring& ring, const Eigen::VectorXd& f) {
   Eigen::Index node = 0;
   ring.expand(f).colwise().norm().maxCoeff(&node);
@@ -65,8 +68,8 @@ std::string residual_in_words(const Ring& ring, const Eigen::VectorXd& f) {
                      place_in_words(ring.mesh(), ring.mesh().X.col(node)));
 }
 
-/// d = K(0)^-1 f; K(0) is shifted until it is positive where it is not (taut cords under a poor
-/// predictor).
+/// Returns d = K(0)^-1 f. If K(0) is not positive definite (taut cords under a poor predictor), it
+/// is shifted until it is.
 Eigen::VectorXd newton_direction(const SectorBlocks& tangent,
                                  const Eigen::VectorXd& f,
                                  bool& shifted) {
@@ -85,8 +88,8 @@ Eigen::VectorXd newton_direction(const SectorBlocks& tangent,
   return d.real();
 }
 
-/// One pressure step. True: `state` is the equilibrium. False: `state` is unchanged and `why` says
-/// what happened.
+/// Takes one pressure step. Returns true if `state` is the equilibrium. If it returns false,
+/// `state` is unchanged and `why` says what happened.
 bool newton(const RingElements& elements,
             double pressure,
             double tolerance,
@@ -140,7 +143,8 @@ bool newton(const RingElements& elements,
 }  // namespace
 
 void measure_growth(const Mesh& mesh, Inflated& inflated) {
-  constexpr double kSameDistance = 1e-6;  // of the outer radius: nodes of both halves of the tread
+  constexpr double kSameDistance = 1e-6;  // share of the outer radius: nodes of both halves of the
+                                          // tread
   const double same = kSameDistance * mesh.outer_radius();
   double nearest = std::numeric_limits<double>::infinity(), outer = 0.0;
   double left = 0.0, right = 0.0;
@@ -179,9 +183,9 @@ Result<Inflated> inflate_sector(const RingElements& elements,
   }
   const double reference = f.norm();
 
-  // All of the pressure at once: cords go taut on the way of Newton's method as well as on that of
-  // the pressure, in half as many iterations. What it may have jumped to, a tangent tells that is
-  // not positive.
+  // The whole pressure is tried at once: cords go taut during Newton's method as well as during
+  // pressure steps, in half as many iterations. If the result is on another branch, its tangent is
+  // not positive definite.
   double reached = 0.0, step = pressure;
   if (near) {
     SectorState from{ring.compress(*near), state.alpha};

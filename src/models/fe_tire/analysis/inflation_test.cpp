@@ -9,8 +9,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-// Stiff walls at low pressure end in round-off above a tolerance relative to the pressure; a fit
-// goes there.
+// Stiff walls at low pressure end in round-off above a tolerance relative to the pressure. A fit
+// visits such tires.
 TEST(Inflation, WallsOfEveryStiffnessAFitMayTryFindTheirEquilibrium) {
   Document document = Document::read(LATSCH_SOURCE_DIR "/studies/tires/race_16x7.5-10.toml");
   double last = 1.0;

@@ -14,23 +14,26 @@
 namespace latsch::fe_tire {
 namespace {
 
-// Of nodes: another dissection of a larger tire costs less than what its order saves, 6 to 20 % of
-// the operations.
+// Number of nodes above which a smaller tire's elimination order is reused: another dissection
+// would cost more than its better order saves, 6 to 20 % of the operations.
 constexpr int kFewRows = 10'000;
 
-// Points come down or lift off between iterations; where they repeat the solution is exact.
+// Largest number of iterations in which points come down or lift off. If the touching points
+// repeat, the solution is exact.
 constexpr int kMostContactChanges = 30;
-constexpr double kExact = 1e-8;  // relative to g: single precision is behind S
-// What the ground reaches on its way: points this share of the deepest one's way in it, for a patch
-// grows less than the ground cuts. A condensed tire is made for more of them than are asked for.
+constexpr double kExact = 1e-8;  // relative to g; S has single precision
+// Shares of the largest depth for points near the ground. The ground is expected to reach points
+// that are at least kWithin of it deep, because a patch grows less than the undeformed tire is cut.
+// The condensed tire is made with more points, from kWithinReach on, than are needed at once.
 constexpr double kWithin = 0.35, kWithinReach = 0.2;
-constexpr double kNear = 0.2e-3;  // m
-// An old factor of the ground's tangent serves while it leaves no more than this share.
+constexpr double kNear = 0.2e-3;  // m above the depth of kWithinReach
+// An old factor of the ground's tangent is used as long as it leaves at most this share of the
+// residual.
 constexpr double kOfUse = 0.3;
-// Of a step by nodes: how small a share of it is tried, and what it has to gain.
+// Smallest share of a step by nodes that is tried, and the share of the residual that it must gain.
 constexpr double kSmallestShare = 1.0 / 300.0, kDecrease = 0.1;
 
-/// Two directions across `up`, then `up`: columns.
+/// Returns two directions across `up`, then `up`, as columns.
 Eigen::Matrix3d across_and_up(const Eigen::Vector3d& up) {
   Eigen::Matrix3d Q;
   Q.col(0) = up.unitOrthogonal();
@@ -39,7 +42,7 @@ Eigen::Matrix3d across_and_up(const Eigen::Vector3d& up) {
   return Q;
 }
 
-/// The vertical in the frames of the nodes' unknowns: of an image it is the same.
+/// Returns the vertical in the frames of the nodes' unknowns; an image has the same.
 std::vector<Eigen::Vector3d> verticals(const TreadSurface& tread) {
   std::vector<Eigen::Vector3d> up(tread.nodes(), Eigen::Vector3d::UnitZ());
   for (const TreadSurface::Place& place : tread.places()) {
@@ -49,7 +52,7 @@ std::vector<Eigen::Vector3d> verticals(const TreadSurface& tread) {
   return up;
 }
 
-/// Forces of the points in contact by the nodes' heights.
+/// Returns the forces of the points in contact by the nodes' heights.
 Eigen::VectorXd forces_by_heights(const TreadSurface& tread,
                                   const std::vector<TreadContact::Touch>& touches) {
   Eigen::VectorXd c = Eigen::VectorXd::Zero(tread.nodes());
@@ -64,7 +67,8 @@ Eigen::VectorXd forces_by_heights(const TreadSurface& tread,
   return c;
 }
 
-/// Their tangent: points are springs, and those of a cell a square of what its nodes move.
+/// Returns their tangent. Points are springs, and those of a cell add a small block for the cell's
+/// nodes.
 Eigen::MatrixXd stiffness_by_heights(const TreadSurface& tread,
                                      const std::vector<TreadContact::Touch>& touches) {
   const auto of_cell = by_cells(tread, touches);
@@ -99,7 +103,8 @@ Eigen::MatrixXd stiffness_by_heights(const TreadSurface& tread,
   return C;
 }
 
-/// Rows of what the touches act on, ascending: `first_row` of every node.
+/// Returns the rows of the nodes on which the touches act, ascending. `first_row` holds a row for
+/// every node.
 std::vector<int> touched(const TreadSurface& tread,
                          const std::vector<int>& first_row,
                          const std::vector<TreadContact::Touch>& touches) {
@@ -114,7 +119,7 @@ std::vector<int> touched(const TreadSurface& tread,
   return rows;
 }
 
-/// Adds a point in contact to forces by the nodes' unknowns.
+/// Adds a point in contact to the forces by the nodes' unknowns.
 void add_force(const TreadSurface& tread, const TreadContact::Touch& touch, Eigen::VectorXd& c) {
   const TreadSurface::Point& point = tread.points()[touch.point];
   const TreadSurface::Weight* weights = tread.weights(point);
@@ -125,7 +130,7 @@ void add_force(const TreadSurface& tread, const TreadContact::Touch& touch, Eige
   }
 }
 
-/// The same to their tangent; `first`: rows of the nodes among its own.
+/// Adds a point in contact to the tangent. `first` holds the first row of each node in the tangent.
 void add_tangent(const TreadSurface& tread,
                  const TreadContact::Touch& touch,
                  const std::vector<int>& first,
@@ -184,7 +189,8 @@ bool LinearTire::serves(const TreadContact* contact) const {
   return on_ground_ && kept_ == (contact->is_by_height() ? 1 : 3);
 }
 
-/// Takes the nodes' unknowns across and along the vertical, and eliminates those across.
+/// Transforms the nodes' unknowns to directions across and along the vertical, and eliminates those
+/// across.
 bool LinearTire::condense_to_heights() {
   springs_.reset();
   const Eigen::MatrixXd interface = factor_.condensed();
@@ -208,7 +214,7 @@ bool LinearTire::condense_to_heights() {
   return true;
 }
 
-/// Forward elimination of a right-hand side; what is left of it at what is kept.
+/// Forward elimination of a right-hand side. Returns its remainder at the kept unknowns.
 Eigen::VectorXd LinearTire::reduce(Eigen::VectorXd& v) const {
   factor_.reduce(v);
   if (kept_ == 3) return at_nodes(v);
@@ -227,7 +233,7 @@ Eigen::VectorXd LinearTire::reduce(Eigen::VectorXd& v) const {
   return heights - coupled;
 }
 
-/// Back substitution from what is kept.
+/// Back substitution from the kept unknowns.
 void LinearTire::expand(const Eigen::VectorXd& w, Eigen::VectorXd& v) const {
   if (kept_ == 3) {
     for (int a = 0; a < n_; ++a) {
@@ -251,7 +257,7 @@ void LinearTire::expand(const Eigen::VectorXd& w, Eigen::VectorXd& v) const {
   factor_.expand(v);
 }
 
-/// What is kept of a vector of unknowns.
+/// Returns the kept part of a vector of unknowns.
 Eigen::VectorXd LinearTire::at_nodes(const Eigen::VectorXd& v) const {
   Eigen::VectorXd kept(kept_ * n_);
   for (int a = 0; a < n_; ++a) {
@@ -273,7 +279,7 @@ void LinearTire::add_at_nodes(double factor, const Eigen::VectorXd& w, Eigen::Ve
   }
 }
 
-/// u - w
+/// Returns u - w.
 Eigen::Matrix3Xd LinearTire::moved_back(const Eigen::VectorXd& w) const {
   Eigen::Matrix3Xd u = u_;
   for (int a = 0; a < n_; ++a) {
@@ -286,7 +292,7 @@ Eigen::Matrix3Xd LinearTire::moved_back(const Eigen::VectorXd& w) const {
   return u;
 }
 
-/// c(u - w), N, by what is kept.
+/// Returns c(u - w), N, at the kept unknowns.
 Eigen::VectorXd LinearTire::forces_by_nodes(const TreadContact& contact,
                                             const Eigen::VectorXd& w) const {
   Eigen::VectorXd c = Eigen::VectorXd::Zero(3 * n_);
@@ -295,7 +301,7 @@ Eigen::VectorXd LinearTire::forces_by_nodes(const TreadContact& contact,
   return c;
 }
 
-/// Of points within reach alone, which nodes within reach move.
+/// Returns the forces of points within reach, which depend only on nodes within reach.
 Eigen::VectorXd LinearTire::forces_within_reach(const TreadContact& contact,
                                                 const Eigen::VectorXd& w,
                                                 GroundTangent* tangent) const {
@@ -319,15 +325,15 @@ Eigen::VectorXd LinearTire::forces_within_reach(const TreadContact& contact,
   return c(by_nodes_.reached());
 }
 
-/// By all nodes: those beyond reach stay.
+/// Extends w to all nodes; nodes beyond reach do not move.
 Eigen::VectorXd LinearTire::beyond_reach_too(const Eigen::VectorXd& w) const {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(3 * n_);
   all(by_nodes_.reached()) = w;
   return all;
 }
 
-/// w with S w = g + c(u - w) by heights: C_ and L_ are those of its points in contact. Where the
-/// same touch as last time they are there already.
+/// Solves S w = g + c(u - w) by heights. C_ and L_ become those of the points in contact; they are
+/// reused if the same points touch as last time.
 bool LinearTire::touch_by_heights(const TreadContact& contact, const Eigen::VectorXd& g) {
   w_.setZero(g.size());
   for (int change = 0; change < kMostContactChanges; ++change) {
@@ -348,10 +354,11 @@ bool LinearTire::touch_by_heights(const TreadContact& contact, const Eigen::Vect
     w_ += left;
   }
   c_ = forces_by_heights(tread_, contact.touches(moved_back(w_)));
-  return true;  // the residual of the elements' forces judges it
+  return true;  // The residual of the elements' forces judges it.
 }
 
-/// Takes points within reach too. False where the tire beyond them is not positive definite.
+/// Adds points to those within reach. Returns false if the tire beyond them is not positive
+/// definite.
 bool LinearTire::reach(const std::vector<int>& points) {
   is_reached_.resize(tread_.points().size(), 0);
   for (const int point : points) is_reached_[point] = 1;
@@ -374,7 +381,7 @@ bool LinearTire::reaches(const std::vector<int>& points) const {
          std::ranges::all_of(points, [this](int point) { return is_reached_[point] != 0; });
 }
 
-/// What the ground in its pose is likely to reach of the tire moved back by w.
+/// Adds the points that the ground in its pose is likely to reach on the tire moved back by w.
 bool LinearTire::reach_likely(const TreadContact& contact, const Eigen::VectorXd& w) {
   const Eigen::Matrix3Xd u = moved_back(w);
   const double deepest = contact.deepest(u);
@@ -382,8 +389,8 @@ bool LinearTire::reach_likely(const TreadContact& contact, const Eigen::VectorXd
   return reach(contact.within(kNear - kWithinReach * deepest, u));
 }
 
-/// w with S w = g + c(u - w) by all directions, from the w there is: what is within reach, until
-/// nothing else touches.
+/// Solves S w = g + c(u - w) in all directions, starting from the given w. Points within reach are
+/// extended until no other point touches.
 bool LinearTire::touch_by_nodes(const TreadContact& contact,
                                 const Eigen::VectorXd& g,
                                 Eigen::VectorXd& w) {
@@ -401,8 +408,9 @@ bool LinearTire::touch_by_nodes(const TreadContact& contact,
   }
 }
 
-/// An old factor serves while it leaves little. A point that slides may overshoot to the other
-/// side, so steps by a new one are halved where they leave more than they found.
+/// Solves within reach. An old factor is used while it leaves little residual. A point that slides
+/// may overshoot to the other side, so steps by a new factor are halved if they increase the
+/// residual.
 bool LinearTire::touch_within_reach(const TreadContact& contact,
                                     const Eigen::VectorXd& g,
                                     Eigen::VectorXd& w) {
@@ -437,10 +445,10 @@ bool LinearTire::touch_within_reach(const TreadContact& contact,
     is_slow = !(least < kOfUse * norm);
   }
   forces_within_reach(contact, w, &tangent_);
-  return by_nodes_.is_positive();  // the residual of the elements' forces judges it
+  return by_nodes_.is_positive();  // The residual of the elements' forces judges it.
 }
 
-/// Takes the tangent of the ground: L_ is the factor of the tire on it.
+/// Stores the tangent of the ground. L_ becomes the factor of the tire on it.
 bool LinearTire::factorize_contact(const Eigen::MatrixXd& stiffness) {
   C_ = stiffness;
   L_ = S_ + C_;
@@ -474,7 +482,7 @@ bool LinearTire::step(const TreadContact* contact,
   if (kept_ == 1) {
     if (!touch_by_heights(*contact, reduced)) return false;
   } else {
-    // From where a way was followed to, the ground goes on as far again.
+    // After a path was followed, the ground is expected to go on as far again.
     w_ = ahead_.size() > 0 ? ahead_ : none;
     ahead_.resize(0);
     if (!touch_by_nodes(*contact, reduced, w_)) return false;
@@ -493,7 +501,7 @@ bool LinearTire::follow(const numerics::SymmetricMatrix& K,
   u_ = tread_.displacements(x);
   Eigen::VectorXd w = Eigen::VectorXd::Zero(3 * n_), w_before = w;
   if (!reach_likely(contact, w)) return false;
-  // What (L.1) by the factor has to be told beside g for the solution by K, and how it grows.
+  // Addition to g with which (L.1) by the factor has the solution by K, and its growth.
   Eigen::VectorXd beside = Eigen::VectorXd::Zero(g.size()), beside_before = beside;
   for (std::size_t part = 0; part < poses.size(); ++part) {
     contact.move(poses[part]);

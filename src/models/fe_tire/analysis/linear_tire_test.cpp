@@ -18,8 +18,8 @@ TireDescription coarse(TireDescription tire) {
   return tire;
 }
 
-// (L.1) with the forces of the ground as the residual knows them, which sees nothing condensed; for
-// half a ring and for a whole one, without friction by heights, with it and on a cleat by nodes.
+// Compares (L.1) with the ground's forces as the residual has them, without condensation: for half
+// a ring and a whole one, by heights without friction, and by nodes with friction and on a cleat.
 TEST(LinearTire, AnswersTheGroundExactly) {
   const TireDescription description = coarse(reference_tire_b());
   const Materials materials = build_materials(description);
@@ -57,18 +57,19 @@ TEST(LinearTire, AnswersTheGroundExactly) {
       const Eigen::VectorXd before = of_ground(state.x), after = of_ground(state.x - d);
       Eigen::VectorXd Kd(d.size());
       K.multiply(d.data(), Kd.data());
-      // Points came down: the ground is another one than where the step began.
+      // Points have come down, so the ground acts differently than at the step's start.
       EXPECT_GT((after - before).norm(), 0.5 * after.norm());
-      // Single precision is behind the factor: 0.8 to 1.0e-4 of all six, in double below 2e-9.
+      // The factor has single precision: errors are 0.8 to 1.0e-4 in all six cases, below 2e-9 in
+      // double.
       EXPECT_LT((g - Kd + after).norm(), 2e-4 * after.norm());
       EXPECT_LT(linear.residual(K, d).norm(), 2e-4 * after.norm());
     }
   }
 }
 
-// By nodes in place of heights: a coefficient of friction of 1e-12 is none, but another way leads
-// there. Every equilibrium by heights is polished, so its forces agree in more digits than are
-// shown with those of a judge who is a hundred times as exact.
+// A coefficient of friction of 1e-12 is none, but the solver then works by nodes in place of
+// heights. Every equilibrium by heights is polished, so its forces agree in more digits than are
+// displayed with those of a reference that is a hundred times as exact.
 TEST(LinearTire, EquilibriaAreTheSameByNodesAndByHeights) {
   for (const TireDescription& description :
        {coarse(reference_tire_a()), coarse(reference_tire_b())}) {
@@ -91,7 +92,7 @@ TEST(LinearTire, EquilibriaAreTheSameByNodesAndByHeights) {
   }
 }
 
-// Points that come down or lift off take no passes over the elements and leave no tangent
+// Points that come down or lift off must not need passes over the elements or make a tangent
 // indefinite.
 TEST(LinearTire, AnEquilibriumTakesAsManyPassesAsItsElementsNeed) {
   for (const TireDescription& description :

@@ -8,15 +8,17 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Of the wheel center's height: what a patch, as long as the roots of height and depth, grows by.
-/// A step is followed on the tire that is linear about its start, part by part, for what sticks in
-/// a part stays near where that began. Forces so err by less than 0.1 % against steps of a tenth
-/// (./bench.sh footprint friction); steps of 1/60 gave 0.3 %, parts of 1/300 0.4 %.
+/// Lengths of a step with friction, and of its parts, as shares of the wheel center's height: a
+/// patch grows with the root of the deflection times the height. A step is followed part by part on
+/// the tire linearized at its start, because a point that sticks in a part stays near its place at
+/// the part's beginning. Longer steps or parts lose accuracy. Forces differ by less than 0.1 % from
+/// those of steps ten times as short (./bench.sh footprint friction); steps of 1/60 gave 0.3 %,
+/// parts of 1/300 0.4 %.
 constexpr double kFrictionStep = 1.0 / 100.0, kPart = 1.0 / 1000.0;
 constexpr double kRounding = 1e-9;
-constexpr double kShortest = 1.0 / 64.0;  // of a step as it would be taken
+constexpr double kShortest = 1.0 / 64.0;  // least share of an intended step
 
-/// How far the ground goes, m.
+/// Returns the length of the ground's path, m.
 double way(const GroundPose& a, const GroundPose& b) {
   const double turn = std::max(std::abs(b.camber - a.camber), std::abs(b.yaw - a.yaw));
   return std::max({std::abs(b.height - a.height),
@@ -25,7 +27,7 @@ double way(const GroundPose& a, const GroundPose& b) {
                    turn * std::max(a.height, b.height)});
 }
 
-/// What the ground passes on its way from a to b.
+/// Returns the poses of the ground on its path from a to b.
 std::vector<GroundPose> poses_between(const GroundPose& a, const GroundPose& b) {
   const int parts = static_cast<int>(std::ceil(way(a, b) / (kPart * a.height) - kRounding));
   std::vector<GroundPose> poses;
@@ -55,7 +57,7 @@ std::optional<Failure> move_ground(EquilibriumSolver& solver,
     if (contact.has_friction()) {
       const std::vector<GroundPose> on_way = poses_between(now.pose, there);
       contact.move(there);
-      // A way that cannot be followed is taken in one.
+      // A path that cannot be followed in parts is taken in one step.
       if (!on_way.empty() && !solver.follow(elements, now.state, pressure, contact, on_way))
         contact.start(now.pose, now.state.x, now.anchors);
     }
@@ -71,7 +73,7 @@ std::optional<Failure> move_ground(EquilibriumSolver& solver,
     } else if (step <= kShortest * longest) {
       return failure;
     } else {
-      solver.forget_factor();  // of where that led
+      solver.forget_factor();  // the factor belongs to a state of the failed step
       step *= 0.5;
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Against closed forms of bodies of revolution, and volumes and areas that this test measures on
-// the mesh itself.
+// Tests against closed forms of bodies of revolution, and against volumes and areas that this test
+// measures on the mesh itself.
 #include "models/fe_tire/analysis/mass_properties.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// A section of columns x rows elements swept around the spin axis: (y, r) of a point of the unit
-/// square.
+/// Returns a section of columns x rows elements swept around the spin axis. `at` gives (y, r) of a
+/// point of the unit square.
 Mesh swept(int sectors,
            int columns,
            int rows,
@@ -63,7 +63,7 @@ MassProperties of(Mesh mesh,
   return mass_properties(elements, Eigen::Matrix3Xd::Zero(3, ring.mesh().nodes_per_sector()));
 }
 
-/// Of an error h^2: a mesh and one twice as fine.
+/// Extrapolates an error of order h^2 from a mesh and one twice as fine.
 MassProperties extrapolated(const std::function<MassProperties(int)>& on) {
   const MassProperties coarse = on(1), fine = on(2);
   const auto both = [](double a, double b) { return (4.0 * b - a) / 3.0; };
@@ -82,8 +82,9 @@ void expect_near(const MassProperties& found, const MassProperties& expected, do
       found.diametral_inertia, expected.diametral_inertia, share * expected.diametral_inertia);
 }
 
-// A tube of radii a, b and width w:  m = rho pi (b^2 - a^2) w,  I_spin = m (a^2 + b^2) / 2,
-// I_diametral = m (a^2 + b^2) / 4 + m w^2 / 12. What h^4 leaves of 64 sectors, (pi/64)^4, is 6e-6.
+// Tube of radii a, b and width w:  m = rho pi (b^2 - a^2) w,  I_spin = m (a^2 + b^2) / 2,
+// I_diametral = m (a^2 + b^2) / 4 + m w^2 / 12. The error of order h^4 with 64 sectors, (pi/64)^4,
+// is 6e-6.
 TEST(MassProperties, OfATube) {
   constexpr double a = 0.2, b = 0.33, w = 0.19;
   const double mass = kDensity * kPi * (b * b - a * a) * w, square = a * a + b * b;
@@ -98,16 +99,15 @@ TEST(MassProperties, OfATube) {
         rubber());
   };
   expect_near(extrapolated(on), expected, 1e-5);
-  // As the header says of the polygon.
+  // The header states these errors of the polygon.
   const double short_by = 2.0 / 3.0 * std::pow(kPi / 64.0, 2);
   EXPECT_NEAR(on(1).mass / mass, 1.0 - short_by, 1e-5);
   EXPECT_NEAR(on(1).spin_inertia / expected.spin_inertia, 1.0 - 1.5 * short_by, 1e-4);
 }
 
-// A hollow torus of radius R to the middle of its wall, which lies between circles of radii c, d:
-// m = 2 pi^2 rho R (d^2 - c^2); with q2, q4 the integrals over the section of r^2 and r^4 about its
-// middle, A its area:  I_spin = 2 pi rho R (A R^2 + 3 q2 / 2),
-// int y^2 dm = 2 pi rho R q2 / 2.
+// Hollow torus of radius R to the middle of its wall, which lies between circles of radii c, d: m =
+// 2 pi^2 rho R (d^2 - c^2). With q2, q4 the integrals over the section of r^2 and r^4 about its
+// middle, and A its area:  I_spin = 2 pi rho R (A R^2 + 3 q2 / 2), int y^2 dm = 2 pi rho R q2 / 2.
 TEST(MassProperties, OfATorus) {
   constexpr double R = 0.28, c = 0.06, d = 0.07;
   const double A = kPi * (d * d - c * c), q2 = 0.5 * kPi * (std::pow(d, 4) - std::pow(c, 4));
@@ -128,7 +128,8 @@ TEST(MassProperties, OfATorus) {
   expect_near(extrapolated(on), expected, 2e-5);
 }
 
-/// Points of the cube [-1, 1]^3 or, at one zeta, of the square: the midpoints of n intervals.
+/// Visits points of the cube [-1, 1]^3 or, at one zeta, of the square: the midpoints of n
+/// intervals.
 void over_cube(int n, const std::function<void(const Eigen::Vector3d&, double)>& visit) {
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
@@ -147,7 +148,7 @@ constexpr int kCorner[8][3] = {{-1, -1, -1},
                                {1, 1, 1},
                                {-1, 1, 1}};
 
-/// Where a point of the cube is, and the Jacobian there.
+/// Returns the position of a point of the cube, and the Jacobian there.
 std::pair<Eigen::Vector3d, Eigen::Matrix3d> map(const Matrix38& X, const Eigen::Vector3d& p) {
   Eigen::Vector3d x = Eigen::Vector3d::Zero();
   Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
@@ -160,7 +161,7 @@ std::pair<Eigen::Vector3d, Eigen::Matrix3d> map(const Matrix38& X, const Eigen::
   return {x, J};
 }
 
-/// Integrals over rubber and cord sheets, by midpoints.
+/// Integrates over rubber and cord sheets by the midpoint rule.
 MassProperties measured(const Mesh& mesh, const Materials& materials) {
   MassProperties all;
   constexpr int kPoints = 16;
@@ -175,7 +176,7 @@ MassProperties measured(const Mesh& mesh, const Materials& materials) {
     over_cube(kPoints, [&](const Eigen::Vector3d& p, double weight) {
       const auto [x, J] = map(X, p);
       add(x, materials.solids[element.solid].density * J.determinant() * weight);
-      if (p.z() > 2.0 / kPoints - 1.0) return;  // of the square once
+      if (p.z() > 2.0 / kPoints - 1.0) return;  // points of the square are visited once
       for (const RebarPlacement& rebar : element.rebars) {
         const CordLayer& cords = materials.layers[rebar.layer];
         const auto [at, G] = map(X, {p.x(), p.y(), rebar.zeta});
@@ -188,8 +189,8 @@ MassProperties measured(const Mesh& mesh, const Materials& materials) {
   return all;
 }
 
-/// Of rows that meet on plies, many in the crown and two in the sidewalls: some corners are no
-/// nodes.
+/// Returns a tire whose rows meet on plies, many in the crown and two in the sidewalls, so that
+/// some corners are not nodes.
 TireDescription tire_of_faces() {
   TireDescription tire = reference_tire_b();
   tire.cord_model = CordModel::rebar;
@@ -198,8 +199,8 @@ TireDescription tire_of_faces() {
   return tire;
 }
 
-// Midpoints err by 1/16^2 of what the Jacobian bends, some 4e-6; the mass that the solid shells
-// vibrate with leads their moments by h^2/12 of a radius squared, 1e-3 of 60 sectors.
+// The midpoint rule errs by 1/16^2 of the Jacobian's curvature, some 4e-6. The vibrating mass of
+// the solid shells exceeds the moments by h^2/12 of a radius squared, 1e-3 for 60 sectors.
 TEST(MassProperties, OfATireAreThoseOfItsVolumesAndCords) {
   const TireDescription tire = tire_of_faces();
   const Mesh mesh = build_mesh(tire);

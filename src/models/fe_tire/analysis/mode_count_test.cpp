@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a mode is missed: by Sylvester's law of inertia K - sigma M has as many negative pivots
-// as there are modes below sigma [Parlett, The Symmetric Eigenvalue Problem, 1998, section 3.3],
-// whoever found them. Eigen's LDL' counts here, our Lanczos method found them.
+// Tests that no mode is missed. By Sylvester's law of inertia K - sigma M has as many negative
+// pivots as there are modes below sigma [Parlett, The Symmetric Eigenvalue Problem, 1998, section
+// 3.3]. Eigen's LDL' counts them here; our Lanczos method found the modes.
 #include <gtest/gtest.h>
 
 #include <Eigen/SparseCholesky>
@@ -17,7 +17,7 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-constexpr double kHalfAngle = 0.4;  // rad, that the ground may touch
+constexpr double kHalfAngle = 0.4;  // rad, part of the tread that may touch the ground
 
 Sparse sparse(const numerics::SymmetricMatrix& A) {
   const numerics::SymmetricPattern& pattern = A.pattern();
@@ -35,7 +35,7 @@ Sparse sparse(const numerics::SymmetricMatrix& A) {
   return lower;  // blocks on the diagonal are full; only the lower triangle is read
 }
 
-/// Negative pivots of K - (2 pi f)^2 M.
+/// Returns the number of negative pivots of K - (2 pi f)^2 M.
 int modes_below(double frequency, const Sparse& K, const Sparse& M) {
   const double omega = 2.0 * std::numbers::pi * frequency;
   const Sparse shifted = K - omega * omega * M;
@@ -111,8 +111,9 @@ TEST(ModeCount, NoLoadedModeIsMissed) {
       const auto modes = model.modes(loaded->back(), kModes);
       ASSERT_TRUE(modes);
       const Motions motions(tire, loaded->back());
-      EXPECT_EQ(motions.below(0.0), 0);  // it stands
-      // Between every two of them that are apart; the pairs of the tire off the ground are split.
+      EXPECT_EQ(motions.below(0.0), 0);  // The state is stable.
+      // The count is taken between neighboring modes that are apart; the pairs of the tire off the
+      // ground are left together.
       for (int i = 0; i + 1 < kModes; ++i) {
         const double f = (*modes)[i].frequency, next = (*modes)[i + 1].frequency;
         if (i % 6 != 5 || next < 1.0001 * f) continue;
@@ -122,8 +123,8 @@ TEST(ModeCount, NoLoadedModeIsMissed) {
 }
 
 // A tire under vacuum stands until it buckles. Newton's method finds the equilibrium that is as
-// round as before all the same; the harmonics of the tire off the ground, factorized by LAPACK, say
-// that it is none the tire keeps, and so does press().
+// round as before all the same. The harmonics of the tire off the ground, factorized by LAPACK,
+// show that it is unstable, and so does press().
 TEST(ModeCount, AnEquilibriumThatIsNotStableIsToldByPressing) {
   const TireDescription tire = described(false, CordModel::rebar, ElementKind::solid_shell);
   for (const double vacuum : {0.1e5, 0.2e5}) {
@@ -143,8 +144,9 @@ TEST(ModeCount, AnEquilibriumThatIsNotStableIsToldByPressing) {
   }
 }
 
-// Regression: the ground condensed to the window leaves no tangent indefinite on the usual way, and
-// both tires need six factors for five steps, two more to tell that the last one is stable.
+// Regression: with the ground condensed to the window no tangent on the usual path is indefinite.
+// Both tires need six factorizations for five steps, and two more to show that the last state is
+// stable.
 TEST(ModeCount, TiresAAndBNeedTheSameFactorsAndNoShifts) {
   for (const TireDescription& tire : {reference_tire_a(), reference_tire_b()}) {
     FeTire model(tire);

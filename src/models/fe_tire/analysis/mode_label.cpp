@@ -17,8 +17,8 @@ namespace {
 constexpr std::array<const char*, 4> kTypeNames = {"torsional", "lateral", "radial", "other"};
 constexpr double kPairTolerance =
     1e-6;                            // relative difference of the frequencies of a degenerate pair
-constexpr double kSamePlace = 1e-6;  // of the largest coordinate: nodes this near are one
-constexpr double kClearPhase = 0.5;  // overlap with the mirror image beyond which a phase is named
+constexpr double kSamePlace = 1e-6;  // share of the largest coordinate: nodes this near are one
+constexpr double kClearPhase = 0.5;  // least overlap with the mirror image for a phase
 
 }  // namespace
 
@@ -64,7 +64,8 @@ void number_orders(std::vector<Mode>& modes) {
 
 namespace {
 
-/// The node at (-x, y, z) of every node of a mesh without sectors; empty where one has none.
+/// Returns the node at (-x, y, z) of every node of a mesh without sectors; empty if a node has
+/// none.
 std::vector<int> mirror_nodes(const Eigen::Matrix3Xd& X) {
   const double near = kSamePlace * X.cwiseAbs().maxCoeff();
   std::vector<int> by_height(X.cols());
@@ -85,7 +86,7 @@ std::vector<int> mirror_nodes(const Eigen::Matrix3Xd& X) {
   return images;
 }
 
-/// The image of every node of the ring in the plane x = 0; empty where the mesh has none.
+/// Returns the image of every node of the ring in the plane x = 0; empty if the mesh has none.
 std::vector<int> mirror_images(const Mesh& mesh) {
   if (mesh.sectors == 1) return mirror_nodes(mesh.X);
   const int n = mesh.nodes_per_sector(), S = mesh.sectors;

@@ -6,7 +6,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Two nodes: a heavy one that moves along the axis, and a light one, as of a finer mesh, that
+/// Two nodes: a heavy one that moves along the axis, and a light one, as on a finer mesh, that
 /// moves farther in the wheel plane.
 TEST(ModeLabel, KineticEnergyWeighsMotionByMass) {
   Eigen::VectorXcd phi(6), M_phi(6);
@@ -21,7 +21,7 @@ TEST(ModeLabel, KineticEnergyWeighsMotionByMass) {
   EXPECT_EQ(type_of(2, energy), ModeType::lateral);
 }
 
-/// A square of four nodes in the plane y = 0, in one piece.
+/// Returns a square of four nodes in the plane y = 0, without sectors.
 Mesh square() {
   Mesh mesh;
   mesh.X.resize(3, 4);

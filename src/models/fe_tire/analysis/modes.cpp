@@ -16,14 +16,14 @@
 namespace latsch::fe_tire {
 namespace {
 
-// Vectors a step over the ring: as many as are solved together at the price of one.
+// Vectors a step over the ring: solving for these together costs about as much as for one.
 constexpr int kRingBlock = 8;
-// Of Lanczos' method with rough solutions, as SolverSettings::mode_tolerance: not below what single
-// precision lets the operator err. And of modes to spare, whose frequencies err by its square over
-// a relative gap of some tenths.
+// Tolerances of Lanczos' method with inexact solves, as SolverSettings::mode_tolerance. The first
+// is not below the error of the operator in single precision. The second holds for spare modes,
+// whose frequencies err by its square over a relative gap of some tenths.
 constexpr double kNear = 1e-3, kNearOfSpare = 0.02;
-// Corrections by Davidson's method, of SolverSettings::mode_tolerance: frequencies of tire B then
-// err by 2e-9 of themselves.
+// Tolerance of corrections by Davidson's method over SolverSettings::mode_tolerance. With it the
+// relative error of tire B's frequencies is 2e-9.
 constexpr double kOfLoaded = 3.0;
 constexpr int kPerHarmonic = 3;  // modes of one circumferential number computed at first
 
@@ -36,7 +36,7 @@ struct HarmonicMode {
   double frequency;
   int n;
   Eigen::VectorXcd phi;
-  Eigen::Vector3d energy;  // kinetic, by direction
+  Eigen::Vector3d energy;  // kinetic energy by direction
 };
 
 Failure unfinished(const std::string& what, Eigen::Index found, int count, int solves) {
@@ -44,8 +44,8 @@ Failure unfinished(const std::string& what, Eigen::Index found, int count, int s
       fmt::format("modes: Lanczos found {} of {} {} in {} solves", found, count, what, solves)};
 }
 
-/// The lowest modes of circumferential number n; a Failure where the harmonic tangent is not
-/// positive definite, or where not all of them are found.
+/// Finds the lowest modes of circumferential number n. Returns a Failure if the harmonic tangent is
+/// not positive definite or not all modes are found.
 std::optional<Failure> solve_harmonic(const SectorBlocks& K,
                                       const SectorBlocks& M,
                                       int n,
@@ -85,18 +85,18 @@ std::optional<Failure> solve_harmonic(const SectorBlocks& K,
   return std::nullopt;
 }
 
-/// Modes of n = 0 and, where S is even, n = S / 2 are single; all others are pairs.
+/// True for n = 0 and, if S is even, n = S / 2: their modes are single, all others are pairs.
 bool single(int n, int sectors) { return n == 0 || 2 * n == sectors; }
 
-/// Real shape over the planes of `mesh`: the real or the imaginary part of phi exp(i n theta_s),
-/// mass-normalized.
+/// Returns the real shape over the planes of `mesh`: the real or the imaginary part of phi exp(i n
+/// theta_s), mass-normalized.
 Eigen::Matrix3Xd unfold(const Ring& ring,
                         const Mesh& mesh,
                         const HarmonicMode& mode,
                         bool imaginary) {
   const int S = ring.sectors(), n = mesh.nodes_per_sector();
-  // phi has unit mass over one sector; a real part summed over all sectors has S / 2 of it, a
-  // single mode S.
+  // phi has unit mass over one sector. The real part summed over all sectors has mass S / 2, that
+  // of a single mode S.
   const double scale = std::sqrt((single(mode.n, S) ? 1.0 : 2.0) / S);
   const Eigen::Matrix3Xd real = ring.expand(mode.phi.real()), imag = ring.expand(mode.phi.imag());
   Eigen::Matrix3Xd shape(3, S * n);
@@ -112,16 +112,16 @@ Eigen::Matrix3Xd unfold(const Ring& ring,
   return shape;
 }
 
-/// A complex vector's phase is arbitrary: turn the largest entry onto the real axis, so that
-/// results repeat.
+/// Turns the largest entry of a complex vector onto the real axis. Its phase is arbitrary, and
+/// results must repeat.
 void fix_phase(Eigen::VectorXcd& phi) {
   int largest;
   phi.cwiseAbs2().maxCoeff(&largest);
   phi *= std::conj(phi[largest]) / std::abs(phi[largest]);
 }
 
-/// Frequency of the count-th lowest mode among those found, pairs counted twice; infinite where
-/// there are fewer.
+/// Returns the frequency of the count-th lowest mode found, pairs counted twice; infinite if there
+/// are fewer.
 double cutoff(const std::vector<std::vector<HarmonicMode>>& by_n, int sectors, int count) {
   std::vector<double> all;
   for (const auto& modes : by_n) {
@@ -134,7 +134,7 @@ double cutoff(const std::vector<std::vector<HarmonicMode>>& by_n, int sectors, i
   return all[count - 1];
 }
 
-/// Shapes and names of the lowest `count` modes.
+/// Returns shapes and names of the lowest `count` modes.
 std::vector<Mode> named_modes(const Ring& ring,
                               const Mesh& mesh,
                               std::vector<HarmonicMode> found,
@@ -188,13 +188,13 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
   const auto solve = [&](int n, int modes) {
     return solve_harmonic(K, M, n, modes, tolerance, by_n[n]);
   };
-  int beyond = 0;  // successive harmonics whose lowest mode lies above all that are wanted
+  int beyond = 0;  // successive harmonics whose lowest mode lies above all wanted modes
   for (int n = 0; n <= S / 2 && beyond < 2; ++n) {
     by_n.emplace_back();
     if (auto failure = solve(n, kPerHarmonic)) return *failure;
     beyond = by_n[n].front().frequency > cutoff(by_n, S, count) ? beyond + 1 : 0;
   }
-  // A harmonic of which every mode found is among the lowest may hold more of them.
+  // If all modes found of a harmonic are among the lowest, it may hold more of them.
   for (int n = 0; n < static_cast<int>(by_n.size()); ++n) {
     for (int known = kPerHarmonic;
          known < K.size() && by_n[n].back().frequency < cutoff(by_n, S, count);
@@ -209,7 +209,7 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
 
 namespace {
 
-/// Modes of the ring, of unknowns.
+/// Computes modes of the ring in its unknowns.
 Result<numerics::EigenPairs<double>> ring_pairs(
     const std::function<void(Eigen::Ref<Eigen::MatrixXd>)>& solve,
     const numerics::SymmetricMatrix& M,
@@ -295,7 +295,7 @@ Eigen::VectorXd nodal_masses(const RingElements& elements) {
   const Ring& ring = elements.ring();
   const Mesh& mesh = ring.mesh();
   const int n = mesh.nodes_per_sector(), S = ring.sectors();
-  // The masses of one sector of every width: its own plane's nodes, then the next plane's.
+  // Masses of one sector of every width: its own plane's nodes, then the next plane's.
   std::vector<Eigen::VectorXd> of_width(ring.widths());
   Eigen::VectorXd masses = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(S) * n);
   for (int s = 0; s < S; ++s) {

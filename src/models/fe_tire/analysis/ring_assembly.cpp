@@ -9,7 +9,7 @@ namespace {
 constexpr double kHeldStiffness =
     1e6;  // N/m on unknowns that symmetry holds at zero: no force acts on them
 
-/// Diagonal value of unknown `dof`.
+/// Returns the diagonal value of unknown `dof`.
 double& diagonal(numerics::SymmetricMatrix& A, int dof) {
   const int block = A.pattern().block_size();
   const int start = A.pattern().find(dof / block, dof / block);

@@ -91,9 +91,8 @@ TEST(MeshBuilder, VolumeOfACylinderIsThatOfItsPolygon) {
   EXPECT_NEAR(swept_volume(tire.section) * std::sin(angle) / angle, polygon, 1e-9 * polygon);
 }
 
-// Where many rows end on the straight edge of two, the elements leave no gap and do not overlap.
-// The volume equals that of two rows everywhere, because faces inside the wall do not move its
-// surface.
+// Elements leave no gap and do not overlap where many rows end on the straight edge of two. The
+// volume equals that of two rows everywhere, because faces inside the wall do not move its surface.
 TEST(MeshBuilder, RowsThatEndInTheSidewallLeaveTheVolume) {
   TireDescription tire = reference_tire_b();
   tire.cord_model = CordModel::rebar;
@@ -205,7 +204,7 @@ TEST(MeshBuilder, RefinementKeepsTheClampedAndTreadBoundary) {
   const TireDescription tire = reference_tire_b();
   const Mesh mesh = build_mesh(tire, 2);
   EXPECT_EQ(mesh.sectors, 120);
-  EXPECT_EQ(mesh.clamped.size(), 2u * 3u);  // from the reference line to the outer face, both beads
+  EXPECT_EQ(mesh.clamped.size(), 2u * 3u);  // 3 at both beads: reference line to outer face
   const Mesh coarse = build_mesh(tire);
   const auto tread_count = [](const Mesh& m) {
     return std::count_if(

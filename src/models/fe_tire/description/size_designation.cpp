@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kInch = 0.0254, kMillimeter = 1e-3;
 constexpr double kLargestFlange = 20e-3;        // m, largest distance from rim to clamped bead
-constexpr double kFlangeOfRim = 0.04;           // the same as a share of a large rim's diameter
+constexpr double kFlangeOfRim = 0.04;           // share of the diameter, for large rims
 constexpr double kSmallestMetricRim = 100.0;    // rims from here on are in mm
 constexpr double kSmallestMillimeters = 200.0;  // outer diameters from here on are in mm
 constexpr double kLargestOfMotorcycles = 24.5;  // inches, largest rim of a narrow metric tire

@@ -14,9 +14,9 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Where the solid-shell's mass samples the shape functions along xi and eta: sqrt(2/3). The mass
-/// is then the average of the consistent and the lumped one, whose errors in the speed of
-/// waves cancel to fourth order in the element's length [Guddati & Yue 2004, CMAME 193].
+/// Place along xi and eta where the solid-shell's mass samples the shape functions: sqrt(2/3). The
+/// mass is then the average of the consistent and the lumped one, whose errors in the wave speed
+/// cancel to fourth order in the element's length [Guddati & Yue 2004, CMAME 193].
 constexpr double kMassPoint = 0.81649658092772603273;
 
 }  // namespace
@@ -40,8 +40,8 @@ ElementLaw element_law(const HexShape& shape, const Materials& materials, const 
   const Solid& solid = materials.solids[element.solid];
   if (const auto* rubber = std::get_if<Hyperelastic>(&solid.law)) {
     law.rubber = *rubber;
-    // A thick tread's nodes can swing in turn along the belt where these gradients resist little;
-    // a wall's bend with it and must stay soft.
+    // If these gradients resist little, a thick tread's nodes can move alternately along the belt.
+    // Those of a wall bend with it and must stay soft.
     const double G = 2.0 * (rubber->C10 + rubber->C01);
     law.relaxation = element.wall > 0.0 ? G : 4.0 * G;
     return law;

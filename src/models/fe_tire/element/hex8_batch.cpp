@@ -22,7 +22,7 @@ void copy_lane(const double (&from)[rows][ElementBatch::kLanes],
   for (std::size_t k = 0; k < rows; ++k) to[k][lane] = from[k][lane];
 }
 
-/// Lanes without an element hold the first one's, so that there is nothing in them to fail.
+/// Copies the first element to lanes without an element, so that these cannot fail.
 void fill_lanes(ElementBatch& batch) {
   for (int lane = batch.count; lane < ElementBatch::kLanes; ++lane) {
     for (auto& u : batch.u) u[lane] = u[0];
@@ -40,7 +40,7 @@ unsigned evaluate_corners(const ElementLaw& law,
   std::copy_n(&batch.alpha[0][0], 8 * ElementBatch::kLanes, &start[0][0]);
   const unsigned valid = kernel(law, surroundings, batch) & all;
   if (valid == all) return valid;
-  // The old alpha may not suit the new place: the others begin again without.
+  // The old alpha may not suit the new displacement: failed elements begin again from zero.
   ElementBatch again = batch;
   std::fill_n(&again.alpha[0][0], 8 * ElementBatch::kLanes, 0.0);
   const unsigned now = kernel(law, surroundings, again) & all & ~valid;
@@ -57,7 +57,7 @@ unsigned evaluate_corners(const ElementLaw& law,
   return valid | now;
 }
 
-/// From places of nodes to those of tied corners.
+/// Computes places of tied corners from places of nodes.
 void place_corners(const EdgeTie& tie, double (&u)[24][ElementBatch::kLanes]) {
   for (const auto& [lower, upper] : tie.pairs()) {
     for (int i = 0; i < 3; ++i) {
@@ -71,7 +71,7 @@ void place_corners(const EdgeTie& tie, double (&u)[24][ElementBatch::kLanes]) {
   }
 }
 
-/// From forces on tied corners to those on nodes; `at(k)` are the lanes of unknown k.
+/// Converts forces on tied corners to forces on nodes; `at(k)` are the lanes of unknown k.
 template <class At>
 void gather_corners(const EdgeTie& tie, At at) {
   for (const auto& [lower, upper] : tie.pairs()) {
@@ -86,7 +86,7 @@ void gather_corners(const EdgeTie& tie, At at) {
   }
 }
 
-/// K of the nodes from that of the corners, T^T K T.
+/// Converts K of the corners to K of the nodes, T^T K T.
 void gather_corners(const EdgeTie& tie,
                     double (&packed)[ElementBatch::kEntries][ElementBatch::kLanes]) {
   constexpr int kLanes = ElementBatch::kLanes;
@@ -130,7 +130,7 @@ unsigned evaluate(const ElementLaw& law,
 
 namespace {
 
-/// Runs `kernel` while batch and motions stand at corners.
+/// Runs `kernel` with places and motions of corners in place of those of nodes.
 template <class Kernel>
 auto at_corners(const EdgeTie& tie,
                 ElementBatch& batch,
@@ -184,7 +184,7 @@ void sum_motions(std::span<const VariedElement> varied,
   const auto same_tie = [](const VariedElement& a, const VariedElement& b) {
     return a.law->tie == b.law->tie;
   };
-  while (!varied.empty()) {  // where rows meet others may be what varies
+  while (!varied.empty()) {  // the tie itself may be varied
     std::size_t count = 1;
     while (count < varied.size() && same_tie(varied[count], varied.front())) ++count;
     at_corners(varied.front().law->tie, batch, motions, [&] {

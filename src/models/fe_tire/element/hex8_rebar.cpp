@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rebar layers: a membrane at zeta = const that carries stress along its cords only, 2x2
-// Gauss points,
+// Rebar layers: a membrane at zeta = const that carries stress only along its cords, with 2x2 Gauss
+// points,
 //   W = t int w(e) dA,   e = (l.l - 1) / 2,   l = a1 g_1 + a2 g_2                               (1)
 //   g_1 = x_1 + x_12 eta,  g_2 = x_2 + x_12 xi          (tangents of the layer's bilinear surface)
 // where a1, a2 are the cord's components in the undeformed surface, |a1 G_1 + a2 G_2| = 1. The
 // angle counts from the circumference at the point (of the true circle, not of the chord: cords of
-// 90 degrees are radial and know no torsion) toward +eta in the tangent plane. The stretch is the
+// 90 degrees are radial and have no torsion) toward +eta in the tangent plane. The stretch is the
 // full one. In bending in the plane of the layer the product 2 a1 a2 g_1 . g_2 varies along xi and
-// eta as it should not, which makes belts of inclined cords too stiff. The solid-shell takes
-// it out:
+// eta although it should not, which makes belts of inclined cords too stiff. The solid-shell
+// removes this variation:
 //   e -= c ((xi - <xi>) x_1 + (eta - <eta>) x_2) . (x_12 - s_1 x_1 - s_2 x_2),  c = a1 a2       (2)
-// with X_12 = s_1 X_1 + s_2 X_2 in the undeformed plane: nothing in a constant strain, and
-// nothing in the mean over the layer's area, so that patch tests hold. With the shear goes the
-// square of the hourglass vector,
+// with X_12 = s_1 X_1 + s_2 X_2 in the undeformed plane. The correction vanishes in a constant
+// strain and in the mean over the layer's area, so that patch tests hold. The square of the
+// hourglass vector is removed together with the shear,
 //   e -= (a1 eta + a2 xi)^2 z . z / 2,  z = x_12 - s_1 x_1 - s_2 x_2                           (3)
-// Edges that lean in turn count as unsheared, so by the square alone they would shorten cords in
-// compression (a carcass below belts that narrow as they grow) and nothing would resist but E_11 of
-// elements that are long: they would buckle in turn, from a force of the order of E t (b/L)^2 on, t
-// of the rubber that moves along.
-// In a warped surface z . z is not zero undeformed: there e is scaled to be so.
-// All of it is e = (sum W_mn y_m . y_n - 1) / 2 with y = (x_1, x_2, x_12).
-// Crossed plies of angle +-a want E_22 = -cot(a)^2 E_11 (six times, at 24 degrees). Where E_11
-// varies along eta the displacements cannot follow; the solid's enhanced strains can, so cords
-// see them,
+// Edges that lean alternately count as unsheared, so the square alone would let them shorten cords
+// in compression (a carcass below belts that narrow as they grow), resisted only by E_11 of long
+// elements. They would buckle alternately from a force of the order of E t (b/L)^2 on, with t the
+// thickness of the rubber that moves along.
+// In a warped surface z . z is not zero undeformed; there e is scaled so that it vanishes.
+// All terms together are e = (sum W_mn y_m . y_n - 1) / 2 with y = (x_1, x_2, x_12).
+// Crossed plies of angle +-a require E_22 = -cot(a)^2 E_11 (six times, at 24 degrees). If E_11
+// varies along eta, the displacements cannot follow; the solid's enhanced strains can, so they are
+// added to the cords' strain,
 //   e += a1^2 L_1^2 (xi - <xi>) alpha_0 + a2^2 L_2^2 (eta - <eta>) alpha_1                      (4)
 // and take part in the equilibrium of alpha.
-// The rubber the cords displace is not subtracted (its modulus is 1e-3 of theirs). No bending, no
-// slip.
+// The rubber displaced by the cords is not subtracted (its modulus is 1e-3 of theirs). Bending and
+// slip of cords are neglected.
 #include "models/fe_tire/element/hex8_rebar.h"
 
 #include <Eigen/Geometry>
@@ -38,8 +38,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-// Of the circumference on the layer: a layer that faces it has no circumference in it, and its
-// angles count from the xi line.
+// Least projection of the circumference on the layer. A layer that faces the circumference contains
+// none, and its angles count from the xi line.
 constexpr double kLeastProjection = 1e-3;
 
 /// The layer's bilinear surface in the undeformed element.
@@ -84,7 +84,8 @@ Surface surface_at(const Matrix38& X, double zeta) {
   return surface;
 }
 
-/// Equation (1): W, dA (in dV) at the four points. Returns the mean of (xi, eta) over the area.
+/// Sets equation (1): W, dA (in dV) at the four points. Returns the mean of (xi, eta) over the
+/// area.
 Eigen::Vector2d set_points(const Surface& surface, double angle, CordSheet::Point* points) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   double area = 0.0;
@@ -103,7 +104,7 @@ Eigen::Vector2d set_points(const Surface& surface, double angle, CordSheet::Poin
   return mean / area;
 }
 
-/// Equations (2) to (4).
+/// Adds equations (2) to (4).
 void assume(const Surface& surface,
             double angle,
             const Eigen::Vector2d& mean,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One element on its own: tangents, rotation, mass.
+// Tests of single elements: tangents, rotation, mass.
 #include "models/fe_tire/element/hex8.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ class Sequence {
   unsigned long long state_ = 1;
 };
 
-/// A distorted, curved tire-like element, 32 x 14 x 5 mm, 0.3 m below the axis.
+/// Returns a distorted, curved tire-like element, 32 x 14 x 5 mm, 0.3 m below the axis.
 Matrix38 distorted_element() {
   Sequence random;
   Matrix38 X;
@@ -100,8 +100,9 @@ class Hex8 : public testing::TestWithParam<Case> {
   HexShape shape = make_shape(GetParam().kind, distorted_element());
 };
 
-// Corners tied to the line between two nodes: the element is the free one at the corners' places,
-// and the forces on the nodes do the work of those on the corners. Exact but for rounding.
+// The element with corners tied to the line between two nodes equals the free element at the
+// corners' places, and the forces on the nodes do the work of those on the corners. This holds
+// except for rounding.
 TEST_P(Hex8, TiedCornersAreTheFreeElementWithTheSameWork) {
   Matrix24 T = Matrix24::Identity();  // corners from nodes
   for (int upper : {6, 7}) {
@@ -129,7 +130,8 @@ TEST_P(Hex8, TiedCornersAreTheFreeElementWithTheSameWork) {
   EXPECT_NEAR(mass(shape, m, tied).sum(), mass(shape, m, e).sum(), 1e-12 * mass(shape, m, e).sum());
 }
 
-// Richardson extrapolation of two central differences: error O(h^4), 1e-8 leaves room for rounding.
+// Richardson extrapolation of two central differences has an error of O(h^4); 1e-8 leaves room for
+// rounding.
 TEST_P(Hex8, TangentIsTheDerivativeOfTheForce) {
   const Matrix38 u = random_displacement(2e-4);
   Vector24 f;
@@ -153,7 +155,7 @@ TEST_P(Hex8, RigidRotationGivesNoForce) {
       Eigen::AngleAxisd(1.3, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
   const Matrix38 u = (R * shape.X - shape.X).colwise() + Eigen::Vector3d(0.1, 0.2, -0.3);
   const double scale =
-      force(random_displacement(1e-4)).norm();  // what a strain of a per cent costs
+      force(random_displacement(1e-4)).norm();  // force of a strain of about a percent
   EXPECT_LT(force(u).norm(), 1e-10 * scale);
 }
 
@@ -178,7 +180,7 @@ TEST_P(Hex8, AnInvertedElementIsRefused) {
   EXPECT_FALSE(evaluate(shape, m, e, u, alpha.data(), f, nullptr));
 }
 
-/// Five elements of the same law, their displacements from none to 0.2 mm, with pressure on their
+/// Evaluates elements of one law with displacements from none to 0.2 mm, with pressure on their
 /// inner faces and the nodes of one side in another frame.
 ElementBatch evaluated_batch(const ElementLaw& law, int first, int count) {
   const ElementSurroundings around{
@@ -210,7 +212,7 @@ TEST_P(Hex8, NeighborsInABatchDoNotChangeABit) {
 // Kernel sets with a fused multiply-add have the same bits; the baseline rounds more often.
 TEST_P(Hex8, KernelSetsAgree) {
   const ElementLaw law = element_law(shape, m, e);
-  const WithKernelSet fused(kernel_sets().back());  // whatever LATSCH_KERNELS forces
+  const WithKernelSet fused(kernel_sets().back());  // independent of LATSCH_KERNELS
   const ElementBatch best = evaluated_batch(law, 0, 5);
   const double size = std::abs(best.K[0][4]);
   for (const KernelSet set : kernel_sets()) {
@@ -228,7 +230,7 @@ TEST_P(Hex8, MassIsThatOfRubberAndCords) {
   double expected = 0.0;
   for (double dV : shape.dV) expected += m.solids[e.solid].density * dV;
   if (GetParam().cords)
-    expected += 3000.0 * 1e-3 * 0.03 * 0.014;  // the area of the sheet is not known as exactly
+    expected += 3000.0 * 1e-3 * 0.03 * 0.014;  // the area of the sheet is approximate
   EXPECT_NEAR(M.sum(), expected, GetParam().cords ? 1e-2 * expected : 1e-14 * expected);
   EXPECT_LT((M - M.transpose()).norm(), 1e-15 * M.norm());
 }

@@ -56,7 +56,7 @@ TEST(Hyperelastic, SmallStrainIsHookesLaw) {
   }
 }
 
-// Uniaxial tension of an incompressible neo-Hooke solid: sigma = 2 C10 (lambda^2 - 1/lambda)
+// Uniaxial tension of an incompressible neo-Hooke solid has sigma = 2 C10 (lambda^2 - 1/lambda)
 // [Holzapfel 2000, 6.5].
 TEST(Hyperelastic, UniaxialTension) {
   const Hyperelastic law{.C10 = 0.5, .C01 = 0.0, .K = 1e6};

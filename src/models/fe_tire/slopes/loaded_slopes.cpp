@@ -14,13 +14,14 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// What is left of equations, of their right-hand sides.
+/// Relative tolerance of the linear solves: residual norm over norm of the right-hand side.
 constexpr double kExactly = 1e-10;
 
 using Touches = std::vector<TreadContact::Touch>;
 
-/// Forces of the tread of a varied tire in the points that touch in the state itself: which do is
-/// held, or a point that just touches would come off within a step. Flat ground below the wheel.
+/// Returns the forces of a varied tire's tread in the points that touch in the state itself, on
+/// flat ground below the wheel. These points are held, because otherwise a point that just touches
+/// would lift off within a step.
 Touches forces_where(const Touches& touching,
                      const TreadSurface& tread,
                      const TireState& state,
@@ -43,7 +44,7 @@ double vertical(const Touches& touches) {
   return force;
 }
 
-/// phi K phi of the ground.
+/// Returns phi K phi of the ground.
 double ground_stiffness(const TreadSurface& tread,
                         const Touches& touches,
                         const Eigen::Matrix3Xd& shape) {
@@ -87,7 +88,7 @@ std::pair<Eigen::VectorXd, double> TireSlopes::Impl::by_height(Systems& all,
   TreadContact contact(all.tread, state.ground);
   const Eigen::VectorXd x = all.unknowns.compress(state.u);
   contact.start(state.pose, x, state.anchors);
-  // A wheel that is higher: every point in contact is as much farther from the ground.
+  // If the wheel is higher, every point in contact is farther from the ground by the same distance.
   std::vector<TreadContact::Touch> touches = contact.stuck(x);
   double stiffness = 0.0;
   for (TreadContact::Touch& touch : touches) {
@@ -129,7 +130,7 @@ Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
   return &tangent.factor;
 }
 
-/// While the solver's factor is near the state its tangent needs none of its own.
+/// Computes w while the solver's factor is near the state, so that no new factorization is needed.
 void TireSlopes::Impl::pass(Systems& all, const TireState& state) {
   if (state.ground.mu > 0.0) return;
   Tangent& tangent = tangent_for(all);
@@ -151,7 +152,7 @@ Result<Eigen::VectorXd> TireSlopes::Impl::motion_by_height(Systems& all,
   return Eigen::VectorXd(w.col(0));
 }
 
-/// Made once for all states.
+/// Returns the tread of a varied tire, built once for all states.
 const TreadSurface& TireSlopes::Impl::tread_of(const Varied& tire,
                                                const Systems& all,
                                                bool is_halved) {
@@ -181,7 +182,7 @@ void TireSlopes::Impl::add_tread(Systems& all,
   }
 }
 
-/// (S.2): Fz is -df/dh along w.
+/// Computes (S.2): Fz is -df/dh along w.
 Result<TireSlopes::OfState> TireSlopes::of_state(const TireState& state) {
   Impl& impl = *impl_;
   Systems& all = impl.base.systems(state.is_halved, state.window);
@@ -206,7 +207,7 @@ Result<TireSlopes::OfState> TireSlopes::of_state(const TireState& state) {
   return slopes;
 }
 
-/// (S.3): g dx/dp of all numbers is -z (df/dp + df/dh dh/dp).
+/// Computes (S.3): g dx/dp of all numbers is -z (df/dp + df/dh dh/dp).
 Result<Eigen::MatrixXd> TireSlopes::of_modes(const TireState& state,
                                              const std::vector<Mode>& modes,
                                              const Eigen::VectorXd& height) {
@@ -227,8 +228,8 @@ Result<Eigen::MatrixXd> TireSlopes::of_modes(const TireState& state,
 
 namespace {
 
-/// Sharpens those of the modes that are motions of these unknowns; what comes back as another mode
-/// stays as it was.
+/// Sharpens those of the modes that are motions of these unknowns. A mode for which another one is
+/// found stays as it was.
 std::optional<Failure> sharpen(const RingAssembly& assembly,
                                const numerics::SymmetricMatrix& tangent,
                                const numerics::SymmetricMatrix& M,

@@ -6,7 +6,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kExactly = 1e-10;  // what is left of equations, of their right-hand sides
+constexpr double kExactly = 1e-10;  // relative tolerance of linear solves
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes against differences of whole trials, every one solved anew, extrapolated to a step of
-// zero. Steps are wide where the points that touch are held to those of the tire itself.
+// Tests slopes against differences of whole trials, each solved anew, extrapolated to a step of
+// zero. Steps can be wide because the points that touch are held to those of the tire itself.
 #include "models/fe_tire/slopes/tire_slopes.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TireDescription small_tire() {
 struct Number {
   const char* name;
   std::function<double&(TireDescription&)> of;
-  double size;  // what a step is a share of
+  double size;  // unit of which a step is a share
 };
 
 std::vector<Number> numbers() {
@@ -78,7 +78,7 @@ std::vector<Variation> variations() {
   return all;
 }
 
-/// At rest to the last digits.
+/// Returns a tire that is solved to the last digits.
 FeTire at_rest(const TireDescription& tire, double mode_tolerance) {
   SolverSettings settings;
   settings.tolerance = 1e-11;
@@ -90,7 +90,7 @@ constexpr int kWidth = 4, kModesFrom = 8, kAnswers = kModesFrom + 2 * kModes;
 
 const std::vector<double> kDeflections = {0.008, 0.015};
 
-/// The tire pressed as far, at each deflection on these points.
+/// Presses the tire to the deflections, held at each of them on these points.
 std::vector<TireState> pressed(FeTire& tire,
                                const Inflated& inflated,
                                const std::vector<TouchingPoints>& held) {
@@ -105,8 +105,8 @@ std::vector<TireState> pressed(FeTire& tire,
   return states;
 }
 
-/// radius, growth, loads at two deflections, section width, mass, moments of inertia, frequencies
-/// free and loaded: solved until nothing is left that differences would enlarge.
+/// Returns radius, growth, loads at two deflections, section width, mass, moments of inertia, and
+/// frequencies free and loaded, all solved so accurately that differences do not enlarge the error.
 Eigen::VectorXd answers(const TireDescription& description,
                         const std::vector<TouchingPoints>& held) {
   FeTire tire = at_rest(description, 1e-9);
@@ -127,7 +127,7 @@ Eigen::VectorXd answers(const TireDescription& description,
   return all;
 }
 
-/// Of an error h^4: central differences of two steps.
+/// Returns central differences of two steps, with an error of order h^4.
 Eigen::VectorXd differences(const Number& number, const std::vector<TouchingPoints>& held) {
   const auto central = [&](double share) {
     const double h = share * number.size;
@@ -138,7 +138,7 @@ Eigen::VectorXd differences(const Number& number, const std::vector<TouchingPoin
   return (4.0 * central(0.5 * kStep) - central(kStep)) / 3.0;
 }
 
-// Shapes as plain trials have them: what slopes need beyond is theirs to find.
+// Shapes are those of plain trials; slopes must sharpen them as needed.
 TEST(TireSlopes, AreThoseOfWholeTrials) {
   const TireDescription description = moved(numbers()[0], 0.0);
   FeTire tire = at_rest(description, SolverSettings().mode_tolerance);
@@ -180,15 +180,15 @@ TEST(TireSlopes, AreThoseOfWholeTrials) {
     const Number number = numbers()[k];
     const Eigen::VectorXd expected = differences(number, touching);
     for (int i = 0; i < found.rows(); ++i) {
-      // In proportion to what a change by its own size makes, or to the value itself.
+      // The error is relative to the change by the number's own size, or to the value itself.
       const double size = std::max(std::abs(expected[i]), 1e-2 * std::abs(values[i]) / number.size);
       EXPECT_NEAR(found(i, k), expected[i], 1e-6 * size) << number.name << ", answer " << i;
     }
   }
 }
 
-// The first of two states by the factor that led there, and by one of its own; the way there does
-// not know of slopes.
+// The slopes of the first of two states use the factor that led there, or one of their own. The
+// path is the same in both cases.
 TEST(TireSlopes, OfAStateThatIsPassedAreThoseFoundAfterwards) {
   const TireDescription description = moved(numbers()[0], 0.0);
   std::vector<TireState> states;
@@ -214,7 +214,7 @@ TEST(TireSlopes, OfAStateThatIsPassedAreThoseFoundAfterwards) {
   EXPECT_TRUE(((forces[0] - forces[1]).array().abs() <= 1e-7 * forces[1].array().abs()).all());
 }
 
-/// The deflection that carries a load, by Newton's method on exact slopes.
+/// Returns the state that carries a load, by Newton's method with exact slopes.
 TireState carrying(FeTire& tire, TireSlopes& slopes, double pressure, double load) {
   const auto inflated = tire.inflate(pressure);
   auto states = tire.press(*inflated, Ground{}, {0.008, 0.016});
@@ -235,7 +235,7 @@ TireState carrying(FeTire& tire, TireSlopes& slopes, double pressure, double loa
 
 constexpr double kLoad = 3000.0;  // N
 
-/// Deflection, length, width and area under the load.
+/// Returns deflection, length, width and area under the load.
 Eigen::Vector4d under_load(const TireDescription& description) {
   FeTire tire = at_rest(description, 1e-5);
   TireSlopes slopes(tire, {});
@@ -259,18 +259,19 @@ TEST(TireSlopes, OfDeflectionAndPatchUnderALoadAreThoseOfWholeTrials) {
   const Eigen::Vector4d values = under_load(description);
   for (int k = 0; k < slopes.variables(); ++k) {
     const Number number = numbers()[k];
-    if (std::string(number.name) == "density") continue;  // carries nothing
+    if (std::string(number.name) == "density") continue;  // has no effect on the load
     const auto differences = [&](double h) {
       return Eigen::Vector4d((under_load(moved(number, h)) - under_load(moved(number, -h))) /
                              (2.0 * h));
     };
-    // Runs of samples that touch come and go: the patch is smooth in pieces, and steps stay in one.
+    // Runs of samples that touch begin and end: the patch is only piecewise smooth, and steps stay
+    // within one piece.
     Eigen::Vector4d expected = differences(2e-5 * number.size);
     expected[0] = differences(2e-4 * number.size)[0];
     const Eigen::Vector4d found{
         deflection[k], of_patch->length[k], of_patch->width[k], of_patch->area[k]};
     for (int i = 0; i < 4; ++i) {
-      // Steps of central differences leave 1e-5; the patch bends more.
+      // Central differences leave an error of 1e-5; the patch has more curvature.
       const double size = std::max(std::abs(expected[i]), 1e-2 * values[i] / number.size);
       EXPECT_NEAR(found[i], expected[i], (i == 0 ? 1e-5 : 1e-3) * size) << number.name << ' ' << i;
     }

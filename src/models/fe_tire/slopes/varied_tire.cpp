@@ -13,7 +13,8 @@ bool same_rebars(const Element& a, const Element& b) {
   });
 }
 
-/// Of an element of one topology: whether shape, walls and places of cords are the same.
+/// True if shape, walls and places of cords of an element are the same in two meshes of one
+/// topology.
 bool same_element(const Mesh& mesh, const Mesh& base, std::size_t e) {
   const Element &a = mesh.elements[e], &b = base.elements[e];
   const int n = base.nodes_per_sector();
