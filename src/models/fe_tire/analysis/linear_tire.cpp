@@ -14,8 +14,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-// Number of nodes above which a smaller tire's elimination order is reused: another dissection
-// would cost more than its better order saves, 6 to 20 % of the operations.
+// Largest number of nodes for which the order `whole` is reused. For a larger tire another
+// dissection costs less than its better order saves, 6 to 20 % of the operations.
 constexpr int kFewRows = 10'000;
 
 // Largest number of iterations in which points come down or lift off. If the touching points

@@ -21,7 +21,7 @@ namespace latsch::fe_tire {
 
 /// Motions of a batch. Lane k is element k; corners are in the frame of the element.
 struct ElementMotion {
-  static constexpr int kLanes = ElementBatch::kLanes, kMost = 24;  // at most, at a time
+  static constexpr int kLanes = ElementBatch::kLanes, kMost = 24;  // kMost: motions at a time
 
   bool has_mode = true;                        // else L has its second term only
   alignas(64) double mode[24][kLanes];         // phi

@@ -109,8 +109,10 @@ Eigen::Matrix3d set_axes(SolidShellShape& s, const Eigen::Matrix3d& J0, const Ei
 }  // namespace
 
 double bending_of_shear(double h, double t) {
-  // G t h^2 / 12 D with D = E' t^3 / 12; of incompressible rubber E' = E / (1 - nu^2) = 4 G.
-  constexpr double kMost = 1.0;  // beyond, columns are no mesh of a bend, and a soft wall folds
+  // The ratio is G t h^2 / 12 D with D = E' t^3 / 12; for incompressible rubber E' = E / (1 - nu^2)
+  // = 4 G.
+  constexpr double kMost = 1.0;  // if larger, columns are too long for a bend, and a soft wall
+                                 // folds
   return t > 0.0 ? 1.0 / (1.0 + std::min(0.25 * (h / t) * (h / t), kMost)) : 1.0;
 }
 
