@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Optimal one-to-one assignment: which column for every row, so that the sum of costs is least.
+// Optimal one-to-one assignment of columns to rows with the least sum of costs.
 // Shortest augmenting paths, O(rows^2 columns). [Jonker & Volgenant, Computing 38 (1987) 325-340]
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace latsch::numerics {
 
-/// Cost of a pair that must not be made.
+/// Cost of a pair that is not allowed.
 inline constexpr double kForbidden = 1e300;
 
-/// partner[row] = column, or -1 where the row stays alone: as many pairs as allowed ones permit, of
-/// least total cost. Any shape; costs finite or kForbidden.
+/// Returns partner[row] = column, or -1 if the row stays alone: the largest number of allowed
+/// pairs, at least total cost. `cost` may have any shape; entries are finite or kForbidden.
 std::vector<int> assign(const Eigen::MatrixXd& cost);
 
 }  // namespace latsch::numerics

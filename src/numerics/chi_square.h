@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chi-square distribution: how large a sum of squares of normal numbers may be by chance.
+// The chi-square distribution of a sum of squares of normal numbers.
 //
 //   F(x; nu) = P(nu / 2, x / 2)
 //   P(a, z) = z^a e^-z sum_k z^k / Gamma(a + k + 1)                      z < a + 1   [8.7.1]
@@ -10,16 +10,17 @@
 
 namespace latsch::numerics {
 
-/// Probability that the sum of nu > 0 squares is below x >= 0.
+/// Returns the probability that the sum of nu > 0 squares is below x >= 0.
 double chi_square_probability(double x, double nu);
 
-/// The x that is exceeded with probability 1 - p; 0 < p < 1, nu > 0.
+/// Returns the x that is exceeded with probability 1 - p; 0 < p < 1, nu > 0.
 double chi_square_quantile(double p, double nu);
 
-/// The same where p is the probability that a normal number is below z of its standard deviations.
-/// Above a thousand degrees of freedom by the cubic root of Wilson and Hilferty [Proc. Nat. Acad.
-/// Sci. 17 (1931) 684], right to a thousandth of the distribution's deviation there; at two, the
-/// fewest that a line of a spectrum has, it would be off by one percent of the 95 % quantile.
+/// Returns the quantile for the probability that a normal number is below z standard deviations.
+/// Above a thousand degrees of freedom the cubic root of Wilson and Hilferty is used [Proc. Nat.
+/// Acad. Sci. 17 (1931) 684], with an error of a thousandth of the distribution's deviation there.
+/// At two degrees of freedom, the fewest that a line of a spectrum has, its error would be one
+/// percent of the 95 % quantile.
 double chi_square_at(double z, double nu);
 
 }  // namespace latsch::numerics

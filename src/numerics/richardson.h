@@ -11,12 +11,12 @@ namespace latsch::numerics {
 
 struct Extrapolation {
   double value = 0.0;  // v0
-  double order = 0.0;  // p; the assumed one where the three values do not show one
+  double order = 0.0;  // p; the assumed one if the three values do not show an order
   bool observed = false;
 };
 
-/// h descending, h[0] > h[1] > h[2] > 0. Where the values do not approach a limit monotonically
-/// with an order within [1, 2 assumed_order], the last two are extrapolated with `assumed_order`.
+/// Takes sizes h[0] > h[1] > h[2] > 0. If the values do not approach a limit monotonically with an
+/// order within [1, 2 assumed_order], the last two are extrapolated with `assumed_order`.
 Extrapolation extrapolate(const std::array<double, 3>& h,
                           const std::array<double, 3>& v,
                           double assumed_order = 2.0);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which kernels OpenBLAS runs on, and who may call it.
+// Choice of OpenBLAS' kernels, and exclusive access to BLAS.
 //
-// Debian's OpenBLAS 0.3.21 knows the processors of its day; on a newer one it falls back to kernels
-// of 2004, two to five times slower in matrix products. This module judges by the instruction set
-// instead. A user's own OPENBLAS_CORETYPE wins.
+// Debian's OpenBLAS 0.3.21 knows the processors of its time. On a newer one it falls back to
+// kernels of 2004, two to five times slower in matrix products. This module chooses by the
+// instruction set instead. A user's own OPENBLAS_CORETYPE has priority.
 //
-// The build without threads, which is what trials want, is also one without locks: functions that
-// run at the same time in two threads may get the same buffer and return wrong numbers. Everything
-// here that calls BLAS or LAPACK holds a BlasTurn.
+// The build without threads, which suits trials, also has no locks: functions that run at the same
+// time in two threads may get the same buffer and return wrong numbers. All code here that calls
+// BLAS or LAPACK therefore holds a BlasTurn.
 #pragma once
 
 #include <mutex>
@@ -15,18 +15,18 @@
 
 namespace latsch::numerics {
 
-/// Name of the kernels in use: "SkylakeX", "Haswell", "Zen" ...; "unknown" where the BLAS is not
-/// OpenBLAS.
+/// Returns the name of the kernels in use: "SkylakeX", "Haswell", "Zen" ...; "unknown" if the BLAS
+/// is not OpenBLAS.
 std::string blas_core();
-/// "OpenBLAS 0.3.21 NO_LAPACKE DYNAMIC_ARCH NO_AFFINITY SkylakeX SINGLE_THREADED": for logs and
-/// benchmark tables.
+/// Returns, for logs and benchmark tables, a text such as "OpenBLAS 0.3.21 NO_LAPACKE DYNAMIC_ARCH
+/// NO_AFFINITY SkylakeX SINGLE_THREADED".
 std::string blas_configuration();
 
-/// Switches to the better kernels if there are any; the second call and later ones do nothing.
+/// Switches to better kernels if there are any. Later calls do nothing.
 void choose_blas_core();
 
-/// While it lives this thread is the only one to call BLAS, on kernels that suit the processor. One
-/// at a time in a thread.
+/// Makes this thread, during its lifetime, the only one to call BLAS, on kernels that suit the
+/// processor. A thread may hold only one at a time.
 class BlasTurn {
  public:
   BlasTurn();
@@ -35,11 +35,12 @@ class BlasTurn {
   std::unique_lock<std::mutex> lock_;
 };
 
-/// The kernels that suit the instruction set, or "" where OpenBLAS' own choice uses it in full
-/// already.
+/// Returns the kernels that suit the instruction set, or "" if OpenBLAS' own choice already uses it
+/// fully.
 std::string better_blas_core(const std::string& chosen);
 
-/// Switches to other kernels. False where this BLAS cannot. Not while a BLAS function runs.
+/// Switches to other kernels. Returns false if this BLAS cannot. Must not be called while a BLAS
+/// function runs.
 bool use_blas_core(const std::string& core);
 
 }  // namespace latsch::numerics

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions of BLAS and LAPACK that are called for several precisions, as Fortran declares
-// them: everything by its address, the lengths of the texts last. gemm(Real()) is that of Real.
-// Whoever calls one holds a BlasTurn (blas_core.h).
+// Functions of BLAS and LAPACK that are called in several precisions, as Fortran declares them:
+// every argument by address, lengths of texts last. gemm(Real()) is the function for Real. Callers
+// must hold a BlasTurn (blas_core.h).
 #pragma once
 
 #include <complex>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Products of tall dense matrices by BLAS (gemm), which uses wider vectors than a portable build of
-// Eigen may.
+// Products of tall dense matrices by BLAS (gemm), which may use wider vectors than a portable build
+// of Eigen.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,12 +11,12 @@ namespace latsch::numerics {
 template <class Scalar>
 using DenseMatrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// C = A* B, the overlaps of the columns.
+/// Returns A* B, the overlaps of the columns.
 template <class Scalar>
 DenseMatrix<Scalar> overlaps(const Eigen::Ref<const DenseMatrix<Scalar>>& A,
                              const Eigen::Ref<const DenseMatrix<Scalar>>& B);
 
-/// C <- beta C + alpha A B.
+/// Computes C <- beta C + alpha A B.
 template <class Scalar>
 void add_product(Scalar alpha,
                  const Eigen::Ref<const DenseMatrix<Scalar>>& A,

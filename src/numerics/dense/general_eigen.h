@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eigenvalues of dense real matrices without symmetry, of up to some hundred rows: Eigen's
-// Hessenberg form and Francis' QR steps, compiled here once for all who ask.
+// Eigenvalues of dense unsymmetric real matrices of up to some hundred rows, by Eigen's Hessenberg
+// form and Francis' QR steps, compiled here once for all users.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,12 +10,12 @@
 namespace latsch::numerics {
 
 struct GeneralEigen {
-  Eigen::VectorXcd values;   // in no order; those of a pair one after the other
-  Eigen::MatrixXcd vectors;  // columns of length 1, in order
+  Eigen::VectorXcd values;   // not sorted; the two of a conjugate pair are adjacent
+  Eigen::MatrixXcd vectors;  // columns of length 1, in the order of the values
 };
 
-/// A V = V diag(values). Nothing where the steps do not end, which numbers that are none bring
-/// about.
+/// Computes A V = V diag(values). Returns nothing if the steps do not converge, as with values that
+/// are not numbers.
 std::optional<GeneralEigen> general_eigen(const Eigen::MatrixXd& A);
 
 }  // namespace latsch::numerics

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory of many megabytes that is written before it is read: not filled with zeros, and on large
-// pages where the system gives them (Linux: it is asked), so that walking through it does not end
-// at every fourth kilobyte.
+// Memory of many megabytes that is written before it is read. It is not filled with zeros, and is
+// on large pages if the system grants them (requested on Linux), so that walking through it does
+// not cause a page miss every four kilobytes.
 //
-// What is given back is kept for whoever asks next, up to a limit: the system would clear every
-// page of it again, which costs as much as using it once.
+// Freed memory is kept for the next request, up to a limit: the system would clear every page
+// again, which costs as much as using it once.
 #pragma once
 
 #include <cstddef>
@@ -22,9 +22,9 @@ using LargeArray = std::unique_ptr<Number[], FreeLargeArray>;
 
 struct LargeMemory {
   void* start;
-  std::size_t bytes;  // what there is of it
+  std::size_t bytes;  // actual size
 };
-/// At least `bytes`.
+/// Returns memory of at least `bytes`.
 LargeMemory large_memory(std::size_t bytes);
 
 template <class Number>

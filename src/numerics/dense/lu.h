@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// P A = L U of a dense square matrix by partial pivoting: Eigen's, compiled here once for all who
-// ask.
+// Factorization P A = L U of a dense square matrix by partial pivoting, from Eigen, compiled here
+// once for all users.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,13 +8,13 @@
 
 namespace latsch::numerics {
 
-/// Keeps its memory from one matrix to the next.
+/// An LU factorization whose memory is reused for the next matrix.
 class Lu {
  public:
-  /// n x n, not singular.
+  /// Factorizes A, n x n, which must not be singular.
   void factorize(const Eigen::MatrixXd& A);
 
-  /// B <- A^-1 B, column by column.
+  /// Computes B <- A^-1 B, column by column.
   void solve(Eigen::MatrixXd& B) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Orthogonal factors of dense m x n matrices by Householder reflections: Eigen's, compiled here
-// once for all who ask.
+// Orthogonal factors of dense m x n matrices by Householder reflections, from Eigen, compiled here
+// once for all users.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace latsch::numerics {
 
-/// A = Q R with m >= n; for columns known to be independent.
+/// Factorization A = Q R with m >= n, for columns known to be independent.
 class HouseholderQr {
  public:
   explicit HouseholderQr(const Eigen::MatrixXd& A);
@@ -19,27 +19,29 @@ class HouseholderQr {
   Eigen::VectorXd solve_R(const Eigen::VectorXd& b) const;             // R^-1 (b_1 ... b_n)
 
  private:
-  Eigen::MatrixXd reflections_;   // R above them
+  Eigen::MatrixXd reflections_;   // Householder vectors, and R above them
   Eigen::VectorXd coefficients_;  // 2 / |reflection|^2
 };
 
-/// A P = Q R, the column farthest from those before it next: shows the rank.
+/// Factorization A P = Q R. Each next column is the one farthest from the span of those before, so
+/// that the rank shows.
 struct PivotedQr {
   Eigen::MatrixXd Q;       // m x m: the first `rank` columns span the range
-  std::vector<int> order;  // of the n columns: the first `rank` are independent
+  std::vector<int> order;  // order of the n columns: the first `rank` are independent
   int rank = 0;
 };
 
-/// A pivot below threshold times the largest one counts as zero.
+/// Treats a pivot below `threshold` times the largest one as zero.
 PivotedQr pivoted_qr(const Eigen::MatrixXd& A, double threshold);
 
-/// Orthonormal columns that span the range of A, told from rounding.
+/// Returns orthonormal columns that span the range of A to rounding.
 Eigen::MatrixXd range_basis(const Eigen::MatrixXd& A);
 
-/// The x of least |A x - b| for A whose columns are independent.
+/// Returns x of least |A x - b| for A with independent columns.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
-/// Of all x of least |A x - b| the shortest: A of any shape and rank. B: column by column.
+/// Returns the shortest x of least |A x - b| for A of any shape and rank. B is treated column by
+/// column.
 Eigen::VectorXd shortest_solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 Eigen::MatrixXd shortest_solution(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eigenvalues of dense symmetric and Hermitian matrices of up to some hundred rows: Eigen's
-// tridiagonalization and implicit QR steps, compiled here once for all who ask. Sparse matrices:
-// lanczos.h.
+// Eigenvalues of dense symmetric and Hermitian matrices of up to some hundred rows, by Eigen's
+// tridiagonalization and implicit QR steps, compiled here once for all users. For sparse matrices
+// see lanczos.h.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,14 +14,14 @@ struct SelfAdjointEigen {
   Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> vectors;  // columns of length 1, in order
 };
 
-/// A = V diag(values) V*; only the lower triangle of A is read.
+/// Computes A = V diag(values) V*. Only the lower triangle of A is read.
 SelfAdjointEigen<double> self_adjoint_eigen(const Eigen::MatrixXd& A);
 SelfAdjointEigen<std::complex<double>> self_adjoint_eigen(const Eigen::MatrixXcd& A);
 
-/// Ascending, without the vectors.
+/// Returns the eigenvalues, ascending, without the vectors.
 Eigen::VectorXd self_adjoint_eigenvalues(const Eigen::MatrixXd& A);
 
-/// The lambda of K x = lambda M x, ascending; M positive definite.
+/// Returns lambda of K x = lambda M x, ascending. M must be positive definite.
 Eigen::VectorXd generalized_eigenvalues(const Eigen::MatrixXd& K, const Eigen::MatrixXd& M);
 Eigen::VectorXd generalized_eigenvalues(const Eigen::MatrixXcd& K, const Eigen::MatrixXcd& M);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lanes with their slopes (dual_number.h): what a kernel written for lanes computes, it computes
-// with slopes where it is given these. V is Lanes, Lanes4 or Lane.
+// Lanes with their slopes (dual_number.h): a kernel written for lanes computes slopes too if it is
+// called with these. V is Lanes, Lanes4 or Lane.
 //
-// Values are those of V to the last bit, products fused as there. Elementary functions are V's own
-// with their derivatives.
+// Values are those of V to the last bit, with the same fused products. Elementary functions are
+// those of V with their derivatives.
 #if defined(LATSCH_DUAL_LANES) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_DUAL_LANES
 #undef LATSCH_DUAL_LANES
@@ -16,9 +16,10 @@
 
 namespace latsch::LATSCH_KERNELS {
 
-// Slopes are made out of line: a kernel has hundreds of operations, few of them with slopes.
+// Slope functions are not inlined, because a kernel has hundreds of operations and few of them
+// involve slopes.
 
-/// by x
+/// Returns x times `by`.
 template <class V>
 [[gnu::noinline]] const SlopeBlock* scaled(const SlopeBlock* x, V by) {
   SlopeBlock* made = x->arena->make(x->directions, V::kWidth);
@@ -32,7 +33,7 @@ template <class V>
   return made;
 }
 
-/// Reads one after the other the slopes that there are.
+/// Reads the existing slopes one after the other.
 template <class V>
 struct SlopeReader {
   std::uint64_t directions;
@@ -48,7 +49,7 @@ struct SlopeReader {
   }
 };
 
-/// by_a a + by_b b; one of the two may be nullptr.
+/// Returns by_a a + by_b b; one of the two may be nullptr.
 template <class V>
 [[gnu::noinline]] const SlopeBlock* combined(const SlopeBlock* a,
                                              V by_a,
@@ -71,7 +72,7 @@ template <class V>
   return made;
 }
 
-/// a + b or a - b; one of the two may be nullptr.
+/// Returns a + b or a - b; one of the two may be nullptr.
 template <class V, bool minus>
 [[gnu::noinline]] const SlopeBlock* summed(const SlopeBlock* a, const SlopeBlock* b) {
   if (b == nullptr) return a;
@@ -90,8 +91,8 @@ template <class V, bool minus>
   return made;
 }
 
-/// by_a a + by_b b + c, or - c; any of them may be nullptr, not all. In the order of combined(), so
-/// that no slope's bits depend on which others there are.
+/// Returns by_a a + by_b b + c, or - c; any of them may be nullptr, but not all. The order is that
+/// of combined(), so that a slope's bits do not depend on which other slopes exist.
 template <class V, bool minus>
 [[gnu::noinline]] const SlopeBlock* of_fused(
     const SlopeBlock* a, V by_a, const SlopeBlock* b, V by_b, const SlopeBlock* c) {
@@ -111,8 +112,8 @@ template <class V, bool minus>
   return made;
 }
 
-/// a where `weight` is above 0, elsewhere b; one of the two may be nullptr. (No mask: GCC 12 fails
-/// on one that is handed over at -O1.)
+/// Returns a where `weight` is above 0, and b elsewhere; one of the two may be nullptr. (The
+/// argument is not a mask because GCC 12 fails on one that is passed at -O1.)
 template <class V>
 [[gnu::noinline]] const SlopeBlock* chosen(V weight, const SlopeBlock* a, const SlopeBlock* b) {
   const auto where = weight > V(0.0);
@@ -129,7 +130,7 @@ template <class V>
   return made;
 }
 
-/// Of one number, for lanes of it.
+/// Converts the slopes of one number to those of lanes.
 template <class V>
 [[gnu::noinline]] const SlopeBlock* widened(const SlopeBlock* x) {
   SlopeBlock* made = x->arena->make(x->directions, V::kWidth);
@@ -155,12 +156,12 @@ struct DualLanes : Arithmetic<DualLanes<V>> {
   LATSCH_INLINE DualLanes(const V& x, const SlopeBlock* s) : v(x), slopes(s) {}
   LATSCH_INLINE DualLanes(const Product<Self>& p) { *this = mul(p.a, p.b); }
 
-  /// Whether none has slopes, which is likely.
+  /// True if no argument has slopes, which is likely.
   template <class... More>
   LATSCH_INLINE static bool plain(const Self& x, const More&... more) {
     return __builtin_expect(x.slopes == nullptr && ((more.slopes == nullptr) && ...), true);
   }
-  /// Those of x by a factor, those of x and y by one each.
+  /// Combine the slopes of x, or of x and y, each times its factor.
   LATSCH_INLINE static const SlopeBlock* of_one(const Self& x, const V& by) {
     return plain(x) ? nullptr : scaled<V>(x.slopes, by);
   }
@@ -236,7 +237,7 @@ struct DualLanes : Arithmetic<DualLanes<V>> {
   }
 };
 
-/// Of y/x for x >= 0, not both 0.
+/// Returns the angle of y/x for x >= 0, not both 0.
 template <class V>
 LATSCH_INLINE DualLanes<V> atan_of_quotient(const DualLanes<V>& y, const DualLanes<V>& x) {
   const V arc = atan_of_quotient(y.v, x.v);
@@ -266,7 +267,7 @@ LATSCH_INLINE DualLanes<V> cos(const DualLanes<V>& x) {
   const SinCos<V> r = sin_cos(x.v);
   return {r.cos, DualLanes<V>::of_one(x, -r.sin)};
 }
-/// Beyond +-708, where it saturates, of slope 0.
+/// Beyond +-708, where exp saturates, the slope is 0.
 template <class V>
 LATSCH_INLINE DualLanes<V> exp(const DualLanes<V>& x) {
   const V e = exp(x.v);

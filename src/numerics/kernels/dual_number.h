@@ -4,13 +4,14 @@
 //   x = v + sum_i s_i d_i,  d_i d_j = 0        f(x) = f(v) + sum_i f'(v) s_i d_i
 //   [Griewank, Walther 2008, Evaluating Derivatives, 2nd ed., ch. 3.1 and 7.1]
 //
-// Up to 64 directions d_i. Only slopes that are there are kept and computed: a number no direction
-// leads to costs a comparison more than a plain one, and its slopes are 0, not small. Values are
-// the bits of the same operations on doubles.
+// There are up to 64 directions d_i. Only nonzero slopes are stored and computed: a number that
+// depends on no direction costs only a comparison more than a plain one, and its slopes are exactly
+// 0. Values have the bits of the same operations on doubles.
 //
-// Kinks: min and max take the slope of the argument whose value they take, |x| at 0 that for rising
-// x, a square root at 0 the slope 0. Comparisons see values. Where a value is not a number or not
-// finite, slopes through it are what the rules above make of it: mostly NaN, never caught.
+// Kinks: min and max take the slope of the argument whose value they take; |x| at 0 has the slope
+// for rising x; a square root at 0 has the slope 0. Comparisons use values only. If a value is not
+// a number or not finite, slopes through it follow the rules above: they are mostly NaN and never
+// caught.
 #pragma once
 
 #include <cmath>
@@ -24,23 +25,23 @@ namespace latsch {
 
 class SlopeArena;
 
-/// The slopes of one number: behind it lie, ascending, for each direction whose bit is set `width`
-/// doubles: of one number 1, of lanes (dual_lanes.h) as many as they are. Never changed once
-/// written, so equal slopes share one.
+/// The slopes of one number. They follow this header in ascending order, `width` doubles for each
+/// direction whose bit is set: 1 for a single number, the number of lanes for lanes (dual_lanes.h).
+/// A block never changes once written, so equal slopes can share one.
 struct alignas(64) SlopeBlock {
   std::uint64_t directions;
-  SlopeArena* arena;  // where slopes that are made of these go
+  SlopeArena* arena;  // memory for slopes computed from these
 
   double* values() { return reinterpret_cast<double*>(this + 1); }
   const double* values() const { return reinterpret_cast<const double*>(this + 1); }
 };
 
-/// Memory of slopes, given back all at once.
+/// Memory of slopes, freed all at once.
 class SlopeArena {
  public:
   static constexpr int kDirections = 64;
 
-  /// Values are left as they are.
+  /// Makes a block with uninitialized values.
   [[gnu::always_inline]] inline SlopeBlock* make(std::uint64_t directions, int width) {
     const std::size_t doubles = static_cast<std::size_t>(__builtin_popcountll(directions)) * width;
     const std::size_t bytes = sizeof(SlopeBlock) + (doubles * sizeof(double) + 63) / 64 * 64;
@@ -57,7 +58,7 @@ class SlopeArena {
     char* next;
   };
   Mark mark() const { return {chunk_, next_}; }
-  /// Gives back what was made since.
+  /// Frees the blocks made since the mark.
   void rewind(const Mark& mark);
 
  private:
@@ -67,12 +68,12 @@ class SlopeArena {
     void operator()(char* p) const { std::free(p); }
   };
   std::vector<std::unique_ptr<char, Free>> chunks_;
-  std::size_t chunk_ = 0;  // in use: chunks_[chunk_ - 1]
+  std::size_t chunk_ = 0;  // chunk in use is chunks_[chunk_ - 1]
   char* next_ = nullptr;
   char* end_ = nullptr;
 };
 
-/// One number with its slopes; none: nullptr.
+/// A number with its slopes; nullptr means that all are 0.
 struct DualNumber {
   double v = 0.0;
   const SlopeBlock* slopes = nullptr;
@@ -80,23 +81,23 @@ struct DualNumber {
   DualNumber() = default;
   DualNumber(double x) : v(x) {}
   DualNumber(double x, const SlopeBlock* s) : v(x), slopes(s) {}
-  /// The variable `direction` itself: slope 1.
+  /// Returns the variable `direction` itself, with slope 1.
   static DualNumber variable(double x, int direction, SlopeArena& arena);
 
   double slope(int direction) const;
 };
 
-/// by_a a + by_b b; one of the two may be nullptr.
+/// Returns by_a a + by_b b; one of the two may be nullptr.
 const SlopeBlock* combined(const SlopeBlock* a, double by_a, const SlopeBlock* b, double by_b);
 
-/// Slopes of x times a factor, but in one direction; nullptr where no other is there.
+/// Returns the slopes of x times a factor without one direction; nullptr if there is no other.
 const SlopeBlock* without(const DualNumber& x, int direction, double factor);
 
-/// f(x) with its f'(x)
+/// Returns f(x) with its slope f'(x).
 inline DualNumber with_slope(double f, const DualNumber& x, double slope) {
   return {f, x.slopes == nullptr ? nullptr : combined(x.slopes, slope, nullptr, 0.0)};
 }
-/// f(x, y) with its partial derivatives
+/// Returns f(x, y) with its partial derivatives.
 inline DualNumber with_slopes(
     double f, const DualNumber& x, double by_x, const DualNumber& y, double by_y) {
   const bool none = x.slopes == nullptr && y.slopes == nullptr;
@@ -137,14 +138,14 @@ inline DualNumber tan(const DualNumber& x) {
   const double t = std::tan(x.v);
   return with_slope(t, x, 1.0 + t * t);
 }
-/// x > 0
+/// Requires x > 0.
 inline DualNumber pow(const DualNumber& x, const DualNumber& y) {
   const double f = std::pow(x.v, y.v);
   return with_slopes(f, x, y.v * f / x.v, y, f * std::log(x.v));
 }
 
-/// Whether a number may be other than 0: what is left out where a coefficient is 0 must not be
-/// where its slope is asked.
+/// True if a number may differ from 0. A term with a coefficient of 0 must not be skipped if its
+/// slope is wanted.
 inline bool matters(double x) { return x != 0.0; }
 inline bool matters(const DualNumber& x) { return x.v != 0.0 || x.slopes != nullptr; }
 inline double value(double x) { return x; }

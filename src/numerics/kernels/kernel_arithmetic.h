@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The operators of lanes (kernel_lanes.h), made of what a register can do.
+// The operators of lanes (kernel_lanes.h), built from the operations of a register.
 #if defined(LATSCH_KERNEL_ARITHMETIC) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_KERNEL_ARITHMETIC
 #undef LATSCH_KERNEL_ARITHMETIC
@@ -13,13 +13,13 @@
 
 namespace latsch::LATSCH_KERNELS {
 
-/// a * b, not yet rounded: fused with what is added to it.
+/// The product a * b before rounding, so that a following addition is fused with it.
 template <class T>
 struct Product {
   T a, b;
 };
 
-/// Signs of lanes by their bits.
+/// Sign operations of lanes on their bits.
 template <class T>
 struct SignBits {
   LATSCH_INLINE static T negated(const T& x) { return T::bit_xor(x, T(-0.0)); }
@@ -31,10 +31,10 @@ struct SignBits {
   }
 };
 
-/// T has kWidth, Mask, load, save and the operations named here.
+/// Operators of T, which must have kWidth, Mask, load, save and the operations named here.
 template <class T>
 struct Arithmetic : SignBits<T> {
-  /// What is equal in all lanes.
+  /// A number that is equal in all lanes.
   using Constant = double;
 
   LATSCH_INLINE friend Product<T> operator*(const T& a, const T& b) { return {a, b}; }
@@ -79,18 +79,18 @@ struct Arithmetic : SignBits<T> {
   LATSCH_INLINE friend auto operator==(const T& a, const T& b) { return T::equal(a, b); }
 
   LATSCH_INLINE friend T sqrt(const T& x) { return T::root(x); }
-  /// a < b ? a : b
+  /// Returns a < b ? a : b.
   LATSCH_INLINE friend T smaller(const T& a, const T& b) { return T::least(a, b); }
-  /// a > b ? a : b
+  /// Returns a > b ? a : b.
   LATSCH_INLINE friend T larger(const T& a, const T& b) { return T::most(a, b); }
   LATSCH_INLINE friend T abs(const T& x) { return T::absolute(x); }
-  /// |x| with the sign of `sign`; for x >= 0.
+  /// Returns |x| with the sign of `sign`, for x >= 0.
   LATSCH_INLINE friend T with_sign(const T& x, const T& sign) { return T::with_sign_of(x, sign); }
-  /// -1 or 1; 1 also at 0, where the sum drops the sign of zero.
+  /// Returns -1 or 1; it is 1 also at 0, because the sum drops the sign of zero.
   LATSCH_INLINE friend T sign_or_one(const T& x) { return with_sign(T(1.0), x + T(0.0)); }
-  /// -1, 0 or 1.
+  /// Returns -1, 0 or 1.
   LATSCH_INLINE friend T sign(const T& x) { return T::choose(x == T(0.0), T(0.0), sign_or_one(x)); }
-  /// `yes` where the mask holds, elsewhere `no`.
+  /// Returns `yes` where the mask is true, and `no` elsewhere.
   template <class Mask>
   LATSCH_INLINE friend T select(const Mask& where, const T& yes, const T& no) {
     return T::choose(where, yes, no);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight floats side by side, with the operators of lanes (kernel_lanes.h) but no comparisons: for
-// what may be rough, in half the instructions and memory of eight doubles. One register of AVX2 on
-// AVX-512 too, so that both have the same bits; two of the baseline.
+// Eight floats side by side, with the operators of lanes (kernel_lanes.h) but no comparisons, for
+// results of low accuracy in half the instructions and memory of eight doubles. They are one
+// register of AVX2, on AVX-512 too, so that both have the same bits, and two registers of the
+// baseline.
 //
-// Read once a kernel set, by for_each_kernel_set.h alone.
+// Included once per kernel set, by for_each_kernel_set.h only.
 #if defined(LATSCH_KERNEL_FLOATS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_KERNEL_FLOATS
 #undef LATSCH_KERNEL_FLOATS

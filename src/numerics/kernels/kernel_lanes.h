@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Doubles side by side in the registers of the kernel set that is being compiled:
+// Doubles side by side in the registers of the kernel set being compiled:
 //
 //   Lanes    eight: one register of AVX-512, two of AVX2, four of the baseline
 //   Lanes4   four
 //   Lane     one, with the same rules
 //
-// A product that is added or subtracted on the spot is fused: a * b + c rounds once, whatever the
-// compiler and its options; x = a * b; x + c rounds twice. So every set with a fused multiply-add
-// gives the same bits. `a * b + c * d` fuses the first product. The baseline of x86-64 has none and
-// rounds twice always.
+// A product that is directly added or subtracted is fused: a * b + c rounds once, with any compiler
+// and options; x = a * b; x + c rounds twice. So every set with a fused multiply-add gives the same
+// bits. `a * b + c * d` fuses the first product. The baseline of x86-64 has no fused multiply-add
+// and always rounds twice.
 //
-// Doubles become lanes of equal numbers by themselves. Comparisons give masks for select(), any(),
-// every(). sum() adds in one order: ((0+4) + (2+6)) + ((1+5) + (3+7)).
-// v.at(i) is one of them, i known to the compiler or in an unrolled loop; else store() and read.
-// Lanes are for registers: what is kept lies in arrays of doubles, read by lanes(), lanes4().
+// A double converts implicitly to equal lanes. Comparisons give masks for select(), any(), every().
+// sum() adds in one order: ((0+4) + (2+6)) + ((1+5) + (3+7)). v.at(i) is one lane, if i is known to
+// the compiler or the loop is unrolled; otherwise store() and read. Lanes are for registers: data
+// is kept in arrays of doubles and read by lanes(), lanes4().
 //
-// Read once a kernel set, by for_each_kernel_set.h alone.
+// Included once per kernel set, by for_each_kernel_set.h only.
 #if defined(LATSCH_KERNEL_LANES) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_KERNEL_LANES
 #undef LATSCH_KERNEL_LANES
@@ -31,7 +31,7 @@
 
 namespace latsch::LATSCH_KERNELS {
 
-/// Two T as one of twice the width.
+/// Combines two T to one of twice the width.
 template <class T>
 struct TwiceMask {
   T lo, hi;
@@ -173,14 +173,14 @@ LATSCH_INLINE void store(const Lanes4& v, double* p) { v.save(p); }
 LATSCH_INLINE Lanes4 four(double a, double b, double c, double d) {
   return {Doubles2{a, b}, Doubles2{c, d}};
 }
-/// (0 + 2) + (1 + 3)
+/// Returns (0 + 2) + (1 + 3).
 LATSCH_INLINE double sum_of_four(const Lanes4& x) {
   const Doubles2 two = x.lo.v + x.hi.v;
   return two[0] + two[1];
 }
 #endif
 
-/// Rows of four by four become columns.
+/// Transposes a four-by-four matrix given by rows.
 LATSCH_INLINE void transpose(Lanes4 (&m)[4]) {
 #if LATSCH_KERNEL_WIDTH == 2
   const auto quarter = [](const Register2& a, const Register2& b, Register2& c, Register2& d) {

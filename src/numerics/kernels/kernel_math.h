@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elementary functions of lanes (kernel_lanes.h), without branches: what a vector unit can do and a
-// processor can overlap. T is Lane, Lanes4 or Lanes; each lane gets the same bits in all three.
+// Elementary functions of lanes (kernel_lanes.h) without branches, so that vector units and
+// overlapping execution are used. T is Lane, Lanes4 or Lanes; each lane gets the same bits in all
+// three.
 //
-// Accuracy: a few units in the last place. sin_cos holds for |x| <= 1e5 (reduction by pi/2 in two
-// parts [Cody, Waite 1980]), exp saturates beyond +-708, power and log take normal x > 0 (power
-// also 0). The series are Taylor's on the reduced interval, long enough for the last bit; that of
-// atan is the Chebyshev interpolant of (atan(sqrt z)/sqrt z - 1)/z on [0, tan^2(pi/8)], error
-// 3e-17.
+// Accuracy is a few units in the last place. sin_cos holds for |x| <= 1e5 (reduction by pi/2 in two
+// parts [Cody, Waite 1980]), exp saturates beyond +-708, power and log accept normal x > 0 (power
+// also 0). The series are Taylor series on the reduced interval, long enough for the last bit. The
+// series of atan is the Chebyshev interpolant of (atan(sqrt z)/sqrt z - 1)/z on [0, tan^2(pi/8)],
+// error 3e-17.
 #if defined(LATSCH_KERNEL_MATH) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_KERNEL_MATH
 #undef LATSCH_KERNEL_MATH
@@ -18,16 +19,16 @@
 
 namespace latsch::LATSCH_KERNELS {
 
-/// The number whose bits are `x`.
+/// Returns the number whose bits are `x`.
 template <class T>
 LATSCH_INLINE T of_bits(std::uint64_t x) {
   return std::bit_cast<double>(x);
 }
 
-/// atan(y/x) for x >= 0, not both 0.
+/// Returns atan(y/x) for x >= 0, not both 0.
 template <class T>
 LATSCH_INLINE T atan_of_quotient(const T& y, const T& x) {
-  // |y|/x <= tan(pi/8), up to tan(3 pi/8), beyond: atan about 0, 1 and infinity.
+  // The ranges |y|/x <= tan(pi/8), up to tan(3 pi/8), and beyond use atan about 0, 1 and infinity.
   constexpr double kNear = 0.41421356237309503, kFar = 2.414213562373095;
   constexpr double kPi4 = 0.78539816339744831, kPi4Low = 3.061616997868383e-17;
   const T a = abs(y);
@@ -57,12 +58,12 @@ struct SinCos {
   T sin, cos;
 };
 
-/// Adding it rounds to an integer, which then stands in the low bits.
+/// Adding this rounds to an integer, which is then in the low bits.
 inline constexpr double kRounder = 6755399441055744.0;  // 1.5 * 2^52
 
 template <class T>
 LATSCH_INLINE SinCos<T> sin_cos(const T& x) {
-  // pi/2 = its first 33 bits, which k times are exact, and the rest
+  // pi/2 is the sum of its first 33 bits, whose product with k is exact, and the remainder.
   constexpr double kHigh = 1.5707963267341256, kLow = 6.077100506506192e-11;
   const T shifted = x * 0.63661977236758134 + kRounder;
   const T k = shifted - kRounder;
@@ -74,8 +75,8 @@ LATSCH_INLINE SinCos<T> sin_cos(const T& x) {
               z4 * ((1.0 / 479001600 - z * (1.0 / 87178291200)) + z2 * (1.0 / 20922789888000));
   const T sine = r + (r * z) * s;
   const T cosine = (1.0 - 0.5 * z) + z2 * c;
-  // The low two bits of `shifted` are the quadrant q: odd ones exchange the two; bit 1 of q turns
-  // the sine's sign, of q + 1 the cosine's.
+  // The low two bits of `shifted` are the quadrant q. If q is odd, sine and cosine are exchanged;
+  // bit 1 of q reverses the sine's sign, bit 1 of q + 1 the cosine's.
   const auto odd = T::negative(T::template shift_left<63>(shifted));
   const T minus(-0.0);
   const T sine_sign = T::bit_and(T::template shift_left<62>(shifted), minus);
@@ -112,10 +113,10 @@ LATSCH_INLINE T exp(const T& unbounded) {
 
 template <class T>
 LATSCH_INLINE T log(const T& x) {
-  // x = 2^e m with m in [sqrt(1/2), sqrt 2); log m = 2 artanh((m - 1)/(m + 1)).
+  // Reduction x = 2^e m with m in [sqrt(1/2), sqrt 2) and log m = 2 artanh((m - 1)/(m + 1)).
   constexpr std::uint64_t kRootHalf = 0x3fe6a09e667f3bcd, kOne = 0x3ff0000000000000;
   constexpr double kBias = 1023.0;
-  // e + 1023, at the lower end
+  // e + 1023 is in the low bits.
   const T biased = T::template shift_right<52>(T::int_add(x, of_bits<T>(kOne - kRootHalf)));
   const T m = T::int_add(T::int_sub(x, T::template shift_left<52>(biased)), of_bits<T>(kOne));
   const T e = T::int_add(biased, T(kRounder)) - (kRounder + kBias);
@@ -128,21 +129,21 @@ LATSCH_INLINE T log(const T& x) {
   return e * kLn2High + (twice + ((twice * z) * p + e * kLn2Low));
 }
 
-/// x^y for x >= 0; 0^0 is 1, 0 to any other power 0.
+/// Returns x^y for x >= 0; 0^0 is 1, and 0 to any other power is 0.
 template <class T>
 LATSCH_INLINE T power(const T& x, double y) {
   const auto zero = x <= 0.0;
   return select(zero, T(y == 0.0 ? 1.0 : 0.0), exp(T(y * log(select(zero, T(1.0), x)))));
 }
 
-/// The cube root of normal x > 0, with a step of Newton's method for the last bits.
+/// Returns the cube root of normal x > 0, with a step of Newton's method for the last bits.
 template <class T>
 LATSCH_INLINE T cbrt(const T& x) {
   const T y = exp(T(log(x) * (1.0 / 3.0))), y2 = y * y;
   return y - (y * y2 - x) / (3.0 * y2);
 }
 
-// A product as an argument is rounded.
+// A product is rounded before it becomes an argument.
 template <class T>
 LATSCH_INLINE T atan(const Product<T>& x) {
   return atan(T(x));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One register of the kernel set that is being compiled, and one double by the same rules.
+// One register of the kernel set being compiled, and one double by the same rules.
 #if defined(LATSCH_KERNEL_REGISTERS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_KERNEL_REGISTERS
 #undef LATSCH_KERNEL_REGISTERS
@@ -9,7 +9,7 @@
 
 #include "numerics/kernels/kernel_arithmetic.h"
 
-// The operations of Arithmetic in one line each.
+// Macros for the operations of Arithmetic, one line each.
 #define LATSCH_BINARY(name, ...) \
   LATSCH_INLINE static Self name(const Self& x, const Self& y) { return __VA_ARGS__; }
 #define LATSCH_FUSED(mul_add_, mul_sub_, sub_mul_)                                 \
@@ -56,7 +56,8 @@ struct Register1 : Arithmetic<Register1> {
   LATSCH_BINARY(least, x.v < y.v ? x.v : y.v)
   LATSCH_BINARY(most, x.v > y.v ? x.v : y.v)
 
-  // By functions the compiler knows: bits of one double would go through the integer registers.
+  // Compiler builtins are used, because operations on the bits of one double would go through
+  // integer registers.
   LATSCH_INLINE static Self negated(const Self& x) { return -x.v; }
   LATSCH_INLINE static Self absolute(const Self& x) { return __builtin_fabs(x.v); }
   LATSCH_BINARY(with_sign_of, __builtin_copysign(x.v, y.v))
@@ -98,8 +99,8 @@ LATSCH_INLINE Mask4 operator|(Mask4 a, Mask4 b) { return {static_cast<__mmask8>(
 LATSCH_INLINE bool any(Mask4 m) { return (m.v & 0xF) != 0; }
 LATSCH_INLINE bool every(Mask4 m) { return (m.v & 0xF) == 0xF; }
 #else
-// A comparison of the compiler's own, which it can see through: where it knows the mask to come
-// from one, a choice needs no second comparison with zero.
+// The comparison is a builtin of the compiler, which can see through it: if it knows that the mask
+// comes from a comparison, select() needs no second comparison with zero.
 using Ints4 = std::int64_t __attribute__((vector_size(32)));
 struct Mask4 {
   Ints4 v;
@@ -174,7 +175,7 @@ struct Register4 : Arithmetic<Register4> {
 LATSCH_INLINE Register4 four(double a, double b, double c, double d) {
   return _mm256_set_pd(d, c, b, a);
 }
-/// (0 + 2) + (1 + 3)
+/// Returns (0 + 2) + (1 + 3).
 LATSCH_INLINE double sum_of_four(const Register4& x) {
   const __m128d two = _mm_add_pd(_mm256_castpd256_pd128(x.v), _mm256_extractf128_pd(x.v, 1));
   return _mm_cvtsd_f64(_mm_add_sd(two, _mm_unpackhi_pd(two, two)));
@@ -191,7 +192,8 @@ LATSCH_INLINE Mask8 operator|(Mask8 a, Mask8 b) { return {static_cast<__mmask8>(
 LATSCH_INLINE bool any(Mask8 m) { return m.v != 0; }
 LATSCH_INLINE bool every(Mask8 m) { return m.v == 0xFF; }
 
-/// Eight doubles of AVX-512. GCC 12 warns of its own undefined operands where no mask is given.
+/// Eight doubles of AVX-512. The intrinsics have masks because GCC 12 warns of its own undefined
+/// operands otherwise.
 struct Register8 : Arithmetic<Register8> {
   using Self = Register8;
   using Mask = Mask8;
@@ -245,7 +247,7 @@ struct Register8 : Arithmetic<Register8> {
 
 #if LATSCH_KERNEL_WIDTH == 2
 
-// Vectors of the compiler: SSE2 on x86-64, NEON on 64-bit ARM.
+// Vector types of the compiler: SSE2 on x86-64, NEON on 64-bit ARM.
 using Doubles2 = double __attribute__((vector_size(16)));
 using Ints2 = std::int64_t __attribute__((vector_size(16)));
 using Bits2 = std::uint64_t __attribute__((vector_size(16)));
@@ -258,7 +260,7 @@ LATSCH_INLINE Mask2 operator|(const Mask2& a, const Mask2& b) { return {a.v | b.
 LATSCH_INLINE bool any(const Mask2& m) { return (m.v[0] | m.v[1]) != 0; }
 LATSCH_INLINE bool every(const Mask2& m) { return (m.v[0] & m.v[1]) != 0; }
 
-/// Two doubles that every processor has.
+/// Two doubles, available on every processor.
 struct Register2 : Arithmetic<Register2> {
   using Self = Register2;
   using Mask = Mask2;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which instructions the kernels use. Loops that take the time are compiled once for each set
-// (for_each_kernel_set.h) and the best the processor has is chosen when the first of them is
-// called:
+// Choice of the kernels' instructions. Time-critical loops are compiled once for each set
+// (for_each_kernel_set.h), and the best set that the processor supports is chosen when the first of
+// them is called:
 //
 //   avx512    eight doubles in a register, 32 registers (AVX-512 F, VL, DQ)
 //   avx2      four doubles, 16 registers, fused multiply-add (2013 and later)
 //   baseline  what every processor of the architecture has; no fused multiply-add on x86-64
 //
 // avx2 and avx512 give the same bits: the same operations in the same order. baseline rounds the
-// product of a multiply-add before it adds, so its results differ in the last digits.
-// The environment variable LATSCH_KERNELS = avx512 | avx2 | baseline forces a set.
+// product of a multiply-add before it adds, so its results differ in the last digits. The
+// environment variable LATSCH_KERNELS = avx512 | avx2 | baseline forces a set.
 #pragma once
 
 #include <atomic>
@@ -28,13 +28,14 @@ namespace latsch {
 enum class KernelSet { baseline, avx2, avx512 };
 
 std::string_view name(KernelSet set);
-/// What this processor has, slowest first.
+/// Returns the sets that this processor supports, slowest first.
 const std::vector<KernelSet>& kernel_sets();
-/// What LATSCH_KERNELS = `forced` asks for; nullptr or empty: the best there is. Throws InputError
-/// where no set is called so or the processor does not have it.
+/// Returns the set named by LATSCH_KERNELS = `forced`; nullptr or empty: the best one. Throws
+/// InputError if no set has this name or the processor does not support it.
 KernelSet chosen_kernel_set(const char* forced);
 
-/// "AMD EPYC 7763", as the operating system calls it; "unknown processor" where it does not.
+/// Returns the operating system's name of the processor, as "AMD EPYC 7763", or "unknown
+/// processor".
 std::string processor_name();
 
 namespace detail {
@@ -43,13 +44,15 @@ extern std::atomic<int> kernel_set_in_use;
 KernelSet choose_kernel_set();
 }  // namespace detail
 
-/// The set in use. The first call reads LATSCH_KERNELS and throws what chosen_kernel_set() throws.
+/// Returns the set in use. The first call reads LATSCH_KERNELS and may throw as chosen_kernel_set()
+/// does.
 inline KernelSet kernel_set() {
   const int set = detail::kernel_set_in_use.load(std::memory_order_relaxed);
   return set == detail::kNotChosen ? detail::choose_kernel_set() : static_cast<KernelSet>(set);
 }
 
-/// Another set of kernel_sets() while it lives: how tests and benchmarks run all of them.
+/// Uses another set of kernel_sets() during its lifetime, so that tests and benchmarks can run all
+/// of them.
 class WithKernelSet {
  public:
   explicit WithKernelSet(KernelSet set);
@@ -63,8 +66,8 @@ class WithKernelSet {
 
 }  // namespace latsch
 
-/// The function of the set in use: LATSCH_KERNEL(add)(x, y) where for_each_kernel_set.h has made
-/// avx512::add, avx2::add and baseline::add, seen from the namespace around.
+/// Selects the function of the set in use: LATSCH_KERNEL(add)(x, y) calls avx512::add, avx2::add or
+/// baseline::add, made by for_each_kernel_set.h and seen from the surrounding namespace.
 #if LATSCH_X86_KERNELS
 #define LATSCH_KERNEL(function)                                              \
   (::latsch::kernel_set() == ::latsch::KernelSet::avx512 ? &avx512::function \

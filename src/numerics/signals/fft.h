@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The discrete Fourier transform of real samples, X_k = sum_n x_n exp(-2 pi i k n / N): Eigen's
-// (which holds kissfft), with the half spectrum k = 0 .. N/2 that real samples need.
+// The discrete Fourier transform of real samples, X_k = sum_n x_n exp(-2 pi i k n / N), by Eigen
+// (which contains kissfft), with the half spectrum k = 0 .. N/2 that real samples need.
 //
-// Any length is right; lengths of small prime factors are fast, fast_length() finds one.
+// Every length works; lengths with small prime factors, as returned by fast_length(), are fast.
 #pragma once
 
 #include <complex>
@@ -13,13 +13,13 @@ namespace latsch::numerics {
 
 using Spectrum = std::vector<std::complex<double>>;
 
-/// Bins 0 .. length/2 of the samples, followed by zeros up to `length` >= x.size().
+/// Returns bins 0 .. length/2 of the samples, followed by zeros up to `length` >= x.size().
 Spectrum real_fft(std::span<const double> x, int length);
 
-/// The `length` samples of a half spectrum of length/2 + 1 bins; with the factor 1/length.
+/// Returns the `length` samples of a half spectrum of length/2 + 1 bins, with the factor 1/length.
 std::vector<double> inverse_real_fft(const Spectrum& half, int length);
 
-/// The least length >= `at_least` that is 4 times powers of 2, 3 and 5.
+/// Returns the least length >= `at_least` that is 4 times powers of 2, 3 and 5.
 int fast_length(int at_least);
 
 }  // namespace latsch::numerics

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spectral densities by Welch's method: segments that overlap, each without its mean, windowed and
+// Spectral densities by Welch's method: overlapping segments without their mean are windowed and
 // transformed, and the squares averaged [Welch 1967].
 //
 //   S_xy(f) = 1/K sum_k conj(X_k(f)) Y_k(f) / (rate sum w^2)
 //
-// and twice that for 0 < f < rate/2 (one-sided), so H1 = S_xy / S_xx for x -> y, and the
+// This is doubled for 0 < f < rate/2 (one-sided). H1 = S_xy / S_xx is the response x -> y, and the
 // sum of S_xx times the bin width is the mean square.
 //
-// Programs differ in what they leave out to say. The conventions by name:
+// Programs differ in their defaults. The conventions by name:
 //   scipy   Hann window, periodic; 256 samples; half overlaps; mean of each segment removed; no
 //           zeros
 //   octave  Hamming, symmetric; the power of 2 above sqrt(N); half overlaps; mean of the whole
 //           record removed; no zeros
 //   matlab  Hamming, symmetric; at most eight segments, N / 4.5 samples; half overlaps; no mean
 //           removed; zeros up to the power of 2, 256 at least
-// With the same window, segment and mean they agree: octave's pwelch with hanning(n, "periodic")
-// and "short" mean removal is the scipy convention.
+// With equal window, segment and mean they agree: octave's pwelch with hanning(n, "periodic") and
+// "short" mean removal is the scipy convention.
 #pragma once
 
 #include <complex>
@@ -37,22 +37,22 @@ enum class Detrend { none, segment_mean, segment_line, record_mean };
 std::vector<double> window_values(Window window, int count);
 
 struct WelchSettings {
-  int segment = 256;  // samples, 2 at least and no more than the record has
+  int segment = 256;  // samples, at least 2 and at most those of the record
   int overlap = 128;  // samples, fewer than the segment
-  int length = 256;   // of the transform, the segment and zeros
+  int length = 256;   // transform's length: the segment and zeros
   Window window = Window::hann_periodic;
   Detrend detrend = Detrend::segment_mean;
 };
 
 enum class Convention { scipy, octave, matlab };
 
-/// What that program does with a record of so many samples where only the segment is given, or not
-/// even that. A segment longer than the record becomes the record.
+/// Returns the settings that the program uses for a record of `samples` if only the segment is
+/// given, or not even that. A segment longer than the record becomes the record.
 WelchSettings welch_settings(Convention convention,
                              int samples,
                              std::optional<int> segment = std::nullopt);
 
-/// One-sided densities at frequency[k] = k rate / length.
+/// One-sided density at frequency[k] = k rate / length.
 struct Density {
   std::vector<double> frequency;  // Hz
   std::vector<double> value;      // unit of x squared, per Hz
@@ -60,7 +60,7 @@ struct Density {
 
 Density power_density(std::span<const double> x, double rate, const WelchSettings& settings);
 
-/// S_xx, S_yy, S_xy of two records of the same length.
+/// Densities S_xx, S_yy, S_xy of two records of the same length.
 struct Densities {
   std::vector<double> frequency, xx, yy;
   std::vector<std::complex<double>> xy;
@@ -71,11 +71,11 @@ Densities densities(std::span<const double> x,
                     double rate,
                     const WelchSettings& settings);
 
-/// How many segments a record of so many samples has.
+/// Returns the number of segments of a record.
 int segment_count(int samples, const WelchSettings& settings);
 
-/// Frequency response x -> y: H1 = S_xy / S_xx (noise at the output), H2 = S_yy / S_yx (noise at
-/// the input); gamma^2 = |S_xy|^2 / (S_xx S_yy).
+/// Frequency responses x -> y: H1 = S_xy / S_xx (noise at the output), H2 = S_yy / S_yx (noise at
+/// the input); coherence gamma^2 = |S_xy|^2 / (S_xx S_yy).
 std::vector<std::complex<double>> response_h1(const Densities& s);
 std::vector<std::complex<double>> response_h2(const Densities& s);
 std::vector<double> coherence(const Densities& s);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hermitian matrix of small bandwidth with its Cholesky factorization (LAPACK zpbtrf, zpbtrs).
+// Hermitian matrix of small bandwidth, with Cholesky factorization (LAPACK zpbtrf, zpbtrs).
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@ class BandedHermitian {
  public:
   using Complex = std::complex<double>;
 
-  /// All zero; entries with |row - column| <= bandwidth.
+  /// Makes a zero matrix with entries in |row - column| <= bandwidth.
   BandedHermitian(int size, int bandwidth);
 
   int size() const { return static_cast<int>(lower_.cols()); }
@@ -25,19 +25,19 @@ class BandedHermitian {
   Eigen::MatrixXcd& lower() { return lower_; }
   const Eigen::MatrixXcd& lower() const { return lower_; }
 
-  /// Y = A X.
+  /// Computes Y = A X.
   void multiply(const Eigen::Ref<const Eigen::MatrixXcd>& X, Eigen::Ref<Eigen::MatrixXcd> Y) const;
 
  private:
   Eigen::MatrixXcd lower_;
 };
 
-/// A = L L*. Reuses its memory from one matrix to the next of the same size.
+/// Factorization A = L L*. Memory is reused for further matrices of the same size.
 class BandedCholesky {
  public:
-  /// False where A is not positive definite: then there is no factor.
+  /// Returns false if A is not positive definite; then there is no factor.
   bool factorize(const BandedHermitian& A);
-  /// X <- A^-1 X.
+  /// Computes X <- A^-1 X.
   void solve(Eigen::Ref<Eigen::MatrixXcd> X) const;
 
  private:

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight right-hand sides side by side, a register of single precision for every unknown: a number
-// of the factor is read once for all of them, and no sum runs across them. Read once a kernel set,
-// by columns_together.cpp.
+// Kernels for eight right-hand sides side by side, one register of single precision for every
+// unknown. A number of the factor is read once for all of them, and no sum runs across them.
+// Included once per kernel set, by columns_together.cpp.
 namespace latsch::numerics::LATSCH_KERNELS {
 
 using Floats8 = float __attribute__((vector_size(32), aligned(4), may_alias));
 using Doubles4 = double __attribute__((vector_size(32), aligned(8), may_alias));
 
-/// a + b c
+/// Returns a + b c.
 inline __attribute__((always_inline)) Floats8 mul_add(Floats8 a, float b, Floats8 c) {
 #if LATSCH_KERNEL_WIDTH > 2
   return (Floats8)_mm256_fmadd_ps(_mm256_set1_ps(b), (__m256)c, (__m256)a);
@@ -32,13 +32,13 @@ inline __attribute__((always_inline)) Doubles4 mul_add(Doubles4 a, double b, Dou
 #endif
 }
 
-/// Prefetches what is read next of `width` columns, those after or before them.
+/// Prefetches the next entries of `width` columns, those after or before the current ones.
 template <int width>
 inline __attribute__((always_inline)) void fetch(const float* column, int ld) {
   for (int j = 0; j < width; ++j) __builtin_prefetch(column + static_cast<std::ptrdiff_t>(j) * ld);
 }
 
-/// v_i += sum over `width` columns of L_ij y_j, rows first ... end-1.
+/// Adds the sum over `width` columns of L_ij y_j to v_i, for rows first ... end-1.
 template <int width>
 inline __attribute__((always_inline)) void add_columns(
     const float* L, int ld, const Floats8* y, int first, int end, Floats8* v) {
@@ -50,7 +50,7 @@ inline __attribute__((always_inline)) void add_columns(
   }
 }
 
-/// y_j += sum of L_ij v_i, rows first ... end-1; two rows at a time.
+/// Adds the sum of L_ij v_i over rows first ... end-1 to y_j, two rows at a time.
 template <int width>
 inline __attribute__((always_inline)) void add_rows(
     const float* L, int ld, const Floats8* v, int first, int end, Floats8* y) {
@@ -107,15 +107,15 @@ inline __attribute__((always_inline)) void substitute(
   }
 }
 
-/// One right-hand side: a register holds rows. What is read beyond the last row is finite and
-/// written to the eight numbers of room after v.
+/// Eliminates with one right-hand side; a register holds rows. Numbers read beyond the last row
+/// must be finite; results for them go to the eight spare numbers after v.
 template <int width>
 inline __attribute__((always_inline)) void eliminate_one(
     const float* L, int ld, int j, int rows, float* v) {
   L += static_cast<size_t>(j) * ld;
   float y[width];
   for (int k = 0; k < width; ++k) {
-    double x = v[j + k];  // of the triangle in double: an unknown is rounded once
+    double x = v[j + k];  // The triangle is summed in double, so that an unknown is rounded once.
     for (int m = 0; m < k; ++m) x += double{L[static_cast<size_t>(m) * ld + j + k]} * y[m];
     v[j + k] = static_cast<float>(x / L[static_cast<size_t>(k) * ld + j + k]);
     y[k] = -v[j + k];
@@ -123,7 +123,7 @@ inline __attribute__((always_inline)) void eliminate_one(
   for (int i = j + width; i < rows; i += 8) {
     fetch<width>(L + static_cast<size_t>(width) * ld + i, ld);
     Floats8* to = reinterpret_cast<Floats8*>(v + i);
-    Floats8 sum{};  // added at once: v is rounded once for all of them
+    Floats8 sum{};  // The sum is added at once, so that v is rounded once.
     for (int k = 0; k < width; ++k) {
       const float* column = L + static_cast<size_t>(k) * ld + i;
       sum = mul_add(sum, y[k], *reinterpret_cast<const Floats8*>(column));
@@ -132,7 +132,7 @@ inline __attribute__((always_inline)) void eliminate_one(
   }
 }
 
-/// The same; the room after v is zero.
+/// Substitutes with one right-hand side; the spare numbers after v must be zero.
 template <int width>
 inline __attribute__((always_inline)) void substitute_one(
     const float* L, int ld, int j, int rows, float* v) {
@@ -214,7 +214,7 @@ void multiply(int block_rows,
         y[j + c] = mul_add(sum, b[3 * c + 2], x2);
       }
     }
-    y[3 * i] = y0;  // rows below add to it later
+    y[3 * i] = y0;  // Rows below add to it later.
     y[3 * i + 1] = y1;
     y[3 * i + 2] = y2;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preconditioned conjugate gradients for A x = b, A symmetric, C positive definite near A.
+// Preconditioned conjugate gradients for A x = b with symmetric A and positive definite C near A.
 // [Nocedal & Wright, Numerical Optimization, 2nd ed., algorithm 5.3 and the curvature test of 7.1]
 #pragma once
 
@@ -11,7 +11,7 @@ namespace latsch::numerics {
 struct CgOutcome {
   enum class End { converged, iterations_spent, negative_curvature };
   End end = End::converged;
-  int iterations = 0;     // products with A
+  int iterations = 0;     // number of products with A
   double residual = 0.0;  // norm of b - A x relative to that of b
 };
 
@@ -23,9 +23,10 @@ class ConjugateGradients {
   explicit ConjugateGradients(int size);
 
   /// Starts from x = 0 and stops at |b - A x| <= tolerance |b|. On negative curvature (p' A p <= 0)
-  /// x is the last iterate before it, or the preconditioned gradient C^-1 b in the first iteration:
-  /// a descent direction always. Iterations are spent, too, if `foresees`, where after a few of
-  /// them it seems that all do not suffice: what is left goes on to fall, but more slowly.
+  /// x is the last iterate before it, or the preconditioned gradient C^-1 b in the first iteration,
+  /// and thus always a descent direction. If `foresees`, the solve also ends early, as if
+  /// iterations were spent, when after a few of them their convergence suggests that
+  /// `max_iterations` will not suffice; later convergence is usually slower still.
   CgOutcome solve(const Operator& A,
                   const Preconditioner& C,
                   const Eigen::VectorXd& b,

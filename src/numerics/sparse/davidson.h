@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eigenpairs of K x = lambda M x, near ones brought nearer: Davidson's method with K^-1 before
-// residuals.
+// Davidson's method: improves approximate eigenpairs of K x = lambda M x, with K^-1 as
+// preconditioner of residuals.
 //
-// Of an approximate pair (lambda, x) the correction d = K^-1 (K x - lambda M x) is what one step of
-// inverse iteration would change; |d| in the norm of M is the residual of the inverted problem, as
-// LanczosSettings::tolerance. Corrections of all pairs that err more extend the space in which
-// Rayleigh and Ritz find the pairs again, with K and M themselves. So corrections need not be
-// exact: solutions by a factor in single precision do, and Lanczos' method with those, which finds
-// eigenpairs of another K, is enough to begin with.
+// The correction d = K^-1 (K x - lambda M x) of an approximate pair (lambda, x) is the change by
+// one step of inverse iteration; |d| in the norm of M is the residual of the inverted problem, as
+// in LanczosSettings::tolerance. Corrections of all pairs with larger errors extend the space in
+// which the Rayleigh-Ritz procedure finds the pairs again, with K and M themselves. So corrections
+// need not be exact: solutions by a factor in single precision suffice. The start may come from
+// Lanczos' method with the same factor, which finds eigenpairs of a slightly different K.
 //   [Davidson 1975, J. Comput. Phys. 17, 87-94; Knyazev 2001, SIAM J. Sci. Comput. 23, 517-541]
 #pragma once
 
@@ -22,27 +22,28 @@ namespace latsch::numerics {
 
 class Davidson {
  public:
-  /// X <- K^-1 X or nearly so.
+  /// Computes X <- K^-1 X, exactly or nearly.
   using Solve = std::function<void(Eigen::Ref<Eigen::MatrixXd> X)>;
 
-  /// `vectors`: independent columns near the lowest eigenvectors. K and M must outlive the search.
+  /// `vectors`: independent columns near the lowest eigenvectors. K and M must outlive this object.
   Davidson(const SymmetricMatrix& K,
            const SymmetricMatrix& M,
            Solve solve,
            const Eigen::MatrixXd& vectors);
 
-  /// The lowest `wanted` pairs, at most as many as vectors; converged where every |d| is below the
-  /// tolerance. Some more vectors than pairs are wanted make it fast.
+  /// Finds the lowest `wanted` pairs, at most as many as vectors; converged if every |d| is below
+  /// the tolerance. Some more vectors than wanted pairs make it fast.
   EigenPairs<double> find(Eigen::Index wanted, double tolerance);
-  /// After find(), in the space that left: the lowest `wanted` of these pairs to a finer tolerance.
-  /// As many are corrected a step as are solved at the price of one, and the last correction of a
-  /// pair is not measured by another one: how its errors fell tells what it leaves.
+  /// Call after find(): improves the lowest `wanted` of these pairs to a finer tolerance, in the
+  /// space that find() left. Each step corrects as many pairs as can be solved for at the cost of
+  /// one. The last correction of a pair is not checked by another one: its remaining error is
+  /// estimated from the previous reduction.
   EigenPairs<double> sharpen(Eigen::Index wanted, double tolerance);
 
   Eigen::Index count() const { return count_; }
 
  private:
-  /// K^-1 of residuals of these pairs, once they are found in the space.
+  /// Returns K^-1 of the residuals of these pairs, given by lambda and S in the space.
   Eigen::MatrixXd corrections(const std::vector<Eigen::Index>& pairs,
                               const Eigen::VectorXd& lambda,
                               const Eigen::MatrixXd& S) const;
@@ -57,7 +58,7 @@ class Davidson {
   const SymmetricMatrix &K_, &M_;
   Solve solve_;
   Eigen::Index count_;
-  // The space that pairs are sought in, orthonormal in M: the first size_ columns.
+  // Basis of the search space, orthonormal in M: the first size_ columns.
   Eigen::MatrixXd V_, KV_, MV_;
   Eigen::Index size_ = 0;
 };

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Direct solution of sparse symmetric positive definite equations: A = L L' by fronts.
 //
-//   Factorization factor(pattern);             // ordering and symbolic work, once a mesh
+// Use:
+//   Factorization factor(pattern);             // ordering and symbolic work, once per mesh
 //   if (factor.factorize(A).definite()) ...    // numbers only; ends at the first negative pivot
 //   factor.solve(x);                           // x <- A^-1 x, one or many right-hand sides
 //
-// A front gathers successive columns of L that share their rows (elimination.h), is dense, and
-// leaves an update of its later rows to its parent; nearly all the work is products of dense
+// A front is a dense matrix of successive columns of L that share their rows (elimination.h); it
+// passes an update of its later rows to its parent. Nearly all the work is products of dense
 // matrices by BLAS [Duff & Reid, The multifrontal solution of indefinite sparse symmetric linear
-// equations, ACM Trans. Math. Softw. 9 (1983)]. The same bits on the same BLAS kernels.
+// equations, ACM Trans. Math. Softw. 9 (1983)]. The same BLAS kernels give the same bits.
 //
-// A factorization may be kept while the matrix moves on: as a preconditioner it goes stale slowly.
-// For that use single precision does: half the memory, and a solution costs memory traffic above
-// all. Accuracy then comes from the iteration around it.
+// A factorization may be kept while the matrix changes: as a preconditioner it loses quality
+// slowly. Single precision suffices for that use. It halves the memory, and the time of a solution
+// is mainly memory traffic. Accuracy then comes from the iteration around it.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,7 +27,7 @@ namespace latsch::numerics {
 
 struct Elimination;  // elimination.h
 
-/// What the numbers of the matrix allowed. Only of a definite one there is a factor to solve with.
+/// Outcome of a factorization. Only a definite matrix has a factor to solve with.
 struct FactorStatus {
   enum class Outcome {
     definite,
@@ -35,24 +36,26 @@ struct FactorStatus {
     failed,        // values that are not numbers
   };
   Outcome outcome = Outcome::failed;
-  std::string reason;  // where not definite
+  std::string reason;  // empty if definite
 
   bool definite() const { return outcome == Outcome::definite; }
 };
 
 enum class Precision {
   full,    // double
-  single,  // float inside, double outside: a preconditioner; definite is what the rounded matrix is
-  refined,  // single, and solutions are refined to double with the matrix itself, which has to stay
-            // as it is, and the pattern with it. Where the rounded matrix is not definite, full
+  /// Float inside, double outside, for a preconditioner. `definite` refers to the rounded matrix.
+  single,
+  /// Single, with solutions refined to double by the matrix itself, so that matrix and pattern must
+  /// stay unchanged. If the rounded matrix is not definite, full is used.
+  refined,
 };
 
 class Factorization {
  public:
-  /// Symbolic work. The pattern need not outlive the factorization.
+  /// Does the symbolic work. The pattern need not outlive the factorization.
   explicit Factorization(const SymmetricPattern& pattern, Precision precision = Precision::full);
-  /// The same with the order of elimination of another factorization on this pattern: most of the
-  /// symbolic work is in it.
+  /// Reuses the order of elimination of another factorization on this pattern, which is most of the
+  /// symbolic work.
   Factorization(const SymmetricPattern& pattern,
                 Precision precision,
                 std::shared_ptr<const Elimination> elimination);
@@ -61,31 +64,32 @@ class Factorization {
   Factorization& operator=(Factorization&&) noexcept;
 
   FactorStatus factorize(const SymmetricMatrix& A);
-  /// Gives the factor's memory back, until the next one.
+  /// Frees the factor's memory until the next factorization.
   void release();
 
-  /// x <- A^-1 x, in place.
+  /// Computes x <- A^-1 x in place.
   void solve(Eigen::Ref<Eigen::VectorXd> x) const;
-  /// Every column of X, in place; many columns together are cheaper than one by one. Refined ones
-  /// until what is left is `enough` of the right-hand side, or rounding.
+  /// Solves for every column of X in place; many columns together cost less than one by one.
+  /// Refined solutions are iterated until the residual is `enough` of the right-hand side, or
+  /// rounding.
   void solve_columns(Eigen::Ref<Eigen::MatrixXd> X, double enough = 0.0) const;
 
-  /// The same as solve_columns(), as the factor in its own precision has it: a preconditioner.
+  /// Works as solve_columns() without refinement, in the factor's own precision: a preconditioner.
   void solve_roughly(Eigen::Ref<Eigen::MatrixXd> X) const;
 
-  // With an interface of m unknowns (Elimination::interface), A = [A_ii A_ic; A_ci A_cc] may be
-  // factorized but for it:
+  // If the order has an interface of m unknowns (Elimination::interface), A = [A_ii A_ic; A_ci
+  // A_cc] may be factorized without it:
   //   S = A_cc - A_ci A_ii^-1 A_ic
-  // is what the interface feels of the rest, and solving A x = b is reduce(b), S x_c = b_c of what
-  // came out, expand(x). Other matrices on the interface can be added to S at will.
+  // is the stiffness of the interface with all others eliminated. A x = b is solved by reduce(b), S
+  // x_c = b_c with the reduced b_c, and expand(x). Any matrix on the interface can be added to S.
 
-  /// Definite: A_ii is.
+  /// Factorizes A_ii. Returns definite if A_ii is.
   FactorStatus condense(const SymmetricMatrix& A);
-  /// S [m x m], in the order of the interface's block rows.
+  /// Returns S [m x m] in the order of the interface's block rows.
   Eigen::MatrixXd condensed() const;
-  /// b <- (L_ii^-1 b_i, b_c - A_ci A_ii^-1 b_i)
+  /// Computes b <- (L_ii^-1 b_i, b_c - A_ci A_ii^-1 b_i).
   void reduce(Eigen::Ref<Eigen::VectorXd> b) const;
-  /// x <- (L_ii^-T (x_i - L_ci' x_c), x_c)
+  /// Computes x <- (L_ii^-T (x_i - L_ci' x_c), x_c).
   void expand(Eigen::Ref<Eigen::VectorXd> x) const;
 
   const std::shared_ptr<const Elimination>& elimination() const;

@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dense products and solutions on a front of a sparse factor, in float and double, by BLAS and
-// LAPACK; small ones in float by kernels of our own. Matrices are column-major; L is the panel's
-// pivot block (lower triangle), one column every `ld` numbers. One right-hand side takes
-// matrix-vector functions, several matrix products.
+// LAPACK, and by own kernels for small ones in float. Matrices are column-major. L is the panel's
+// pivot block (lower triangle), one column every `ld` numbers. One right-hand side uses
+// matrix-vector functions, several use matrix products.
 #pragma once
 
 namespace latsch::numerics {
 
-/// L of A = L L', in place in the lower triangle [n x n]; false where A is not positive definite.
+/// Computes L of A = L L' in place in the lower triangle [n x n]. Returns false if A is not
+/// positive definite.
 template <class Real>
 bool cholesky(int n, Real* A, int ld);
 
-/// P A = L U in place [n x n] by partial pivoting, and x <- A^-1 x by it; `rows`: n of them, P.
+/// Compute P A = L U in place [n x n] by partial pivoting, and x <- A^-1 x by it. `rows` holds the
+/// n rows of P.
 void factorize_lu(int n, float* A, int* rows);
 void solve_lu(int n, const float* LU, const int* rows, float* x);
 
-/// B <- B L^-T, B [rows x n] with the same ld.
+/// Computes B <- B L^-T, B [rows x n] with the same ld.
 template <class Real>
 void solve_right_transposed(int rows, int n, const Real* L, int ld, Real* B);
 
-/// C <- -B B', the lower triangle; C [rows x rows] compact, B [rows x n].
+/// Computes C <- -B B', the lower triangle; C [rows x rows] compact, B [rows x n].
 template <class Real>
 void negative_square(int rows, int n, const Real* B, int ld, Real* C);
 
-// In float, where few pivots are what takes the time.
+// Specializations in float, where few pivots take most of the time.
 template <>
 bool cholesky(int n, float* A, int ld);
 template <>
@@ -31,17 +33,17 @@ void solve_right_transposed(int rows, int n, const float* L, int ld, float* B);
 template <>
 void negative_square(int rows, int n, const float* B, int ld, float* C);
 
-/// X <- L^-1 X and X <- L^-T X; X [n x columns], one column every `ldx` numbers.
+/// Compute X <- L^-1 X and X <- L^-T X; X [n x columns], one column every `ldx` numbers.
 template <class Real>
 void solve_lower(int n, int columns, const Real* L, int ld, Real* X, int ldx);
 template <class Real>
 void solve_lower_transposed(int n, int columns, const Real* L, int ld, Real* X, int ldx);
 
-/// Y = B X; B [rows x n], X [n x columns], Y [rows x columns] compact.
+/// Computes Y = B X; B [rows x n], X [n x columns], Y [rows x columns] compact.
 template <class Real>
 void multiply(int rows, int columns, int n, const Real* B, int ld, const Real* X, int ldx, Real* Y);
 
-/// X <- X - B' Y; B [rows x n], Y [rows x columns] compact, X [n x columns].
+/// Computes X <- X - B' Y; B [rows x n], Y [rows x columns] compact, X [n x columns].
 template <class Real>
 void subtract_transposed(
     int n, int columns, int rows, const Real* B, int ld, const Real* Y, Real* X, int ldx);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles and products of a front with few pivots, in single precision: for these BLAS packs and
-// divides more than it multiplies. Registers hold eight rows of a column, up to six columns by
-// sixteen rows of a result stay in them, and every number is a sum in the order of the pivots. Read
-// once a kernel set, by front_algebra.cpp.
+// Triangles and products of a front with few pivots, in single precision. For these BLAS spends
+// more time packing and dividing than multiplying. Registers hold eight rows of a column; up to six
+// columns by sixteen rows of a result stay in registers. Every number is a sum in the order of the
+// pivots. Included once per kernel set, by front_algebra.cpp.
 namespace latsch::numerics::LATSCH_KERNELS {
 
 using Floats8 = float __attribute__((vector_size(32), aligned(4), may_alias));
 
-/// a - b c
+/// Returns a - b c.
 inline __attribute__((always_inline)) Floats8 less_product(Floats8 a, float b, Floats8 c) {
 #if LATSCH_KERNEL_WIDTH > 2
   return (Floats8)_mm256_fnmadd_ps(_mm256_set1_ps(b), (__m256)c, (__m256)a);
@@ -16,7 +16,7 @@ inline __attribute__((always_inline)) Floats8 less_product(Floats8 a, float b, F
 #endif
 }
 
-/// The first of eight rows, or all: what lies beyond them is neither read nor written.
+/// The first n of eight rows, or all. Numbers beyond them are neither read nor written.
 struct Rows {
   int count;
 #if LATSCH_KERNEL_WIDTH > 2
@@ -45,7 +45,7 @@ struct Rows {
   }
 };
 
-/// All eight of them.
+/// All eight rows.
 struct EightRows {
   inline __attribute__((always_inline)) Floats8 load(const float* from) const {
     return *reinterpret_cast<const Floats8*>(from);
@@ -55,8 +55,8 @@ struct EightRows {
   }
 };
 
-/// sum <- sum - B_r L_c' over the first n columns, of `registers` times eight rows of B and `width`
-/// rows of L, both with one column every ld numbers.
+/// Computes sum <- sum - B_r L_c' over the first n columns, for `registers` times eight rows of B
+/// and `width` rows of L, both with one column every ld numbers.
 template <int width, int registers, class Some>
 inline __attribute__((always_inline)) void subtract_products(
     int n, const float* L, const float* B, int ld, Some rows, Floats8 (&sum)[width][registers]) {
@@ -69,7 +69,7 @@ inline __attribute__((always_inline)) void subtract_products(
   }
 }
 
-/// Columns j ... j + width - 1 of B <- B L^-T, of those before which are known.
+/// Computes columns j ... j + width - 1 of B <- B L^-T from the columns before.
 template <int width, int registers, class Some>
 inline __attribute__((always_inline)) void solve_columns(
     int j, const float* L, const float* inverse, int ld, float* B, Some rows) {
@@ -101,14 +101,14 @@ inline __attribute__((always_inline)) void solve_rows(
   for (; j < n; ++j) solve_columns<1, registers>(j, L, inverse, ld, B, rows);
 }
 
-/// B <- B L^-T; `inverse`: those of L's diagonal.
+/// Computes B <- B L^-T. `inverse` holds the inverses of L's diagonal.
 void solve_right(int rows, int n, const float* L, const float* inverse, int ld, float* B) {
   int i = 0;
   for (; i + 16 <= rows; i += 16) solve_rows<2>(n, L, inverse, ld, B + i, EightRows{});
   for (; i < rows; i += 8) solve_rows<1>(n, L, inverse, ld, B + i, Rows(rows - i));
 }
 
-/// Columns j ... j + width - 1 of the triangle, of those before which are known. False where a
+/// Computes columns j ... j + width - 1 of the triangle from the columns before. Returns false if a
 /// pivot is not positive.
 template <int width>
 inline __attribute__((always_inline)) bool factorize_columns(
@@ -136,8 +136,8 @@ inline __attribute__((always_inline)) bool factorize_columns(
   return true;
 }
 
-/// L of A = L L', in place in the lower triangle, and the inverses of its diagonal. Above the
-/// diagonal sums are left.
+/// Computes L of A = L L' in place in the lower triangle, and the inverses of its diagonal. The
+/// upper triangle is overwritten by intermediate sums.
 bool factorize(int n, float* A, float* inverse, int ld) {
   int j = 0;
   for (; j + 6 <= n; j += 6)
@@ -149,7 +149,7 @@ bool factorize(int n, float* A, float* inverse, int ld) {
   return true;
 }
 
-/// Of C <- -B B' the columns j ... j + width - 1, from their own rows on.
+/// Computes columns j ... j + width - 1 of C <- -B B', from their own rows on.
 template <int width, int registers, class Some>
 inline __attribute__((always_inline)) void square_columns(
     int j, int n, const float* B, int ld, int i, Some rows, float* C, int ldc) {
@@ -170,7 +170,7 @@ inline __attribute__((always_inline)) void square_rows(
   for (; j < end; ++j) square_columns<1, registers>(j, n, B, ld, i, rows, C, ldc);
 }
 
-/// C <- -B B', the lower triangle; C compact. Above the diagonal something is left.
+/// Computes C <- -B B', the lower triangle; C compact. The upper triangle is overwritten.
 void negative_square(int rows, int n, const float* B, int ld, float* C) {
   int i = 0;
   for (; i + 16 <= rows; i += 16) square_rows<2>(i, i + 16, n, B, ld, EightRows{}, C, rows);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lowest eigenvalues of K x = lambda M x by shift-invert Lanczos with full reorthogonalization in
-// the M-inner product and thick restart.
+// Shift-invert Lanczos method for the lowest eigenvalues of K x = lambda M x, with full
+// reorthogonalization in the M-inner product and thick restart.
 //
-// Law: the operator (K - sigma M)^-1 M is self-adjoint in the M-inner product; its largest
-// eigenvalues theta give lambda = sigma + 1 / theta. A block of start vectors finds multiplicities
-// up to the block size; further copies come by rounding alone, so choose the block no smaller.
+// The operator (K - sigma M)^-1 M is self-adjoint in the M-inner product; its largest eigenvalues
+// theta give lambda = sigma + 1 / theta. A block of start vectors finds multiplicities up to the
+// block size. Further copies appear only by rounding, so the block must not be smaller than the
+// largest multiplicity.
 // [Wu & Simon, Thick-restart Lanczos method for large symmetric eigenvalue problems,
 //  SIAM J. Matrix Anal. Appl. 22 (2000)]
 // [Grimes, Lewis & Simon, A shifted block Lanczos algorithm for solving sparse symmetric
@@ -17,7 +18,7 @@
 
 namespace latsch::numerics {
 
-/// Scalar: double, or std::complex<double> for Hermitian K and M.
+/// Eigenvalue problem. Scalar is double, or std::complex<double> for Hermitian K and M.
 template <class Scalar>
 struct EigenProblem {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -28,16 +29,17 @@ struct EigenProblem {
 };
 
 struct LanczosSettings {
-  int count = 20;  // eigenpairs wanted
-  /// Residual of the inverted problem relative to theta; theta errs by its square over the relative
-  /// gap to the next one.
+  int count = 20;  // number of wanted eigenpairs
+  /// Residual of the inverted problem relative to theta. The relative error of theta is its square
+  /// over the relative gap to the next theta.
   double tolerance = 1e-8;
-  int spare = 0;  // of the wanted ones the last, which may err by more
+  /// Number of last wanted pairs to which spare_tolerance applies.
+  int spare = 0;
   double spare_tolerance = 0.0;
-  /// Vectors a step: 1 for simple spectra, 2 finds both members of a pair; with a sparse factor 3
-  /// to 5 are fastest, because right-hand sides are cheaper together.
+  /// Vectors per step: 1 for simple spectra; 2 finds both members of a pair; with a sparse factor 3
+  /// to 5 are fastest, because right-hand sides cost less together.
   int block = 2;
-  int max_steps = 600;  // block steps in all
+  int max_steps = 600;  // total of block steps
 };
 
 template <class Scalar>
@@ -45,12 +47,12 @@ struct EigenPairs {
   Eigen::VectorXd values;                                         // ascending lambda
   Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> vectors;  // columns, x' M x = 1
   bool converged = false;
-  int solves = 0;  // right-hand sides solved
+  int solves = 0;  // number of right-hand sides solved
 };
 
-/// The eigenvalues nearest above the shift. start: approximate eigenvectors from a neighboring
-/// problem (any number of columns, the lowest first, also none): good ones save most of the steps,
-/// bad ones are recognized and left. Deterministic.
+/// Finds the eigenvalues nearest above the shift. `start` holds approximate eigenvectors of a
+/// neighboring problem (any number of columns, the lowest first, also none): good ones save most of
+/// the steps, bad ones are recognized and dropped. Deterministic.
 template <class Scalar>
 EigenPairs<Scalar> lanczos(const EigenProblem<Scalar>& problem,
                            const LanczosSettings& settings,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test structure: a block of HEX8-like elements, optionally closed to a ring along its first
+// Structure for tests: a block of HEX8-like elements, optionally closed to a ring along its first
 // direction.
 #pragma once
 
@@ -22,8 +22,8 @@ inline Eigen::MatrixXd dense(const SymmetricMatrix& A) {
 
 class Lattice {
  public:
-  /// elements: number along each direction; per_node unknowns at a node; held_ends clamps the two
-  /// faces of direction 1.
+  /// `elements` holds the number along each direction; `per_node` is the number of unknowns of a
+  /// node; `held_ends` clamps the two faces of direction 1.
   Lattice(std::array<int, 3> elements, int per_node, bool ring = false, bool held_ends = false)
       : elements_(elements), per_node_(per_node), ring_(ring) {
     const auto [a, b, c] = elements;
@@ -61,14 +61,14 @@ class Lattice {
     return all;
   }
 
-  /// Random positive definite element matrices.
+  /// Assembles random positive definite element matrices.
   void assemble_random(SymmetricMatrix& A, unsigned seed) const {
     std::mt19937 random(seed);
     for (int e = 0; e < element_count(); ++e) A.add_element(e, random_element(random).data());
   }
 
-  /// The same random positive definite matrix for every element: a ring has double eigenvalues
-  /// then.
+  /// Assembles one random positive definite matrix for every element. A ring then has double
+  /// eigenvalues.
   void assemble_equal(SymmetricMatrix& A, unsigned seed) const {
     std::mt19937 random(seed);
     const Eigen::MatrixXd K = random_element(random);

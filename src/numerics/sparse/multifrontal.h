@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The factor by fronts of one precision, and what is asked of any factor behind Factorization.
+// The factor by fronts in one precision, and the interface of any factor behind Factorization.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@ struct Factorization::Impl {
   bool ready = false;
   virtual ~Impl() = default;
   virtual FactorStatus factorize(const SymmetricMatrix& A, bool but_interface) = 0;
-  /// `enough`: of a residual relative to its column, where solutions are refined.
+  /// `enough`: relative residual of each column, if solutions are refined.
   virtual void solve(Eigen::Ref<Eigen::MatrixXd> X, double enough) = 0;
   virtual Eigen::MatrixXd condensed() const = 0;
   virtual void reduce(Eigen::Ref<Eigen::VectorXd> x) = 0;

@@ -13,23 +13,23 @@ namespace latsch::numerics {
 
 class SymmetricMatrix {
  public:
-  /// All zero. The pattern must outlive the matrix.
+  /// Makes a zero matrix. The pattern must outlive the matrix.
   explicit SymmetricMatrix(const SymmetricPattern& pattern);
 
   const SymmetricPattern& pattern() const { return *pattern_; }
   int size() const { return pattern_->size(); }
 
   void set_zero();
-  /// Adds a symmetric element matrix, n x n column-major with both triangles filled; rows of held
+  /// Adds a symmetric element matrix, n x n column-major with both triangles filled. Rows of held
   /// unknowns are dropped.
   void add_element(int element, const double* K);
-  /// Adds factor * other; both on the same pattern.
+  /// Adds factor * other. Both must have the same pattern.
   void add(double factor, const SymmetricMatrix& other);
   void add_to_diagonal(double value);
 
-  /// y = A x. No allocation; x and y are different vectors.
+  /// Computes y = A x without allocation; x and y must be different vectors.
   void multiply(const double* x, double* y) const;
-  /// Y = A X, column by column.
+  /// Computes Y = A X, column by column.
   void multiply(const Eigen::Ref<const Eigen::MatrixXd>& X, Eigen::Ref<Eigen::MatrixXd> Y) const;
 
   double coefficient(int row, int column) const;  // searches: for tests and messages

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a sparse symmetric matrix assembled from elements has entries.
+// Places of the entries of a sparse symmetric matrix that is assembled from elements.
 //
-// Built once a mesh from the unknowns each element couples. Storage is the lower block triangle by
-// block rows. A block is 3 x 3 where the unknowns of a node always appear together (0 1 2, 3 4 5,
-// ...; all free or all held), otherwise 1 x 1: the caller need not know. The scatter map tells
-// every element matrix where its numbers go, so that assembly is a straight loop without search.
+// The pattern is built once per mesh from the unknowns that each element couples. Storage is the
+// lower block triangle by block rows. A block is 3 x 3 if the unknowns of a node always appear
+// together (0 1 2, 3 4 5, ...; all free or all held), otherwise 1 x 1; callers need not know which.
+// The scatter map holds the place of every element matrix' numbers, so that assembly is a loop
+// without search.
 #pragma once
 
 #include <span>
@@ -14,9 +15,8 @@ namespace latsch::numerics {
 
 class SymmetricPattern {
  public:
-  /// elements[e] lists the unknowns (0 ... size-1) that element e couples, -1 for a held one. The
-  /// order within an element is the order of the rows of its matrix. An unknown no element names
-  /// still gets its diagonal.
+  /// elements[e] lists the unknowns (0 ... size-1) that element e couples, -1 for a held one, in
+  /// the order of the rows of its matrix. An unknown that no element names still gets its diagonal.
   SymmetricPattern(int size, const std::vector<std::vector<int>>& elements);
 
   int size() const { return size_; }
@@ -25,13 +25,13 @@ class SymmetricPattern {
   /// Length of a matrix' array of values.
   int value_count() const { return static_cast<int>(column_.size()) * block_size_ * block_size_; }
 
-  /// Blocks of block row i are row_start()[i] ... row_start()[i+1]-1, columns ascending, the
-  /// diagonal last.
+  /// Blocks of block row i are row_start()[i] ... row_start()[i+1]-1, with columns ascending and
+  /// the diagonal last.
   std::span<const int> row_start() const { return row_start_; }
   std::span<const int> column() const { return column_; }
 
-  /// One block of an element matrix: rows and columns of the element matrix, and where its block
-  /// starts in the values (column-major blocks).
+  /// One block of an element matrix: its row and column in the element matrix, and the start of its
+  /// block in the values (column-major blocks).
   struct Scatter {
     int target;
     short row, column;
@@ -41,8 +41,8 @@ class SymmetricPattern {
   }
   int element_size(int element) const { return element_size_[element]; }
 
-  /// Start of the block (row, column), row >= column, in the values; -1 where there is none.
-  /// Searches.
+  /// Searches the start of the block (row, column), row >= column, in the values; -1 if there is
+  /// none.
   int find(int block_row, int block_column) const;
 
  private:
