@@ -6,8 +6,8 @@
 namespace latsch::numerics {
 namespace {
 
-/// Shortest augmenting paths on a cost matrix with no more rows than columns; every row gets a
-/// column.
+/// Finds shortest augmenting paths on a cost matrix with no more rows than columns; every row gets
+/// a column.
 std::vector<int> assign_all_rows(const Eigen::MatrixXd& cost) {
   const int rows = static_cast<int>(cost.rows()), columns = static_cast<int>(cost.cols());
   Eigen::VectorXd u = Eigen::VectorXd::Zero(rows + 1),
@@ -63,8 +63,8 @@ std::vector<int> assign(const Eigen::MatrixXd& cost) {
   for (double c : cost.reshaped()) {
     if (c < kForbidden) largest = std::max(largest, std::abs(c));
   }
-  // A forbidden pair costs more than any set of allowed ones, so as few as possible are chosen and
-  // then dropped.
+  // A forbidden pair costs more than any set of allowed ones, so as few as possible are chosen, and
+  // these are dropped.
   const double forbidden = (2.0 * largest + 1.0) * static_cast<double>(std::min(rows, columns) + 1);
   Eigen::MatrixXd finite = cost.unaryExpr([&](double c) { return c < kForbidden ? c : forbidden; });
   std::vector<int> partner(rows, -1);

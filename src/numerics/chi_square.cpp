@@ -8,9 +8,9 @@
 namespace latsch::numerics {
 namespace {
 
-constexpr double kMany = 1000.0;  // degrees of freedom
+constexpr double kMany = 1000.0;  // degrees of freedom above which the cubic root is used
 
-/// sum_k z^k / ((a + 1) ... (a + k)), the series of 8.7.1 over its first term.
+/// Returns sum_k z^k / ((a + 1) ... (a + k)), the series of 8.7.1 over its first term.
 double series(double a, double z) {
   double sum = 1.0, term = 1.0;
   for (double k = a + 1.0; term > 1e-17 * sum; k += 1.0) {
@@ -20,7 +20,7 @@ double series(double a, double z) {
   return sum;
 }
 
-/// The continued fraction of 8.9.2, from its end inward.
+/// Evaluates the continued fraction of 8.9.2 from its end inward.
 double continued_fraction(double a, double z) {
   constexpr int kTerms = 500;
   double tail = z;
@@ -50,10 +50,10 @@ double chi_square_probability(double x, double nu) {
   return z < a + 1.0 ? front / a * series(a, z) : 1.0 - front * continued_fraction(a, z);
 }
 
-/// Newton's method inside of a bracket.
+/// Uses Newton's method inside a bracket.
 double chi_square_quantile(double p, double nu) {
   assert(0.0 < p && p < 1.0);
-  constexpr int kMost = 200;  // halving alone leaves nothing of a double's digits by then
+  constexpr int kMost = 200;  // bisection alone reaches the last digit of a double by then
   double low = 0.0, high = nu + 1.0;
   while (chi_square_probability(high, nu) < p) high *= 2.0;
   double x = 0.5 * (low + high);

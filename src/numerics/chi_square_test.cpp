@@ -9,8 +9,8 @@
 namespace latsch::numerics {
 namespace {
 
-// 1, 2 and 4 degrees of freedom: the square of a normal number, the exponential distribution, and
-// 1 - (1 + x/2) exp(-x/2).
+// Closed forms for 1, 2 and 4 degrees of freedom: the square of a normal number, the exponential
+// distribution, and 1 - (1 + x/2) exp(-x/2).
 TEST(ChiSquare, FewDegreesOfFreedomAreKnownInClosedForm) {
   for (const double x : {0.01, 0.5, 1.9, 3.0, 8.0, 30.0}) {
     EXPECT_NEAR(chi_square_probability(x, 1), std::erf(std::sqrt(0.5 * x)), 1e-13) << x;
@@ -22,7 +22,7 @@ TEST(ChiSquare, FewDegreesOfFreedomAreKnownInClosedForm) {
     EXPECT_NEAR(chi_square_quantile(p, 2), -2.0 * std::log(1.0 - p), 1e-11);
 }
 
-// Abramowitz and Stegun, table 26.8: exceeded with probability 0.05 and 0.95.
+// The values are from Abramowitz and Stegun, table 26.8: exceeded with probability 0.05 and 0.95.
 TEST(ChiSquare, AgreesWithThePrintedTable) {
   const struct {
     double nu, upper, lower;
@@ -36,8 +36,8 @@ TEST(ChiSquare, AgreesWithThePrintedTable) {
   }
 }
 
-// Series and continued fraction meet at x = nu + 2: the density of its middle is all that lies
-// between two places close to it.
+// Series and continued fraction meet at x = nu + 2. The difference of the probabilities at two
+// places close to it must be their distance times the density.
 TEST(ChiSquare, IsOneCurveWhereItsFormulasMeet) {
   for (const double nu : {0.7, 2.0, 7.3, 60.0, 999.0}) {
     const double x = nu + 2.0, h = 1e-4;
@@ -50,8 +50,8 @@ TEST(ChiSquare, IsOneCurveWhereItsFormulasMeet) {
   }
 }
 
-// From a thousand degrees of freedom on by the cubic root: no step that is more than a thousandth
-// of the deviation, which is sqrt(2/nu) of the mean.
+// The cubic root is used above a thousand degrees of freedom. The step there must be less than a
+// thousandth of the deviation, which is sqrt(2/nu) of the mean.
 TEST(ChiSquare, PassesToTheCubicRootWithoutAStep) {
   for (const double z : {-3.0, -1.645, 0.0, 1.645, 3.0})
     EXPECT_NEAR(

@@ -6,7 +6,7 @@
 namespace latsch::numerics {
 namespace {
 
-/// (v0 - v1) / (v1 - v2) that an order p would show; grows with p.
+/// Returns (v0 - v1) / (v1 - v2) for an order p, which grows with p.
 double ratio_of(const std::array<double, 3>& h, double p) {
   return (std::pow(h[0], p) - std::pow(h[1], p)) / (std::pow(h[1], p) - std::pow(h[2], p));
 }

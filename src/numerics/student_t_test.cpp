@@ -19,7 +19,7 @@ TEST(StudentT, OneAndTwoDegreesOfFreedomAreKnownInClosedForm) {
   }
 }
 
-// Abramowitz and Stegun, table 26.10, two-sided 95 %: A = 0.95.
+// The values are from Abramowitz and Stegun, table 26.10, two-sided 95 %: A = 0.95.
 TEST(StudentT, AgreesWithThePrintedTable) {
   const struct {
     double nu, t;

@@ -56,8 +56,9 @@ std::string better_blas_core(const std::string& chosen) {
   return "";
 }
 
-// OpenBLAS reads the variable when it loads, which is before any code of the program can set it: so
-// it is told to choose once more. Both functions are what its own constructor and destructor call.
+// Switches kernels. OpenBLAS reads the variable when it loads, before any code of the program can
+// set it, so it is made to choose again. Both functions are those that its own constructor and
+// destructor call.
 bool use_blas_core(const std::string& core) {
   const auto quit = find<void (*)()>("gotoblas_dynamic_quit");
   const auto init = find<void (*)()>("gotoblas_dynamic_init");

@@ -25,7 +25,7 @@ extern "C" void dgemm_(const char* transa,
 namespace latsch::numerics {
 namespace {
 
-/// Seconds of the fastest of five products of 400 x 400 matrices.
+/// Returns the seconds of the fastest of five products of 400 x 400 matrices.
 double product_time() {
   constexpr int n = 400;
   const double one = 1.0, zero = 0.0;
@@ -57,7 +57,7 @@ TEST(BlasCore, ReplacesAnOldFallbackAndIsFaster) {
   choose_blas_core();
   const std::string chosen = blas_core();
   EXPECT_EQ(better_blas_core(chosen), "");
-  ASSERT_TRUE(use_blas_core("Prescott"));  // what an unknown processor gets
+  ASSERT_TRUE(use_blas_core("Prescott"));  // kernels for an unknown processor
   const double slow = product_time();
   const std::string better = better_blas_core("Prescott");
   ASSERT_TRUE(use_blas_core(better));

@@ -6,7 +6,7 @@
 namespace latsch::numerics {
 namespace {
 
-/// min(i, j): its factor is the lower triangle of ones.
+/// Returns the matrix min(i, j), whose factor is the lower triangle of ones.
 Eigen::MatrixXd smaller_index(int n) {
   return Eigen::MatrixXd::NullaryExpr(n, n, [](Eigen::Index i, Eigen::Index j) {
     return 1.0 + static_cast<double>(std::min(i, j));

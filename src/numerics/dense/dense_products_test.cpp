@@ -30,7 +30,7 @@ TEST(DenseProducts, AreThoseOfEigen) {
   expect_products_of_eigen<std::complex<double>>();
 }
 
-// Of matrices so small that calls begin and end all the time (blas_core.h).
+// The matrices are so small that calls begin and end all the time (blas_core.h).
 TEST(DenseProducts, AreTheSameBitsInSeveralThreads) {
   constexpr int n = 24, kTimes = 40000, kThreads = 2;
   const Eigen::MatrixXd A = Eigen::MatrixXd::Random(n, n);

@@ -8,7 +8,7 @@
 namespace latsch::numerics {
 namespace {
 
-// (x - 1)(x + 2)(x² - 2 x + 5): 1, -2, 1 ± 2i; its companion matrix.
+// The companion matrix of (x - 1)(x + 2)(x² - 2 x + 5) has the eigenvalues 1, -2, 1 ± 2i.
 TEST(GeneralEigen, OfACompanionMatrixAreTheRootsOfItsPolynomial) {
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(4, 4);
   A.topRightCorner(3, 3).setIdentity();

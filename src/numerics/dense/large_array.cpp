@@ -15,14 +15,14 @@ namespace latsch::numerics {
 namespace {
 
 constexpr std::size_t kPage = std::size_t{1} << 21, kLine = 64;
-constexpr std::size_t kSmallestKept = 2 * kPage;         // less is the allocator's own to keep
-constexpr std::size_t kMostKept = std::size_t{1} << 28;  // bytes in all
-constexpr std::size_t kMostWasted = 2;  // times what is asked for: larger memory is not given
+constexpr std::size_t kSmallestKept = 2 * kPage;         // smaller arrays are left to the allocator
+constexpr std::size_t kMostKept = std::size_t{1} << 28;  // bytes kept in all
+constexpr std::size_t kMostWasted = 2;  // largest ratio of kept to requested size for reuse
 
-/// What was given back, the oldest first.
+/// Freed memory, the oldest first.
 class Kept {
  public:
-  /// The smallest that has at least `bytes`, and not far more; {nullptr, 0} where there is none.
+  /// Takes the smallest that has at least `bytes`, and not far more; {nullptr, 0} if there is none.
   LargeMemory take(std::size_t bytes) {
     const std::lock_guard lock(mutex_);
     auto best = all_.end();
@@ -54,7 +54,7 @@ class Kept {
   std::size_t bytes_ = 0;
 };
 
-/// Never destroyed: static objects may give back after it would be.
+/// The object is never destroyed, because static objects may free memory after that.
 Kept& kept() {
   static Kept* const all = new Kept;
   return *all;
@@ -72,7 +72,7 @@ LargeMemory large_memory(std::size_t bytes) {
   void* memory = std::aligned_alloc(step, size);
   if (memory == nullptr) throw std::bad_alloc();
 #ifdef __linux__
-  if (step == kPage) madvise(memory, size, MADV_HUGEPAGE);  // a wish
+  if (step == kPage) madvise(memory, size, MADV_HUGEPAGE);  // a hint
 #endif
   return {memory, size};
 }

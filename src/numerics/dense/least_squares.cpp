@@ -10,7 +10,7 @@
 namespace latsch::numerics {
 namespace {
 
-/// What Eigen asks of a function.
+/// Interface that Eigen requires of a function.
 struct Function {
   using Scalar = double;
   using InputType = Eigen::VectorXd;

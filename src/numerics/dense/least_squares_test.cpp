@@ -8,7 +8,8 @@
 namespace latsch::numerics {
 namespace {
 
-// Rosenbrock's valley as a sum of squares: (1 - x)^2 + 100 (y - x^2)^2, least 0 at (1, 1).
+// Rosenbrock's valley is a sum of squares, (1 - x)^2 + 100 (y - x^2)^2, with its minimum 0 at (1,
+// 1).
 TEST(LeastSquares, FindsTheEndOfRosenbrocksValley) {
   const auto found = least_squares(
       [](const Eigen::VectorXd& x) -> Eigen::VectorXd {
@@ -20,8 +21,8 @@ TEST(LeastSquares, FindsTheEndOfRosenbrocksValley) {
   EXPECT_NEAR(found.x[1], 1.0, 1e-9);
 }
 
-// A line through (0,1), (1,3), (2,4), (3,4): slope 1, offset 3/2, |r|^2 = 1, and the covariance of
-// the linear theory, s^2 (X^T X)^-1 with s^2 = 1/2, X^T X = [4 6; 6 14].
+// The line through (0,1), (1,3), (2,4), (3,4) has slope 1, offset 3/2, |r|^2 = 1. Its covariance by
+// linear theory is s^2 (X^T X)^-1 with s^2 = 1/2, X^T X = [4 6; 6 14].
 TEST(LeastSquares, CovarianceOfALineIsThatOfTheLinearTheory) {
   const Eigen::Vector4d t(0, 1, 2, 3), y(1, 3, 4, 4);
   const auto found = least_squares(

@@ -6,7 +6,8 @@
 namespace latsch::numerics {
 namespace {
 
-// A cyclic permutation times a triangle of ones: needs pivots; (A x)_i is a sum of x's tail.
+// A cyclic permutation times a triangle of ones needs pivoting; (A x)_i is a sum of the last
+// entries of x.
 TEST(Lu, SolvesWherePivotsVanish) {
   constexpr int n = 7;
   const Eigen::MatrixXd A = Eigen::MatrixXd::NullaryExpr(

@@ -11,7 +11,7 @@ namespace latsch::numerics {
 template <class Scalar>
 struct SelfAdjointEigen {
   Eigen::VectorXd values;                                         // ascending
-  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> vectors;  // columns of length 1, in order
+  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> vectors;  // unit columns, in this order
 };
 
 /// Computes A = V diag(values) V*. Only the lower triangle of A is read.

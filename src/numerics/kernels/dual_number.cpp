@@ -7,7 +7,7 @@
 namespace latsch {
 namespace {
 
-/// The largest block there is: 64 directions of eight lanes.
+/// Size of a chunk, bytes. The largest block has 64 directions of eight lanes.
 constexpr std::size_t kChunk = 1 << 18;
 static_assert(kChunk >= sizeof(SlopeBlock) + SlopeArena::kDirections * 8 * sizeof(double));
 

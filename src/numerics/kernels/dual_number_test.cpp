@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes of elementary functions against their closed forms.
+// Tests slopes of elementary functions against their closed forms.
 #include "numerics/kernels/dual_number.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ constexpr int kX = 0, kY = 5, kC = 63;
 struct Partials {
   double x, y, c;
 };
-/// Of functions() in dual_lanes_testing.h.
+/// Slopes of functions() in dual_lanes_testing.h.
 void closed_forms(double x, double y, double c, Partials* d) {
   const double e = std::exp(x - y), l = std::log(x), s = y < 0.0 ? -1.0 : 1.0;
   const double away = y - x < 0.0 ? -1.0 : 1.0;
@@ -96,7 +96,7 @@ TEST(DualNumber, SlopesAreTheClosedForms) {
   near(tan(x), std::tan(0.7), 1.0 / (std::cos(0.7) * std::cos(0.7)), 0.0);
   near(log10(y), std::log10(2.5), 0.0, 1.0 / (2.5 * std::log(10.0)));
   near(sqrt(y) * abs(-x), std::sqrt(2.5) * 0.7, std::sqrt(2.5), 0.7 * 0.5 / std::sqrt(2.5));
-  near(sqrt(x - 0.7), 0.0, 0.0, 0.0);  // by convention
+  near(sqrt(x - 0.7), 0.0, 0.0, 0.0);  // convention
   EXPECT_EQ(DualNumber(3.0).slopes, nullptr);
 }
 

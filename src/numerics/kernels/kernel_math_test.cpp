@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every function of every kernel set the processor has: against the C library in long double, the
-// same bits at every width, and from every set that has a fused multiply-add.
+// Tests every function in every kernel set of the processor: against the C library in long double,
+// for the same bits at every width, and for the same bits in all sets with a fused multiply-add.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -41,7 +41,7 @@ namespace {
 
 using Exact = long double (*)(long double);
 
-/// A function, where it is tried, against what, to how many units of the last place of
+/// A function, its test range, its reference, and the allowed error in units of the last place of
 /// max(|f|, scale).
 struct Claim {
   Which which;
@@ -156,7 +156,7 @@ TEST_P(OfKernelSet, LimitsAndChoices) {
     EXPECT_EQ(value(Which::chosen, x), x > 0.5 || x <= -3.0 ? 2.0 * x : -x);
   }
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(value(Which::clamped, nan), -1.0);  // comparisons with NaN are false
+  EXPECT_EQ(value(Which::clamped, nan), -1.0);  // Comparisons with NaN are false.
   EXPECT_TRUE(std::isnan(value(Which::chosen, nan)));
 }
 

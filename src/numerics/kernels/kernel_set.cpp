@@ -29,7 +29,7 @@ constexpr KernelSet kAll[] = {KernelSet::baseline, KernelSet::avx2, KernelSet::a
 
 bool supported(KernelSet set) {
 #if LATSCH_X86_KERNELS
-  // These also ask the operating system whether it saves the wide registers.
+  // These builtins also check that the operating system saves the wide registers.
   __builtin_cpu_init();
   switch (set) {
     case KernelSet::baseline:

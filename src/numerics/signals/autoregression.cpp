@@ -33,7 +33,8 @@ Eigen::MatrixXd Autoregression::whitened(const Eigen::MatrixXd& X) const {
   return E;
 }
 
-// L^-1 = D^-1/2 (I - Phi), so L' X = D^1/2 Y with (I - Phi') Y = X, from the last row up.
+// With L^-1 = D^-1/2 (I - Phi), L' X = D^1/2 Y, where (I - Phi') Y = X is solved from the last row
+// up.
 Eigen::MatrixXd Autoregression::colored(const Eigen::MatrixXd& X) const {
   Eigen::MatrixXd Y = X;
   for (Eigen::Index j = X.rows() - 1; j >= 0; --j) {

@@ -9,7 +9,7 @@
 namespace latsch::numerics {
 namespace {
 
-/// The correlation matrix of an autoregression of order 2, by the Yule-Walker equations:
+/// Returns the correlation matrix of an autoregression of order 2, by the Yule-Walker equations:
 /// rho_1 = phi_1 / (1 - phi_2), rho_k = phi_1 rho_{k-1} + phi_2 rho_{k-2}.
 Eigen::MatrixXd correlations(double phi1, double phi2, int count) {
   std::vector<double> rho{1.0, phi1 / (1.0 - phi2)};
@@ -21,7 +21,7 @@ Eigen::MatrixXd correlations(double phi1, double phi2, int count) {
   return R;
 }
 
-// kappa_2 = phi_2, kappa_1 = phi_1 / (1 - phi_2).
+// The partial autocorrelations are kappa_2 = phi_2 and kappa_1 = phi_1 / (1 - phi_2).
 TEST(Autoregression, WhitensWithTheRootOfItsCorrelationMatrix) {
   const double phi1 = 1.1, phi2 = -0.4;
   const Autoregression noise({phi1 / (1.0 - phi2), phi2});

@@ -8,7 +8,7 @@
 namespace latsch::numerics {
 namespace {
 
-/// p(q) times (1 + sign q).
+/// Returns p(q) times (1 + sign q).
 std::vector<double> times(const std::vector<double>& p, double sign) {
   std::vector<double> product(p.size() + 1, 0.0);
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -18,7 +18,7 @@ std::vector<double> times(const std::vector<double>& p, double sign) {
   return product;
 }
 
-/// sum_i c_i K^i (1 - q)^i (1 + q)^(n - i) in powers of q = 1/z.
+/// Returns sum_i c_i K^i (1 - q)^i (1 + q)^(n - i) in powers of q = 1/z.
 std::vector<double> substituted(const std::vector<double>& c, std::size_t n, double K) {
   std::vector<double> sum(n + 1, 0.0);
   double power = 1.0;

@@ -17,11 +17,11 @@ struct Analog {
   double gain = 1.0;
 };
 
-/// Poles on the left half of the unit circle.
+/// Returns poles on the left half of the unit circle.
 Analog prototype(int order) {
   Analog analog;
   for (int m = 1 - order; m < order; m += 2) {
-    // The real pole of an odd order exactly.
+    // The real pole of an odd order is set exactly.
     analog.poles.push_back(m == 0 ? Complex(-1.0)
                                   : -std::polar(1.0, std::numbers::pi * m / (2.0 * order)));
   }
@@ -34,27 +34,27 @@ double product_of_negatives(const Roots& roots) {
   return product.real();
 }
 
-/// s -> s / w
+/// Substitutes s -> s / w.
 void to_low_pass(Analog& analog, double w) {
   for (Complex& pole : analog.poles) pole *= w;
   analog.gain *= std::pow(w, static_cast<double>(analog.poles.size()));
 }
 
-/// s -> w / s
+/// Substitutes s -> w / s.
 void to_high_pass(Analog& analog, double w) {
   analog.gain /= product_of_negatives(analog.poles);
   for (Complex& pole : analog.poles) pole = w / pole;
   analog.zeros.assign(analog.poles.size(), 0.0);
 }
 
-/// Both solutions s of s^2 - 2 half s + w0^2 = 0.
+/// Adds both solutions s of s^2 - 2 half s + w0^2 = 0.
 void add_roots(Roots& roots, Complex half, double w0) {
   const Complex root = std::sqrt(half * half - w0 * w0);
   roots.push_back(half + root);
   roots.push_back(half - root);
 }
 
-/// s -> (s^2 + w0^2) / (width s)
+/// Substitutes s -> (s^2 + w0^2) / (width s).
 void to_band_pass(Analog& analog, double w0, double width) {
   Roots poles;
   for (const Complex& pole : analog.poles) add_roots(poles, pole * width / 2.0, w0);
@@ -62,7 +62,7 @@ void to_band_pass(Analog& analog, double w0, double width) {
   analog = {Roots(order, 0.0), poles, std::pow(width, static_cast<double>(order))};
 }
 
-/// s -> width s / (s^2 + w0^2)
+/// Substitutes s -> width s / (s^2 + w0^2).
 void to_band_stop(Analog& analog, double w0, double width) {
   Roots poles, zeros;
   const double gain = 1.0 / product_of_negatives(analog.poles);
@@ -74,7 +74,7 @@ void to_band_stop(Analog& analog, double w0, double width) {
   analog = {zeros, poles, gain};
 }
 
-/// s = 2 rate (z - 1) / (z + 1); zeros at infinity come to z = -1.
+/// Substitutes s = 2 rate (z - 1) / (z + 1). Zeros at infinity move to z = -1.
 ZerosAndPoles bilinear(const Analog& analog, double rate) {
   const double k = 2.0 * rate;
   ZerosAndPoles digital;
@@ -92,7 +92,7 @@ ZerosAndPoles bilinear(const Analog& analog, double rate) {
   return digital;
 }
 
-/// Coefficients of prod (1 - root / z), conjugate roots both given.
+/// Returns the coefficients of prod (1 - root / z); both of two conjugate roots must be given.
 std::vector<double> polynomial(const Roots& roots) {
   Roots c{1.0};
   for (const Complex& root : roots) {
@@ -104,12 +104,13 @@ std::vector<double> polynomial(const Roots& roots) {
   return real;
 }
 
-/// Two roots whose polynomial is real, or a single real one.
+/// Two roots whose polynomial is real, or a single real root.
 using RootPair = std::vector<Complex>;
 
-/// Conjugate pairs first, then real roots, the least with the greatest; a lonely one last.
+/// Returns conjugate pairs first, then pairs of real roots, the least with the greatest; a single
+/// root comes last.
 std::vector<RootPair> pairs_of(const Roots& roots) {
-  constexpr double kReal = 1e-12;  // imaginary part of a root that rounding moved off the axis
+  constexpr double kReal = 1e-12;  // imaginary part of a real root with rounding
   std::vector<RootPair> pairs;
   std::vector<double> real;
   for (const Complex& root : roots) {
@@ -153,7 +154,8 @@ ZerosAndPoles butterworth(int order, Band band, const std::vector<double>& edges
 std::vector<Section> sections_of(const ZerosAndPoles& filter) {
   std::vector<RootPair> poles = pairs_of(filter.poles), zeros = pairs_of(filter.zeros);
   std::vector<Section> sections;
-  // Pole pairs stay beside the zeros of their place; a lonely pole keeps the lonely zero.
+  // Pole pairs are combined with the zeros at the same index, and a single pole with the single
+  // zero.
   assert(poles.size() == zeros.size());
   for (std::size_t i = 0; i < poles.size(); ++i) {
     std::vector<double> b = polynomial(zeros[i]), a = polynomial(poles[i]);

@@ -9,7 +9,7 @@
 namespace latsch::numerics {
 namespace {
 
-/// Both polynomials of the same length, divided by a_0.
+/// Returns both polynomials with the same length, divided by a_0.
 RationalFilter normalized(const RationalFilter& given) {
   assert(!given.b.empty() && !given.a.empty() && given.a[0] != 0.0);
   RationalFilter filter = given;
@@ -54,7 +54,7 @@ void run(const Section& s, std::vector<double>& x, double z0, double z1) {
 
 double gain_at_rest(const Section& s) { return (s.b0 + s.b1 + s.b2) / (1.0 + s.a1 + s.a2); }
 
-/// Every section in the steady state of the constant input x[0].
+/// Runs the sections, starting each in the steady state of the constant input x[0].
 void run_from_steady_state(const std::vector<Section>& sections, std::vector<double>& x) {
   double in = x.front();
   for (const Section& s : sections) {
@@ -65,7 +65,7 @@ void run_from_steady_state(const std::vector<Section>& sections, std::vector<dou
   }
 }
 
-/// 2 x_0 - x_k in front and 2 x_N - x_(N-k) behind, `count` samples each.
+/// Returns x with 2 x_0 - x_k in front and 2 x_N - x_(N-k) behind, `count` samples each.
 std::vector<double> extended(std::span<const double> x, int count) {
   assert(static_cast<int>(x.size()) > count);
   std::vector<double> y;

@@ -7,14 +7,19 @@
 namespace latsch::numerics {
 namespace {
 
-constexpr double kLeastShare = 0.015;    // of the samples: less is a passage between two levels
-constexpr double kValley = 0.35;         // of the lower peak: a density above it parts no levels
-constexpr double kStep = 0.25;           // of the kernel: where the density is computed
-constexpr double kReach = 4.0;           // kernels: farther away a sample adds nothing
-constexpr double kMostKernels = 50'000;  // in the span of the values: finer is not resolved
-constexpr double kTail = 0.02;           // of a level's samples on either side, which may be odd
+constexpr double kLeastShare = 0.015;    // share of the samples; a smaller one is a transition
+                                         // between levels
+constexpr double kValley = 0.35;         // share of the lower peak; a density above it separates no
+                                         // levels
+constexpr double kStep = 0.25;           // share of the kernel's width: spacing of the density's
+                                         // places
+constexpr double kReach = 4.0;           // kernel widths beyond which a sample adds nothing
+constexpr double kMostKernels = 50'000;  // kernel widths in the span of the values; finer is not
+                                         // resolved
+constexpr double kTail = 0.02;           // share of a level's samples on either side that may be
+                                         // outliers
 
-/// The density at `points` places `step` apart from `first` on, of ascending values.
+/// Returns the density of ascending values at `points` places `step` apart from `first` on.
 std::vector<double> density(
     const std::vector<double>& values, double first, double step, std::size_t points, double h) {
   std::vector<double> sum(points, 0.0);
@@ -30,10 +35,10 @@ std::vector<double> density(
   return sum;
 }
 
-/// Places of the valleys that part two levels.
+/// Returns the places of the valleys that separate two levels.
 std::vector<std::size_t> valleys(const std::vector<double>& f) {
   std::vector<std::size_t> found;
-  std::size_t lowest = 0;  // since the highest place of this level
+  std::size_t lowest = 0;  // lowest place since the peak of this level
   double peak = 0.0;
   for (std::size_t k = 0; k < f.size(); ++k) {
     if (f[k] < f[lowest]) lowest = k;

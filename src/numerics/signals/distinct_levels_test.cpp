@@ -11,7 +11,7 @@ namespace {
 
 constexpr LevelResolution kPressure{1.5e3, 20e3};  // Pa
 
-/// Set points with noise of a deviation, and a slow passage from each to the next.
+/// Returns set points with noise of a deviation, and a slow transition from each to the next.
 std::vector<double> held(const std::vector<double>& points, double deviation, int samples) {
   std::mt19937 chance(3);
   std::normal_distribution<double> noise(0.0, deviation);
@@ -42,7 +42,7 @@ TEST(DistinctLevels, UnequalSharesAndAnyOrderCount) {
   EXPECT_EQ(distinct_levels(values, kPressure).count(), 2);
 }
 
-// A tire that warms up gains pressure: one level, not a sweep.
+// The pressure of a tire that warms up rises: this is one level, not a sweep.
 TEST(DistinctLevels, ADriftIsOneLevelAndASweepIsMany) {
   std::vector<double> drift, sweep;
   for (int i = 0; i < 3000; ++i) {

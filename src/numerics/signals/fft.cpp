@@ -8,7 +8,7 @@
 namespace latsch::numerics {
 namespace {
 
-/// Holds the twiddle factors of the lengths it has seen.
+/// Returns the thread's transform, which stores the twiddle factors of lengths used before.
 Eigen::FFT<double>& transform() {
   thread_local Eigen::FFT<double> fft(Eigen::default_fft_impl<double>(),
                                       Eigen::FFT<double>::HalfSpectrum);

@@ -14,7 +14,8 @@ namespace latsch::numerics {
 
 namespace {
 
-/// Of the steps from sample to sample: what stands still before and behind them is nothing.
+/// Returns the transform of the steps from sample to sample, which are zero where the signal rests
+/// before and behind the record.
 Spectrum transform_of_steps(std::span<const double> x, int length) {
   std::vector<double> steps(x.size(), 0.0);
   for (std::size_t i = 1; i < x.size(); ++i) steps[i] = x[i] - x[i - 1];
@@ -26,7 +27,8 @@ struct Fitted {
   double coherence;
 };
 
-/// At lines `first` and up of transforms whose frequencies, relative to the one asked for, are r.
+/// Fits the polynomial at lines `first` and up of the transforms. r are their frequencies relative
+/// to the wanted one.
 Fitted fit(const Spectrum& U,
            const Spectrum& Y,
            std::size_t first,
@@ -34,7 +36,7 @@ Fitted fit(const Spectrum& U,
            int order) {
   const auto m = static_cast<Eigen::Index>(r.size());
   const Eigen::Index n = order + 1;
-  // Complex equations as real ones: (Re -Im; Im Re) (Re h; Im h) = (Re Y; Im Y).
+  // The complex equations are written as real ones: (Re -Im; Im Re) (Re h; Im h) = (Re Y; Im Y).
   Eigen::MatrixXd A(2 * m, 2 * n);
   Eigen::VectorXd b(2 * m);
   for (Eigen::Index i = 0; i < m; ++i) {
@@ -68,14 +70,14 @@ LocalResponse local_response(std::span<const double> x,
   const int length = fast_length(static_cast<int>(x.size()));
   const Spectrum U = transform_of_steps(x, length), Y = transform_of_steps(y, length);
   const double spacing = rate / length;
-  // Zeros behind the record draw lines nearer to each other, but tell nothing new.
+  // Zeros behind the record move lines closer together but add no information.
   const double apart = rate / static_cast<double>(x.size());
   const double width = std::max(settings.width, settings.lines * apart);
   const long last = std::ssize(U) - 1;
   LocalResponse found;
   for (const double f : frequencies) {
     long low = std::lround((f - width) / spacing), high = std::lround((f + width) / spacing);
-    // At the ends of the record's band it looks as far, to one side.
+    // At the ends of the record's band the range keeps its width, shifted to one side.
     if (low < 1) high += 1 - std::exchange(low, 1);
     if (high > last) low = std::max(1L, low - (high - std::exchange(high, last)));
     std::vector<double> r;

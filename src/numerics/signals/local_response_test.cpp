@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The response of a mass on a spring against its closed form, driven by a sweep from below to above
-// its own frequency; the response of a delay; what noise does to the coherence.
+// Tests the response of a mass on a spring, driven by a sweep from below to above its natural
+// frequency, against its closed form; the response of a delay; and the effect of noise on the
+// coherence.
 #include "numerics/signals/local_response.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double kRate = 1000.0, kPi = std::numbers::pi;
 
-/// 20 s from 0.5 to 30 Hz, faded in and out over 1 s, and 3 s of nothing.
+/// Returns 20 s from 0.5 to 30 Hz, faded in and out over 1 s, and 3 s of zeros.
 std::vector<double> sweep() {
   std::vector<double> x;
   const double grows = std::log(60.0) / 20.0;
@@ -33,9 +34,9 @@ std::vector<double> lines() {
   return f;
 }
 
-/// y'' + 2 ζ w y' + w² y = w² x, exactly of x that goes straight from sample to sample.
+/// Solves y'' + 2 ζ w y' + w² y = w² x for x that is linear between samples.
 std::vector<double> oscillator(const std::vector<double>& x, double w, double zeta) {
-  // By small steps of the classical Runge-Kutta method: 20 a sample leave 1e-10.
+  // The classical Runge-Kutta method with 20 steps per sample has an error of 1e-10.
   std::vector<double> y;
   double q = 0.0, v = 0.0;
   const double h = 1.0 / kRate / 20.0;
@@ -72,7 +73,7 @@ TEST(LocalResponse, OfAnOscillatorItIsItsClosedForm) {
   }
 }
 
-// A record whose mean is elsewhere, and one that ends elsewhere.
+// The record has another mean at its start, and another at its end.
 TEST(LocalResponse, WhereARecordRestsDoesNotCount) {
   std::vector<double> x = sweep(), y(x.size());
   const std::vector<double> f = lines();

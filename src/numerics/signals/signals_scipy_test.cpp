@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Filters, spectra and correlations against an independent program: scipy.signal, to 1e-12 of the
-// largest value.
+// Tests filters, spectra and correlations against an independent program: scipy.signal, to 1e-12 of
+// the largest value.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -104,7 +104,7 @@ class SciPySignal : public testing::Test {
     for (const double value : values) out << fmt::format("{:.17g}\n", value);
   }
 
-  /// To 1e-12 of the largest value SciPy has there.
+  /// Compares with SciPy's values to 1e-12 of the largest.
   static void agrees(const std::string& name, const std::vector<double>& ours) {
     std::ifstream in(folder_ / name);
     std::vector<double> theirs;
@@ -173,7 +173,7 @@ TEST_F(SciPySignal, WelchIsTheSameInEveryConvention) {
          power_density(x_, kRate, {301, 100, 512, Window::hamming_periodic, Detrend::segment_line})
              .value);
   const auto octave = welch_settings(Convention::octave, kSamples);
-  EXPECT_EQ(octave.segment, 64);  // above sqrt(1600) = 40
+  EXPECT_EQ(octave.segment, 64);  // next power of two above sqrt(1600) = 40
   agrees("octave", power_density(x_, kRate, octave).value);
   const auto matlab = welch_settings(Convention::matlab, kSamples);
   EXPECT_EQ(segment_count(kSamples, matlab),

@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// R_xy by the transform of both with zeros behind, so that nothing wraps around.
+/// R_xy from the transforms of both signals, padded with zeros so that nothing wraps around.
 struct Correlation {
   Spectrum spectrum;           // conj(X) Y
-  std::vector<double> values;  // R at lag l in place l, negative ones from the end
+  std::vector<double> values;  // R at lag l at index l, negative lags from the end
   int length = 0;
 
   Correlation(std::span<const double> x, std::span<const double> y)
@@ -35,7 +35,7 @@ struct Correlation {
     double value, first, second;
   };
 
-  /// R and its derivatives at any lag.
+  /// Returns R and its derivatives at any lag.
   Slope between(double lag) const {
     Slope sum{spectrum[0].real(), 0.0, 0.0};
     const int half = length / 2;
@@ -54,7 +54,7 @@ struct Correlation {
   }
 };
 
-/// Newton from a maximum among the lags, never more than a sample away from it.
+/// Finds a maximum by Newton's method from the greatest lag, never more than a sample away from it.
 double maximum_near(const Correlation& r, int lag) {
   constexpr int kSteps = 20;
   constexpr double kEnough = 1e-10;  // samples
@@ -73,7 +73,7 @@ double energy(std::span<const double> x) {
   return std::inner_product(x.begin(), x.end(), x.begin(), 0.0);
 }
 
-/// Modified Bessel function of order zero by its power series.
+/// Returns the modified Bessel function of order zero by its power series.
 double bessel_i0(double x) {
   double term = 1.0, sum = 1.0;
   for (int k = 1; term > 1e-17 * sum; ++k) {
@@ -86,7 +86,8 @@ double bessel_i0(double x) {
 
 constexpr int kTaps = 2 * kInterpolationReach;
 
-/// Weights of the samples -reach + 1 .. reach for a place `share` of a sample behind sample 0.
+/// Returns weights of the samples -reach + 1 .. reach for a place `share` of a sample behind sample
+/// 0.
 std::array<double, kTaps> interpolation_weights(double share) {
   constexpr double kBeta = 12.0;  // Kaiser's: side lobes of 1e-6 (118 dB)
   static const double whole = bessel_i0(kBeta);
@@ -111,7 +112,7 @@ double weighted(std::span<const double> x, long first, const std::array<double, 
   return sum;
 }
 
-/// Weights at evenly spaced shares of a sample, linear between them.
+/// Table of weights at evenly spaced shares of a sample, with linear interpolation.
 class WeightTable {
  public:
   WeightTable() : rows_(kRows + 1) {
@@ -167,7 +168,7 @@ std::vector<double> shifted(std::span<const double> x, double samples) {
   Spectrum X = real_fft(x, length);
   for (int k = 0; k < static_cast<int>(X.size()); ++k) {
     const double angle = -2.0 * kPi * k * samples / length;
-    // At half the rate only the real part of the turn leaves a real signal.
+    // At half the rate only the real part of the turn gives a real signal.
     X[k] *= 2 * k == length ? std::complex<double>(std::cos(angle)) : std::polar(1.0, angle);
   }
   return inverse_real_fft(X, length);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Delays between samples against signals whose delay is known in closed form.
+// Tests delays between samples against signals whose delay is known in closed form.
 #include "numerics/signals/time_delay.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace latsch::numerics {
 namespace {
 
-/// A Gaussian pulse of 6 samples' width: its spectrum is below 1e-30 at half the rate.
+/// Returns a Gaussian pulse 6 samples wide, whose spectrum is below 1e-30 at half the rate.
 std::vector<double> pulse(double center, int count) {
   std::vector<double> x(count);
   for (int i = 0; i < count; ++i) x[i] = std::exp(-0.5 * std::pow((i - center) / 6.0, 2));
@@ -55,8 +55,8 @@ TEST(TimeDelay, ValuesBetweenSamplesAreThoseOfTheSine) {
   EXPECT_NEAR(values_between(x, 100.0, 1)[0], x[100], 1e-13);
 }
 
-// H1 of a noise-free filter is its response, |z| on the unit circle; the transient of a segment
-// leaks, so to a percent.
+// H1 of a noise-free delay has its response, |z| on the unit circle. The transient of a segment
+// leaks, so the tolerance is a percent.
 TEST(Welch, ResponseOfAPureDelayHasItsPhase) {
   std::vector<double> x(20000), y(20000, 0.0);
   for (int i = 0; i < 20000; ++i) x[i] = std::sin(0.001 * i * i);  // sweeps over all frequencies
@@ -81,7 +81,7 @@ TEST(Welch, DensityAddsUpToTheMeanSquare) {
   EXPECT_NEAR(sum, 0.5, 1e-12);
 }
 
-// |H| of (s^2 + ...) at the frequency asked for is that of the function itself.
+// The response at `exact_at` equals that of the function of s.
 TEST(Bilinear, IsExactAtTheFrequencyAskedFor) {
   const double rate = 2000.0, f = 2.0 * std::numbers::pi * 92.0, zeta = 0.06;
   const ContinuousFilter analog{{0.55 * f * f + 0.55 * f * f, 1.1 * zeta * f, 0.55},

@@ -22,7 +22,7 @@ int power_of_two(double at_least) {
   return n;
 }
 
-/// The least-squares line through the samples, taken away.
+/// Subtracts the least-squares line through the samples.
 void remove_line(std::vector<double>& x) {
   const double center = (static_cast<double>(x.size()) - 1.0) / 2.0, level = mean(x);
   double slope = 0.0, square = 0.0;
@@ -80,7 +80,7 @@ std::vector<double> frequencies(double rate, int length) {
   return f;
 }
 
-/// The mean over the segments, per Hz; both halves of the spectrum in one.
+/// Converts sums to the mean over the segments, per Hz, with both halves of the spectrum in one.
 template <class T>
 void scale(std::vector<T>& sums, double rate, double window_power, int segments, int length) {
   const double factor = 1.0 / (rate * window_power);
@@ -104,7 +104,7 @@ std::vector<double> window_values(Window window, int count) {
 }
 
 WelchSettings welch_settings(Convention convention, int samples, std::optional<int> segment) {
-  constexpr double kMatlabSegments = 4.5;  // eight halfway over each other: 1 + 7/2 lengths
+  constexpr double kMatlabSegments = 4.5;  // lengths of eight half-overlapping segments: 1 + 7/2
   constexpr int kMatlabLeastLength = 256;
   WelchSettings s;
   int own = 256;

@@ -13,14 +13,14 @@ namespace {
 
 using Panel = Eigen::MatrixXf;
 
-/// Pivots on a lower triangle with a dominant diagonal.
+/// Returns a panel whose pivots are a lower triangle with a dominant diagonal.
 Panel some_panel(int pivots, int rows) {
   Panel L = Panel::Random(rows, pivots) / static_cast<float>(rows);
   for (int j = 0; j < pivots; ++j) L(j, j) = 1.0f + 0.1f * static_cast<float>(j);
   return L;
 }
 
-/// (L^-1 x, b - B L^-1 x) and (L^-T (x - B' b), b), as they are defined, in double.
+/// Return (L^-1 x, b - B L^-1 x) and (L^-T (x - B' b), b) by their definition, in double.
 Eigen::MatrixXd eliminated(const Panel& panel, Eigen::MatrixXd v) {
   for (int j = 0; j < panel.cols(); ++j) {
     v.row(j) /= panel(j, j);
@@ -36,7 +36,7 @@ Eigen::MatrixXd substituted(const Panel& panel, Eigen::MatrixXd v) {
   return v;
 }
 
-// Sums of up to 60 numbers of order one round at some 60 x 6e-8 at most.
+// Rounding of sums of up to 60 numbers of order one: at most about 60 x 6e-8.
 constexpr double kRounding = 4e-6;
 
 TEST(ColumnsTogether, PanelsOfAnyShapeAreSolvedAsDefined) {

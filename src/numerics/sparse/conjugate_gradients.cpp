@@ -15,7 +15,8 @@ CgOutcome ConjugateGradients::solve(const Operator& A,
                                     Eigen::VectorXd& x,
                                     bool foresees) {
   constexpr int kAFew = 5;
-  constexpr double kAsFast = 2.0 / 3.0;  // of all iterations, as the first few
+  constexpr double kAsFast = 2.0 / 3.0;  // later convergence per iteration over that of the first
+                                         // few
   CgOutcome outcome;
   const double b_norm = b.norm();
   x.setZero(b.size());

@@ -18,10 +18,12 @@ namespace {
 using Eigen::MatrixXd;
 
 constexpr int kMostSteps = 30;
-constexpr double kDependent = 1e-8;  // of its length: a direction that is in the space already
-// Of squares of lengths: scaled up from less, columns are no longer orthogonal to the space.
+constexpr double kDependent = 1e-8;  // relative length below which a direction is already in the
+                                     // space
+// Ratio of squared lengths. Below it, columns scaled up are no longer orthogonal to the space.
 constexpr double kNearlyDependent = 1e-6;
-// Of its error, what the next correction of a pair leaves at least. Tires' leave 0.1 to 0.2.
+// Least assumed share of a pair's error that the next correction leaves. For tires it leaves 0.1 to
+// 0.2.
 constexpr double kFastest = 0.1;
 
 using Columns = Eigen::Ref<const MatrixXd>;
@@ -38,9 +40,8 @@ MatrixXd times(const SymmetricMatrix& A, const Columns& X) {
   return AX;
 }
 
-/// Makes the columns of D orthonormal in M, of which MD is the product, and leaves out what is
-/// hardly more than a sum of the others. The least of their independent lengths, squared, of the
-/// largest.
+/// Makes the columns of D orthonormal in M (MD = M D) and drops columns that are nearly sums of the
+/// others. Returns the smallest squared independent length relative to the largest.
 double make_orthonormal(MatrixXd& D, MatrixXd& MD) {
   const auto [square, U] = self_adjoint_eigen(overlaps<double>(D, MD));
   const double largest = square.size() > 0 ? square[square.size() - 1] : 0.0;
@@ -54,7 +55,8 @@ double make_orthonormal(MatrixXd& D, MatrixXd& MD) {
   return kept > 0 ? square[first] / largest : 1.0;
 }
 
-/// Which errors are above the tolerance: of more than are solved at the price of one the largest.
+/// Returns the pairs whose errors are above the tolerance; if there are more than can be solved for
+/// at the cost of one, those with the largest errors.
 std::vector<Eigen::Index> worst(const Eigen::VectorXd& errors, double tolerance) {
   std::vector<Eigen::Index> erring;
   for (Eigen::Index i = 0; i < errors.size(); ++i)
@@ -75,8 +77,8 @@ Davidson::Davidson(const SymmetricMatrix& K,
   extend(vectors);
 }
 
-/// What is new in the directions D. Little may be left of them: M times it is made once more, not M
-/// times what the second pass takes away.
+/// Adds the new part of the directions D to the space. Little of D may remain, so M D is computed
+/// again rather than updated by the second pass.
 void Davidson::extend(MatrixXd D) {
   MatrixXd MD;
   for (int pass = 0; pass < 2; ++pass) {
@@ -91,8 +93,8 @@ void Davidson::extend(MatrixXd D) {
   append(D, MD);
 }
 
-/// The same where M D is known. Corrections of pairs that err little are new as they are, and one
-/// pass does unless they are nearly the same among themselves.
+/// Adds directions whose M D is known. Corrections of pairs with small errors are nearly orthogonal
+/// to the space, so one pass suffices unless they are nearly equal to each other.
 void Davidson::extend(MatrixXd D, MatrixXd MD) {
   for (int pass = 0; pass < 2; ++pass) {
     const MatrixXd old = overlaps<double>(MV(), D);
@@ -133,7 +135,8 @@ EigenPairs<double> Davidson::find(Eigen::Index wanted, double tolerance) {
     pairs.solves += static_cast<int>(D.cols());
     const Eigen::RowVectorXd errors = D.cwiseProduct(times(M_, D)).colwise().sum().cwiseSqrt();
     std::vector<Eigen::Index> still, columns;
-    // The first corrections are there: where one is needed, all make the others better for nothing.
+    // The first corrections are all known. If one is needed, all are used, because they improve the
+    // other pairs at no cost.
     const bool takes_all = step == 0 && (errors.array() > tolerance).any();
     for (std::size_t i = 0; i < erring.size(); ++i) {
       if (!takes_all && errors[static_cast<Eigen::Index>(i)] <= tolerance) continue;
@@ -152,8 +155,8 @@ EigenPairs<double> Davidson::find(Eigen::Index wanted, double tolerance) {
   return pairs;
 }
 
-/// Leaves the lowest Ritz vectors of the space, half as many again as are sought: others hardly
-/// help any more, and cost as much in every product.
+/// Reduces the space to its lowest Ritz vectors, half as many again as are sought. Others hardly
+/// help, and cost as much in every product.
 Eigen::VectorXd Davidson::compress() {
   const auto [lambda, S] = self_adjoint_eigen(overlaps<double>(V(), KV()));
   const Eigen::Index kept = std::min(count_ + count_ / 2, lambda.size());
@@ -166,7 +169,7 @@ Eigen::VectorXd Davidson::compress() {
 EigenPairs<double> Davidson::sharpen(Eigen::Index wanted, double tolerance) {
   EigenPairs<double> pairs;
   MatrixXd T = compress().asDiagonal();
-  // Of every pair: its last error and the one to come.
+  // The last error of every pair, and the estimate of the next one.
   Eigen::VectorXd last = Eigen::VectorXd::Zero(wanted), next = Eigen::VectorXd::Ones(wanted);
   for (int step = 0; step < kMostSteps; ++step) {
     const auto [lambda, S] = self_adjoint_eigen(T);

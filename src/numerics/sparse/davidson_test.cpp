@@ -29,12 +29,13 @@ struct Ring {
     lattice.assemble_equal(M, 8);
     factor.factorize(K);
     exact = generalized_eigenvalues(dense(K), dense(M));
-    // As many vectors as end where a gap is: beyond it the rest is far.
+    // The number of vectors ends at a gap of the eigenvalues, so that the remaining ones are far
+    // away.
     int count = kWanted;
     for (int k = kWanted; k < 2 * kWanted; ++k) {
       if (exact[k] / exact[k - 1] > exact[count] / exact[count - 1]) count = k;
     }
-    // K^-1 M applied often enough leaves the lowest, in whatever combinations.
+    // Repeated multiplication by K^-1 M leaves combinations of the lowest eigenvectors.
     Eigen::MatrixXd X = Eigen::MatrixXd::Random(K.size(), count);
     const Eigen::MatrixXd op = dense(K).inverse() * dense(M);
     for (int i = 0; i < 300; ++i) {
@@ -69,7 +70,7 @@ TEST(Davidson, ErrsInValuesByTheSquareOfWhatItErrsInVectors) {
     const Ring ring(error);
     const auto solve = [&](Eigen::Ref<Eigen::MatrixXd> X) { ring.factor.solve_columns(X); };
     const auto pairs =
-        Davidson(ring.K, ring.M, solve, ring.near).find(ring.near.cols(), 1.0);  // as it comes
+        Davidson(ring.K, ring.M, solve, ring.near).find(ring.near.cols(), 1.0);  // no corrections
     EXPECT_LT(ring.largest_error(pairs), 10.0 * error * error);
     EXPECT_GT(ring.largest_error(pairs), 0.01 * error * error);
   }

@@ -13,8 +13,8 @@ namespace {
 
 using Lists = std::vector<std::vector<int>>;
 
-/// Nested dissection of the graph of those block rows that `number` counts (-1: left out): position
-/// of every one.
+/// Returns the position of every block row by nested dissection of the graph of those that `number`
+/// counts (-1: left out).
 std::vector<int> dissect(const SymmetricPattern& pattern, const std::vector<int>& number, int n) {
   Lists neighbors(n);
   for (int i = 0; i < pattern.block_rows(); ++i) {
@@ -36,8 +36,8 @@ std::vector<int> dissect(const SymmetricPattern& pattern, const std::vector<int>
     idx_t options[METIS_NOPTIONS];
     METIS_SetDefaultOptions(options);
     idx_t vertices = n;
-    // METIS draws from the one random sequence of the process, which it starts anew: two threads in
-    // it at once would draw from each other's.
+    // METIS draws from the process' only random sequence, which it restarts. Two threads in METIS
+    // at the same time would disturb each other's numbers.
     static std::mutex mutex;
     const std::lock_guard lock(mutex);
     METIS_NodeND(
@@ -46,7 +46,7 @@ std::vector<int> dissect(const SymmetricPattern& pattern, const std::vector<int>
   return {position.begin(), position.end()};
 }
 
-/// The same of all block rows, those of the interface at the end.
+/// Returns the positions of all block rows, with those of the interface at the end.
 std::vector<int> order(const SymmetricPattern& pattern, const std::vector<int>& interface) {
   std::vector<int> number(pattern.block_rows(), 0);
   for (int row : interface) number[row] = -1;
@@ -62,7 +62,7 @@ std::vector<int> order(const SymmetricPattern& pattern, const std::vector<int>& 
   return all;
 }
 
-/// The same positions, but those of the interface at the end.
+/// Returns the given positions with those of the interface moved to the end.
 std::vector<int> moved_last(const std::vector<int>& position, const std::vector<int>& interface) {
   std::vector<int> order(position.size()), moved(position.size(), 0);
   for (std::size_t row = 0; row < position.size(); ++row)
@@ -76,8 +76,8 @@ std::vector<int> moved_last(const std::vector<int>& position, const std::vector<
   return moved;
 }
 
-/// Rows below the diagonal of every column, in the order of `position`; the last `interface` ones
-/// are all coupled.
+/// Returns the rows below the diagonal of every column, in the order of `position`. The last
+/// `interface` columns are all coupled.
 Lists lower_columns(const SymmetricPattern& pattern,
                     const std::vector<int>& position,
                     int interface) {
@@ -95,7 +95,8 @@ Lists lower_columns(const SymmetricPattern& pattern,
   return columns;
 }
 
-/// Fills in what elimination adds to the columns; parent of every column: its first row below.
+/// Adds the fill of the elimination to the columns. Returns the parent of every column: its first
+/// row below the diagonal.
 std::vector<int> fill(Lists& columns) {
   const int n = static_cast<int>(columns.size());
   std::vector<int> parent(n, -1), seen(n, -1);
@@ -120,8 +121,8 @@ std::vector<int> fill(Lists& columns) {
   return parent;
 }
 
-/// Children before parents, the child with the most rows last: it may join its parent. The last
-/// `interface` ones stay where they are.
+/// Returns an order with children before parents, and the child with the most rows last, so that it
+/// may join its parent. The last `interface` columns keep their places.
 std::vector<int> postorder(const std::vector<int>& parent, const Lists& columns, int interface) {
   const int all = static_cast<int>(parent.size()), n = all - interface;
   Lists children(n + 1);
@@ -148,8 +149,8 @@ std::vector<int> postorder(const std::vector<int>& parent, const Lists& columns,
   return position;
 }
 
-/// The same columns and parents in another order that has parents after their children. The rows of
-/// a column are its ancestors: those stay in order.
+/// Renumbers columns and parents to another order that has parents after their children. The rows
+/// of a column are its ancestors, so they stay in order.
 void renumber(const std::vector<int>& after, Lists& columns, std::vector<int>& parent) {
   Lists moved(columns.size());
   std::vector<int> of_moved(parent.size(), -1);
@@ -162,7 +163,7 @@ void renumber(const std::vector<int>& after, Lists& columns, std::vector<int>& p
   parent = std::move(of_moved);
 }
 
-/// Columns one after the other whose rows are the same.
+/// Returns fronts of successive columns with the same rows.
 std::vector<Front> fundamental_fronts(const std::vector<int>& parent,
                                       const Lists& columns,
                                       int interface) {
@@ -178,15 +179,15 @@ std::vector<Front> fundamental_fronts(const std::vector<int>& parent,
   return fronts;
 }
 
-/// Whether `columns` unknowns wide a front may hold this share of zeros.
+/// True if a front `columns` unknowns wide may hold this share of zeros.
 bool may_store(double zeros, int columns) {
   if (columns <= 16) return true;
   if (columns <= 48) return zeros < 0.25;
   return zeros < (columns <= 96 ? 0.1 : 0.05);
 }
 
-/// Joins fronts with the parent that follows them; from the last to the first, so that a parent has
-/// joined its own before.
+/// Joins fronts with the parent that directly follows them, from the last to the first, so that a
+/// parent has joined its own parent before.
 std::vector<Front> joined(std::vector<Front> fronts, int block, int first_of_interface) {
   std::vector<Front> kept;  // last first
   std::vector<double> zeros;
@@ -223,7 +224,8 @@ void find_parents(std::vector<Front>& fronts, int columns) {
   }
 }
 
-/// In the order of these positions, but for what leaves the fronts as they are.
+/// Builds the elimination in the order of these positions, up to reordering that leaves the fronts
+/// unchanged.
 Elimination in_order(const SymmetricPattern& pattern, std::vector<int> position, int interface) {
   Elimination result;
   result.interface = interface;

@@ -11,10 +11,10 @@
 namespace latsch::numerics {
 namespace {
 
-// Iterative refinement by a factor in single precision: as exact as one in double, in less than
-// its time where the matrix is not too ill-conditioned for float. [Buttari, Dongarra, Kurzak,
-// Luszczek & Tomov, Using mixed precision for sparse matrix computations to enhance the performance
-// while achieving 64-bit accuracy, ACM Trans. Math. Softw. 34 (2008) 17]
+// Iterative refinement by a factor in single precision. It is as exact as a factor in double and
+// faster, if the matrix is not too ill-conditioned for float. [Buttari, Dongarra, Kurzak, Luszczek
+// & Tomov, Using mixed precision for sparse matrix computations to enhance the performance while
+// achieving 64-bit accuracy, ACM Trans. Math. Softw. 34 (2008) 17]
 class Refined final : public Factorization::Impl {
  public:
   Refined(const SymmetricPattern& pattern, std::shared_ptr<const Elimination> order)
@@ -51,7 +51,8 @@ class Refined final : public Factorization::Impl {
       if ((norm.array() <= wanted.array()).all() || (norm.array() >= before.array()).all()) return;
       single_->solve(left, 0.0);
       X += left;
-      // What is left falls by nearly the same factor every time: the last time is not measured.
+      // The residual falls by nearly the same factor every time, so the last residual is not
+      // computed.
       const Eigen::RowVectorXd next = norm.cwiseAbs2().cwiseQuotient(before);
       if (i > 0 && (kSurely * next.array() <= wanted.array()).all()) return;
       before = norm;
@@ -74,7 +75,7 @@ class Refined final : public Factorization::Impl {
  private:
   static constexpr double kRounding = 1e-15;
   static constexpr int kMostRefinements = 6;
-  static constexpr double kSurely = 10.0;  // times what is expected to be left
+  static constexpr double kSurely = 10.0;  // safety factor on the expected residual
   const SymmetricPattern& pattern_;
   std::unique_ptr<Impl> single_, full_;
   const SymmetricMatrix* A_ = nullptr;

@@ -58,7 +58,7 @@ TEST(Factorization,
 }
 
 TEST(Factorization, IsThatOfAPositiveMatrixAndOfNoOther) {
-  // Shifted to either side of its lowest eigenvalue, and far into the spectrum.
+  // The matrix is shifted to either side of its lowest eigenvalue, and far into the spectrum.
   const Lattice lattice({4, 3, 3}, 3);
   const SymmetricPattern pattern(lattice.size(), lattice.elements());
   SymmetricMatrix A(pattern);
@@ -93,7 +93,7 @@ TEST(Factorization, SaysThatAMatrixIsSingular) {
 }
 
 TEST(Factorization, SolvesWhereUnknownsStandAloneOrInParts) {
-  // No couplings at all; two bodies that do not touch; one unknown a node.
+  // The cases are: no couplings at all; two bodies that do not touch; one unknown per node.
   const SymmetricPattern alone(7, {});
   SymmetricMatrix D(alone);
   D.add_to_diagonal(4.0);
@@ -175,7 +175,7 @@ TEST(Factorization, MayShareTheOrderOfElimination) {
   EXPECT_EQ(x, y);
 }
 
-/// A lattice with an interface of some of its nodes, neither first nor together.
+/// A lattice with an interface of some of its nodes, neither first nor adjacent.
 struct WithInterface {
   Lattice lattice{{6, 5, 4}, 3};
   SymmetricPattern pattern{lattice.size(), lattice.elements()};
@@ -187,7 +187,7 @@ struct WithInterface {
       std::make_shared<const Elimination>(eliminate(pattern, block_rows, eliminate(pattern)))};
 
   WithInterface() { lattice.assemble_random(A, 5); }
-  /// Its unknowns in their order, then all others.
+  /// Returns the order with the interface's unknowns first, in their order, then all others.
   Eigen::PermutationMatrix<Eigen::Dynamic> order() const {
     std::vector<int> unknowns;
     for (int row : block_rows) {

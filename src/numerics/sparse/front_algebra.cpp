@@ -14,13 +14,16 @@
 namespace latsch::numerics {
 namespace {
 
-/// Columns of a triangle, and rows of a product, that our own kernels are faster on than BLAS.
+/// Largest numbers of columns of a triangle, and of rows of a product, for which the own kernels
+/// are faster than BLAS.
 constexpr int kFewColumns = 96, kFewRows = 512;
 
-/// Where a triangle of more columns is divided: the kernels take them six by six.
+/// Returns the column at which a larger triangle is divided; the kernels work on six columns at a
+/// time.
 int half(int n) { return (n / 2 + 5) / 6 * 6; }
 
-/// C <- C - A B', C [rows x columns], A [rows x n], all with one column every `ld` numbers.
+/// Computes C <- C - A B', C [rows x columns], A [rows x n], all with one column every `ld`
+/// numbers.
 void subtract_product(
     int rows, int columns, int n, const float* A, const float* B, int ld, float* C) {
   const BlasTurn turn;
@@ -28,14 +31,14 @@ void subtract_product(
   gemm(float())("N", "T", &rows, &columns, &n, &minus, A, &ld, B, &ld, &one, C, &ld, 1, 1);
 }
 
-/// The same of C [rows x rows] and B = A, the lower triangle.
+/// Computes the lower triangle of C <- C - A A', C [rows x rows].
 void subtract_square(int rows, int n, const float* A, int ld, float* C) {
   const BlasTurn turn;
   const float minus = -1.0f, one = 1.0f;
   syrk(float())("L", "N", &rows, &n, &minus, A, &ld, &one, C, &ld, 1, 1);
 }
 
-/// X <- op(L)^-1 X, op "N" or "T" (transposed).
+/// Computes X <- op(L)^-1 X, op "N" or "T" (transposed).
 template <class Real>
 void solve(const char* op, int n, int columns, const Real* L, int ld, Real* X, int ldx) {
   const BlasTurn turn;
@@ -58,7 +61,7 @@ bool cholesky(int n, Real* A, int ld) {
   return info == 0;
 }
 
-/// By halves: BLAS does the products, triangles are short.
+/// Factorizes by halves: BLAS computes the products, and triangles are short.
 template <>
 bool cholesky(int n, float* A, int ld) {
   if (n <= kFewColumns) {

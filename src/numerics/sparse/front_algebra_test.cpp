@@ -16,12 +16,12 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::MatrixXf;
 
-/// Of a front of `pivots` and `below` rows: its panel as it is eliminated, what it leaves.
+/// Result for a front of `pivots` and `below` rows: its eliminated panel and its update.
 struct Front {
   MatrixXf panel, update;
 };
 
-/// A positive definite one [all x pivots], the same in every run.
+/// Returns the panel [all x pivots] of a positive definite matrix, the same in every run.
 MatrixXf panel_of(int pivots, int below) {
   const int all = pivots + below;
   MatrixXf A(all, pivots);
@@ -46,7 +46,7 @@ Front eliminated(MatrixXf A, int below) {
   return front;
 }
 
-/// Our own kernels, BLAS beyond them, and where one leaves off and the other begins.
+/// Sizes for the own kernels, for BLAS, and on both sides of the limits between them.
 const std::vector<std::pair<int, int>> kSizes = {{1, 1},
                                                  {2, 7},
                                                  {3, 40},
@@ -67,8 +67,8 @@ TEST(FrontAlgebra, IsThatOfDoublePrecision) {
       const MatrixXd L = panel.cast<double>();
       MatrixXd square = L * L.topRows(pivots).transpose() - A.cast<double>();
       square.topRows(pivots).triangularView<Eigen::StrictlyUpper>().setZero();
-      // (n + 1) eps |L| |L'| [Higham, Accuracy and Stability of Numerical Algorithms, theorem
-      // 10.3]; no row of L is longer than the root of the diagonal's.
+      // The bound is (n + 1) eps |L| |L'| [Higham, Accuracy and Stability of Numerical Algorithms,
+      // theorem 10.3]; no row of L is longer than the root of the diagonal entry.
       const double rounding = (pivots + 1) * 6e-8 * pivots;
       EXPECT_LT(square.cwiseAbs().maxCoeff(), rounding) << pivots << " " << below;
       MatrixXd left = update.cast<double>() + L.bottomRows(below) * L.bottomRows(below).transpose();

@@ -13,7 +13,7 @@ ConjugateGradients::Operator times(const Eigen::MatrixXd& A) {
 }
 void none(Eigen::VectorXd&) {}
 
-// A matrix off its preconditioner by two products of vectors: three distinct eigenvalues.
+// The matrix differs from its preconditioner by rank two: three distinct eigenvalues.
 TEST(Gmres, NeedsOneIterationMoreThanTheRankItsPreconditionerIsOff) {
   const Eigen::MatrixXd M =
       Eigen::MatrixXd::Random(50, 50) + 10.0 * Eigen::MatrixXd::Identity(50, 50);

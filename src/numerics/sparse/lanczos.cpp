@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why not the textbook recurrence: the basis is small (tens of vectors) beside the factorization,
-// so every new direction is made orthogonal to all others. What remains is the decomposition
+// The textbook recurrence is not used: the basis (tens of vectors) costs little beside the
+// factorization, so every new direction is made orthogonal to all others. This leaves the
+// decomposition
 //     Op V = V T + Q B,    Op = (K - sigma M)^-1 M,    V, Q orthonormal in M,
 // with a pool Q of directions not yet multiplied. A step takes from the pool the directions in
-// which the wanted Ritz vectors err most (singular vectors of B S), multiplies them, and puts what
-// is new into the pool. With one start vector this is Lanczos' method, with a good start block it
-// needs few steps, and a thick restart is a rotation of V and B. The residual of the Ritz pair
-// (theta, V s) is |B s|: no vector work to judge convergence.
+// which the wanted Ritz vectors have the largest errors (singular vectors of B S), multiplies them,
+// and puts the new part of the products into the pool. With one start vector this is Lanczos'
+// method, with a good start block it needs few steps, and a thick restart is a rotation of V and B.
+// The residual of the Ritz pair (theta, V s) is |B s|, so convergence is judged without vector
+// operations.
 #include "numerics/sparse/lanczos.h"
 
 #include <algorithm>
@@ -21,17 +23,18 @@ namespace latsch::numerics {
 namespace {
 
 constexpr double kDependent =
-    1e-12;  // a direction this small beside its vector is rounding, not new
-// Largest overlap left after normalizing; otherwise once more: 1e-10, or of the tolerance.
+    1e-12;  // relative length below which a direction is rounding, not new
+// Largest overlap accepted after normalizing; if it is larger, another pass follows. The second
+// constant is relative to the tolerance.
 constexpr double kOrthogonal = 1e-10, kOrthogonalOfTolerance = 1e-5;
-constexpr double kNearEigenvector = 0.02;  // residual of a start vector that is worth its place
+constexpr double kNearEigenvector = 0.02;  // largest residual of a start vector that is kept
 constexpr int kSpareDirections = 20;       // basis beyond twice the wanted pairs before a restart
-constexpr int kKeptBeyondWanted = 6;  // Ritz vectors that survive a restart beside the wanted ones
+constexpr int kKeptBeyondWanted = 6;  // Ritz vectors kept at a restart beyond the wanted ones
 constexpr int kStepsBetweenChecks =
-    3;  // for narrow blocks: solving the small problem has its price too
+    3;  // for narrow blocks, because the small problem has a cost too
 
-/// Numbers in (-1, 1) that depend on the index alone. [Steele, Lea & Flood, SplitMix64, OOPSLA
-/// 2014]
+/// Returns a number in (-1, 1) that depends only on the index. [Steele, Lea & Flood, SplitMix64,
+/// OOPSLA 2014]
 double scattered(std::uint64_t index) {
   std::uint64_t z = index * 0x9e3779b97f4a7c15u + 0x9e3779b97f4a7c15u;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -68,7 +71,7 @@ class Lanczos {
   void step(int width);
   void rotate_pool(int width);
   void solve_small_problem();
-  /// Of the k-th lowest pair.
+  /// Tolerance of the k-th lowest pair.
   double tolerance_of(int k) const {
     return k < wanted_ - settings_.spare ? settings_.tolerance : settings_.spare_tolerance;
   }
@@ -82,7 +85,7 @@ class Lanczos {
   const EigenProblem<Scalar>& problem_;
   const LanczosSettings& settings_;
   int n_, wanted_, capacity_;
-  Matrix V_, MV_;  // columns 0..done_-1: V, then the pool Q; and M times them
+  Matrix V_, MV_;  // columns 0..done_-1 are V, then the pool Q; M times both
   int done_ = 0, pool_ = 0;
   Matrix T_, B_;           // done_ x done_, pool_ x done_
   Eigen::VectorXd theta_;  // ascending
@@ -98,7 +101,7 @@ typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::scattered_block(int columns) {
   return X;
 }
 
-/// Appends to the pool what W brings beyond the basis; returns C with W = (basis part) + (new
+/// Appends to the pool the part of W outside the basis. Returns C with W = (basis part) + (new
 /// directions) C.
 template <class Scalar>
 typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
@@ -132,7 +135,7 @@ typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
         condition < 1e4) {
       break;
     }
-    smallest = 0.25;  // now normalized: whatever vanishes in the second pass was rounding
+    smallest = 0.25;  // W is normalized now: parts that vanish in the second pass were rounding
   }
   const auto needed = before + W.cols();
   if (V_.cols() < needed) {
@@ -144,8 +147,8 @@ typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
   return C;
 }
 
-/// Adds directions to the pool that no multiplied one has led to: the old residuals have no part in
-/// them.
+/// Adds directions to the pool that are not products of multiplied ones. The old residuals have no
+/// components along them.
 template <class Scalar>
 void Lanczos<Scalar>::add_to_pool(Matrix X) {
   const auto fresh = new_directions(std::move(X)).rows();
@@ -154,9 +157,9 @@ void Lanczos<Scalar>::add_to_pool(Matrix X) {
   pool_ += static_cast<int>(fresh);
 }
 
-/// Whether start vectors are near eigenvectors, judged by the first of them. Those of a farther
-/// problem err in as many directions as there are vectors, and chasing all of these costs more than
-/// one Krylov sequence from scratch.
+/// True if start vectors are near eigenvectors, judged by the first of them. Start vectors of a
+/// more distant problem err in as many directions as there are vectors, and to follow all of these
+/// costs more than one Krylov sequence from scratch.
 template <class Scalar>
 bool Lanczos<Scalar>::good(const Matrix& start) {
   if (start.cols() == 0) return false;
@@ -177,7 +180,8 @@ void Lanczos<Scalar>::begin(const Matrix& start) {
   MV_.resize(n_, V_.cols());
   if (good(start)) {
     add_to_pool(
-        start);  // what of it is new; then random directions, lest all of it shares a symmetry
+        start);  // its new part, then random directions, because all of `start` might share a
+                 // symmetry
     add_to_pool(scattered_block(settings_.block));
     step(pool_);
   } else {
@@ -187,8 +191,8 @@ void Lanczos<Scalar>::begin(const Matrix& start) {
   }
 }
 
-/// Turns the pool so that its first columns are the directions in which the wanted Ritz vectors err
-/// most.
+/// Rotates the pool so that its first columns are the directions in which the wanted Ritz vectors
+/// have the largest errors.
 template <class Scalar>
 void Lanczos<Scalar>::rotate_pool(int width) {
   if (pool_ <= width || done_ == 0) return;
@@ -211,7 +215,7 @@ void Lanczos<Scalar>::rotate_pool(int width) {
   B_ = (U.adjoint() * B_).eval();
 }
 
-/// Multiplies the first `width` directions of the pool and moves them into V.
+/// Multiplies the first `width` directions of the pool by the operator and moves them into V.
 template <class Scalar>
 void Lanczos<Scalar>::step(int width) {
   Matrix W = MV_.middleCols(done_, width);
@@ -251,7 +255,7 @@ template <class Scalar>
 bool Lanczos<Scalar>::converged() const {
   if (done_ < wanted_) return false;
   for (int k = done_ - wanted_; k < done_; ++k) {
-    if (!(theta_[k] > 0.0)) return false;  // also where it is not a number
+    if (!(theta_[k] > 0.0)) return false;  // also if it is not a number
     const double tolerance = tolerance_of(done_ - 1 - k);
     if (pool_ > 0 && !((B_ * S_.col(k)).norm() <= tolerance * theta_[k])) return false;
   }
@@ -289,7 +293,7 @@ EigenPairs<Scalar> Lanczos<Scalar>::run(const Matrix& start) {
   begin(start);
   int since_check = 0;
   for (int steps = 0; steps < settings_.max_steps; ++steps) {
-    // At the start, or where an invariant subspace is complete but too small.
+    // This happens at the start, or if an invariant subspace is complete but too small.
     if (pool_ == 0 && done_ < n_) add_to_pool(scattered_block(settings_.block));
     if (pool_ == 0) break;
     const int width = std::min(pool_, settings_.block);

@@ -14,7 +14,7 @@ namespace {
 template <class Scalar>
 using Dense = DenseMatrix<Scalar>;
 
-/// A B*
+/// Returns A B*.
 template <class Scalar>
 Dense<Scalar> times_adjoint(const Dense<Scalar>& A, const Dense<Scalar>& B) {
   return overlaps<Scalar>(A.adjoint(), B.adjoint());
@@ -50,8 +50,9 @@ struct KAndM {
   Dense<Scalar> K, M;
 };
 
-/// K with the given eigenvalues with respect to M: K = F diag(lambda) F', M = F F'. By the circular
-/// law the random part of F has its eigenvalues within sqrt(2 n / 3): F is not near singular.
+/// Returns K with the given eigenvalues with respect to M: K = F diag(lambda) F', M = F F'. By the
+/// circular law the random part of F has its eigenvalues within sqrt(2 n / 3), so F is not near
+/// singular.
 template <class Scalar>
 KAndM<Scalar> with_spectrum(const Eigen::VectorXd& lambda) {
   const Eigen::Index n = lambda.size();
@@ -232,8 +233,8 @@ TEST(Lanczos, EigenvalueErrorGoesWithTheSquareOfTheResidual) {
     const auto pairs =
         lanczos(dense_problem<double>(K, M, 0.0), {.count = 4, .tolerance = tolerance, .block = 1});
     ASSERT_TRUE(pairs.converged);
-    // |theta error| <= (tolerance theta)^2 / gap; the gap to the next theta is theta / (k + 2) at
-    // least
+    // The bound is |theta error| <= (tolerance theta)^2 / gap, and the gap to the next theta is at
+    // least theta / (k + 2).
     for (int k = 0; k < 4; ++k) {
       EXPECT_NEAR(pairs.values[k], lambda[k], (k + 2) * tolerance * tolerance * lambda[k] + 1e-12);
     }

@@ -17,25 +17,25 @@ namespace {
 
 constexpr int kColumnsTogether = 32;  // right-hand sides
 
-/// Successive rows of a front's update that are successive in their place, too.
+/// Successive rows of a front's update that also have successive target places.
 struct Run {
   int start, target, length;
 };
 
-/// What is known of a front before any number: sizes in unknowns.
+/// Sizes and places of a front, in unknowns, known before the numbers.
 struct FrontPlan {
   int first, pivots, rows;
   int parent;
-  size_t panel;                // where its columns of the factor start
-  size_t first_entry;          // of the matrix, see Entry; the next front's is the end
-  int stack;                   // on which its update waits
+  size_t panel;                // start of its columns of the factor
+  size_t first_entry;          // first entry of the matrix, see Entry; the next front's is the end
+  int stack;                   // index of the stack on which its update waits
   std::vector<Run> in_vector;  // rows below the pivots, in the order of elimination
-  std::vector<Run> in_parent;  // the same, in the parent's front
+  std::vector<Run> in_parent;  // rows below the pivots, in the parent's front
 
   int below() const { return rows - pivots; }
 };
 
-/// A block of the matrix, column-major, and where its first number goes in the panel.
+/// A block of the matrix, column-major, and the place of its first number in the panel.
 struct Entry {
   int source;
   bool transposed;
@@ -82,7 +82,7 @@ class Multifrontal final : public Factorization::Impl {
   void solve_together(Eigen::Ref<Eigen::MatrixXd> X);
   double take(const Eigen::Ref<const Eigen::VectorXd>& x, int column);
   void give(int column, double scale, Eigen::Ref<Eigen::VectorXd> x) const;
-  /// Fronts that are not the interface.
+  /// Number of fronts without the interface.
   size_t inside() const { return fronts_.size() - (elimination->interface > 0 ? 1 : 0); }
 
   Real* panel(const FrontPlan& front) { return factor_.get() + front.panel; }
@@ -91,19 +91,20 @@ class Multifrontal final : public Factorization::Impl {
   }
 
   int size_, block_;
-  std::vector<int> position_;  // of every unknown
+  std::vector<int> position_;  // place of every unknown
   std::vector<FrontPlan> fronts_;
   std::vector<std::vector<int>> children_;
   std::vector<Entry> entries_;
-  size_t panels_ = 0;  // numbers of the factor
+  size_t panels_ = 0;  // count of the factor's numbers
   LargeArray<Real> factor_;
-  // Updates that wait for their parents, the last on top: of fronts an even number of steps from
-  // the last, of all others. So an update comes to lie on its stack while its children's are taken
-  // from the other one. There are stacks only while it factorizes.
+  // Updates that wait for their parents, the last on top. One stack holds updates of fronts an even
+  // number of steps from the last front, the other stack all others. So an update goes on one stack
+  // while the updates of its children are read from the other. The stacks exist only during
+  // factorization.
   std::array<LargeArray<Real>, 2> stacks_;
   std::array<size_t, 2> highest_{};
   std::array<size_t, 2> top_{};
-  std::vector<size_t> stacked_;       // where the update of a front starts on its stack
+  std::vector<size_t> stacked_;       // start of each front's update on its stack
   std::vector<Real> vector_, below_;  // right-hand sides, and their rows below one front
 };
 
@@ -216,8 +217,8 @@ void Multifrontal<Real>::enter(const SymmetricMatrix& A, int front) {
   }
 }
 
-/// Adds those columns of a child's update that fall on pivots of its parent, or those that do not,
-/// to the parent's panel or own update.
+/// Adds the columns of a child's update that belong to pivots of its parent to the parent's panel,
+/// or the other columns to the parent's own update.
 template <class Real>
 void Multifrontal<Real>::add_update(const FrontPlan& child,
                                     const Real* update,
@@ -369,7 +370,7 @@ void Multifrontal<Real>::backward(const FrontPlan& front, int columns) {
   solve_lower_transposed(front.pivots, columns, L, front.rows, x, size_);
 }
 
-/// Up to eight columns from `first` on, side by side (columns_together.h).
+/// Solves for up to eight columns side by side (columns_together.h).
 template <>
 void Multifrontal<float>::solve_together(Eigen::Ref<Eigen::MatrixXd> X) {
   constexpr int kWidth = kSolvedTogether;
@@ -446,8 +447,8 @@ void Multifrontal<Real>::make_room(int columns) {
   below_.resize(static_cast<size_t>(tallest) * columns);
 }
 
-/// A right-hand side in the order of elimination, scaled to the middle of the exponents (a residual
-/// of 1e-40 is none); by how much.
+/// Stores a right-hand side in the order of elimination, scaled to the middle of the exponent
+/// range, because float has no 1e-40. Returns the scale.
 template <class Real>
 double Multifrontal<Real>::take(const Eigen::Ref<const Eigen::VectorXd>& x, int column) {
   const double largest = x.cwiseAbs().maxCoeff();

@@ -10,7 +10,7 @@
 namespace latsch::numerics {
 namespace {
 
-/// Assembles the slow, obvious way.
+/// Assembles entry by entry in a dense matrix.
 Eigen::MatrixXd assemble_dense(int size,
                                const std::vector<std::vector<int>>& elements,
                                const std::vector<Eigen::MatrixXd>& K) {
@@ -65,7 +65,7 @@ TEST(SymmetricMatrix, HoldsSingleDirectionsOfANode) {
 }
 
 TEST(SymmetricMatrix,
-     ElementMeetingItselfAroundATwoSectorRing) {  // the same node twice in an element
+     ElementMeetingItselfAroundATwoSectorRing) {  // one node twice in an element
   expect_dense_equivalent(6, {{0, 1, 2, 3, 4, 5, 0, 1, 2}}, 3);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kNodeBlock = 3;  // unknowns of a node in space
 
-/// Whether the unknowns come as whole nodes everywhere: (3 n, 3 n + 1, 3 n + 2) or held altogether.
+/// True if all unknowns come as whole nodes: (3 n, 3 n + 1, 3 n + 2), or all three held.
 bool whole_nodes(int size, const std::vector<std::vector<int>>& elements) {
   if (size % kNodeBlock != 0) return false;
   for (const auto& unknowns : elements) {
@@ -60,7 +60,7 @@ void SymmetricPattern::build_rows(const std::vector<std::vector<int>>& elements)
 void SymmetricPattern::build_scatter(const std::vector<std::vector<int>>& elements) {
   scatter_start_.assign(1, 0);
   for (const auto& unknowns : elements) {
-    // Column-major through the element matrix, as it is stored.
+    // The element matrix is traversed column-major, as it is stored.
     for (size_t b = 0; b < unknowns.size(); b += block_size_) {
       for (size_t a = 0; a < unknowns.size(); a += block_size_) {
         const int row = block_of(unknowns[a], block_size_);
