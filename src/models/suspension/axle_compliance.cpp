@@ -10,7 +10,7 @@ Matrix6d travel_at(const Eigen::Vector3d& arm, const Matrix6d& of_origin) {
 }
 
 Matrix6d mirrored_compliance(const Matrix6d& corner) {
-  // Along y, about x and about z change their signs.
+  // Components along y, about x and about z change their signs.
   Vector6d signs;
   signs << 1.0, -1.0, 1.0, -1.0, 1.0, -1.0;
   return signs.asDiagonal() * corner * signs.asDiagonal();
@@ -29,7 +29,7 @@ ClassicalCompliances classical_compliances(const Matrix12d& axle, Phase phase) {
     return axle(response, load) + sign * axle(response, load + 6);
   };
   enum { kX, kY, kZ, kAboutX, kAboutY, kAboutZ };
-  // A left wheel's toe-in is a turn to the right, its camber a turn of the top to the left.
+  // A left wheel's toe-in is a rotation to the right, its camber a rotation of the top to the left.
   return {.lateral_force_toe = -by(kAboutZ, kY),
           .lateral_force_camber = -by(kAboutX, kY),
           .longitudinal_force_toe = -by(kAboutZ, kX),

@@ -6,16 +6,16 @@
 namespace latsch::suspension {
 namespace {
 
-constexpr double kParallel = 1e-9;  // of two normals' slopes: then they meet nowhere
+constexpr double kParallel = 1e-9;  // least difference of two normals' slopes for which they meet
 
-/// v_y / v_z of the contact point.
+/// Returns v_y / v_z of the contact point.
 double slope(const WheelKinematics& w) { return w.contact_y_by_travel / w.contact_z_by_travel; }
 
 double height_at(const WheelKinematics& w, double y) {
   return w.contact_z + slope(w) * (w.contact_y - y);
 }
 
-/// Per rise of the contact point.
+/// Converts a slope per travel to one per rise of the contact point.
 double by_rise(const WheelKinematics& w, double by_travel) {
   return by_travel / w.contact_z_by_travel;
 }

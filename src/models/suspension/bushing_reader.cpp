@@ -32,7 +32,7 @@ std::optional<double> spring(const std::optional<Node>& node, std::size_t axis) 
   return node->quantity(kBushingAxes[axis], units_of(axis).k, Range::not_negative());
 }
 
-/// Two numbers of their own units.
+/// Reads two numbers with their own units.
 std::pair<double, double> read_pair(const Node& table,
                                     const char* key,
                                     const char* first,
@@ -48,7 +48,7 @@ std::optional<double> viscous(const std::optional<Node>& node, std::size_t axis)
   return dampers->quantity(kBushingAxes[axis], units_of(axis).c, Range::not_negative());
 }
 
-/// c of an axis of stiffness k: what the joint says of itself goes before what all are.
+/// Returns c of an axis of stiffness k. The joint's own values have priority over those of all.
 double damping_of(const std::optional<Node>& own,
                   const std::optional<Node>& all,
                   std::size_t axis,
@@ -65,7 +65,8 @@ double damping_of(const std::optional<Node>& own,
   return common_time.value_or(0.0) * k;
 }
 
-/// Parts of one table, of a joint or of all; without its curve where the joint has a stiffness.
+/// Reads the parts of one table, of a joint or of all, without its curve if the joint has a
+/// stiffness.
 void read_parts(const Node& node,
                 std::size_t axis,
                 bool with_curve,
@@ -120,7 +121,8 @@ BushingParameters read_bushing(const Node& bushings, const std::string& name) {
   const bool rigid = (own && own->flag("rigid", false)) ||
                      (all && all->flag("rigid", false) && !(own && own->has("rigid")));
   for (std::size_t axis = 0; axis < kBushingAxes.size(); ++axis) {
-    const auto common = spring(all, axis);  // asked for, whether it counts or not
+    const auto common = spring(all, axis);  // Read even if not used, so that the key counts as
+                                            // known.
     const auto value = spring(own, axis);
     std::vector<BushingParameters::Part> parts;
     if (own) read_parts(*own, axis, true, parts);

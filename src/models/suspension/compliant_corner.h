@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A corner as bodies on bushings, whatever its links: what a K&C rig loads. The inboard end of the
+// A corner with any links as bodies on bushings, as loaded by a K&C rig. The inboard end of the
 // push-rod is held, as on a rig that replaces the springs by rigid bars.
 //
-// A double wishbone has five bodies and ten bushings (double_wishbone.h). Five links are as many
-// rods, and with the push-rod and the upright seven bodies on twelve bushings:
+// A double wishbone has five bodies and ten bushings (double_wishbone.h). Five links are five rods;
+// with the push-rod and the upright these are seven bodies on twelve bushings:
 //
 //   chassis ─ NAME_inner ─ link ─ NAME_outer ─ upright        of each link
 //   chassis ─ pushrod_inner ─ push-rod ─ pushrod_outer ─ upright
 //
-// A rod between two ball joints would spin about its own axis: its bushings' stiffness against
-// turning holds it. Caster is that of a line of the upright, which at rest is the kingpin: of five
-// links the axis about which the rack turns it with the spring held.
+// A rod between two ball joints would spin about its own axis; the rotational stiffness of its
+// bushings holds it. Caster is that of a line fixed in the upright. At rest this is the kingpin;
+// with five links it is the axis about which the rack turns the upright with the spring held.
 #pragma once
 
 #include <Eigen/Core>
@@ -35,10 +35,10 @@ struct CompliantCorner {
 
 CompliantCorner compliant_corner(const DoubleWishbone& corner);
 
-/// NAME_inner, NAME_outer of every link, pushrod_inner, pushrod_outer.
+/// Returns NAME_inner, NAME_outer of every link, then pushrod_inner, pushrod_outer.
 std::vector<std::string> joints_of_five_links(const CornerGeometry& geometry);
-/// Bushings in the order of these names. The geometry has no fault(), its push-rod stands on the
-/// upright; a Failure where the rack does not steer it.
+/// Takes bushings in the order of these names. The geometry must have no fault(), and its push-rod
+/// must act on the upright. Returns a Failure if the rack does not steer the upright.
 Result<CompliantCorner> compliant_five_links(const CornerGeometry& geometry,
                                              const Eigen::Vector3d& contact,
                                              const std::vector<BushingParameters>& bushings);

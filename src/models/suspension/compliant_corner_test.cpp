@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Five links on bushings: stiff ones move as the rigid linkage, a right corner is the mirror image
-// of a left one, its caster is that of the kingpin of the kinematics.
+// Tests five links on bushings: stiff ones move as the rigid linkage, a right corner is the mirror
+// image of a left one, and caster is that of the kingpin of the kinematics.
 #include "models/suspension/compliant_corner.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ CornerGeometry five_links() {
   return corner;
 }
 
-/// Of a strut that gives, links that do not.
+/// Returns bushings of a compliant strut and of links with stiffness k.
 std::vector<BushingParameters> stiff(double k) {
   std::vector<BushingParameters> all(12, {Vector3d::Constant(k), Vector3d::Constant(1.0)});
   all[10].stiffness = all[11].stiffness = Vector3d::Constant(4e4);
@@ -52,7 +52,7 @@ Stands stands(const CompliantCorner& corner, const Vector3d& force, const Vector
           wheel_position(corner.wheel, mechanism.at_rest()[upright])};
 }
 
-/// How far links of this stiffness stand from the rigid ones, m and rad.
+/// Returns the difference, m and rad, of links with this stiffness from rigid ones.
 double from_rigid(double k, double Fz) {
   const CornerGeometry geometry = five_links();
   const auto corner = compliant_five_links(geometry, kContact, stiff(k));
@@ -91,7 +91,7 @@ TEST(FiveLinks, OfTheRightSideAreTheMirrorImage) {
   EXPECT_GT(std::abs(of_left.wheel.caster - of_left.rest.caster), 1e-5);
 }
 
-// By the kingpin of the kinematics: a rack that turns the upright leaves its caster what it is.
+// A rack that turns the upright about the kingpin of the kinematics does not change its caster.
 TEST(FiveLinks, CasterIsThatOfTheKingpinAtRest) {
   const CornerGeometry geometry = five_links();
   const auto corner = compliant_five_links(geometry, kContact, stiff(1e9));

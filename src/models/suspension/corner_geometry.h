@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a corner's kinematics depend on: its linkage, how its spring follows the wheel, and the
-// rates of spring and tire where they are known.
+// Data that determine a corner's kinematics: its linkage, the drive of its spring, and the rates of
+// spring and tire if they are known.
 #pragma once
 
 #include <optional>
@@ -14,20 +14,20 @@ namespace latsch::suspension {
 struct CornerGeometry {
   Linkage linkage;
   SpringDrive spring;
-  /// Ball joints at rest, m; none: the upright is steered about the axis of its instantaneous
-  /// rotation by the rack, its spring held (five links).
+  /// Ball joints at rest, m. None: the upright is steered by the rack about the axis of its
+  /// instantaneous rotation, with its spring held (five links).
   struct Kingpin {
     Eigen::Vector3d lower, upper;
   };
   std::optional<Kingpin> kingpin;
   struct Rates {
     double spring;       // N/m
-    double sprung_mass;  // kg, that the spring of this corner carries at rest
+    double sprung_mass;  // kg, carried by the spring of this corner at rest
     double tire;         // N/m, vertical
   };
   std::optional<Rates> rates;
 
-  /// What is wrong with it, naming the part, or empty.
+  /// Returns what is wrong with the geometry, naming the part, or an empty text.
   std::string fault() const;
 };
 

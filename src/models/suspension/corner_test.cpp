@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statics of a corner against figures on which two independent programs agree to every digit.
+// Tests the statics of a corner against numbers on which two independent programs agree to every
+// digit.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -117,7 +118,7 @@ TEST_F(Corner, SlopesInStiffnessesAreThoseOfDifferences) {
     differences << (up.contact - down.contact), up.camber - down.camber, up.toe - down.toe,
         up.caster - down.caster;
     differences /= 2.0 * h;
-    // 1e-7 N that are left move the wheel by 1e-14 m or rad, over 2 h.
+    // A residual of 1e-7 N moves the wheel by 1e-14 m or rad, over 2 h.
     EXPECT_LT((slopes.col(p) * stiffness - differences).norm(), 1e-5 * differences.norm() + 5e-12)
         << DoubleWishbone::kNames[static_cast<std::size_t>(p / 6)] << " " << p % 6;
   }
@@ -182,7 +183,7 @@ TEST_F(Corner, ARodThatSpinsFreelyIsNamed) {
             std::string::npos)
       << fault;
   EXPECT_NE(fault.find("no rotational stiffness (about_x"), std::string::npos) << fault;
-  // What has mass may spin in motion, but does not stand.
+  // A body with mass may spin in motion but has no equilibrium.
   auto bodies = corner_.bodies();
   for (multibody::Body& body : bodies) body.mass = 1.0;
   ASSERT_EQ(Mechanism::fault(bodies, corner_.joints()), "");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The front left corner of a student race car (published hardpoints of the set "fsae_parametrica",
-// push-rod on the upper wishbone), all bushings alike as in the statics of corner_test.cpp.
+// Returns the front left corner of a student race car (published hardpoints of the set
+// "fsae_parametrica", push-rod on the upper wishbone). All bushings are equal, as in the statics of
+// corner_test.cpp.
 #pragma once
 
 #include "models/suspension/double_wishbone.h"

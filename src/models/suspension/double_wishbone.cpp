@@ -13,10 +13,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNear = 1e-3;  // m: a rod that short, or an arm that near its own axis, is none
-constexpr double kFar = 50.0;   // m: no car is that large
+constexpr double kNear = 1e-3;  // m; least length of a rod, and of an arm about its axis
+constexpr double kFar = 50.0;   // m; no car is that large
 
-/// Rods that point at the axis about which they shall hold: mechanisms, however stiff.
+/// Finds rods that point at the axis about which they should hold. They leave a mechanism, however
+/// stiff they are.
 std::string fault_of_rods(const DoubleWishbone& corner) {
   using enum DoubleWishbone::Joint;
   const auto p = [&](int joint) { return corner.points[static_cast<std::size_t>(joint)]; };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A corner of double wishbones: five bodies on ten bushings. The inboard end of the push-rod is
-// held, as on a rig that replaces the springs by rigid bars.
+// A double-wishbone corner: five bodies on ten bushings. The inboard end of the push-rod is held,
+// as on a rig that replaces the springs by rigid bars.
 //
 //   chassis ─ uca_front, uca_rear ─ upper wishbone ─ ubj ─┐
 //   chassis ─ pushrod_inner ─ push-rod ─ pushrod_outer ─ upper or lower wishbone, or upright
@@ -50,8 +50,8 @@ struct DoubleWishbone {
   Side side = Side::left;
   Body pushrod_on = kUpper;
 
-  /// What is wrong with the points, naming them, or empty: two ends of a rod or the joints of a
-  /// wishbone in one place or in one line, points that look like millimeters.
+  /// Returns what is wrong with the points, naming them, or an empty text: coincident ends of a
+  /// rod, joints of a wishbone that coincide or lie in one line, points that look like millimeters.
   std::string fault() const;
   std::vector<multibody::Body> bodies() const;
   std::vector<multibody::Joint> joints() const;

@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBelow = 5e-3;   // m: the contact point is no further ahead of the wheel center
-constexpr double kInLine = 1e-3;  // m: arms that near one line make no plane
+constexpr double kBelow = 5e-3;   // m; largest distance of contact point and wheel center along x
+constexpr double kInLine = 1e-3;  // m; arms nearer to one line define no plane
 
 std::optional<Vector3d> find_point(const Node& points, const char* name) {
   if (!points.has(name)) return std::nullopt;

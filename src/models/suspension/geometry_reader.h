@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kinematics of a corner from its file. Beside the points of suspension_reader.h:
+// Reads the kinematics of a corner from its file. In addition to the points of suspension_reader.h
+// the file may contain:
 //
-//   type = "double_wishbone"             # or "five_link", with its links in the place of uca_front
-//                                        # ... trackrod_outer:
+//   type = "double_wishbone"             # or "five_link", whose links replace uca_front ...
+//                                        # trackrod_outer:
 //   [link.NAME]                          # five of them
 //   inner = ["0 mm", "300 mm", "200 mm"]
 //   outer = ["0 mm", "600 mm", "180 mm"]
@@ -10,8 +11,8 @@
 //
 //   [hardpoint]                          # optional; without a rocker the spring is between
 //   rocker_pivot = [...]                 # pushrod_inner and pushrod_outer
-//   rocker_axis = [...]                  # a second point of its axis; unless given the axis is at
-//                                        # right angles to pushrod_inner, pivot and damper
+//   rocker_axis = [...]                  # a second point of its axis; if not given, the axis is
+//                                        # normal to the plane of pushrod_inner, pivot and damper
 //   rocker_damper = [...]                # ends of spring and damper
 //   damper_chassis = [...]
 //   rocker_arb_link = [...]              # link to the anti-roll bar
@@ -33,10 +34,10 @@
 
 namespace latsch::suspension {
 
-/// ["1648.347 mm", "273.206 mm", "303.434 mm"]
+/// Reads a point such as ["1648.347 mm", "273.206 mm", "303.434 mm"].
 Eigen::Vector3d read_point(const Node& points, const char* name);
 
-/// InputError where something is missing; what it says may still have a fault().
+/// Throws InputError if something is missing. The geometry read may still have a fault().
 CornerGeometry read_geometry(const Node& root);
 
 }  // namespace latsch::suspension

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Corners whose kinematics are known in closed form, and one that is real.
+// Corners with kinematics known in closed form, and a real one.
 #pragma once
 
 #include <cmath>
@@ -10,9 +10,9 @@ namespace latsch::suspension {
 
 constexpr double kArm = 0.3;  // m, of the wishbones and the track-rod
 
-/// A left corner of equal parallel wishbones with axes in the x-z plane at an angle to x, positive
-/// with their rear ends lower, and arms at an angle to y, positive with their outer ends higher.
-/// The track-rod is parallel to them too, so that the upright only travels.
+/// Returns a left corner with equal parallel wishbones. Their axes lie in the x-z plane at an angle
+/// to x, positive with their rear ends lower; their arms are at an angle to y, positive with their
+/// outer ends higher. The track-rod is parallel to the arms, so that the upright only translates.
 inline CornerGeometry parallelogram(double axis_angle = 0.0, double arm_angle = 0.0) {
   const Eigen::Vector3d axis(std::cos(axis_angle), 0.0, std::sin(axis_angle));
   const Eigen::Vector3d up(-std::sin(axis_angle), 0.0, std::cos(axis_angle));
@@ -32,7 +32,7 @@ inline CornerGeometry parallelogram(double axis_angle = 0.0, double arm_angle = 
   return corner;
 }
 
-/// The front left corner of a student race car (the published set "fsae_parametrica") with
+/// Returns the front left corner of a student race car (the published set "fsae_parametrica") with
 /// push-rod, rocker and anti-roll bar.
 inline CornerGeometry race_geometry() {
   using Eigen::Vector3d;
@@ -72,7 +72,7 @@ inline CornerGeometry race_geometry() {
   return corner;
 }
 
-/// The mirror image of all points.
+/// Returns the corner with all points mirrored.
 inline CornerGeometry right_of(CornerGeometry corner) {
   const auto turn = [](Eigen::Vector3d& point) { point.y() = -point.y(); };
   for (Link& link : corner.linkage.links) turn(link.inner), turn(link.outer);

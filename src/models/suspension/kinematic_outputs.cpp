@@ -17,8 +17,8 @@ using enum Sense;
 using Group = KinematicOutput::Group;
 
 constexpr double kGravity = 9.80665;  // m/s²
-constexpr double kStep = 1e-4;        // m, of travel: for slopes of slopes
-constexpr double kNoSteer = 1e-3;     // rad/m: below, no rack steers it
+constexpr double kStep = 1e-4;        // m of travel, for slopes of slopes
+constexpr double kNoSteer = 1e-3;     // rad/m; below this the rack does not steer the wheel
 
 constexpr std::array kOutputs = {
     KinematicOutput{"toe", "rad", "toe angle, positive toe-in", &W::toe},
@@ -237,7 +237,7 @@ void set_path(const MovingLinkage& moving, W& w) {
   w.roll_center_height = v.y() / v.z() * contact.y();  // (5)
 }
 
-/// All that needs no neighbor.
+/// Computes all outputs that need no neighboring pose.
 Result<W> standing(const CornerGeometry& geometry, const MovingLinkage& moving) {
   const Wheel& wheel = geometry.linkage.wheel;
   const double outboard = wheel.side == Side::left ? 1.0 : -1.0;
@@ -285,7 +285,7 @@ Result<WheelKinematics> KinematicCorner::move_to(double travel, double rack) {
   auto found = standing(*geometry_, moving_);
   if (!found) return found;
   W& w = *found;
-  // Slopes of slopes: of differences to both sides, or to one where the linkage ends.
+  // Slopes of slopes are central differences, or one-sided ones where the linkage ends.
   const auto neighbor = [&](double at) -> Result<W> {
     MovingLinkage there = moving_;
     if (const auto moved = there.move_to(at, rack); !moved) return moved.failure();

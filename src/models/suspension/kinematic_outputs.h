@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of a wheel at a travel and a position of the rack. Of a left and a right wheel
-// alike; f is the horizontal direction in which the wheel points, l the horizontal one outboard
-// across it, a the spin axis to the left, v the velocity by travel, s = 1 left, -1 right:
+// Kinematic outputs of a wheel at a travel and a position of the rack, with the same signs for left
+// and right wheels. f is the horizontal direction in which the wheel points, l the horizontal
+// direction outboard across it, a the spin axis to the left, v the velocity by travel, s = 1 left,
+// -1 right:
 //
 //   steer = atan2(-a_x, a_y),  toe = -s steer,  camber = -s asin a_z                            (1)
 //   kingpin k through g on the ground and h at the height of the wheel center w; contact point c:
@@ -13,11 +14,11 @@
 //   wheel_rate = k i² + F di/dz,  F = m g / i(0) + k (L(0) - L)                                 (7)
 //   ride_rate = wheel_rate c_t / (wheel_rate + c_t),  ride_frequency = √(ride_rate / m) / 2π    (8)
 //
-// (2)-(4) as printed by Lotus Suspension Analysis (verification/lotus_shark); the trail is
+// (2)-(4) are those printed by Lotus Suspension Analysis (verification/lotus_shark); the trail is
 // measured at right angles to the kingpin, the offset along the ground. (5) is the height at which
-// the normal to the path of the contact point meets the car's center plane: of the true motion of
-// the upright, not of a construction with planes. [Milliken & Milliken, Race Car Vehicle Dynamics,
-// 1995]
+// the normal to the path of the contact point meets the car's center plane. It belongs to the true
+// motion of the upright, not to a construction with planes. [Milliken & Milliken, Race Car Vehicle
+// Dynamics, 1995]
 #pragma once
 
 #include <span>
@@ -40,22 +41,22 @@ struct WheelKinematics {
   double roll_center_height, roll_center_by_travel;
   double spring_length, motion_ratio, motion_ratio_by_travel;
   double arb_angle, arb_ratio;
-  double wheel_rate, ride_rate, ride_frequency;  // 0 where the rates are not known
+  double wheel_rate, ride_rate, ride_frequency;  // 0 if the rates are not known
 };
 
 struct KinematicOutput {
   const char* name;
   const char* unit;   // SI
-  const char* words;  // what it is and when it is positive
+  const char* words;  // description and positive sense
   double WheelKinematics::*value;
   Sense of = Sense::same, by = Sense::same;
   enum class Group { wheel, spring, bar, rates } group = Group::wheel;
 };
 
-/// All of them, in the order in which people read them.
+/// Returns all outputs in their usual order.
 std::span<const KinematicOutput> kinematic_outputs();
 
-/// A corner on its way from rest; the geometry has no fault() and outlives it.
+/// A corner on its path from rest. The geometry must have no fault() and must outlive this object.
 class KinematicCorner {
  public:
   KinematicCorner(const CornerGeometry& geometry, TravelOf of);
@@ -69,7 +70,7 @@ class KinematicCorner {
   double length_at_rest_ = 0.0, ratio_at_rest_ = 0.0;
 };
 
-/// The same of the mirror image, its rack moved the other way.
+/// Returns the outputs of the mirror image, whose rack is moved the other way.
 WheelKinematics mirrored(const WheelKinematics& wheel);
 
 }  // namespace latsch::suspension

@@ -32,7 +32,7 @@ TEST(KinematicOutputs, EqualParallelWishbonesNeitherLeanNorSteer) {
   }
 }
 
-// The normal to the path is parallel to the arms: through the contact point at y = 0.7 m.
+// The normal to the path is parallel to the arms, through the contact point at y = 0.7 m.
 TEST(KinematicOutputs, RollCenterOfAParallelogramIsInLineWithItsArms) {
   EXPECT_NEAR(at(parallelogram(), 0.0).roll_center_height, 0.0, 1e-14);
   for (const double angle : {-0.1, 0.05, 0.2}) {
@@ -42,7 +42,7 @@ TEST(KinematicOutputs, RollCenterOfAParallelogramIsInLineWithItsArms) {
   const double travel = 0.06, angle = std::asin(travel / kArm);
   const WheelKinematics w = at(parallelogram(), travel);
   EXPECT_NEAR(w.roll_center_height, -std::tan(angle) * w.contact_y, 1e-12);
-  // h(z) = -tan(asin(z / l)) (y_0 + l cos): its slope at z = 0 is -y / l.
+  // With h(z) = -tan(asin(z / l)) (y_0 + l cos) the slope at z = 0 is -y / l.
   EXPECT_NEAR(at(parallelogram(), 0.0).roll_center_by_travel, -0.7 / kArm, 1e-5);
 }
 
@@ -72,7 +72,8 @@ TEST(KinematicOutputs, SlopesAreThoseOfDifferences) {
   }
 }
 
-// A force at the contact point holds the spring's: F_wheel(z) = i F. Its slope is the wheel rate.
+// A force at the contact point balances the spring's: F_wheel(z) = i F. Its slope is the wheel
+// rate.
 TEST(KinematicOutputs, WheelRateIsTheSlopeOfTheForceThatHoldsTheSpring) {
   const CornerGeometry corner = race_geometry();
   const auto rest = at(corner, 0.0);
@@ -117,7 +118,7 @@ TEST(KinematicOutputs, HaveNamesOfTheirOwn) {
   EXPECT_EQ(names.size(), kinematic_outputs().size());
 }
 
-// A static toe and camber are those of the wheel at rest.
+// Static toe and camber are those of the wheel at rest.
 TEST(KinematicOutputs, AWheelStandsAsItIsSet) {
   CornerGeometry corner = parallelogram();
   const double toe = 0.004, camber = -0.03;
@@ -126,7 +127,7 @@ TEST(KinematicOutputs, AWheelStandsAsItIsSet) {
   const WheelKinematics w = at(corner, 0.05);
   EXPECT_NEAR(w.toe, toe, 1e-12);
   EXPECT_NEAR(w.camber, camber, 1e-12);
-  // Top inboard: the lowest point of the disk is outboard.
+  // The top is inboard, so the lowest point of the disk is outboard.
   EXPECT_NEAR(w.contact_y - w.center_y, 0.3 * std::sin(-camber), 2e-6);
 }
 
@@ -134,7 +135,7 @@ TEST(SignViews, TurnAxesAround) {
   using enum Sense;
   for (const Sense sense : {same, along_x, along_y, along_z, about_x, about_y, about_z})
     EXPECT_EQ(sign(SignView::iso, sense), 1.0);
-  // Steer: to the left in ISO 8855 and Adams, to the right in SAE J670.
+  // Steer is positive to the left in ISO 8855 and Adams, to the right in SAE J670.
   EXPECT_EQ(sign(SignView::sae, about_z), -1.0);
   EXPECT_EQ(sign(SignView::adams, about_z), 1.0);
   EXPECT_EQ(sign(SignView::sae, along_z), -1.0);

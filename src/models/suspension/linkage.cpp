@@ -11,15 +11,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNear = 1e-3;        // m: a link that short is none
-constexpr double kFar = 50.0;         // m: no car is that large
+constexpr double kNear = 1e-3;        // m; a shorter link is a fault
+constexpr double kFar = 50.0;         // m; no car is that large
 constexpr double kConverged = 1e-13;  // m: rounding of points a meter from the origin
-constexpr double kSolved = 1e-10;     // m: where rounding ends it above that, still solved
+constexpr double kSolved = 1e-10;     // m; accepted residual if rounding prevents a smaller one
 constexpr int kIterations = 12;
-constexpr double kLongStep = 0.05;   // m of travel and rack: links turn little in one
-constexpr double kShortStep = 1e-7;  // m: where the way ends
-constexpr double kFarTurn = 0.35;    // rad in a step: beyond, another assembly may be met
-constexpr double kSingular = 1e-5;   // least pivot of the equations, arms in units of the longest
+constexpr double kLongStep = 0.05;   // m of travel and rack; links turn little in one step
+constexpr double kShortStep = 1e-7;  // m; the path ends if steps get shorter
+constexpr double kFarTurn = 0.35;    // rad in a step; beyond, another assembly may be met
+constexpr double kSingular = 1e-5;   // least pivot of the equations, with arms relative to the
+                                     // longest
 
 }  // namespace
 
@@ -53,7 +54,7 @@ std::string Linkage::fault() const {
   J(5, 2) = 1.0;
   const Eigen::FullPivLU<Matrix6d> factors(J);
   if (factors.matrixLU().diagonal().cwiseAbs().minCoeff() > kSingular) return {};
-  // Forces of the links that hold each other in balance, with nothing else on the upright.
+  // Forces of the links that are in balance with each other, without another load on the upright.
   const Vector6d forces =
       Eigen::FullPivLU<Matrix6d>(J.transpose()).setThreshold(kSingular).kernel().col(0);
   std::string names;
@@ -116,7 +117,8 @@ void MovingLinkage::take(const Pose& pose, double travel, double rack, double le
   rack_ = rack;
   left_ = left;
   twists_.by_travel = factors_.solve(Vector6d::Unit(5));
-  // The rack moves the inner end: the link grows shorter by n_y dr, which the upright makes good.
+  // The rack moves the inner end: the link becomes shorter by n_y dr, and the upright makes up for
+  // it.
   const Vector3d n = (outer(linkage_->trackrod) - inner(linkage_->trackrod)).normalized();
   Vector6d by_rack = Vector6d::Zero();
   by_rack[linkage_->trackrod] = n.y();
@@ -145,7 +147,7 @@ bool MovingLinkage::try_step(double travel, double rack) {
     }
     before = left;
     const Vector6d correction = factors.solve(-e.residual);
-    if (!(correction.tail<3>().norm() < kFarTurn)) return false;  // also where it is no number
+    if (!(correction.tail<3>().norm() < kFarTurn)) return false;  // also if it is not a number
     pose.move(correction);
   }
   return false;
@@ -171,8 +173,7 @@ Result<Pose> MovingLinkage::move_to(double travel, double rack) {
 }
 
 std::string MovingLinkage::end_of_way(double travel, double rack) const {
-  // Where the equations become singular, links hold each other in balance with forces beyond all
-  // measure.
+  // Near a singularity of the equations links hold each other in balance with very large forces.
   const Vector6d forces = factors_.transpose().solve(Vector6d::Unit(5));
   int most = 0;
   forces.head<Linkage::kLinks>().cwiseAbs().maxCoeff(&most);

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rigid kinematics of a wheel carrier on five links of constant length, each from a point of
-// the chassis or the rack to a point of the upright. A double wishbone is two links to the upper
-// ball joint, two to the lower one and the track-rod: a wishbone whose axis is fixed holds its ball
-// joint as two links from its ends do.
+// the chassis or the rack to a point of the upright. A double wishbone is represented by two links
+// to the upper ball joint, two to the lower one and the track-rod: a wishbone with a fixed axis
+// guides its ball joint like two links from the ends of the axis.
 //
 //   |p_i + R o_i - c_i| = l_i,  i = 1 ... 5        c_track-rod moves with the rack
-//   z of the wheel center or of the contact point = that at rest + travel
+//   z of the wheel center or of the contact point = its z at rest + travel
 //
-// Six equations for the six numbers of the upright's pose: Newton's method from a neighbor, with
-// the rows [n', ((R o) x n)'] of the links' directions n. The same matrix gives the twist of the
-// upright by travel and by rack. [Blundell & Harty, The Multibody Systems Approach to Vehicle
-// Dynamics, 2nd ed. 2015, ch. 4: the same constraints, there between all bodies]
+// These are six equations for the six numbers of the upright's pose. They are solved by Newton's
+// method from a neighboring pose, with the rows [n', ((R o) x n)'] of the links' directions n. The
+// same matrix gives the twist of the upright by travel and by rack. [Blundell & Harty, The
+// Multibody Systems Approach to Vehicle Dynamics, 2nd ed. 2015, ch. 4: the same constraints, there
+// between all bodies]
 //
-// The tire is a rigid disk on level ground: the contact point is the lowest of its middle circle,
-// where it moves up as fast as the point of the upright that is there.
+// The tire is a rigid disk on level ground. The contact point is the lowest point of its middle
+// circle; its vertical velocity is that of the upright's point at this place.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,20 +28,20 @@
 
 namespace latsch::suspension {
 
-/// At rest, m.
+/// A link. Points at rest, m.
 struct Link {
   std::string name;
   Eigen::Vector3d inner, outer;
 };
 
-/// A wheel: its spin axis points to the left of the car on both sides.
+/// A wheel. Its spin axis points to the left of the car on both sides.
 struct Wheel {
   Side side = Side::left;
   Eigen::Vector3d center, spin_axis = {0.0, 1.0, 0.0};
   double radius = 0.0;  // m, of the tire's middle circle
   double offset = 0.0;  // m, of that circle from the center along the spin axis
 
-  /// From the wheel center to the contact point, for that spin axis.
+  /// Returns the vector from the wheel center to the contact point for that spin axis.
   Eigen::Vector3d down(const Eigen::Vector3d& axis) const;
 };
 
@@ -50,32 +51,32 @@ struct Linkage {
   int trackrod = 4;  // the link whose inner point moves with the rack, along y
   Wheel wheel;
 
-  /// What is wrong with it, naming the part, or empty: links without length, points in one place,
-  /// an upright that can move with all links and its travel held.
+  /// Returns what is wrong with the linkage, naming the part, or an empty text: links without
+  /// length, points in one place, an upright that can move with all links and its travel held.
   std::string fault() const;
 };
 
 enum class TravelOf { wheel_center, contact };
 
-/// Velocity of the wheel center and rotation, in the axes of the ground, by the travel and by the
-/// rack.
+/// Velocity of the wheel center and rotation, in the axes of the ground, per travel and per rack
+/// displacement.
 struct Twists {
   Vector6d by_travel, by_rack;
 
-  /// Of the point of the upright that is there.
+  /// Returns the velocity of a point of the upright at `from_center`.
   static Eigen::Vector3d at(const Vector6d& twist, const Eigen::Vector3d& from_center) {
     return twist.head<3>() + twist.tail<3>().cross(from_center);
   }
 };
 
-/// A linkage on its way from rest. Two that took the same way are equal to the last bit.
+/// A linkage on its path from rest. Two linkages that took the same path are equal to the last bit.
 class MovingLinkage {
  public:
-  /// The linkage has no fault().
+  /// The linkage must have no fault().
   MovingLinkage(const Linkage& linkage, TravelOf of);
 
-  /// From where it stands to there, in as many steps as it takes; the failure names the link that
-  /// ends its way, and it stays there.
+  /// Moves from the present pose, in as many steps as needed. A Failure names the link that ends
+  /// the path, and the linkage stays there.
   Result<Pose> move_to(double travel, double rack);
 
   const Pose& upright() const { return pose_; }
@@ -83,11 +84,11 @@ class MovingLinkage {
   double rack() const { return rack_; }
   const Twists& twists() const { return twists_; }
   Eigen::Vector3d spin_axis() const { return pose_.turn * linkage_->wheel.spin_axis; }
-  /// From the wheel center to the contact point.
+  /// Vector from the wheel center to the contact point.
   Eigen::Vector3d to_contact() const { return linkage_->wheel.down(spin_axis()); }
   Eigen::Vector3d inner(int link) const;
   Eigen::Vector3d outer(int link) const;
-  /// What is left of the equations, m.
+  /// Residual of the equations, m.
   double left() const { return left_; }
 
  private:
@@ -102,12 +103,13 @@ class MovingLinkage {
 
   const Linkage* linkage_;
   TravelOf of_;
-  std::array<Eigen::Vector3d, Linkage::kLinks> outer_;  // from the wheel center, upright's axes
+  std::array<Eigen::Vector3d, Linkage::kLinks> outer_;  // in the upright's axes, origin at the
+                                                        // wheel center
   std::array<double, Linkage::kLinks> length_;
-  double height_;  // m, at rest of what travels
+  double height_;  // m, at rest, of the point that travels
   Pose pose_;
   double travel_ = 0.0, rack_ = 0.0, left_ = 0.0;
-  double orientation_ = 0.0;  // sign of the Jacobian's determinant: another one, another assembly
+  double orientation_ = 0.0;  // sign of the Jacobian's determinant; a change means another assembly
   Eigen::PartialPivLU<Matrix6d> factors_;
   Twists twists_;
 };

@@ -33,7 +33,7 @@ TEST(MovingLinkage, KeepsItsLengthsAndReachesTheTravel) {
   }
 }
 
-// Which way it took does not matter: the assembly is the same.
+// The assembly must not depend on the path.
 TEST(MovingLinkage, ComesBack) {
   const Linkage linkage = race_geometry().linkage;
   MovingLinkage moving(linkage, TravelOf::contact);
@@ -44,7 +44,7 @@ TEST(MovingLinkage, ComesBack) {
   EXPECT_LT((moving.upright().turn - Eigen::Matrix3d::Identity()).norm(), 1e-12);
 }
 
-/// How far the twist is from a central difference over 2 h.
+/// Returns the difference of the twist from a central difference over 2 h.
 double twist_error(double h, bool by_rack) {
   const Linkage linkage = race_geometry().linkage;
   MovingLinkage at(linkage, TravelOf::contact);
@@ -68,8 +68,8 @@ TEST(MovingLinkage, TwistsAreTheLimitOfDifferencesWithOrderTwo) {
   }
 }
 
-// Arms of equal length that are parallel: a point travels on a circle of that radius, and where the
-// arms stand upright the way ends.
+// On parallel arms of equal length a point travels on a circle of that radius, and the path ends
+// where the arms stand upright.
 TEST(MovingLinkage, OfAParallelogramTravelsOnACircle) {
   const Linkage linkage = parallelogram().linkage;
   ASSERT_EQ(linkage.fault(), "");
@@ -89,7 +89,7 @@ TEST(MovingLinkage, OfAParallelogramTravelsOnACircle) {
       << beyond.failure().reason;
 }
 
-// Upright, arm of 100 mm ahead of an upright kingpin, track-rod of 300 mm across: the rack goes on
+// Upright, arm of 100 mm ahead of an upright kingpin, track-rod of 300 mm across: the rack moves
 // until both are in line, at y = 0.6 - (0.3 + 0.1) from the kingpin at most sideways.
 TEST(MovingLinkage, TheTrackRodIsNamedWhereTheRackGoesTooFar) {
   const Linkage linkage = parallelogram().linkage;
@@ -98,7 +98,7 @@ TEST(MovingLinkage, TheTrackRodIsNamedWhereTheRackGoesTooFar) {
   ASSERT_FALSE(found);
   EXPECT_NE(found.failure().reason.find("trackrod ends the way"), std::string::npos)
       << found.failure().reason;
-  // Rod and arm in line from the inner end 0.1 m ahead of the kingpin.
+  // Rod and arm are then in line from the inner end 0.1 m ahead of the kingpin.
   EXPECT_NEAR(moving.rack(), 0.3 - std::sqrt(0.4 * 0.4 - 0.1 * 0.1), 1e-6);
 }
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The signs of three conventions, as factors on what is computed in ISO 8855's. A quantity goes
-// along an axis, about one, or has the same sign in all (toe-in, camber, lengths, heights above
-// ground).
+// Signs of three conventions, as factors on results in ISO 8855. A quantity is directed along an
+// axis or about one, or has the same sign in all conventions (toe-in, camber, lengths, heights
+// above ground).
 //
 //   iso    x forward,  y left,  z up          ISO 8855
 //   sae    x forward,  y right, z down        SAE J670, 1976
 //   adams  x rearward, y right, z up          as car models of Adams are built: toward the aft
 //
-// With s the signs of the axes, what goes along axis i changes by s_i, and what turns about it by
-// the product of the other two. So steer to the left is positive in iso and adams, to the right in
-// sae; toe-in and camber with the top outboard are positive in all three.
+// With s the signs of the axes, a quantity along axis i is multiplied by s_i, and a quantity about
+// axis i by the product of the other two. So steer to the left is positive in iso and adams, steer
+// to the right in sae; toe-in and camber with the top outboard are positive in all three.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace latsch::suspension {
 enum class Sense { same, along_x, along_y, along_z, about_x, about_y, about_z };
 enum class SignView { iso, sae, adams };
 
-/// Which way a quantity is positive, or its slope by another.
+/// Sense in which a quantity is positive, and that of the quantity by which it is differentiated.
 struct SignSense {
   Sense of = Sense::same, by = Sense::same;
 };
@@ -29,7 +29,7 @@ using AxisSigns = std::array<double, 3>;
 
 inline constexpr std::array<AxisSigns, 3> kAxisSigns = {
     {{1.0, 1.0, 1.0}, {1.0, -1.0, -1.0}, {-1.0, -1.0, 1.0}}};
-/// Of the mirror image, by which a right wheel is the left one's.
+/// Signs of the mirror image that converts a left wheel to a right one.
 inline constexpr AxisSigns kMirror = {1.0, -1.0, 1.0};
 
 constexpr double sign(const AxisSigns& s, Sense sense) {

@@ -11,11 +11,11 @@ namespace {
 
 using Eigen::Matrix;
 using Eigen::Vector3d;
-using Velocities = Matrix<double, 3, 2>;  // by travel, by rack
+using Velocities = Matrix<double, 3, 2>;  // slopes by travel, by rack
 
 constexpr double kNear = 1e-3;       // m
-constexpr double kNoArm = 1e-3;      // m: a rod that passes the axis that near turns nothing
-constexpr double kPastReach = 1e-9;  // of the cosine: what rounding does at rest
+constexpr double kNoArm = 1e-3;      // m; a rod that passes the axis nearer than this turns nothing
+constexpr double kPastReach = 1e-9;  // excess of the cosine that rounding may cause at rest
 
 struct Moved {
   Vector3d place;
@@ -35,7 +35,7 @@ Moved on_upright(const Vector3d& point,
   return moved;
 }
 
-/// Of a point of the wishbone whose ball joint is there.
+/// Returns the motion of the rod's point on the wishbone, whose ball joint has moved to this place.
 Moved on_wishbone(const SpringDrive& drive, const Moved& ball) {
   const Vector3d axis = (drive.hinge_rear - drive.hinge_front).normalized();
   const Vector3d was = drive.ball - drive.hinge_front, is = ball.place - drive.hinge_front;
@@ -43,7 +43,7 @@ Moved on_wishbone(const SpringDrive& drive, const Moved& ball) {
       std::atan2(axis.dot(was.cross(is)), from_axis(axis, was).dot(from_axis(axis, is)));
   const Vector3d arm =
       Eigen::AngleAxisd(angle, axis).toRotationMatrix() * (drive.outer - drive.hinge_front);
-  const Vector3d lever = axis.cross(is);  // of the ball joint, by the angle
+  const Vector3d lever = axis.cross(is);  // the ball joint's, by the angle
   Moved moved{drive.hinge_front + arm, {}};
   moved.velocities = axis.cross(arm) * (lever.transpose() * ball.velocities) / lever.squaredNorm();
   return moved;

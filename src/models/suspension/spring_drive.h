@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the spring of a corner follows its wheel: directly from a wishbone or the upright, or by a
-// push-rod (or pull-rod) and a rocker, which may move the blade of an anti-roll bar too. All rods
+// Drive of a corner's spring by its wheel: directly from a wishbone or the upright, or by a
+// push-rod (or pull-rod) and a rocker, which may also move the blade of an anti-roll bar. All rods
 // have constant length.
 //
-//   wishbone:  hinged on its axis; turned by the angle at which its ball joint is
+//   wishbone:  hinged on its axis; turned by the angle of its ball joint
 //   rocker:    turned by φ about an axis through its pivot, so that |o - i(φ)| = l:
 //              with u = i - pivot at rest, w = o - pivot, e the axis:
 //              a cos φ + b sin φ = d,   a = w'u - (e'u)(e'w),  b = w'(e × u),
 //              d = (u'u + w'w - l²)/2 - (e'u)(e'w),
-//              of whose two solutions the one is taken that is φ = 0 at rest
-//   blade:     the same, driven by its link from the rocker
+//              using the one of two solutions that is φ = 0 at rest
+//   blade:     turned like the rocker, driven by its link from the rocker
 //
-// Rates by travel and rack follow from the twist of the upright: v'n is the same at both ends of a
-// rod, n its direction.
+// Slopes by travel and rack follow from the twist of the upright: v'n is equal at both ends of a
+// rod with direction n.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,15 +24,15 @@
 
 namespace latsch::suspension {
 
-/// A body that turns about a fixed axis, driven by a rod to a point of its own; at rest, m.
+/// A body that turns about a fixed axis, driven by a rod to one of its points. Points at rest, m.
 struct Lever {
   std::string name, rod;
-  Eigen::Vector3d pivot, axis = Eigen::Vector3d::UnitY();  // of unit length
-  Eigen::Vector3d own, driving;  // the rod's ends: on the lever, and on what moves it
+  Eigen::Vector3d pivot, axis = Eigen::Vector3d::UnitY();  // unit length
+  Eigen::Vector3d own, driving;  // the rod's ends: on the lever, and on the part that moves it
 
-  /// What is wrong with it, or empty.
+  /// Returns what is wrong with the lever, or an empty text.
   std::string fault() const;
-  /// Its angle and the angle's slope by the travel of the driving end, with that at a place.
+  /// The angle, and its slope by the driving end's displacement, with the driving end at a place.
   struct Turned {
     double angle;
     Eigen::Vector3d by_driving;
@@ -46,20 +46,20 @@ struct SpringDrive {
 
   On on = On::upright;
   Eigen::Vector3d outer, inner;  // ends of the push-rod; without a rocker those of the spring, m
-  /// Ends of the wishbone's axis on the chassis, where it acts on one, and its ball joint.
+  /// Ends on the chassis of the axis of the wishbone on which the rod acts, and its ball joint.
   Eigen::Vector3d hinge_front, hinge_rear, ball;
   struct Rocker {
     Lever lever;
     Eigen::Vector3d spring_end, spring_on_chassis;  // m
   };
   std::optional<Rocker> rocker;
-  /// Its driving end is on the rocker.
+  /// Blade of the anti-roll bar. Its driving end is on the rocker.
   std::optional<Lever> blade;
 
   std::string fault() const;
 };
 
-/// Slopes are by travel and by rack.
+/// State of the spring. Slopes are by travel and by rack.
 struct SpringState {
   double length;                                           // m, between the ends of the spring
   Eigen::Vector2d length_slopes;                           // 1

@@ -19,7 +19,7 @@ SpringState state_of(const CornerGeometry& corner, double travel, double rack) {
   return *state;
 }
 
-// The upright only travels, on a circle: the length is that between two known points.
+// The upright only translates, on a circle, so the length is that between two known points.
 TEST(SpringDrive, WithoutARockerIsTheDistanceOfItsEnds) {
   const CornerGeometry corner = parallelogram();
   ASSERT_EQ(corner.spring.fault(), "");
@@ -31,7 +31,8 @@ TEST(SpringDrive, WithoutARockerIsTheDistanceOfItsEnds) {
   }
 }
 
-// A point of a wishbone travels on a circle about its axis, by the angle of the ball joint.
+// A point of a wishbone travels on a circle about the wishbone's axis, by the angle of the ball
+// joint.
 TEST(SpringDrive, OnAWishboneFollowsItsAngle) {
   CornerGeometry corner = parallelogram();
   corner.spring.on = SpringDrive::On::lower_wishbone;
@@ -45,8 +46,8 @@ TEST(SpringDrive, OnAWishboneFollowsItsAngle) {
   EXPECT_NEAR(state_of(corner, travel, 0.0).length, (end - corner.spring.inner).norm(), 1e-12);
 }
 
-// A rocker with arms of equal length at a right angle and push-rod and spring at right angles to
-// them: at rest the spring moves as the push-rod does.
+// A rocker has arms of equal length at a right angle, with push-rod and spring at right angles to
+// them. At rest the spring moves as the push-rod does.
 TEST(SpringDrive, ARightAngledRockerPassesTheMotionOn) {
   CornerGeometry corner = parallelogram();
   corner.spring.outer = {0.0, 0.6, 0.3};
@@ -62,7 +63,7 @@ TEST(SpringDrive, ARightAngledRockerPassesTheMotionOn) {
   ASSERT_EQ(corner.spring.fault(), "");
   EXPECT_NEAR(state_of(corner, 0.0, 0.0).length_slopes[0], -1.0, 1e-12);
   EXPECT_NEAR(state_of(corner, 0.0, 0.0).length, 0.3, 1e-15);
-  // The push-rod, 0.4 m long, pushes further than the arms of the rocker, 0.1 m, go.
+  // The push-rod, 0.4 m long, pushes farther than the arms of the rocker, 0.1 m, allow.
   MovingLinkage moving(corner.linkage, TravelOf::contact);
   ASSERT_TRUE(moving.move_to(0.15, 0.0));
   const auto beyond =
@@ -84,7 +85,7 @@ TEST(SpringDrive, SlopesAreThoseOfDifferences) {
       const SpringState down = state_of(corner, travel - h, rack);
       const SpringState left = state_of(corner, travel, rack + h);
       const SpringState right = state_of(corner, travel, rack - h);
-      // Rounding of 1e-13 m over 2 h; the truncation is below it.
+      // The error is rounding of 1e-13 m over 2 h; the truncation is smaller.
       EXPECT_NEAR((up.length - down.length) / (2 * h), at.length_slopes[0], 3e-8);
       EXPECT_NEAR((left.length - right.length) / (2 * h), at.length_slopes[1], 3e-8);
       EXPECT_NEAR((up.blade_angle - down.blade_angle) / (2 * h), at.blade_slopes[0], 3e-6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A corner of a suspension from its file:
+// Reads a corner of a suspension from its file:
 //
 //   kind = "suspension"
 //   title = "Front left"
@@ -9,17 +9,17 @@
 //   uca_front = ["1648.347 mm", "273.206 mm", "303.434 mm"]
 //   # and uca_rear, lca_front, lca_rear, ubj, lbj, pushrod_inner, pushrod_outer, trackrod_inner,
 //   # trackrod_outer, wheel_center, contact
-//   [bushing.all]                        # of every joint that does not say otherwise
-//   x = "30 kN/mm"                       # y, z: the same
+//   [bushing.all]                        # for joints without values of their own
+//   x = "30 kN/mm"                       # y, z likewise
 //   about_x = "200 N m/rad"              # about_y, about_z
 //   [bushing.ubj]
 //   y = "12 kN/mm"
 //
-// In the place of [hardpoint] may stand, before all tables, hardpoints = "hardpoints.csv" and of
-// several corners in it hardpoints_of = "FL" (formats/car/hardpoint_table.h): whoever reads the
-// file puts them there. Bushings are for statics; the kinematics have points of their own
-// (geometry_reader.h). Of five links they are [bushing.NAME_inner] and [bushing.NAME_outer] of each
-// link, pushrod_inner and pushrod_outer (compliant_corner.h).
+// In place of [hardpoint] the file may have, before all tables, hardpoints = "hardpoints.csv" and,
+// if that contains several corners, hardpoints_of = "FL" (formats/car/hardpoint_table.h); the code
+// that reads the file inserts these points. Bushings are for statics; the kinematics have points of
+// their own (geometry_reader.h). A five-link corner has [bushing.NAME_inner] and
+// [bushing.NAME_outer] for each link, and pushrod_inner and pushrod_outer (compliant_corner.h).
 #pragma once
 
 #include <optional>
@@ -35,21 +35,21 @@ namespace latsch::suspension {
 struct Corner {
   CornerGeometry geometry;
   std::optional<CompliantCorner> compliant;  // none without [bushing]
-  std::optional<DoubleWishbone> statics;     // what that is made of; none of five links
+  std::optional<DoubleWishbone> statics;     // its double wishbone; none for five links
 };
 
-/// InputError naming the place, or the part that is no suspension.
+/// Throws InputError naming the place, or the part that is no suspension.
 Corner read_corner(const Node& root);
-/// Its double wishbone with bushings; InputError also where it has none.
+/// Reads the double wishbone with bushings. Throws InputError also if there is none.
 DoubleWishbone read_suspension(const Node& root);
 
-/// Which stiffnesses the number at a path of the file is, by joint of these and x, y, z, about_x:
-/// several for one of [bushing.all], none for what is no stiffness.
+/// Returns the stiffnesses that the number at a path of the file sets, as index of the joint and of
+/// x, y, z, about_x ...: several for one of [bushing.all], none if the number is no stiffness.
 std::vector<std::pair<int, int>> stiffnesses_at(const Document& numbers,
                                                 const std::string& path,
                                                 const std::vector<multibody::Joint>& joints);
-/// Whether a number at this path is one of the stiffnesses that stiffnesses_at() finds: not those
-/// of curves, play, friction.
+/// True if a number at this path is one of the stiffnesses that stiffnesses_at() finds. Those of
+/// curves, play and friction are not.
 bool is_stiffness(const std::string& path);
 
 }  // namespace latsch::suspension

@@ -30,7 +30,7 @@ Matrix6d wheel_slopes(const WheelPoints& points, const Pose& upright) {
   Matrix6d slopes = Matrix6d::Zero();
   slopes.topLeftCorner<3, 3>().setIdentity();
   slopes.topRightCorner<3, 3>() = -cross(upright.turn * points.contact);
-  // da = δθ × a: rows of -cross(a).
+  // da = δθ × a, so its rows are those of -cross(a).
   const Eigen::Matrix3d da = -cross(a), dk = -cross(k);
   slopes.block<1, 3>(3, 3) = -sign * da.row(2) / std::sqrt(1.0 - a.z() * a.z());
   slopes.block<1, 3>(4, 3) =

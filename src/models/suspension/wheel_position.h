@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a wheel stands, as a K&C rig says it. Of a left and a right wheel alike: camber positive
-// with its top outboard, toe with its front inboard, caster with the top of the kingpin rearward.
+// Position of a wheel as measured on a K&C rig. Left and right wheels have the same signs: camber
+// positive with the top outboard, toe with the front inboard, caster with the top of the kingpin
+// rearward.
 //   a = R (0, 1, 0):  camber = -asin a_z,  toe = -atan2(-a_x, a_y)       left; right: reversed
 //   caster = atan2(-k_x, k_z) of the line k from lower to upper ball joint
 #pragma once
@@ -18,22 +19,22 @@ using multibody::Vector6d;
 
 enum class Side { left, right };
 
-/// Points of the upright, from its origin at rest, m.
+/// Points of the upright at rest, relative to its origin, m.
 struct WheelPoints {
   Eigen::Vector3d contact, center, lower_ball_joint, upper_ball_joint;
   Side side = Side::left;
 };
 
 struct WheelPosition {
-  Eigen::Vector3d contact;     // the point of the upright that was the contact point at rest, m
+  Eigen::Vector3d contact;     // m, the upright's point that was the contact point at rest
   Eigen::Vector3d center;      // m
   double camber, toe, caster;  // rad
 };
 
 WheelPosition wheel_position(const WheelPoints& points, const Pose& upright);
 
-/// Slopes of contact point, camber, toe and caster in travel and rotation of the upright
-/// [Pose::move]: an output a row.
+/// Returns the slopes of contact point, camber, toe and caster with respect to travel and rotation
+/// of the upright [Pose::move]. Rows are outputs.
 Matrix6d wheel_slopes(const WheelPoints& points, const Pose& upright);
 
 }  // namespace latsch::suspension

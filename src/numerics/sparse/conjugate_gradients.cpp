@@ -15,7 +15,7 @@ CgOutcome ConjugateGradients::solve(const Operator& A,
                                     Eigen::VectorXd& x,
                                     bool foresees) {
   constexpr int kAFew = 5;
-  constexpr double kAsFast = 2.0 / 3.0;  // later convergence per iteration over that of the first
+  constexpr double kAsFast = 2.0 / 3.0;  // share of max_iterations that the forecast may reach
                                          // few
   CgOutcome outcome;
   const double b_norm = b.norm();
