@@ -100,7 +100,7 @@ BushingStrain Assembly::strain(int i, const Motion& motion) const {
 
 void Assembly::add_plain_joints(const Motion& motion) {
   static const Vector6d kStill = Vector6d::Zero();
-  Matrix6d nowhere = Matrix6d::Zero();  // takes what acts on the ground
+  Matrix6d nowhere = Matrix6d::Zero();  // receives actions on the ground
   tasks_.clear();
   for (const int i : plain_) {
     const Joint& joint = mechanism_.joints()[at(i)];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all elements of a mechanism do to its bodies where they stand and as they move, and how that
-// changes: f(x, v) and the blocks of
-//   J = ∂f/∂x + share ∂f/∂v,    share: by how much v changes with x within a step; 0 in statics
-// Forces are about the bodies' origins, in the ground's axes. ∂f/∂x leaves out what velocities and
-// damping forces owe to the turning of axes and arms, which is small beside a damper's share.
+// Forces of all elements of a mechanism on its bodies at a pose and motion, and their derivatives:
+// f(x, v) and the blocks of
+//   J = ∂f/∂x + share ∂f/∂v,    share: change of v per change of x within a step; 0 in statics
+// Forces are about the bodies' origins, in the ground's axes. ∂f/∂x omits the effect of rotating
+// axes and arms on velocities and damping forces, which is small beside a damper's part.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,36 +17,38 @@
 
 namespace latsch::multibody {
 
-/// On a body, by something that is no element of the mechanism: force and moment about its origin.
+/// Force and moment on a body about its origin from something outside the mechanism.
 struct Wrench {
   int body;
   Vector6d value = Vector6d::Zero();   // N, N m
-  Matrix6d slopes = Matrix6d::Zero();  // ∂/∂x + share ∂/∂v, as far as they matter
+  Matrix6d slopes = Matrix6d::Zero();  // ∂/∂x + share ∂/∂v, their significant parts
 };
 
-/// Where and how the bodies are when forces are asked for.
+/// Poses, velocities and further data for which forces are computed.
 struct Motion {
   const Poses& poses;
-  const Eigen::VectorXd* rates = nullptr;          // velocity and angular velocity; null: at rest
-  const Eigen::VectorXd* accelerations = nullptr;  // null: none; inerters and inertia need them
-  const Memories* memories = nullptr;              // of the end of the last step; null: of rest
-  std::span<const double> drivers = {};            // none: all zero
+  const Eigen::VectorXd* rates = nullptr;          // velocity and angular velocity; null: zero
+  const Eigen::VectorXd* accelerations = nullptr;  // needed for inerters and inertia; null: zero
+  const Memories* memories = nullptr;              // at the end of the last step; null: those at
+                                                   // rest
+  std::span<const double> drivers = {};            // empty: all zero
   double time = 0.0;                               // s
   double step = kStatics;                          // s since the memories' time
   double share = 0.0;                              // 1/s
-  double acceleration_share = 0.0;                 // 1/s^2: of accelerations by x, within a step
+  double acceleration_share = 0.0;                 // 1/s^2: change of accelerations per change of x
+                                                   // in a step
 };
 
-/// Adds what acts from outside (tires on their road).
+/// Adds actions from outside, such as tires on their road.
 using Outside = std::function<void(const Motion&, std::vector<Wrench>&)>;
 
 class Assembly {
  public:
-  /// The mechanism has to outlive it.
+  /// The mechanism must outlive this object.
   explicit Assembly(const Mechanism& mechanism);
 
-  /// Forces and J at this motion: of elements, weight, loads (scaled by `load_share`) and from
-  /// outside, also what turning bodies owe to their inertia (-ω × I ω), without M a.
+  /// Computes forces and J for this motion: of elements, weight, loads (scaled by `load_share`),
+  /// actions from outside and the gyroscopic terms -ω × I ω, without M a.
   void evaluate(const Motion& motion,
                 std::span<const Load> loads,
                 double load_share,
@@ -55,32 +57,34 @@ class Assembly {
   const Eigen::VectorXd& forces() const { return forces_; }
   BlockElimination& J() { return J_; }
   const BlockElimination& J() const { return J_; }
-  /// The largest angle of a bushing at the last evaluation, rad.
+  /// Largest angle of a bushing at the last evaluation, rad.
   double turned() const { return turned_; }
-  /// As the body was turned at the last evaluation of a motion, about the ground's axes.
+  /// Inertia of the body in its orientation at the last evaluation of a motion, about the ground's
+  /// axes.
   const Eigen::Matrix3d& inertia(int body) const {
     return inertia_[static_cast<std::size_t>(body)];
   }
 
-  /// What the parts remember at the end of a step that ends in this motion.
+  /// Sets the memories of the parts at the end of a step that ends in this motion.
   void remember(const Motion& motion, Memories& kept) const;
-  /// Force and moment of a joint on its second body at its own point, in the ground's axes.
+  /// Returns force and moment of a joint on its second body at its own point, in the ground's axes.
   Vector6d joint_load(int joint, const Motion& motion) const;
-  /// N, tension.
+  /// Returns the tension of a strut, N.
   double strut_force(int strut, const Motion& motion) const;
-  /// m, against rest, without its driver's travel.
+  /// Returns the extension from rest, m, without its driver's travel.
   double extension(int strut, const Poses& poses) const;
-  /// Of all springs, of what parts store, and of weight against rest, J. Not of loads and outside.
+  /// Returns the potential energy of all springs, parts, and weight relative to rest, J, without
+  /// loads and actions from outside.
   double potential_energy(const Motion& motion) const;
   double kinetic_energy(const Poses& poses, const Eigen::VectorXd& rates) const;
-  /// The part that is turned most, in words.
+  /// Names the part with the largest rotation.
   std::string most_turned(const Poses& poses) const;
-  /// Of forces that cancel, by the stiffest bushing, N.
+  /// Returns the rounding error of forces that cancel, estimated from the stiffest bushing, N.
   double rounding() const;
 
  private:
   struct Blocks {
-    int aa, ab, ba, bb;  // of J; -1: a is the ground
+    int aa, ab, ba, bb;  // places in J; -1: a is the ground
   };
   const Pose& pose(const Poses& poses, int body) const;
   BushingStrain strain(int joint, const Motion& motion) const;
@@ -91,7 +95,7 @@ class Assembly {
   void add_load(const Load& load, double share, const Poses& poses);
   void add(int body, const Vector6d& wrench);
   struct StrutAnswer {
-    double force = 0.0, slope = 0.0;  // tension; by extension
+    double force = 0.0, slope = 0.0;  // tension; its slope by extension
     std::vector<LineGeometry>& lines;
   };
   StrutAnswer answer(int strut,
@@ -102,19 +106,19 @@ class Assembly {
   const Mechanism& mechanism_;
   BlockElimination J_;
   std::vector<Blocks> joint_blocks_;
-  std::vector<int> plain_;  // joints without parts: springs and dampers alone
+  std::vector<int> plain_;  // joints with springs and dampers only
   std::vector<BushingTask> tasks_;
-  std::vector<BushingPlace> driven_;  // of joints with a driver, by joint; of others not set
+  std::vector<BushingPlace> driven_;  // for joints with a driver, by joint; unset for others
   std::vector<LineGeometry> lines_;
   Eigen::VectorXd forces_;
   std::vector<Eigen::Matrix3d> inertia_;
   std::vector<Wrench> outside_;
-  Memories none_;  // of rest
+  Memories none_;  // memories at rest
   Pose ground_;
   double turned_ = 0.0;
 };
 
-/// Moments of inertia of a body as it is turned, about the ground's axes.
+/// Returns the moments of inertia of a body in its orientation, about the ground's axes.
 Eigen::Matrix3d turned_inertia(const Body& body, const Pose& pose);
 
 }  // namespace latsch::multibody

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All elements of a mechanism together: their J is that of differences, their forces the gradient
-// of their energy, and friction draws its loop through an equilibrium.
+// Tests all elements of a mechanism together: their J against differences, their forces against the
+// gradient of their energy, and the loop that friction draws through an equilibrium.
 #include "models/multibody/assembly.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,8 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Three bodies on bushings, a rod between two of them, a strut of two lines, drivers on both.
+/// Returns three bodies on bushings, a rod between two of them, a strut of two lines, and drivers
+/// of both.
 Mechanism some_mechanism(bool with_parts) {
   const auto body = [](const char* name, const Vector3d& origin, double mass) -> Body {
     return {name, origin, mass, mass * Vector3d(0.02, 0.03, 0.025).asDiagonal()};
@@ -137,7 +138,7 @@ TEST(Assembly, ItsShareOfRatesIsThatOfDifferences) {
     up[k] += h;
     down[k] -= h;
     VectorXd differences = (forces(up, 0.0) - forces(down, 0.0)) / (2.0 * h);
-    // What ω × I ω owes to ω is none of an element's.
+    // The part of ω × I ω that depends on ω does not belong to an element.
     const Body& body = mechanism.bodies()[static_cast<std::size_t>(k / 6)];
     if (k % 6 >= 3) {
       const Eigen::Matrix3d I = turned_inertia(body, poses[static_cast<std::size_t>(k / 6)]);
@@ -148,7 +149,7 @@ TEST(Assembly, ItsShareOfRatesIsThatOfDifferences) {
   }
 }
 
-// A body between a spring and a joint with play and friction: pushed to and fro it draws a loop as
+// A body between a spring and a joint with play and friction, pushed to and fro, draws a loop as
 // high as twice the friction.
 TEST(Assembly, PlayAndFrictionDrawALoop) {
   BushingParameters joint{{0.0, 1e6, 1e6}, {100.0, 100.0, 100.0}};

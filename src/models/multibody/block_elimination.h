@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear systems of bodies: 6 x 6 blocks on the diagonal and where two bodies share an element,
-// unsymmetric. A = L U, block by block in an order of least degree that is found once; where
-// elements close no loop beyond the ground, nothing fills in.
+// Unsymmetric linear systems of bodies, with 6 x 6 blocks on the diagonal and for every pair of
+// bodies that share an element. They are factorized as A = L U block by block, in an order of least
+// degree that is found once. If elements close no loop beyond the ground, there is no fill.
 //   U_kj = D_k^-1 A_kj,   A_ij <- A_ij - A_ik U_kj        k eliminated, i and j those after it
-// D_k^-1 by Gauss-Jordan with pivots sought in the block: what a spinning rod is held by may be
-// 1e-9 of what its ends are. Inverted, because a product of two blocks takes a quarter of the time
-// that substitution does.
+// D_k is inverted by Gauss-Jordan elimination with pivoting inside the block, because the stiffness
+// that holds a rod's spin may be 1e-9 of that of its ends. The inverse is used because a product of
+// two blocks takes a quarter of the time of substitution.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,16 +17,16 @@
 
 namespace latsch::multibody {
 
-/// A body in the order of elimination; ranges of what follows.
+/// A body in the order of elimination, with its ranges of the lists below.
 struct EliminatedBody {
   int body;
   int first_neighbor, end_of_neighbors, first_update, end_of_updates;
 };
-/// One that is eliminated after it and that it meets: blocks (body, k) and (k, body).
+/// A body that is eliminated later and coupled to it: blocks (body, k) and (k, body).
 struct EliminationNeighbor {
   int body, below, right;
 };
-/// Block `to` less `below` times `right`.
+/// Subtracts `below` times `right` from block `to`.
 struct EliminationUpdate {
   int to, below, right;
 };
@@ -39,27 +39,28 @@ struct Elimination {
 
 class BlockElimination {
  public:
-  /// `pairs`: bodies that share elements, in any order and as often as they do.
+  /// `pairs`: bodies that share elements, in any order, with repetitions.
   BlockElimination(int bodies, const std::vector<std::pair<int, int>>& pairs);
 
   int bodies() const { return bodies_; }
-  int size() const { return static_cast<int>(blocks_.size()); }  // places
+  int size() const { return static_cast<int>(blocks_.size()); }  // number of stored blocks
   void clear();
-  /// Where a block is kept, for at(); -1: two bodies that share no element.
+  /// Returns the place of a block for at(); -1 if the two bodies share no element.
   int place(int row, int column) const {
     return place_[static_cast<std::size_t>(row * bodies_ + column)];
   }
   Matrix6d& at(int place) { return blocks_[static_cast<std::size_t>(place)]; }
   const Matrix6d& at(int place) const { return blocks_[static_cast<std::size_t>(place)]; }
   Matrix6d& block(int row, int column) { return at(place(row, column)); }
-  /// False where a block on the diagonal is singular; `singular_body` then says which.
+  /// Returns false if a block on the diagonal is singular; `singular_body` is then its body.
   bool factorize();
   int singular_body() const { return singular_; }
 
-  /// x <- A^-1 x and x <- A'^-1 x, six rows a body, any number of columns.
+  /// Compute x <- A^-1 x and x <- A'^-1 x, with six rows per body and any number of columns.
   void solve(Eigen::Ref<Eigen::MatrixXd> x) const;
   void solve_transposed(Eigen::Ref<Eigen::MatrixXd> x) const;
-  /// The block (row, column) of A^-1: of bodies eliminated late with little work.
+  /// Returns the block (row, column) of A^-1. This costs little for bodies that are eliminated
+  /// late.
   Matrix6d inverse_block(int row, int column) const;
 
  private:
@@ -72,13 +73,13 @@ class BlockElimination {
   using Blocks = std::vector<Matrix6d, Eigen::aligned_allocator<Matrix6d>>;
 
   int bodies_;
-  std::vector<int> place_;  // of blocks, by row and column; -1: none
+  std::vector<int> place_;  // places of blocks, by row and column; -1: none
   Blocks blocks_;           // the diagonal's first
   Blocks pivots_;           // D_k^-1, by body
   std::vector<EliminatedBody> order_;
   std::vector<EliminationNeighbor> neighbors_;
   std::vector<EliminationUpdate> updates_;
-  std::vector<int> turn_of_;  // when each body is eliminated
+  std::vector<int> turn_of_;  // position of each body in the order of elimination
   int singular_ = -1;
 };
 

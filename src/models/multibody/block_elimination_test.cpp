@@ -11,8 +11,8 @@ namespace {
 
 using Pairs = std::vector<std::pair<int, int>>;
 
-/// Eigen's dense LU is the independent program: a tree, a closed loop and two parts on their own.
-/// Blocks on the diagonal need their pivots sought: their rows are exchanged.
+/// Compares with Eigen's dense LU, an independent program, for a tree, a closed loop and two
+/// separate parts. Blocks on the diagonal need pivoting, because their rows are exchanged.
 void solves_like_a_dense_factorization() {
   RandomStream random(11, 1);
   for (const Pairs& pairs : {Pairs{{0, 1}, {1, 2}, {1, 3}, {0, 4}},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks of six by six, column by column, as BlockElimination eliminates and solves with them. A
-// column is two registers of four that have its middle in common: rows 0 - 3 and 2 - 5.
+// Operations on six-by-six blocks, stored by columns, with which BlockElimination eliminates and
+// solves. A column is held in two registers of four that overlap in its middle: rows 0 - 3 and 2 -
+// 5.
 #include "numerics/kernels/kernel_lanes.h"
 
 namespace latsch::multibody::LATSCH_KERNELS {
@@ -27,7 +28,7 @@ struct Six {
   }
 };
 
-/// C - A B
+/// Computes C <- C - A B.
 LATSCH_INLINE void subtract_product(const double* A, const double* B, double* C) {
   const Six a[6] = {Six(A), Six(A + 6), Six(A + 12), Six(A + 18), Six(A + 24), Six(A + 30)};
   for (int j = 0; j < 36; j += 6) {
@@ -37,7 +38,7 @@ LATSCH_INLINE void subtract_product(const double* A, const double* B, double* C)
   }
 }
 
-/// B <- A B
+/// Computes B <- A B.
 LATSCH_INLINE void multiply_from_left(const double* A, double* B) {
   const Six a[6] = {Six(A), Six(A + 6), Six(A + 12), Six(A + 18), Six(A + 24), Six(A + 30)};
   for (int j = 0; j < 36; j += 6) {
@@ -47,7 +48,7 @@ LATSCH_INLINE void multiply_from_left(const double* A, double* B) {
   }
 }
 
-/// y = A x
+/// Computes y = A x.
 LATSCH_INLINE void multiply(const double* A, const double* x, double* y) {
   const Six first(A);
   Six even(x[0] * first.upper, x[0] * first.lower), odd(0.0, 0.0);
@@ -59,7 +60,7 @@ LATSCH_INLINE void multiply(const double* A, const double* x, double* y) {
   Six(even.upper + odd.upper, even.lower + odd.lower).save(y);
 }
 
-/// y - A x
+/// Computes y <- y - A x.
 LATSCH_INLINE void subtract_product_of(const double* A, const double* x, double* y) {
   Six even(y), odd(0.0, 0.0);
   for (int k = 0; k < 6; k += 2) {
@@ -69,7 +70,7 @@ LATSCH_INLINE void subtract_product_of(const double* A, const double* x, double*
   Six(even.upper + odd.upper, even.lower + odd.lower).save(y);
 }
 
-/// For a column: bits in all rows but k; 1 in row k.
+/// Bit masks for a column: all bits in all rows but k; 1 in row k.
 struct SixMask {
   double of[6];
 };
@@ -87,7 +88,7 @@ inline constexpr SixMask kUnit[6] = {{{1.0}},
                                      {{0.0, 0.0, 0.0, 0.0, 1.0}},
                                      {{0.0, 0.0, 0.0, 0.0, 0.0, 1.0}}};
 
-/// 0 in row k; then 1.
+/// Set row k to 0, or to 1.
 LATSCH_INLINE Six without_row(const Six& x, int k) {
   const Six others(kOthers[k].of);
   return {Lanes4::bit_and(x.upper, others.upper), Lanes4::bit_and(x.lower, others.lower)};
@@ -97,9 +98,9 @@ LATSCH_INLINE Six with_one_in_row(const Six& x, int k) {
   return {Lanes4::bit_or(left.upper, unit.upper), Lanes4::bit_or(left.lower, unit.lower)};
 }
 
-/// Gauss-Jordan elimination in the place of A', its largest pivots first. False: a pivot is zero or
-/// no number. Both halves of a row are kept apart: what is stored in one piece is read so, else the
-/// processor waits.
+/// Inverts A by Gauss-Jordan elimination in place of A', largest pivots first. Returns false if a
+/// pivot is zero or not a number. Both halves of a row are stored separately, because reading a
+/// value in other pieces than it was stored makes the processor wait.
 LATSCH_INLINE bool invert(const double* A, double* x) {
   double m[6][8];
   int from[6];
@@ -141,7 +142,7 @@ LATSCH_INLINE bool invert(const double* A, double* x) {
   return true;
 }
 
-/// -1, or the body whose pivot is singular.
+/// Returns -1, or the body whose pivot is singular.
 int factorize(const Elimination& of, double* blocks, double* pivots) {
   for (int i = 0; i < of.bodies; ++i) {
     const EliminatedBody& k = of.order[i];
@@ -157,7 +158,7 @@ int factorize(const Elimination& of, double* blocks, double* pivots) {
   return -1;
 }
 
-/// One column.
+/// Solves for one column.
 void solve(const Elimination& of, const double* blocks, const double* pivots, double* x) {
   for (int i = 0; i < of.bodies; ++i) {
     const EliminatedBody& k = of.order[i];

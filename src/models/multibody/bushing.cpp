@@ -18,14 +18,14 @@ ForceAndMoment force_and_moment(const BushingStrain& s, const BushingForces& for
   return {-(s.axes * forces.f.head<3>()), -(s.axes * (s.N.transpose() * forces.f.tail<3>()))};
 }
 
-/// A wrench about the origin of a body whose arm to the point it acts at is given.
+/// Returns a wrench about the origin of a body, given the arm to the point at which it acts.
 Vector6d about(const Vector3d& arm, const Vector3d& F, const Vector3d& M) {
   Vector6d wrench;
   wrench << F, arm.cross(F) + M;
   return wrench;
 }
 
-/// d(N' t)/dq N for moments t that stay, by columns of ω.
+/// Returns d(N' t)/dq N for constant moments t, by columns of ω.
 Matrix3d turned_moments(const BushingStrain& s, const Vector3d& t) {
   const double s1 = s.s1, c1 = s.c1, c2 = s.c2, t2 = s.t2;
   // N' t = (t_1, s_1 w + c_1 t_2, -c_1 w + s_1 t_2) with w = t_1 tan q_2 - t_3 / cos q_2.
@@ -110,10 +110,10 @@ BushingWrenches wrenches(const BushingStrain& s, const BushingParameters& p) {
   return wrenches(s, spring_forces(s, p));
 }
 
-/// With the travel of b's point against a, δs = δx_b - ρ × δθ_b ... - (δx_a - σ × δθ_a ...), arms ρ
-/// of b and σ of a, and δφ = δθ_b - δθ_a
+/// Returns the tangent. The displacement of b's point against a is δs = δx_b - ρ × δθ_b ... - (δx_a
+/// - σ × δθ_a ...) with arms ρ of b and σ of a, and δφ = δθ_b - δθ_a. Then
 ///   δF = δθ_a × F - K δs,   δM = δθ_a × M - C δφ,   K = A k A',  C = A (N' c N + d(N' c q)/dω) A'
-/// and as forces act where b's point goes, δρ = δθ_b × ρ and δσ = δx_b + δθ_b × ρ - δx_a.
+/// Forces act at b's point, so δρ = δθ_b × ρ and δσ = δx_b + δθ_b × ρ - δx_a.
 BushingTangent tangent(const BushingStrain& s, const BushingForces& forces) {
   const auto [F, M] = force_and_moment(s, forces);
   const Vector3d k = forces.slopes.head<3>(), c = forces.slopes.tail<3>();
@@ -122,7 +122,7 @@ BushingTangent tangent(const BushingStrain& s, const BushingForces& forces) {
   const Matrix3d C =
       s.axes * (s.N.transpose() * c.asDiagonal() * s.N + turned_moments(s, t)) * s.axes.transpose();
   const Matrix3d rho = cross(s.arm_b), sigma = cross(s.arm_a), f = cross(F), m = cross(M);
-  // Force and moment by the twist of a body at b's point: (K, K arm'; 0, C).
+  // Force and moment by the twist of a body at b's point are (K, K arm'; 0, C).
   const Matrix3d K_rho = K * rho, K_sigma = K * sigma;
   BushingTangent J;
   J.bb << -K, K_rho, -(rho * K), rho * K_rho - C + f * rho;

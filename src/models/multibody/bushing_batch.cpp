@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <type_traits>
 
-// Kernels read them as rows of numbers.
+// Kernels read these types as arrays of numbers.
 static_assert(sizeof(latsch::multibody::Pose) == 12 * sizeof(double));
 static_assert(sizeof(latsch::multibody::BushingPlace) == 24 * sizeof(double));
 static_assert(sizeof(latsch::multibody::BushingParameters) ==
               12 * sizeof(double) +
                   sizeof(std::vector<latsch::multibody::BushingParameters::Part>) +
-                  sizeof(double));  // `rigid`, and what it is filled up with
+                  sizeof(double));  // `rigid` and its padding
 
 #define LATSCH_KERNELS_IN "models/multibody/bushing_kernels.h"
 #include "numerics/kernels/for_each_kernel_set.h"

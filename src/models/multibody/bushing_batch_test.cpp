@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bushings side by side against the law of bushing.h: 1e-13 of the largest number there, by sums of
-// some tens of products; and every bit the same in both sets with a fused multiply-add.
+// Tests bushings side by side against the law of bushing.h: to 1e-13 of the largest number, because
+// sums have some tens of products, and for equal bits in both sets with a fused multiply-add.
 #include "models/multibody/bushing_batch.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,8 @@ class BushingBatch : public ::testing::Test {
     pose.move(way);
     return pose;
   }
-  /// Angles up to 0.5 rad about each axis, also a bushing turned beyond a right angle about x.
+  /// Returns cases with angles up to 0.5 rad about each axis, and one turned beyond a right angle
+  /// about x.
   std::vector<Case> cases(int count) {
     std::vector<Case> cases;
     for (int i = 0; i < count; ++i) {

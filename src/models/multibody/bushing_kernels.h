@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four bushings side by side: the law of bushing.h and bushing.cpp, in their letters.
+// Four bushings side by side: the law of bushing.h and bushing.cpp, with the same letters.
 #include "numerics/kernels/kernel_math.h"
 
 namespace latsch::multibody::LATSCH_KERNELS {
@@ -10,7 +10,7 @@ using T = Lanes4;
 struct Vector {
   T x, y, z;
 };
-/// By columns.
+/// A matrix, by columns.
 struct Matrix {
   Vector col[3];
 };
@@ -50,7 +50,7 @@ LATSCH_INLINE Matrix operator-(const Matrix& A, const Matrix& B) {
   return {{A.col[0] - B.col[0], A.col[1] - B.col[1], A.col[2] - B.col[2]}};
 }
 LATSCH_INLINE Matrix operator-(const Matrix& A) { return {{-A.col[0], -A.col[1], -A.col[2]}}; }
-/// a × of every column.
+/// Returns a × B, column by column.
 LATSCH_INLINE Matrix cross(const Vector& a, const Matrix& B) {
   return {{cross(a, B.col[0]), cross(a, B.col[1]), cross(a, B.col[2])}};
 }
@@ -59,14 +59,14 @@ LATSCH_INLINE Matrix cross(const Vector& a) {
   return {{{zero, a.z, -a.y}, {-a.z, zero, a.x}, {a.y, -a.x, zero}}};
 }
 
-/// cross(a) cross(b) = b a' - (a b) 1
+/// Returns cross(a) cross(b) = b a' - (a b) 1.
 LATSCH_INLINE Matrix crosses(const Vector& a, const Vector& b) {
   return {{{-(a.y * b.y + a.z * b.z), a.x * b.y, a.x * b.z},
            {a.y * b.x, -(a.x * b.x + a.z * b.z), a.y * b.z},
            {a.z * b.x, a.z * b.y, -(a.x * b.x + a.y * b.y)}}};
 }
 
-/// 4 n numbers of each of four, one after the other.
+/// Reads 4 n successive numbers of each of four bushings.
 template <int n>
 struct Numbers {
   T of[4 * n];
@@ -83,7 +83,7 @@ struct Numbers {
   LATSCH_INLINE Matrix matrix(int i) const { return {{vector(i), vector(i + 3), vector(i + 6)}}; }
 };
 
-/// Six, of a velocity and an angular velocity.
+/// Reads six numbers: a velocity and an angular velocity.
 struct Rates {
   Vector v, w;
 
@@ -100,14 +100,14 @@ struct Rates {
   }
 };
 
-/// A wrench. Number by number, because many add to the same body one after the other, and what is
-/// stored in one piece has to be read so.
+/// Adds a wrench. It is added number by number, because several bushings add to the same body in
+/// turn, and values must be read in the pieces in which they were stored.
 LATSCH_INLINE void add(const Vector& F, const Vector& M, double* const (&to)[4]) {
   const T six[6] = {F.x, F.y, F.z, M.x, M.y, M.z};
   for (int i = 0; i < 6; ++i)
     for (int lane = 0; lane < 4; ++lane) to[lane][i] += six[i].at(lane);
 }
-/// (A, B; C, D)
+/// Adds the block (A, B; C, D).
 LATSCH_INLINE void add(
     const Matrix& A, const Matrix& B, const Matrix& C, const Matrix& D, double* const (&to)[4]) {
   T all[36];
@@ -130,14 +130,14 @@ LATSCH_INLINE void add(
   }
 }
 
-/// atan2(y, x).
+/// Returns atan2(y, x).
 LATSCH_INLINE T angle_of(const T& y, const T& x) {
   constexpr double kPi = 3.14159265358979311600;
   const T front = atan_of_quotient(y, abs(x));
   return select(x < T(0.0), with_sign(T(kPi), y) - front, front);
 }
 
-/// Angles, N and what derives from them.
+/// Angles, N and quantities derived from them.
 struct Turning {
   Vector q;
   T s1, c1, c2, t2, per_c2, u, v;  // N = (1, u, v; 0, c1, s1; 0, -s1/c2, c1/c2)
@@ -155,16 +155,16 @@ struct Turning {
     u = s1 * t2;
     v = -c1 * t2;
   }
-  /// N a
+  /// Returns N a.
   LATSCH_INLINE Vector rates(const Vector& a) const {
     return {a.x + (u * a.y + v * a.z), c1 * a.y + s1 * a.z, per_c2 * (c1 * a.z - s1 * a.y)};
   }
-  /// N' t
+  /// Returns N' t.
   LATSCH_INLINE Vector moment(const Vector& t) const {
     const T third = t.z * per_c2;
     return {t.x, u * t.x + (c1 * t.y - s1 * third), v * t.x + (s1 * t.y + c1 * third)};
   }
-  /// N' c N + d(N' t)/dω
+  /// Returns N' c N + d(N' t)/dω.
   LATSCH_INLINE Matrix stiffness(const Vector& c, const Vector& t) const {
     const T g = -s1 * per_c2, h = c1 * per_c2;
     const T cu = c.x * u, cv = c.x * v, cyc = c.y * c1, czg = c.z * g;
@@ -178,7 +178,7 @@ struct Turning {
   }
 };
 
-/// The largest |q|.
+/// Adds four bushings. Returns the largest |q|.
 LATSCH_INLINE T add_four(const BushingTask* tasks, bool moving, double rate_share) {
   const auto each = [&](auto member) {
     using P = std::remove_cvref_t<decltype(tasks->*member)>;
@@ -223,7 +223,8 @@ LATSCH_INLINE T add_four(const BushingTask* tasks, bool moving, double rate_shar
       {times(k.x, axes.col[0]), times(k.y, axes.col[1]), times(k.z, axes.col[2])}};
   const Matrix K = product(scaled, to_bushing);
   const Matrix C = product(axes, product(turning.stiffness(c, t), to_bushing));
-  // K × arm, whose transpose is -(arm × K), as K is symmetric: P of b; of a with F, Q = K σ + F ×.
+  // K × arm has the transpose -(arm × K), because K is symmetric. P belongs to b; Q = K σ + F ×
+  // belongs to a, with F.
   const Matrix rows_b = cross(arm_b, K), rows_a = cross(arm_a, K);
   const Matrix P = -transposed(rows_b), P_rows = -rows_b;
   const Matrix Q = cross(F) - transposed(rows_a), Q_rows = transposed(Q);

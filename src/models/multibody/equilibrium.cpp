@@ -95,13 +95,13 @@ std::string Equilibrium::end_of_newton(Rest& rest) {
 
 namespace {
 
-/// Every pose by `scale` times its part of the step.
+/// Moves every pose by `scale` times its part of the step.
 void move_all(Poses& poses, const Eigen::VectorXd& step, double scale) {
   for (std::size_t k = 0; k < poses.size(); ++k)
     poses[k].move(scale * step.segment<6>(6 * static_cast<Eigen::Index>(k)));
 }
 
-/// rad: the most that a body turns in a step.
+/// Returns the largest rotation of a body in a step, rad.
 double turn_of(const Eigen::VectorXd& step) {
   double turn = 0.0;
   for (Eigen::Index k = 0; k < step.size(); k += 6)
@@ -141,7 +141,7 @@ std::string Equilibrium::newton(Rest& rest, const Standing& standing, double sha
 }
 
 bool Equilibrium::go_on(Rest& rest, const Standing& standing, double share) {
-  constexpr double kShortest = 1.0 / 256.0;  // of a correction
+  constexpr double kShortest = 1.0 / 256.0;  // share of a correction
   const BlockElimination J = assembly_.J();  // the trials have tangents of their own
   const Eigen::VectorXd correction = step_;
   const double turn = turn_of(correction), length = correction.norm();

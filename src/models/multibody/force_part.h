@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Laws of one deflection d: what an axis of a bushing, a spring-damper unit or a bump stop is made
-// of, beside a linear spring and damper. f resists: the element pushes back with -f.
+// Laws of one deflection d, used by an axis of a bushing, a spring-damper unit or a bump stop in
+// addition to a linear spring and damper. f is resisting: the element pushes back with -f.
 //   ForceCurve as `elastic`   f(d)                      a spring's, a snubber's, a bump stop's
 //   ForceCurve as `viscous`   f(d')                     a damper's map
 //   Play                      k (|d| - gap) beyond the gap, none within
 //   Maxwell                   s' = k d' - s/T           rubber that stiffens with frequency
 //   Friction                  s' = k d', |s| <= limit   dry friction, its spring before it slips
-// The last two remember. One law serves statics and motion: over a step h from d0 to d1, at a
-// constant rate,
-//   Maxwell    s1 = e s0 + k T (1 - e)/h (d1 - d0),  e = exp(-h/T); statics, h without end: s1 = 0
+// Maxwell and friction parts have a memory. One law serves statics and motion: over a step h from
+// d0 to d1, at a constant rate,
+//   Maxwell    s1 = e s0 + k T (1 - e)/h (d1 - d0),  e = exp(-h/T); statics, h infinite: s1 = 0
 //   Friction   s1 = clamp(s0 + k (d1 - d0))
-// both exact, of friction where the rate does not change its sign within the step. Play with
-// friction gives a loop as wide as the gap and as high as the friction.
+// Both are exact; for friction this requires that the rate does not change its sign within the
+// step. Play with friction gives a loop as wide as the gap and as high as the friction.
 #pragma once
 
 #include <limits>
@@ -41,14 +41,14 @@ struct Maxwell {
   bool operator==(const Maxwell&) const = default;
 };
 struct Friction {
-  double stiffness = 0.0;  // before it slips
+  double stiffness = 0.0;  // stiffness before it slips
   double limit = 0.0;      // N, N m
   bool operator==(const Friction&) const = default;
 };
 
 using ForcePart = std::variant<ElasticCurve, ViscousCurve, Play, Maxwell, Friction>;
 
-/// s and d at the end of the last step: zero at rest.
+/// s and d at the end of the last step; zero at rest.
 struct PartMemory {
   double s = 0.0, d = 0.0;
   bool operator==(const PartMemory&) const = default;
@@ -56,18 +56,18 @@ struct PartMemory {
 
 struct PartForce {
   double f = 0.0, by_d = 0.0, by_rate = 0.0;
-  double s = 0.0;  // to be remembered
+  double s = 0.0;  // new memory
 };
 
-constexpr double kStatics = std::numeric_limits<double>::infinity();  // as `step`, s
+constexpr double kStatics = std::numeric_limits<double>::infinity();  // s, `step` in statics
 
 PartForce respond(
     const ForcePart& part, double d, double rate, const PartMemory& memory, double step);
 
-/// J that can be had back.
+/// Returns the recoverable energy, J.
 double stored_energy(const ForcePart& part, double d, const PartMemory& memory);
 
-/// What is wrong with its numbers, in words, or empty.
+/// Returns what is wrong with the numbers of a part, in words, or an empty text.
 std::string fault_of(const ForcePart& part);
 
 }  // namespace latsch::multibody

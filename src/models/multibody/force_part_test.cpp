@@ -40,7 +40,7 @@ TEST(ForceCurve, WhatIsNoneIsNamed) {
   EXPECT_NE(ForceCurve::fault({{0.0, 1.0}, {NAN, 2.0}}).find("no number"), std::string::npos);
 }
 
-/// f over a path of deflections, in statics.
+/// Returns f along a path of deflections, in statics.
 std::vector<double> along(const ForcePart& part, const std::vector<double>& path) {
   PartMemory memory;
   std::vector<double> forces;
@@ -66,7 +66,7 @@ TEST(ForcePart, PlayIsFreeWithinItsGap) {
   for (std::size_t i = 0; i < f.size(); ++i) EXPECT_NEAR(f[i], expected[i], 1e-9) << i;
 }
 
-// s' = k d' - s/T at constant rate v: s = k T v (1 - exp(-t/T)), in one step or in ten.
+// With s' = k d' - s/T at constant rate v, s = k T v (1 - exp(-t/T)), in one step or in ten.
 TEST(ForcePart, AMaxwellPartIsExactAtConstantRateForAnyStep) {
   const ForcePart part = Maxwell{3e5, 0.02};
   const double rate = 0.1, end = 0.03;

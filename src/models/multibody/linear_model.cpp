@@ -28,7 +28,7 @@ MatrixXd dense(const BlockElimination& J) {
   return all;
 }
 
-/// At rest, but asked as what moves is.
+/// Evaluates a mechanism at rest with the laws of motion.
 class Resting {
  public:
   Resting(const Mechanism& mechanism, const Rest& rest, const Standing& standing)
@@ -138,7 +138,7 @@ std::vector<LinearMode> natural_modes(const LinearModel& model) {
   MatrixXd state = MatrixXd::Zero(2 * n, 2 * n);
   state.topRightCorner(n, n).setIdentity();
   state.bottomRows(n) = right;
-  // Velocities in a unit of their own, so that both halves are of one size.
+  // Velocities are scaled so that both halves have the same size.
   const double unit = std::sqrt(std::max(right.leftCols(n).cwiseAbs().maxCoeff(), 1.0));
   state.topRightCorner(n, n) *= unit;
   state.bottomLeftCorner(n, n) /= unit;
@@ -147,7 +147,7 @@ std::vector<LinearMode> natural_modes(const LinearModel& model) {
   std::vector<LinearMode> modes;
   for (Index i = 0; i < 2 * n; ++i) {
     const std::complex<double> lambda = found->values[i];
-    // A double real value comes out as a pair with what rounding leaves: about √ε of it.
+    // A double real value becomes a pair with imaginary parts from rounding, about √ε of it.
     if (!(lambda.imag() > 1e-7 * std::abs(lambda))) continue;
     modes.push_back({std::abs(lambda) / (2.0 * std::numbers::pi),
                      -lambda.real() / std::abs(lambda),

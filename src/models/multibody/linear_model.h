@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mechanism about a place where it rests, for small motion x, six of each body (travel and
-// rotation), with inputs u and outputs y:
+// Linear model of a mechanism about an equilibrium, for small motion x, six numbers per body
+// (travel and rotation), with inputs u and outputs y:
 //   M x'' + C x' + K x = P u + Q u'                                                            (1)
 //   y = A x + B x' + D x''                                                                     (2)
 //   K = -∂f/∂x,  C = -∂f/∂v,  M: masses, inertias, inerters        f: assembly.h, exact
 //   (λ² M + λ C + K) φ = 0,  f = |λ|/2π,  ζ = -Re λ/|λ|                                        (3)
 //   y/u = (A + iω B - ω² D) (K + iω C - ω² M)⁻¹ (P + iω Q)                                     (4)
-// (4) is solved as a real system of twice the size. Preloads, loads and weight are in K: also where
-// it is not symmetric, as rotations about the ground's axes are no coordinates of a potential.
+// (4) is solved as a real system of twice the size. K includes preloads, loads and weight. It is
+// therefore not symmetric in general, because rotations about the ground's axes are not coordinates
+// of a potential.
 //
-// Laws with a kink (damper maps, play) have the slopes that they have where they rest. Dry friction
-// sticks; Maxwell parts are relaxed, so what they add between their own frequency and above is left
-// out. What acts from outside is what its wrenches' slopes say, with `share` 0 and 1.
+// Laws with a kink (damper maps, play) have their slopes at the equilibrium. Dry friction sticks.
+// Maxwell parts are relaxed, so their additional stiffness around and above their own frequency is
+// missing. Actions from outside enter by the slopes of their wrenches, evaluated with `share` 0 and
+// 1.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,19 +29,19 @@ struct LinearModel {
 };
 
 struct LinearInputs {
-  Eigen::MatrixXd P, Q;  // rows as of K, a column an input
+  Eigen::MatrixXd P, Q;  // rows as of K, one column per input
 };
 
 struct LinearOutputs {
-  Eigen::MatrixXd A, B, D;  // a row an output
+  Eigen::MatrixXd A, B, D;  // one row per output
 };
 
-/// Of the mechanism at this rest, under what keeps it there.
+/// Returns the model of the mechanism at this rest, under the actions that keep it there.
 LinearModel linear_model(const Mechanism& mechanism, const Rest& rest, const Standing& standing);
 
-/// A row of A and one of B: the force in a joint along a line that is fixed in one of its bodies.
-/// Positive: it pushes the joint's second body along `direction` (of unit length, in the ground's
-/// axes where it rests).
+/// Rows of A and B for the force in a joint along a line fixed in one of its bodies. Positive: the
+/// force pushes the joint's second body along `direction` (unit vector in the ground's axes at
+/// rest).
 struct JointRow {
   Eigen::RowVectorXd by_x, by_v;
 };
@@ -56,10 +58,11 @@ struct LinearMode {
   Eigen::VectorXcd shape;  // φ, of length 1
 };
 
-/// What vibrates, ascending: of each pair one. Motion that creeps back (ζ >= 1) is left out.
+/// Returns the vibrations, ascending, one of each conjugate pair. Aperiodic motion (ζ >= 1) is
+/// omitted.
 std::vector<LinearMode> natural_modes(const LinearModel& model);
 
-/// (4): outputs by inputs, at ω in rad/s.
+/// Returns (4), outputs by inputs, at ω in rad/s.
 Eigen::MatrixXcd frequency_response(const LinearModel& model,
                                     const LinearInputs& inputs,
                                     const LinearOutputs& outputs,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear models against closed forms, and against differences of the forces they come from.
+// Tests linear models against closed forms, and against differences of the forces from which they
+// come.
 #include "models/multibody/linear_model.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ Body cube(const std::string& name, const Vector3d& origin, double mass) {
   return {name, origin, mass, mass * 0.01 * Eigen::Matrix3d::Identity()};
 }
 
-/// Stiff in all but z, and without dampers there.
+/// Returns a bushing that is stiff in all but z, and has a damper only there.
 BushingParameters along_z(double k, double c) {
   BushingParameters bushing{{1e7, 1e7, k}, {1e5, 1e5, 1e5}};
   bushing.damping.z() = c;
@@ -31,7 +32,7 @@ BushingParameters along_z(double k, double c) {
 
 Rest drawn(const Mechanism& mechanism) { return {mechanism.at_rest(), mechanism.no_memories()}; }
 
-/// The damped ones that move along z.
+/// Returns the damped modes that move along z.
 std::vector<LinearMode> modes_along_z(const LinearModel& model) {
   std::vector<LinearMode> modes;
   for (const LinearMode& mode : natural_modes(model))
@@ -86,7 +87,8 @@ Mechanism quarter_car(const QuarterCar& q) {
                     {"spring", 0, 1, {0.0, 0.0, 0.2}, along_z(q.ks, q.cs)}});
 }
 
-// Road to body and to wheel [any text on vehicle dynamics]: with S = cs s + ks, T = ct s + kt,
+// The transfer functions from road to body and to wheel are [any text on vehicle dynamics], with S
+// = cs s + ks, T = ct s + kt,
 //   z_s = S T/N, z_u = (ms s² + S) T/N, N = (ms s² + S)(mu s² + S + T) - S²
 TEST(LinearModel, OfAQuarterCarHasItsTransferFunctions) {
   const QuarterCar q;
@@ -112,7 +114,7 @@ TEST(LinearModel, OfAnUndampedQuarterCarHasItsTwoNaturalFrequencies) {
   const Mechanism mechanism = quarter_car(q);
   const auto modes = modes_along_z(linear_model(mechanism, drawn(mechanism), {}));
   ASSERT_EQ(modes.size(), 2u);
-  // ms mu ω⁴ - (ms (ks + kt) + mu ks) ω² + ks kt = 0
+  // The frequencies solve ms mu ω⁴ - (ms (ks + kt) + mu ks) ω² + ks kt = 0.
   const double a = q.ms * q.mu, b = q.ms * (q.ks + q.kt) + q.mu * q.ks,
                root = std::sqrt(b * b - 4.0 * a * q.ks * q.kt);
   EXPECT_NEAR(modes[0].frequency, std::sqrt((b - root) / (2.0 * a)) / kTwoPi, 1e-8);
@@ -120,7 +122,7 @@ TEST(LinearModel, OfAnUndampedQuarterCarHasItsTwoNaturalFrequencies) {
   for (const LinearMode& mode : modes) EXPECT_NEAR(mode.damping, 0.0, 1e-9);
 }
 
-/// Two bodies that hang aslant with a preloaded unit, a damper map and a bump stop, a load and a
+/// Two inclined hanging bodies with a preloaded unit, a damper map and a bump stop, a load and a
 /// force from outside.
 class Loaded : public testing::Test {
  protected:
@@ -169,7 +171,7 @@ class Loaded : public testing::Test {
         {.poses = poses, .rates = &rates, .memories = &rest_.memories}, loads_, 1.0, outside_);
     return assembly.forces();
   }
-  /// By central differences: of anything by travel and rotation, or by their rates.
+  /// Returns central differences by travel and rotation, or by their rates.
   template <class Of>
   MatrixXd differences(bool by_rates, const Of& of) {
     const double h = by_rates ? 1e-5 : 1e-6;

@@ -11,7 +11,7 @@ namespace latsch::multibody {
 
 namespace {
 
-/// A body that is not there, or the same twice.
+/// Finds an element with a missing body, or with the same body twice.
 std::string fault_of_ends(const std::string& name, int a, int b, int bodies) {
   for (const int body : {a, b})
     if (body < kGround || body >= bodies)
@@ -40,7 +40,7 @@ std::string fault_of_bushing(const std::string& name, const BushingParameters& b
   return {};
 }
 
-/// Whether it resists a turn about that axis at all.
+/// True if the joint resists a rotation about that axis at all.
 bool holds_about(const Joint& joint, const Eigen::Vector3d& axis) {
   const auto resists = [&](const BushingParameters::Part& part) {
     return part.axis >= 3 && joint.axes.col(part.axis - 3).dot(axis) != 0.0;
@@ -49,7 +49,7 @@ bool holds_about(const Joint& joint, const Eigen::Vector3d& axis) {
          std::any_of(joint.bushing.parts.begin(), joint.bushing.parts.end(), resists);
 }
 
-/// A rod, all of whose joints are in one line, that nothing keeps from spinning about it.
+/// Finds a rod with all joints in one line that can spin freely about it.
 std::string fault_of_spin(const std::string& rod, const std::vector<const Joint*>& joints) {
   constexpr double kNear = 1e-6;  // m
   const auto from_first = [&](const Joint* joint) -> Eigen::Vector3d {
@@ -93,7 +93,8 @@ std::string fault_of_strut(const Strut& strut, int bodies, int drivers) {
   return {};
 }
 
-/// Of bodies without mass on joints alone: what has mass may spin in motion.
+/// Checks only massless bodies with joints and no struts, because a body with mass may spin in
+/// motion.
 std::string fault_of_rods(const std::vector<Body>& bodies,
                           const std::vector<Joint>& joints,
                           const std::vector<Strut>& struts) {
@@ -154,7 +155,7 @@ std::string Mechanism::fault_in_motion(const std::vector<Body>& bodies) {
     const Eigen::Matrix3d& I = body.inertia;
     if (!I.allFinite() || (I - I.transpose()).norm() > 1e-9 * I.norm())
       return fmt::format("the inertia of {} is not symmetric or no number", body.name);
-    // I1 < I2 + I3 of every body: trace/2 I - I, the second moments of mass, is positive.
+    // Every body has I1 < I2 + I3, so trace/2 I - I, the second moments of mass, is positive.
     const Eigen::Matrix3d moments = 0.5 * I.trace() * Eigen::Matrix3d::Identity() - I;
     const double slack = 1e-9 * I.trace();
     const bool possible = I.trace() > 0.0 && moments.diagonal().minCoeff() >= -slack &&

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid bodies and what joins them to each other and to the ground: bushings and struts; and a load
-// on them. Constant: where the bodies stand and how they move are values of their own. Axes of all
-// bodies are the ground's at rest.
-//   Drivers are lengths that something outside prescribes from time to time: the travel of a rack,
-//   which shifts a joint's place in its first body; that of an actuator, which shortens a strut.
+// Rigid bodies, the bushings and struts that join them to each other and to the ground, and a load
+// on them. A mechanism is constant; poses and motions are separate values. All bodies have the
+// ground's axes at rest. Drivers are lengths prescribed from outside as functions of time: the
+// travel of a rack, which shifts a joint's place in its first body, or that of an actuator, which
+// shortens a strut.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,7 +21,7 @@ constexpr int kGround = -1;
 
 struct Body {
   std::string name;
-  Eigen::Vector3d origin;  // at rest, m; the center of mass where it has a mass
+  Eigen::Vector3d origin;  // at rest, m; the center of mass if it has a mass
   double mass = 0.0;       // kg
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the origin, axes at rest, kg m^2
 };
@@ -32,33 +32,37 @@ struct Joint {
   int a, b;
   Eigen::Vector3d point;  // at rest, m
   BushingParameters bushing;
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // of the bushing, columns
-  int driver = -1;                                     // whose travel shifts it in a; -1: none
-  Eigen::Vector3d along = Eigen::Vector3d::Zero();     // of a's axes, by that travel
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // axes of the bushing, columns
+  int driver = -1;                                     // driver whose travel shifts the joint in a;
+                                                       // -1: none
+  Eigen::Vector3d along = Eigen::Vector3d::Zero();     // direction of that shift, in a's axes
 };
 
-/// Of fixed direction, at a point of a body.
+/// A load of fixed direction at a point of a body.
 struct Load {
   int body;
   Eigen::Vector3d point;                                                              // at rest, m
   Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();  // N, N m
 };
 
-using Poses = std::vector<Pose>;  // by body
-/// What the parts of all elements remember, in the order of Mechanism::memory_of_joint and so on.
+using Poses = std::vector<Pose>;  // one for each body
+/// Memories of the parts of all elements, in the order of Mechanism::memory_of_joint and
+/// memory_of_strut.
 using Memories = std::vector<PartMemory>;
 
 class Mechanism {
  public:
-  /// What is wrong, naming the part, or empty: a body without a joint, a joint of a body with
-  /// itself, stiffness that is not positive, places not finite, a massless rod that spins freely.
+  /// Returns what is wrong, naming the part, or an empty text: a body without a joint, a joint of a
+  /// body with itself, stiffness that is not positive, places that are not finite, a massless rod
+  /// that spins freely.
   static std::string fault(const std::vector<Body>& bodies,
                            const std::vector<Joint>& joints,
                            const std::vector<Strut>& struts = {},
                            int drivers = 0);
-  /// The same with all bodies free to move: also one that has no mass or inertia in some direction.
+  /// Checks the bodies for free motion: reports one that has no mass or no inertia in some
+  /// direction.
   static std::string fault_in_motion(const std::vector<Body>& bodies);
-  /// Of parts without fault.
+  /// Takes parts without fault.
   Mechanism(std::vector<Body> bodies,
             std::vector<Joint> joints,
             std::vector<Strut> struts = {},
@@ -71,26 +75,26 @@ class Mechanism {
   int drivers() const { return drivers_; }
   const Eigen::Vector3d& gravity() const { return gravity_; }  // m/s^2
   const BushingPlace& place(int joint) const { return places_[static_cast<std::size_t>(joint)]; }
-  /// Where the points of a strut's line are, from the origins of both bodies.
+  /// Returns the points of a strut's line, from the origins of both bodies.
   const std::pair<Eigen::Vector3d, Eigen::Vector3d>& ends(int strut, int line) const {
     return ends_[static_cast<std::size_t>(strut)][static_cast<std::size_t>(line)];
   }
-  /// Σ w L0.
+  /// Returns Σ w L0.
   double rest_length(int strut) const { return rest_lengths_[static_cast<std::size_t>(strut)]; }
-  /// Where the memory of an element's first part is.
+  /// Return the place of an element's first part in the memories.
   std::size_t memory_of_joint(int joint) const {
     return joint_memory_[static_cast<std::size_t>(joint)];
   }
   std::size_t memory_of_strut(int strut) const {
     return strut_memory_[static_cast<std::size_t>(strut)];
   }
-  /// That of a mechanism that rests.
+  /// Returns the memories of a mechanism at rest.
   Memories no_memories() const { return Memories(memories_); }
   double mass() const;  // kg, of all bodies
-  /// The same mechanism, other bushings, by joint.
+  /// Replaces the bushings, by joint.
   void set_bushings(const std::vector<BushingParameters>& bushings);
   Poses at_rest() const;
-  /// Bodies that share an element.
+  /// Returns the pairs of bodies that share an element.
   std::vector<std::pair<int, int>> pairs() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a rigid body stands. Axes: ISO 8855, x forward, y left, z up.
+// Pose of a rigid body. Axes are ISO 8855: x forward, y left, z up.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,8 @@ namespace latsch::multibody {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// sin θ/θ and (1 - cos θ)/θ² by z = θ²; Taylor's series where seven terms are exact to rounding.
+/// Returns sin θ/θ and (1 - cos θ)/θ² as functions of z = θ². For small z it uses the Taylor
+/// series, of which seven terms are exact to rounding.
 inline std::pair<double, double> rotation_series(double z) {
   constexpr double kNear = 0.25;
   if (z < kNear)
@@ -29,11 +30,12 @@ inline std::pair<double, double> rotation_series(double z) {
 }
 
 struct Pose {
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();     // of the body's origin, m
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // from the body's axes to the ground's
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();     // m, the body's origin
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // rotation of the body's axes to the
+                                                       // ground's
 
   Eigen::Vector3d at(const Eigen::Vector3d& in_body) const { return place + turn * in_body; }
-  /// Travel of the origin, then a rotation by its vector r, both in the ground's axes:
+  /// Translates the origin, then rotates by the rotation vector r, both in the ground's axes:
   ///   turn <- (1 + sin θ/θ r× + (1 - cos θ)/θ² r× r×) turn,  θ = |r|           Rodrigues
   void move(const Vector6d& by) {
     place += by.head<3>();
@@ -47,7 +49,7 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-/// cross(a) b = a × b.
+/// Returns the matrix with cross(a) b = a × b.
 inline Eigen::Matrix3d cross(const Eigen::Vector3d& a) {
   Eigen::Matrix3d m;
   m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mass, center and inertia of a part whose mass is spread evenly over straight rods between points:
-// what a push-rod is and a wishbone nearly.
+// Mass, center and inertia of a part whose mass is spread evenly over straight rods between points,
+// as in a push-rod and nearly in a wishbone.
 //   along a rod m r²/2, across it m (L²/12 + r²/4), each about the rod's middle     solid cylinders
 #pragma once
 
@@ -16,12 +16,12 @@ struct MassProperties {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the center, kg m^2
 };
 
-/// `rods`: their ends, m; `radius` r, m.
+/// `rods`: ends of the rods, m; `radius`: r, m.
 MassProperties mass_of_rods(const std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& rods,
                             double mass,
                             double radius);
 
-/// Both as one rigid body.
+/// Combines both to one rigid body.
 MassProperties together(const MassProperties& a, const MassProperties& b);
 
 }  // namespace latsch::multibody

@@ -16,7 +16,7 @@ namespace {
 
 const Outside kNothing;
 
-constexpr double kWild = 10.0;  // m: nothing of a car moves so far in a step
+constexpr double kWild = 10.0;  // m: largest plausible motion of a part in a step
 
 const Outside& outside_of(const Standing& standing) {
   return standing.outside ? *standing.outside : kNothing;
@@ -73,20 +73,20 @@ Result<MechanismState> Transient::start(const Rest& rest,
   const auto size = 6 * static_cast<Eigen::Index>(rest.poses.size());
   state.rates = rates ? *rates : VectorXd::Zero(size);
   state.accelerations = VectorXd::Zero(size);
-  if (!state.memories.empty()) {  // what is stretched beyond its memory was so at once
+  if (!state.memories.empty()) {  // Deflections beyond the memory are treated as sudden.
     const Memories before = state.memories;
     Motion motion = motion_of(state, standing.drivers);
     motion.memories = &before;
     assembly_.remember(motion, state.memories);
   }
-  // M g = f, of inerters too: two solutions, as e'' has a part without accelerations.
+  // M g = f is solved twice, because with inerters e'' has a part without accelerations.
   for (int i = 0; i < 2; ++i) {
     Motion motion = motion_of(state, standing.drivers);
     motion.acceleration_share = 1.0;
     assembly_.evaluate(motion, standing.loads, 1.0, outside_of(standing));
     subtract_inertia(state.accelerations);
     correction_ = assembly_.forces();
-    // The inerters' share of the mass is what J has more with it than without.
+    // The inerters' contribution to the mass is the difference of J with and without them.
     assembly_.evaluate(motion, standing.loads, 1.0, kNothing);
     const BlockElimination with = assembly_.J();
     motion.acceleration_share = 0.0;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mechanism in motion, one step after the other: linearly implicit, of order 2.
+// Time integration of a mechanism: linearly implicit, of order 2.
 //
 //   M g1 = f(x1, v1, g1, t1)                              g: accelerations at the end of the step
 //   a1 = (1 - θ) g1 + θ g0
 //   x1 = x0 + h v0 + h² ((1/2 - β) a0 + β a1),  v1 = v0 + h ((1 - γ) a0 + γ a1)
 //   β = (1 + θ)²/4,  γ = 1/2 + θ
 // [Hilber, Hughes, Taylor 1977, Earthquake Eng. Struct. Dyn. 5, 283; here for the accelerations of
-// bodies that turn]. θ = 0 is the trapezoidal rule; a small θ damps what vibrates faster than the
-// step. From x1, v1 predicted with a1 = a0, one linear system
+// rotating bodies]. θ = 0 is the trapezoidal rule; a small θ damps vibrations faster than the step.
+// x1, v1 are predicted with a1 = a0, and corrected by one linear system,
 //   (M/((1 - θ) β h²) - J) δx = f - M g1,     J = ∂f/∂x + γ/(β h) ∂f/∂v
-// corrects them. What that leaves is of order h⁴ in a step and does not add up to less than order
-// 2, so forces are asked for once a step, at the predicted motion: forces from outside (tires on
-// their road) may have a state of their own that goes on with the step. More corrections can be
-// asked for where elements have kinks and nothing outside has a state.
+// The remaining error is of order h⁴ per step, so the order stays 2. Forces are evaluated once per
+// step, at the predicted motion: actions from outside (tires on their road) may have a state that
+// advances with the step. More corrections can be chosen if elements have kinks and nothing outside
+// has a state.
 //
-// The state is a value: copied, restored, compared.
+// The state is a value that can be copied, restored and compared.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,7 +30,7 @@ namespace latsch::multibody {
 
 struct TransientSettings {
   double dissipation = 0.05;  // θ, 0 .. 1/3
-  int corrections = 1;        // linear systems a step
+  int corrections = 1;        // linear systems per step
 };
 
 struct MechanismState {
@@ -44,24 +44,26 @@ struct MechanismState {
 
 class Transient {
  public:
-  /// The mechanism, all of whose bodies have mass and inertia, has to outlive it.
+  /// All bodies of the mechanism must have mass and inertia. The mechanism must outlive this
+  /// object.
   explicit Transient(const Mechanism& mechanism, const TransientSettings& settings = {});
 
-  /// At these poses with these rates (none: at rest), accelerations such that M g = f.
+  /// Returns the state at these poses with these rates (null: at rest), and accelerations with M g
+  /// = f.
   Result<MechanismState> start(const Rest& rest,
                                const Standing& standing,
                                double time = 0.0,
                                const Eigen::VectorXd* rates = nullptr);
-  /// To `step` seconds later; loads, drivers and what is outside are those of the end. A Failure
-  /// leaves the state as it was and names the part that moves beyond reason.
+  /// Advances the state by `step` seconds; loads, drivers and actions from outside are those of the
+  /// end. A Failure leaves the state unchanged and names the part that moves too far.
   Result<bool> advance(MechanismState& state, double step, const Standing& standing);
 
-  /// What is asked of elements and energies at a state.
+  /// Returns the motion of a state, for forces of elements and energies.
   Motion motion_of(const MechanismState& state, std::span<const double> drivers = {}) const;
   const Assembly& assembly() const { return assembly_; }
 
  private:
-  /// Of bodies turned as in the last evaluation.
+  /// Uses the orientations of the last evaluation.
   void add_mass(double scale);
   void subtract_inertia(const Eigen::VectorXd& accelerations);
   void place(const MechanismState& from, double h, MechanismState& to) const;

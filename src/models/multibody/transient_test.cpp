@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Motion against closed forms, its order, and what has to be conserved.
+// Tests motion against closed forms, its order, and conserved quantities.
 #include "models/multibody/transient.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Body cube(const std::string& name, const Vector3d& origin, double mass) {
   return {name, origin, mass, mass * 0.01 * Matrix3d::Identity()};
 }
 
-/// Springs so soft in all but x that x is all that moves.
+/// Returns springs so soft in all but x that only x moves.
 BushingParameters along_x(double k, double c) {
   BushingParameters bushing{{k, 1.0, 1.0}, {1.0, 1.0, 1.0}};
   bushing.damping.x() = c;
@@ -36,7 +36,7 @@ MechanismState started(Transient& transient,
   return *state;
 }
 
-/// x of the only body at 1 s, from 1 mm beside rest.
+/// Returns x of the only body at 1 s, released 1 mm from rest.
 double swing(const BushingParameters& bushing, int steps, std::vector<Strut> struts = {}) {
   const Mechanism mechanism({cube("m", Vector3d::Zero(), 2.0)},
                             {{"spring", kGround, 0, Vector3d::Zero(), bushing}},
@@ -73,11 +73,11 @@ TEST(Transient, AnInerterAddsItsInertanceToTheMass) {
   EXPECT_NEAR(coarse / fine, 4.0, 0.15);
 }
 
-// A spring k beside a Maxwell part k2, T: m x'' + k x + s = 0, s' = k2 x' - s/T.
+// A spring k in parallel with a Maxwell part k2, T has m x'' + k x + s = 0, s' = k2 x' - s/T.
 TEST(Transient, AMaxwellPartIsItsDifferentialEquation) {
   BushingParameters bushing = along_x(800.0, 0.0);
   bushing.parts.push_back({0, Maxwell{400.0, 0.05}});
-  // The reference: classical Runge-Kutta in steps that leave nothing.
+  // The reference is a classical Runge-Kutta solution with negligible error.
   const auto slope = [](const Vector3d& y) -> Vector3d {
     return {y[1], (-800.0 * y[0] - y[2]) / 2.0, 400.0 * y[1] - y[2] / 0.05};
   };
@@ -95,7 +95,7 @@ TEST(Transient, AMaxwellPartIsItsDifferentialEquation) {
   EXPECT_NEAR(coarse / fine, 4.0, 0.2);
 }
 
-// Coulomb friction takes 4 R/k from the amplitude in every period [any text on vibrations].
+// Coulomb friction reduces the amplitude by 4 R/k in every period [any text on vibrations].
 TEST(Transient, DryFrictionTakesTheSameFromEverySwing) {
   BushingParameters bushing = along_x(800.0, 0.0);
   const double R = 0.04;
@@ -105,7 +105,7 @@ TEST(Transient, DryFrictionTakesTheSameFromEverySwing) {
   Transient transient(mechanism, {.dissipation = 0.0, .corrections = 4});
   Rest rest{mechanism.at_rest(), mechanism.no_memories()};
   rest.poses[0].place.x() = 1e-3;
-  rest.memories[0] = {R, 1e-3};  // held out there by a hand that pulls
+  rest.memories[0] = {R, 1e-3};  // held out there by a pulling hand
   MechanismState state = started(transient, mechanism, rest);
   const double period = 2.0 * std::numbers::pi / std::sqrt(400.0), h = period / 4000.0;
   double highest = 0.0;
@@ -116,7 +116,7 @@ TEST(Transient, DryFrictionTakesTheSameFromEverySwing) {
   EXPECT_NEAR(highest, 1e-3 - 4.0 * R / 800.0, 1e-6);
 }
 
-// A free body: its momentum of rotation stays where it is, its energy too.
+// A free body conserves its angular momentum and its energy.
 TEST(Transient, AFreeBodyTurnsAsEulersEquationsSay) {
   Body body{"top", Vector3d::Zero(), 3.0, Vector3d(0.02, 0.05, 0.06).asDiagonal()};
   const Mechanism mechanism({body}, {});
@@ -138,7 +138,7 @@ TEST(Transient, AFreeBodyTurnsAsEulersEquationsSay) {
   EXPECT_NEAR(coarse / fine, 4.0, 0.2);
 }
 
-/// Three bodies in a chain with uneven bushings and a spring-damper unit aslant.
+/// Returns three bodies in a chain with uneven bushings and an inclined spring-damper unit.
 Mechanism chain(double damping, double inertance) {
   std::vector<Body> bodies;
   std::vector<Joint> joints;
