@@ -19,7 +19,7 @@ Vector4d as_vector(const std::array<double, kCorners>& forces) {
   return {forces[0], forces[1], forces[2], forces[3]};
 }
 
-/// Normal to three columns of four: by cofactors.
+/// Returns the normal to three columns of four, by cofactors.
 Vector4d normal_of(const Matrix<double, 4, 3>& S) {
   Vector4d n;
   for (int i = 0; i < 4; ++i) {
@@ -31,7 +31,7 @@ Vector4d normal_of(const Matrix<double, 4, 3>& S) {
   return n.normalized();
 }
 
-/// The least-squares solution of S x = b: what is along the normal stays.
+/// Returns the least-squares solution of S x = b; the component along the normal remains.
 Vector3d solve_three(const Matrix<double, 4, 3>& S, const Vector4d& b) {
   return (S.transpose() * S).inverse() * (S.transpose() * b);
 }
@@ -43,7 +43,7 @@ std::vector<multibody::Load> AeroLoaders::loads(const Car& car, const Vector3d& 
   for (int i = 0; i < 3; ++i) {
     const auto& bodies = car.mechanism().bodies();
     const CarParts& parts = car.parts();
-    // Of a chassis of two halves, the half whose center is nearer.
+    // If the chassis has two halves, the half with the nearer center is used.
     const auto away = [&](int body) {
       return std::abs(bodies[static_cast<std::size_t>(body)].origin.x() - points(0, i));
     };
@@ -67,10 +67,10 @@ Result<LoaderSolution> solve_loaders(Car& car,
                                      double speed,
                                      const CarInputs& inputs) {
   constexpr int kMost = 8;
-  constexpr int kHalvings = 6;      // of a step to where the car finds no rest
-  constexpr double kProbe = 200.0;  // N: large against what settling leaves
+  constexpr int kHalvings = 6;      // of a step toward a state in which the car finds no rest
+  constexpr double kProbe = 200.0;  // N: large against the residual of settling
   constexpr double kEnough =
-      1e-4;  // of the forces, of a step: rolling tires settle to some newtons
+      1e-4;  // share of the forces, for a step: rolling tires settle to some newtons
   bool rolls = false;
   const auto pushrods = [&](const Vector3d& downforce, CarState& state) -> std::string {
     CarInputs with = inputs;
@@ -95,7 +95,7 @@ Result<LoaderSolution> solve_loaders(Car& car,
     found.pushrods = as_vector(car.pushrod_forces(found.state, inputs));
     if (i < 2)
       for (int k = 0; k < 3; ++k) {
-        // A kink of a bump stop may leave no rest just there: then from the other side, or nearer.
+        // At a kink of a bump stop there may be no rest just there; other probes are then tried.
         for (const double probe : {kProbe, -kProbe, 0.5 * kProbe, -0.5 * kProbe}) {
           Vector3d more = found.downforce;
           more[k] += probe;
@@ -109,7 +109,7 @@ Result<LoaderSolution> solve_loaders(Car& car,
         if (!trouble.empty()) return Failure{trouble};
       }
     found.unreachable = normal_of(found.slopes);
-    // Three columns that are not two: their volume against their length.
+    // The condition requires three independent columns: their volume relative to their length.
     const Eigen::Matrix3d squares = found.slopes.transpose() * found.slopes;
     if (!(squares.determinant() > 1e-6 * std::pow(squares.trace() / 3.0, 3)))
       return Failure{"the loaders stand in one line: three points of a triangle are needed"};
@@ -117,7 +117,8 @@ Result<LoaderSolution> solve_loaders(Car& car,
     found.left = wanted - found.pushrods;
     const bool is_near = step.norm() < kEnough * (1.0 + found.downforce.norm());
     if (is_near && (rolls || speed == 0.0)) return found;
-    // Slopes are those of the car standing with nearly these forces: rolling tires cost much.
+    // Slopes are those of the standing car with nearly these forces, because rolling tires are
+    // expensive.
     if (i > 0) rolls = speed > 0.0;
     found.downforce += step;
   }

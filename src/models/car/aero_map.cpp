@@ -21,7 +21,7 @@ Index index_in(const std::vector<double>& heights, double height) {
   return std::lower_bound(heights.begin(), heights.end(), height) - heights.begin();
 }
 
-/// Where a height is between two of the map, and how that changes with it: 0 beyond them.
+/// Position of a height between two heights of the map, and its slope: 0 beyond them.
 struct Between {
   Index low, high;
   double share, slope;

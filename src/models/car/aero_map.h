@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Downforce and drag of a car's body over its ride heights, as a wind tunnel tells them:
+// Downforce and drag of a car's body as functions of its ride heights, as measured in a wind
+// tunnel:
 //
 //   F_f = q A C_f(h_f, h_r),   F_r = q A C_r(h_f, h_r),   D = q A C_D,      q = ρ v² / 2
 //
-// h: height of the floor over the plane z = 0 at the two axles, in the middle of the car; a kerb
-// below it is not seen. Between the heights of the map the coefficients are bilinear, beyond them
-// they stay. Downforce acts straight down at the axles, drag backward at a stated height. Air that
-// needs time to follow is not here. With a chassis that twists all acts on its front half: points
-// in the middle of the car are where both halves agree.
+// h is the height of the floor over the plane z = 0 at the two axles, in the middle of the car; a
+// kerb below the floor is not seen. The coefficients are bilinear between the heights of the map
+// and constant beyond them. Downforce acts straight down at the axles, drag backward at a given
+// height. The response is immediate. With a chassis that twists, all forces act on its front half,
+// at points in the middle of the car, where both halves agree.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +18,7 @@
 namespace latsch::car {
 
 struct AeroMap {
-  /// A height of each axle and the coefficients of downforce there.
+  /// A height of each axle, and the coefficients of downforce there.
   struct Row {
     double front_height, rear_height;  // m
     double front, rear;                // C_f, C_r; downforce positive
@@ -33,16 +34,16 @@ struct AeroMap {
   double drag_height = 0.0;                  // m, in the car as drawn
   double floor_front = 0.0, floor_rear = 0;  // m, in the car as drawn
 
-  /// Rows of a whole grid, in any order; one row: constant coefficients.
+  /// Takes the rows of a complete grid, in any order. A single row means constant coefficients.
   void set_rows(const std::vector<Row>& rows);
-  /// What is wrong with such rows, or empty.
+  /// Returns what is wrong with such rows, or an empty text.
   static std::string fault(const std::vector<Row>& rows);
 
   Coefficients at(double front_height, double rear_height) const;
 
  private:
   std::vector<double> front_heights_ = {0.0}, rear_heights_ = {0.0};
-  Eigen::MatrixXd front_ = Eigen::MatrixXd::Zero(1, 1), rear_ = front_;  // front heights a row
+  Eigen::MatrixXd front_ = Eigen::MatrixXd::Zero(1, 1), rear_ = front_;  // one front height per row
 };
 
 }  // namespace latsch::car

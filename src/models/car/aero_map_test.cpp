@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coefficients over ride heights, and a car that finds its heights under them.
+// Tests coefficients over ride heights, and a car that finds its heights under them.
 #include "models/car/aero_map.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// What a bilinear map holds exactly:
+/// A bilinear map represents these coefficients exactly:
 ///   C_f = 1 + 20 (30 mm - h_f) + 4 h_r,   C_r = 1.4 + 10 (40 mm - h_r) - 3 h_f + 50 h_f h_r
 Vector2d coefficients(double f, double r) {
   return {1.0 + 20.0 * (0.03 - f) + 4.0 * r, 1.4 + 10.0 * (0.04 - r) - 3.0 * f + 50.0 * f * r};
@@ -73,7 +73,7 @@ TEST(AeroMap, GridsWithHolesAndDoublesAreNamed) {
   EXPECT_NE(AeroMap::fault({}), "");
 }
 
-/// At 40 m/s on level ground.
+/// Rest at a speed on level ground.
 struct Standing {
   Eigen::Array4d Fz;
   double front_height, rear_height;
@@ -107,7 +107,7 @@ TEST(AeroMap, ACarAtSpeedCarriesWhatTheMapSaysOfTheHeightsItIsAt) {
   const Vector2d c = coefficients(fast.front_height, fast.rear_height);
   const Eigen::Array4d more = fast.Fz - still.Fz;
   EXPECT_LT(fast.front_height, still.front_height - 1e-3);  // it is pressed down
-  // Statics end at 1e-5 of the weight a tire.
+  // Statics are accurate to 1e-5 of the weight at each tire.
   EXPECT_NEAR(more[kFL] + more[kFR], qA * c[0], 1e-3 * qA);
   EXPECT_NEAR(more[kRL] + more[kRR], qA * c[1], 1e-3 * qA);
 }

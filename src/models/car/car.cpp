@@ -23,7 +23,7 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// `ahead` seconds on, at these accelerations of the center and about it.
+/// Moves the wheel on by `ahead` seconds, with these accelerations of its center and about it.
 void go_on(WheelMotion& motion, const Vector6d& acceleration, double ahead) {
   const Vector3d more = ahead * acceleration.head<3>();
   Pose carrier{motion.center, motion.carrier};
@@ -37,7 +37,8 @@ void go_on(WheelMotion& motion, const Vector6d& acceleration, double ahead) {
   motion.angular_velocity += ahead * acceleration.tail<3>();
 }
 
-/// A share of the way from what acts to what shall; all of it where they are not of one kind.
+/// Changes the loads by a share of their difference from `to`, or to all of it if the two lists
+/// have different loads.
 void approach(std::vector<multibody::Load>& loads,
               const std::vector<multibody::Load>& to,
               double share) {
@@ -111,7 +112,7 @@ Result<std::unique_ptr<Car>> Car::make(const CarParameters& parameters,
   for (std::size_t i = 0; i < tires.size(); ++i) {
     car->tires_[i] = tires[i]->clone();
     const double radius = tires[i]->free_radius(), z = car->parts_.corners[i].wheel_center.z();
-    constexpr double kFar = 0.25;  // of the radius
+    constexpr double kFar = 0.25;  // share of the radius
     if (!(std::abs(z - radius) < kFar * radius))
       return Failure{fmt::format(
           "the tire {} has a radius of {:.4g} mm, but its wheel center is drawn {:.4g} mm above "
@@ -122,7 +123,8 @@ Result<std::unique_ptr<Car>> Car::make(const CarParameters& parameters,
   }
   const std::vector<multibody::Strut> struts = car->mechanism_->struts();
   if (struts.empty()) return car;
-  // With bars in the place of the springs it stands as drawn, and they say what springs must carry.
+  // With bars in place of the springs it stands as drawn, and the bar forces are those that springs
+  // must carry.
   constexpr double kBar = 1e9;  // N/m
   std::vector<multibody::Strut> bars = struts;
   for (int corner = 0; corner < kCorners; ++corner)
@@ -150,7 +152,7 @@ Result<std::unique_ptr<Car>> Car::make(const CarParameters& parameters,
 std::string Car::fault_of_spring(int corner, const std::vector<multibody::Strut>& springs) const {
   const int unit = parts_.corners[at(corner)].unit;
   if (unit < 0) return {};
-  double stiffness = 0.0;  // at rest, of the unit and of what acts on both sides of the axle
+  double stiffness = 0.0;  // at rest, of the unit and of springs on both sides of the axle
   for (const multibody::Strut& strut : springs) {
     if (&strut != &springs[at(unit)] && strut.lines[0].b != springs[at(unit)].lines[0].b &&
         (strut.lines.size() < 2 || strut.lines[1].b != springs[at(unit)].lines[0].b))
@@ -160,7 +162,7 @@ std::string Car::fault_of_spring(int corner, const std::vector<multibody::Strut>
       if (const auto* curve = std::get_if<multibody::ElasticCurve>(&part))
         stiffness += curve->curve.slope(0.0);
   }
-  constexpr double kMost = 10.0;  // times its length: no spring, whatever its travel
+  constexpr double kMost = 10.0;  // times its length: no spring is that long, whatever its travel
   const double length = mechanism_->rest_length(unit), force = std::abs(springs[at(unit)].preload);
   if (stiffness * kMost * length > force) return {};
   return fmt::format(
@@ -246,7 +248,7 @@ void Car::add_guide(const Motion& motion,
   const std::size_t first = wrenches.size();
   add_guide(motion, point, wrenches);
   Wrench& chassis = wrenches[first];
-  // A guide that does not hold does not begin with anything either.
+  // A guide without stiffness in a direction does not start with a force there either.
   if (guide.lateral > 0.0) chassis.value[1] += trim.lateral;
   if (guide.yaw > 0.0) chassis.value[5] += trim.yaw;
   const double pull = chassis.value[0] + trim.along;
@@ -289,7 +291,7 @@ void Car::add_air(const Motion& motion, double speed, std::vector<Wrench>& wrenc
   const std::array<Vector3d, 2> arms = {
       arm(parameters_.front.corner.wheel_center.x(), air.floor_front),
       arm(parameters_.rear.corner.wheel_center.x(), air.floor_rear)};
-  std::array<Vector6d, 2> by_height;  // of a height by the chassis' motion; of a lift, what it does
+  std::array<Vector6d, 2> by_height;  // height by the chassis' motion; effect of a lift
   for (std::size_t i = 0; i < 2; ++i)
     by_height[i] << Vector3d::UnitZ(), arms[i].cross(Vector3d::UnitZ());
   const auto c = air.at(pose.place.z() + arms[0].z(), pose.place.z() + arms[1].z());
@@ -397,7 +399,7 @@ Result<bool> Car::advance(CarState& state,
   const double part = step / mechanism_steps, end = state.time() + step;
   std::string trouble;
   for (int i = 1; i <= mechanism_steps; ++i) {
-    // Of the way from the last inputs to these, what is left from here.
+    // The remaining part of the path from the last inputs to these.
     const double share = 1.0 / (mechanism_steps - i + 1), left = step - i * part;
     const double now = end - left;
     const GuidePoint guide = inputs.guide ? GuidePoint{inputs.guide->x - inputs.guide->speed * left,
@@ -429,7 +431,7 @@ std::array<double, kCorners> Car::pushrod_forces(const CarState& state,
     const CornerParts& parts = parts_.corners[at(corner)];
     const Vector3d along = state.bodies.poses[at(parts.pushrod)].turn *
                            (parts.pushrod_outer - parts.pushrod_inner).normalized();
-    // On the push-rod at its inner end: a push along the rod compresses it.
+    // The load acts on the push-rod at its inner end: a push along the rod compresses it.
     const Vector6d load = transient_->assembly().joint_load(parts.pushrod_joint, motion);
     forces[at(corner)] = along.dot(load.head<3>());
   }

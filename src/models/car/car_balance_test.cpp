@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a car stands under air: rigid and compliant joints, downforce of several times its weight,
-// drag. References: sums of forces and moments about a line on the ground, by hand.
+// Tests the balance of a car under air: rigid and compliant joints, downforce of several times its
+// weight, drag. References are sums of forces and moments about a line on the ground, by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ void add_bump_stops(CarParameters& car) {
         {{-0.040, -12e3}, {-0.030, -2e3}, {-0.025, 0.0}, {0.0, 0.0}, {0.1, 0.0}})});
 }
 
-/// A car whose downforce at this speed is so many times its weight, 45 % of it in front.
+/// Returns a car whose downforce at this speed is `times` its weight, 45 % of it in front.
 CarParameters pressed_car(bool rigid, double speed, double times, double drag = 0.0) {
   CarParameters car = race_car(false);
   if (rigid) make_rigid(car);
@@ -86,8 +86,8 @@ INSTANTIATE_TEST_SUITE_P(Cars,
                                          Pressed{true, 90.0, 4.0},
                                          Pressed{false, 60.0, 5.0}));
 
-// The same pressed by loads of a driver's choice, on a front corner alone: no part of what acts is
-// whole from the beginning.
+// The load of a driver's choice presses only a front corner, so the final load is approached from a
+// state far from it.
 TEST(CarBalance, ALargeLoadOnOneCornerOfRigidJointsFindsRest) {
   CarParameters parameters = race_car(false);
   make_rigid(parameters);
@@ -103,7 +103,7 @@ TEST(CarBalance, ALargeLoadOnOneCornerOfRigidJointsFindsRest) {
   }
 }
 
-// A floor that sucks the more the lower it is: a spring of less than nothing.
+// The floor has more downforce the lower it is, which acts as a negative spring.
 TEST(CarBalance, WhatSinksIsToldInWords) {
   for (const bool rigid : {true, false}) {
     CarParameters parameters = pressed_car(rigid, 60.0, 1.0);
@@ -127,8 +127,8 @@ TEST(CarBalance, WhatSinksIsToldInWords) {
   }
 }
 
-/// N m about y through the origin of what a drag at that height, weight and downforce do, by places
-/// of bodies and points; less what the tires do.
+/// Returns the moment about y through the origin of drag at its height, weight and downforce, N m,
+/// by places of bodies and points, minus that of the tires.
 double pitch_left(const Car& car, const CarState& state, double speed) {
   const CarParameters& of = car.parameters();
   const auto& bodies = car.mechanism().bodies();
@@ -148,8 +148,8 @@ double pitch_left(const Car& car, const CarState& state, double speed) {
   return moment;
 }
 
-// Drag is borne at the contact of the driven axle: of all moments about the ground's line only
-// those of weight, air and vertical forces are there, whichever axle drives.
+// The contact of the driven axle bears the drag. Moments about the ground's line therefore come
+// only from weight, air and vertical forces, whichever axle drives.
 TEST(CarBalance, DragShiftsLoadsAsAnAxleThatDrivesDoes) {
   for (const std::array<double, 2> drives :
        {std::array{0.0, 1.0}, std::array{1.0, 0.0}, std::array{0.5, 0.5}})
@@ -161,8 +161,8 @@ TEST(CarBalance, DragShiftsLoadsAsAnAxleThatDrivesDoes) {
       const double drag = 0.5 * kDensity * 60.0 * 60.0 * kArea * 1.1;
       EXPECT_NEAR(pitch_left(*car, *state, 60.0), 0.0, 1e-5 * drag * 0.35) << drives[0];
       EXPECT_NEAR(state->trim.along, drag, 1e-6 * drag);
-      // 2851 N at some 0.33 m, as low as it is there, of a base of 1.55 m: 605 N from the front to
-      // the rear, but for what the pitch shifts.
+      // 2851 N at about 0.33 m, the height reached there, over a base of 1.55 m shift 605 N from
+      // the front to the rear, apart from the effect of pitch.
       const auto still = made(pressed_car(rigid, 60.0, 1.0, 0.0));
       const auto without = still->settle(road::PlaneRoad{}, 60.0, {});
       const auto a = car->vertical_forces(*state), b = still->vertical_forces(*without);
@@ -188,14 +188,14 @@ TEST(CarBalance, WithDragItStartsInBalanceAndKeepsItsSpeed) {
     }
 }
 
-// A guide that shall not hold lets the car go: drag slows it down.
+// A guide without longitudinal stiffness lets the car go, and drag slows it down.
 TEST(CarBalance, WithoutAGuideDragSlowsItDown) {
   const auto car = made(pressed_car(false, 60.0, 1.0, 1.1));
   auto state = car->settle(road::PlaneRoad{}, 60.0, {});
   ASSERT_TRUE(state) << state.failure().reason;
   car->guide.along = 0.0;
   while (state->time() < 0.1) ASSERT_TRUE(car->advance(*state, 2e-4, road::PlaneRoad{}, {}));
-  // v' = -c v²: v0 / (1 + c v0 t).
+  // v' = -c v² has the solution v0 / (1 + c v0 t).
   const double c = 0.5 * kDensity * kArea * 1.1 / car->mechanism().mass();
   EXPECT_NEAR(state->bodies.rates[0], 60.0 / (1.0 + c * 60.0 * state->time()), 0.01);
 }

@@ -20,7 +20,7 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// -c v and -k v of F(t) - F(0), N and N/s.
+/// Coefficients -c v and -k v of F(t) - F(0), N and N/s.
 struct EvenMotion {
   Vector3d at_once = Vector3d::Zero(), by_time = Vector3d::Zero();
 };
@@ -56,7 +56,7 @@ Result<EvenMotion> move_evenly(const WheelState& wheel,
   return line;
 }
 
-/// Of the wheel center's motion by that of the upright.
+/// Returns the derivative of the wheel center's motion by that of the upright.
 Eigen::Matrix<double, 3, 6> center_by_upright(const Vector3d& arm) {
   Eigen::Matrix<double, 3, 6> G;
   G << Matrix3d::Identity(), -multibody::cross(arm);

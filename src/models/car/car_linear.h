@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car at rest on its tires, for small motion (multibody/linear_model.h): inputs are the heights h
-// of the road below its four tires, outputs what sensors on it record.
+// A car at rest on its tires, for small motion (multibody/linear_model.h). Inputs are the heights h
+// of the road below its four tires, outputs are signals of sensors on it.
 //   tire: its force on the hub changes by  -k x - c x',  x: wheel center against its road, across
 //   and upward (y, z)
-// A tire of any kind is asked for k and c by moving its wheel evenly:  F(t) - F(0) = -c v - k v t,
-// by least squares after what starting leaves has died out; the mean of both directions. Exact of a
-// spring and damper; of other tires k and c hold below the frequencies of their own modes (belt),
-// where friction sticks. Along x a free wheel rolls, and camber's slopes are left out.
+// k and c of a tire of any kind are found by moving its wheel at constant velocity, which gives
+// F(t) - F(0) = -c v - k v t. They are fitted by least squares after the transient of the start has
+// decayed, as the mean of both directions. This is exact for a spring and damper. For other tires k
+// and c hold below the frequencies of their own modes (belt), with sticking friction. Along x a
+// free wheel rolls. Slopes by camber are omitted.
 #pragma once
 
 #include <string>
@@ -17,7 +18,7 @@
 
 namespace latsch::car {
 
-/// By motion along y and z.
+/// Slopes of a tire's force by motion along y and z.
 struct TireSlopes {
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();  // k, N/m
   Eigen::Matrix3d damping = Eigen::Matrix3d::Zero();    // c, N s/m
@@ -29,7 +30,7 @@ struct TireProbe {
   double step = 2e-4;                     // s
 };
 
-/// Of a wheel as it stands; it stays as it is.
+/// Probes a wheel in its state, which is not changed.
 Result<TireSlopes> probe(const WheelState& wheel,
                          const road::Road& road,
                          double time,
@@ -41,11 +42,11 @@ struct LinearCar {
   multibody::LinearOutputs sensors;
   std::vector<std::string> names;  // pushrod_FL ... N; hub_FL ..., body_z m/s^2: car_record.h
 
-  /// Sensors by heights, at a frequency in Hz.
+  /// Returns sensors by heights at a frequency in Hz.
   Eigen::MatrixXcd response(double frequency) const;
 };
 
-/// At rest where `state` is, under the same inputs as brought it there.
+/// Linearizes about the rest of `state`, with the inputs that brought it there.
 Result<LinearCar> linearize(const Car& car,
                             const CarState& state,
                             const road::Road& road,

@@ -41,7 +41,7 @@ Body body_of(std::string name, const MassProperties& mass) {
   return {std::move(name), mass.center, mass.mass, mass.inertia};
 }
 
-/// Axes whose third is `axis`.
+/// Returns axes whose third is `axis`.
 Matrix3d axes_about(const Vector3d& axis) {
   return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis).toRotationMatrix();
 }
@@ -77,8 +77,8 @@ class Builder {
       bodies_.push_back(body_of("the chassis", chassis.body));
       return;
     }
-    // Two halves that are together the whole in mass, center and inertia. Their centers are as far
-    // from each other as four fifths of what can be spared of the moments about y and z.
+    // The two halves have the mass, center and inertia of the whole. Their distance uses four
+    // fifths of the moments about y and z that are available for it.
     const Vector3d I = chassis.body.inertia.diagonal();
     const double front = car_.front.corner.wheel_center.x(),
                  rear = car_.rear.corner.wheel_center.x(), center = chassis.body.center.x();
@@ -174,7 +174,7 @@ class Builder {
         "the lower wishbone " + name,
         multibody::mass_of_rods(
             {rod(W::kLcaFront, W::kLbj), rod(W::kLcaRear, W::kLbj)}, masses.lower_wishbone, r)));
-    bodies_.push_back({"the upright " + name, c.wheel_center});  // its mass follows
+    bodies_.push_back({"the upright " + name, c.wheel_center});  // its mass is set below
     bodies_.push_back(body_of(
         "the push-rod " + name,
         multibody::mass_of_rods({rod(W::kPushrodInner, W::kPushrodOuter)}, masses.pushrod, r)));
@@ -191,7 +191,7 @@ class Builder {
     upright.center = corner.wheel_center + at_side(left, upright.center);
     if (!left) upright.inertia = mirrored(upright.inertia);
     const double across = axle.masses.wheel_across;
-    // The wheel turns freely about y: there it adds nothing.
+    // The wheel turns freely about y, so it adds nothing there.
     const MassProperties wheel{
         axle.masses.wheel, corner.wheel_center, Vector3d(across, 0.0, across).asDiagonal()};
     bodies_[bodies_.size() - 5 + DoubleWishbone::kUpright] =
@@ -210,8 +210,9 @@ class Builder {
     bodies_.push_back(body_of(
         "the rocker " + name,
         multibody::mass_of_rods({{pivot, rod}, {pivot, damper}}, inboard.rocker_mass, 0.01)));
-    // Where the push-rod's joint is rigid its bearing is none of a softer car.
-    constexpr double kTiltArm = 0.03;  // m: from stiffness against travel to that against tilting
+    // If the push-rod's joint is rigid, its bearing must not be softer.
+    constexpr double kTiltArm = 0.03;  // m: arm that converts stiffness against travel to that
+                                       // against tilting
     const multibody::BushingParameters& joint = corner.bushings[DoubleWishbone::kPushrodInner];
     const double stiff = joint.rigid ? std::max(inboard.bearing, joint.stiffness.maxCoeff())
                                      : inboard.bearing,

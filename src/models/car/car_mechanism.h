@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bodies, joints and struts of a car, and which is where among them.
+// The bodies, joints and struts of a car, and the indices of its parts among them.
 #pragma once
 
 #include <array>
@@ -11,26 +11,26 @@
 
 namespace latsch::car {
 
-/// Front left, front right, rear left, rear right.
+/// Corners: front left, front right, rear left, rear right.
 enum Corner { kFL, kFR, kRL, kRR, kCorners };
 constexpr std::array<const char*, kCorners> kCornerNames = {"FL", "FR", "RL", "RR"};
 constexpr bool is_left(int corner) { return corner % 2 == 0; }
 constexpr bool is_front(int corner) { return corner < kRL; }
 
-/// Where a corner's parts are in the mechanism.
+/// Indices of a corner's parts in the mechanism.
 struct CornerParts {
   int upright = -1, pushrod_joint = -1;
-  int first_joint = -1;                   // of DoubleWishbone::kJoints, in their order
-  int unit = -1;                          // strut; -1: locked
+  int first_joint = -1;                   // first of DoubleWishbone::kJoints, in their order
+  int unit = -1;                          // index of the strut; -1: locked
   Eigen::Vector3d wheel_center, contact;  // at rest, m
   Eigen::Vector3d pushrod_outer, pushrod_inner;
   int pushrod = -1;
-  Eigen::Matrix3d wheel_axes;  // of the wheel in the upright: columns; y is the spin axis
+  Eigen::Matrix3d wheel_axes;  // wheel axes in the upright, as columns; y is the spin axis
   suspension::WheelPoints points;
 };
 
 struct CarParts {
-  int chassis = 0, chassis_rear = 0;  // the same where it is rigid
+  int chassis = 0, chassis_rear = 0;  // equal if the chassis is rigid
   std::array<CornerParts, kCorners> corners;
 };
 
@@ -42,7 +42,7 @@ struct CarMechanism {
 constexpr int kRackDriver = 0;  // m, to the left
 constexpr int kDrivers = 1;
 
-/// InputError-free: of parameters without fault.
+/// Builds the mechanism. The parameters must have no fault(), so no InputError is thrown.
 CarMechanism build(const CarParameters& parameters);
 
 }  // namespace latsch::car

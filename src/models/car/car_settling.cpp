@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a car comes to rest on its tires, standing or rolling, before time begins.
+// Finds the rest of a car on its tires, standing or rolling, before time begins.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ Result<Rest> Car::stand(const LineTires& tires,
       force.z() += tire.force + tire.stiffness * (tire.height - z);
       Wrench wrench{.body = parts.upright};
       wrench.value << force, arm.cross(force) + tire.beside.tail<3>();
-      Vector6d by_z;  // of z by the upright's motion
+      Vector6d by_z;  // derivative of z by the upright's motion
       by_z << Vector3d::UnitZ(), arm.cross(Vector3d::UnitZ());
       wrench.slopes = -tire.stiffness * by_z * by_z.transpose();
       wrench.slopes.bottomRightCorner<3, 3>() += multibody::cross(force) * multibody::cross(arm);
@@ -56,7 +56,7 @@ Result<Rest> Car::stand(const LineTires& tires,
   const multibody::Standing standing{
       .loads = inputs.loads, .drivers = drivers, .outside = &outside};
   auto found = statics_->solve(standing, from);
-  // From as it is drawn, shares are those of the whole load.
+  // From the drawn position the load is applied in shares of the whole.
   if (!found) found = statics_->solve(standing, statics_->unloaded());
   if (!found)
     return Failure{found.failure().reason + "; " + sunk(statics_->reached(), tires, speed)};
@@ -116,7 +116,7 @@ std::string Car::sunk(const Rest& rest, const LineTires& tires, double speed) co
 
 namespace {
 
-/// The force of a tire where it stands, as a straight line over the height of its wheel.
+/// Linearizes the force of a tire in its state over the height of its wheel.
 template <class Line>
 void take(Line& line, const WheelState& wheel) {
   const Vector3d force = wheel.motion.carrier * wheel.hub.force;
@@ -132,19 +132,21 @@ Eigen::VectorXd straight_on(std::size_t bodies, double speed) {
   return rates;
 }
 
-/// How tires roll up to where the car starts, in rounds after each of which it stands anew.
+/// Rolling up of the tires to the car's starting place, in rounds; after each the car's rest is
+/// found anew.
 struct RollIn {
   static constexpr int kRounds = 12;
-  static constexpr int kHeld = 3;  // rounds before the car moves: until belts have grown
-  double duration;                 // s, of a round: 0.3 m at least, as a tire needs to forget
-  int steps;                       // of a round, 12 mm long
+  static constexpr int kHeld = 3;  // rounds without motion of the car, until belts have grown
+  double duration;                 // s, of a round: at least 0.3 m of path, which a tire needs to
+                                   // forget
+  int steps;                       // steps of a round, each 12 mm long
 
   explicit RollIn(double speed)
       : duration(std::max(0.03, 0.3 / speed)),
         steps(static_cast<int>(std::ceil(duration * speed / 0.012))) {}
 };
 
-/// m, of the wheel center over the road.
+/// Returns the height of the wheel center over the road, m.
 double arm_over(const road::Road& road, const WheelState& wheel) {
   const Vector3d& center = wheel.motion.center;
   return center.z() - road.height(center.x(), center.y(), 0.0);
@@ -161,7 +163,7 @@ Result<Rest> Car::settle_on_tires(CarState& state,
                                   const road::Road& road,
                                   const CarInputs& inputs) {
   constexpr int kMost = 40;
-  constexpr double kEnough = 1e-8, kUsual = 1e-5;  // of the car's weight, at each tire
+  constexpr double kEnough = 1e-8, kUsual = 1e-5;  // relative to the car's weight, at each tire
   const double weight = mechanism_->mass() * parameters_.gravity;
   const Eigen::VectorXd rates = straight_on(mechanism_->bodies().size(), state.speed);
   Rest rest = statics_->unloaded();
@@ -174,9 +176,9 @@ Result<Rest> Car::settle_on_tires(CarState& state,
     state.trim.arm[at(corner)] = tires_[at(corner)]->free_radius();
   }
   double worst = 0.0, before = 0.0;
-  std::array<double, kCorners> touching;  // N/m, of each tire as it stood on the road last
+  std::array<double, kCorners> touching;  // N/m, of each tire when it last touched the road
   touching.fill(lines[kFL].stiffness);
-  int touched = 0;  // tires, in the last round
+  int touched = 0;  // number of touching tires in the last round
   for (int i = 0; i < kMost; ++i) {
     double held = 0.0;
     auto stood = stand(lines, state.speed, inputs, rest, state.trim, &held);
@@ -200,8 +202,8 @@ Result<Rest> Car::settle_on_tires(CarState& state,
       wheel.hub = *hub;
       const double force = (wheel.motion.carrier * hub->force).z();
       worst = std::max(worst, std::abs(line.force + line.stiffness * (line.height - z) - force));
-      // The secant through the last place, where it is one of a tire; none of one in the air, as
-      // long as three stand.
+      // The secant through the last place is used if it is plausible for a tire. A tire in the air
+      // gets no stiffness if three others stand.
       const double secant = (force - line.force) / (line.height - z);
       if (force > 0.0) {
         ++touched;
@@ -215,13 +217,13 @@ Result<Rest> Car::settle_on_tires(CarState& state,
         line.stiffness = 0.0;
       }
       take(line, wheel);
-      // A pull whose arm has changed is another one.
-      constexpr double kArm = 1.0;  // m, over which a moment becomes loads of tires
+      // A changed arm changes the effect of the pull.
+      constexpr double kArm = 1.0;  // m, arm that converts a moment to tire loads
       double& arm = state.trim.arm[at(corner)];
       const double was = std::exchange(arm, arm_over(road, wheel));
       worst = std::max(worst, std::abs(state.trim.along * (arm - was)) / kArm);
     }
-    // As near as the tires are told, or until no round brings it nearer.
+    // The rounds end at the accuracy of the tires, or when a round brings no improvement.
     if (i > 0 && worst < kEnough * weight) break;
     if (i > 0 && worst < kUsual * weight && worst > 0.5 * before) break;
   }
@@ -263,8 +265,8 @@ Result<Rest> Car::roll_in(CarState& state,
       const WheelMotion end = motion_of_wheel(corner, rest.poses, &rates);
       const road::PlaneRoad level{{.height = road.height(end.center.x(), end.center.y(), 0.0)}};
       const Vector3d from = wheel.motion.center;
-      HubForces mean;       // over the second half: what has no period left in it
-      double height = 0.0;  // m, of the wheel center, likewise: where the line has that force
+      HubForces mean;       // over the second half, which contains no transient
+      double height = 0.0;  // m, wheel center, likewise: height at which the line has that force
       for (int i = 1; i <= way.steps; ++i) {
         const double left = way.duration * (RollIn::kRounds - 1 - round) + h * (way.steps - i);
         WheelMotion there = end;
@@ -309,7 +311,7 @@ Result<CarState> Car::settle(const road::Road& road, double speed, const CarInpu
     if (!rest) return rest.failure();
   }
   const GuidePoint start = inputs.guide.value_or(GuidePoint{0.0, speed, 0.0});
-  // As the guide held it at rest, so it begins: what is left of that the springs would have.
+  // The guide starts with the forces that it held at rest, minus those of its springs.
   const Vector3d off = off_guide(rest->poses[at(parts_.chassis)], {0.0, 0.0, start.y});
   state.trim.along += guide.along * off.x();
   state.trim.lateral = (1.0 - kStill) * guide.lateral * off.y();

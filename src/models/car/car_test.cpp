@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The car at rest and on the kerb: weight, symmetry, order of its steps, states as values.
+// Tests the car at rest and on the kerb: weight, symmetry, order of its steps, states as values.
 #include "models/car/car.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(Car, AtRestCarriesItsWeightByItsLevers) {
     EXPECT_NEAR(Fz[kFL] + Fz[kFR] + Fz[kRL] + Fz[kRR], weight, 1e-4 * weight);
     EXPECT_NEAR(Fz[kFL], Fz[kFR], 1e-4 * weight);
     EXPECT_NEAR(Fz[kRL], Fz[kRR], 1e-4 * weight);
-    // As drawn: the chassis is as low as its tires are pressed, and level.
+    // The car stands as drawn: the chassis is lowered by its tires' deflection, and level.
     const auto& chassis = state->bodies.poses[0];
     EXPECT_NEAR(chassis.place.x(), 0.75, 1e-3);
     EXPECT_LT((chassis.turn - Eigen::Matrix3d::Identity()).norm(), 5e-3);
@@ -82,14 +82,14 @@ TEST(Car, OverAKerbItsPushrodForcesAreOfOrderTwo) {
   }
 }
 
-/// Level from x = -2 to 5 m, y = -1 to 1 m.
+/// Returns a road that is level from x = -2 to 5 m, y = -1 to 1 m.
 road::TriangleRoad short_road() {
   return road::TriangleRoad(
       {.nodes = {{-2.0, -1.0, 0.0}, {5.0, -1.0, 0.0}, {5.0, 1.0, 0.0}, {-2.0, 1.0, 0.0}},
        .triangles = {{{0, 1, 2}}, {{0, 2, 3}}}});
 }
 
-// The front wheels begin at x = 1.55 m and are at the road's end after 3.45 m.
+// The front wheels begin at x = 1.55 m and reach the road's end after 3.45 m.
 TEST(Car, ATireOffTheRoadsEdgeIsNamedWhenItLeaves) {
   const auto car = made(race_car(true));
   const auto road = short_road();
@@ -130,14 +130,14 @@ TEST(Car, ATwistedChassisIsASpringAboutItsAxis) {
   ASSERT_EQ(parameters.fault(), "");
   const CarMechanism car = build(parameters);
   const auto& bodies = car.mechanism.bodies();
-  // Both halves are the whole.
+  // Both halves together are the whole.
   const multibody::MassProperties both =
       multibody::together({bodies[0].mass, bodies[0].origin, bodies[0].inertia},
                           {bodies[1].mass, bodies[1].origin, bodies[1].inertia});
   EXPECT_NEAR(both.mass, 180.0, 1e-12);
   EXPECT_LT((both.center - Vector3d(0.75, 0.0, 0.28)).norm(), 1e-12);
   EXPECT_LT((both.inertia - parameters.chassis.body.inertia).norm(), 1e-10);
-  // The rear half held, a moment on the front one.
+  // The rear half is held, and a moment acts on the front one.
   auto joints = car.mechanism.joints();
   joints.push_back({"rig",
                     multibody::kGround,
@@ -189,7 +189,7 @@ TEST(Car, LoadersAreFoundFromTheForcesOfThePushrods) {
   ASSERT_TRUE(found) << found.failure().reason;
   EXPECT_LT((found->downforce - truth).norm(), 0.5);
   EXPECT_LT(found->left.norm(), 1.0);
-  // What they cannot produce is told: it stays as it was put in.
+  // The part that the loaders cannot produce is reported: it equals the added part.
   measured += 100.0 * found->unreachable;
   found = solve_loaders(*car, loaders, measured, road::PlaneRoad{}, 0.0);
   ASSERT_TRUE(found);

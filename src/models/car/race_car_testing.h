@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A student race car: published hardpoints of both axles (set "fsae_parametrica": front push-rod,
-// toe-link at the rear), masses assumed. Locked, it is the car of verification/simbody.
+// A student race car: published hardpoints of both axles (set "fsae_parametrica": push-rod at the
+// front, toe-link at the rear) with assumed masses. With locked springs it is the car of
+// verification/simbody.
 #pragma once
 
 #include "models/car/car.h"

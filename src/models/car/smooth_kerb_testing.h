@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four waves below the left wheels, smooth: height (sin π s/L)^4 of pitch L = 0.8 m, from x = 3 m.
-// Where tires stay on it, order can be seen.
+// Four smooth waves below the left wheels: height (sin π s/L)^4 with pitch L = 0.8 m, from x = 3 m.
+// The order of steps can be seen on it, if tires do not lift off.
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The least of tires: a vertical spring and damper at the point of the road below the wheel center.
-//   Fz = k (R - (z - h)) + c (h' - z'),  never a pull;  h' along the wheel's way
-// No other force: what a linear car model stands on.
+// The simplest tire: a vertical spring and damper at the point of the road below the wheel center.
+//   Fz = k (R - (z - h)) + c (h' - z'),  never a pull;  h' along the wheel's path
+// It has no other force. Linear car models stand on it.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +38,7 @@ class SpringTire final : public Tire {
     const road::GroundPoint ground = road.at(motion.center.x(), motion.center.y(), time);
     const Eigen::Vector3d& n = ground.normal;
     const Eigen::Vector3d& v = motion.velocity;
-    // h' = ∂h/∂t + v ∂h/∂x: the ground's own velocity where it moves up, and the slope driven over.
+    // h' = ∂h/∂t + v ∂h/∂x: the vertical velocity of moving ground, and the slope driven over.
     const double rises = -(n.x() * v.x() + n.y() * v.y()) / n.z() + ground.velocity.dot(n) / n.z();
     const double force = std::max(
         0.0,
