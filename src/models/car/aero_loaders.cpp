@@ -67,7 +67,8 @@ Result<LoaderSolution> solve_loaders(Car& car,
                                      double speed,
                                      const CarInputs& inputs) {
   constexpr int kMost = 8;
-  constexpr int kHalvings = 6;      // of a step toward a state in which the car finds no rest
+  constexpr int kHalvings = 6;      // halvings of a step toward a state in which the car finds no
+                                    // rest
   constexpr double kProbe = 200.0;  // N: large against the residual of settling
   constexpr double kEnough =
       1e-4;  // share of the forces, for a step: rolling tires settle to some newtons

@@ -164,7 +164,7 @@ class Car {
   Car(const CarParameters& parameters, const multibody::TransientSettings& settings);
   /// Tires linearized about their current state, for statics.
   struct LineTire {
-    double force = 0.0, stiffness = 0.0, height = 0.0;         // N, N/m, m: of the wheel center
+    double force = 0.0, stiffness = 0.0, height = 0.0;         // N, N/m, m, wheel center
     multibody::Vector6d beside = multibody::Vector6d::Zero();  // other actions at the wheel center
   };
   using LineTires = std::array<LineTire, kCorners>;

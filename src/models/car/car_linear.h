@@ -38,7 +38,7 @@ Result<TireSlopes> probe(const WheelState& wheel,
 
 struct LinearCar {
   multibody::LinearModel model;
-  multibody::LinearInputs heights;  // of FL, FR, RL, RR, m
+  multibody::LinearInputs heights;  // heights at FL, FR, RL, RR, m
   multibody::LinearOutputs sensors;
   std::vector<std::string> names;  // pushrod_FL ... N; hub_FL ..., body_z m/s^2: car_record.h
 

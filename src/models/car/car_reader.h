@@ -35,8 +35,8 @@
 //   stiffness = "52 N/mm"                # suspension's hardpoints
 //   damping = "2.5 kN s/m"               # or damper = [["-1 m/s", "-3 kN"], ...]: force over the
 //   inertance = "0 kg"                   # rate of extension, pull positive
-//   curve = [["-30 mm", "-2 kN"], ...]   # added to stiffness, over extension from rest: a bump stop,
-//                                        # a progressive spring
+//   curve = [["-30 mm", "-2 kN"], ...]   # added to stiffness, over extension from rest: a bump
+//                                        # stop, a progressive spring
 //   [front.third]                        # on the sum of both sides: keys as of [front.spring]
 //   [front.anti_roll_bar]                # between rocker_arb_link and arb_link_blade
 //   stiffness = "80 N/mm"                # per difference of the links' travels
@@ -68,14 +68,14 @@ namespace latsch::car {
 
 struct CarFile {
   CarParameters parameters;
-  /// Of the axles that name no tire.
+  /// Spring tires of the axles that name no tire.
   std::optional<SpringTireParameters> front_spring_tire, rear_spring_tire;
   double driver_line = 0.0;                   // m
-  std::array<double, 2> drives = {0.0, 1.0};  // shares of front and rear axle in what pulls
+  std::array<double, 2> drives = {0.0, 1.0};  // shares of front and rear axle in the pull
 };
 
-/// Of the whole with its suspensions, not its tires: the tables front_tire and rear_tire are left
-/// to their kinds. InputError.
+/// Reads the car with its suspensions, but without its tires: the tables front_tire and rear_tire
+/// are left to their kinds. Throws InputError.
 CarFile read_car(const Node& root);
 
 }  // namespace latsch::car

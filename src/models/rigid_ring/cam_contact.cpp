@@ -7,9 +7,10 @@
 namespace latsch::rigid_ring {
 namespace {
 
-constexpr double kFirst = 4e-3;     // m: longer pieces are halved unseen
-constexpr double kFine = 1e-3;      // m: bounds above what was seen are not followed further
-constexpr double kSmooth = 1e-9;    // m, from a parabola at the quarters
+constexpr double kFirst = 4e-3;     // m: longer pieces are always halved
+constexpr double kFine = 1e-3;      // m: bounds above the known maximum are not followed below this
+                                    // length
+constexpr double kSmooth = 1e-9;    // m: largest distance from a parabola at the quarters
 constexpr double kShortest = 1e-7;  // m
 
 }  // namespace
@@ -22,7 +23,7 @@ double CamContact::Piece::roughest() const {
   return most;
 }
 
-/// Whether the quarters lie on the parabola through ends and middle.
+/// True if the quarters lie on the parabola through ends and middle.
 bool CamContact::Piece::smooth() const {
   const double one = 0.375 * h[0] + 0.75 * h[2] - 0.125 * h[4];
   const double three = -0.125 * h[0] + 0.75 * h[2] + 0.375 * h[4];
@@ -54,7 +55,7 @@ road::GroundBounds CamContact::bounds(double l, double r) const {
   return road_.bounds({low.x(), high.x(), low.y(), high.y()}, time_);
 }
 
-/// A piece on one side of the middle; its ends are known and counted.
+/// Searches a piece on one side of the middle, whose ends are known and counted.
 void CamContact::look(double l, double h_l, double r, double h_r) {
   const double nearest = cam_.depth(std::min(std::abs(l), std::abs(r)));
   const road::GroundBounds bound = bounds(l, r);
@@ -73,7 +74,7 @@ void CamContact::look(double l, double h_l, double r, double h_r) {
   halve(l, h_l, r, h_r);
 }
 
-/// First the half nearer to the middle, where the outline is lowest.
+/// The half nearer to the middle comes first, because the outline is lowest there.
 void CamContact::halve(double l, double h_l, double r, double h_r) {
   const double m = 0.5 * (l + r), h_m = ground(m);
   improve(m, h_m);
@@ -91,7 +92,7 @@ void CamContact::touch_line(double l, double h_l, double r, double h_r) {
   if (x > l && x < r) improve(x, h_l + rise * (x - l));
 }
 
-/// Where d/dx (h + depth) = 0, by regula falsi in the manner of Illinois.
+/// Finds where d/dx (h + depth) = 0 by regula falsi in the Illinois variant.
 void CamContact::touch_parabola(const Piece& piece) {
   constexpr int kMost = 50;
   constexpr double kClose = 1e-9;  // m: the height is flat there
@@ -103,7 +104,7 @@ void CamContact::touch_parabola(const Piece& piece) {
   double x0 = piece.l, x1 = piece.r, f0 = rate(x0), f1 = rate(x1);
   if (!(f0 > 0.0 && f1 < 0.0)) return;
   double x = m, last = x0;
-  int side = 0;  // of the last x: -1 left of the root
+  int side = 0;  // side of the last x: -1 left of the root
   for (int i = 0; i < kMost && std::abs(x - last) > kClose; ++i) {
     last = x;
     x = std::isfinite(f0) && std::isfinite(f1) ? (x0 * f1 - x1 * f0) / (f1 - f0) : 0.5 * (x0 + x1);

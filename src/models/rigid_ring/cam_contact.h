@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// How high a cam stands on a road: the least height of its middle at which nothing of the road is
-// inside of its outline,
+// Height of a cam on a road: the least height of its middle at which no part of the road is inside
+// its outline,
 //
 //   Z = max over |x| <= a of h(x) + depth(x),     h: height of the road along the cam
 //
-// exact to a tenth of a micrometer. [-a, a] is halved until a piece cannot hold the maximum
-// (Road::bounds), is a plane (the point where the outline has its slope, in closed form), is a
-// smooth curve (a parabola through it, exact to kSmooth), or is so short that a flank or corner
-// lies in it to within kShortest.
+// exact to a tenth of a micrometer. [-a, a] is halved until each piece meets one of these
+// conditions: it cannot hold the maximum (Road::bounds); it is a plane (the point where the outline
+// has its slope, in closed form); it is a smooth curve (a parabola through it, exact to kSmooth);
+// or it is so short that a flank or corner is located to within kShortest.
 //
-// Limits: where a road promises no bounds an obstacle shorter than kFirst may be missed, where its
-// bounds are wider than the road itself one shorter than kFine.
+// Limits: if a road gives no bounds, an obstacle shorter than kFirst may be missed; if its bounds
+// are wider than the road itself, one shorter than kFine.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,25 +22,25 @@ namespace latsch::rigid_ring {
 
 class CamContact {
  public:
-  /// Of a cam with its middle over `middle`, along the unit vector `heading`.
+  /// Takes a cam with its middle over `middle`, along the unit vector `heading`.
   CamContact(const CamOutline& cam,
              const Eigen::Vector2d& middle,
              const Eigen::Vector2d& heading,
              const road::Road& road,
              double time);
 
-  /// Z, m.
+  /// Returns Z, m.
   double height() const { return best_; }
 
  private:
-  /// h at l, r and at the quarters between.
+  /// A piece with h at l, r and at the quarters between.
   struct Piece {
     double l, r;
     double h[5];
 
     double width() const { return r - l; }
     double highest() const;
-    double roughest() const;  // change from one of the five to the next
+    double roughest() const;  // largest change between neighbors of the five
     bool smooth() const;
   };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outline of a cam, |x/a|^c + |z/b|^c = 1: how far it reaches down beside its middle.
+// The outline of a cam, |x/a|^c + |z/b|^c = 1, as its depth below the middle.
 #pragma once
 
 #include <algorithm>
@@ -11,20 +11,21 @@ struct CamOutline {
   double a = 0.3, b = 0.3;  // m, half axes
   double c = 1.8;           // order, >= 1
 
-  /// m below the middle, 0 <= depth <= b; 0 beyond |x| = a.
+  /// Returns the depth below the middle, m, 0 <= depth <= b; 0 beyond |x| = a.
   double depth(double x) const {
     const double xi = std::abs(x) / a;
     return xi < 1.0 ? b * std::pow(1.0 - std::pow(xi, c), 1.0 / c) : 0.0;
   }
-  /// d depth/dx, |x| < a.
+  /// Returns d depth/dx, |x| < a.
   double slope(double x) const {
     const double xi = std::abs(x) / a;
     const double rest = std::max(1.0 - std::pow(xi, c), 1e-300);
     return std::copysign(b / a * std::pow(xi, c - 1.0) * std::pow(rest, 1.0 / c - 1.0), -x);
   }
-  /// Where it touches a straight line that rises by `rise`: slope(x) = -rise.
+  /// Returns the x at which the outline touches a straight line that rises by `rise`: slope(x) =
+  /// -rise.
   double touch(double rise) const {
-    // rise a/b = t^((c-1)/c), t = xi^c/(1 - xi^c)
+    // The equation is rise a/b = t^((c-1)/c) with t = xi^c/(1 - xi^c).
     const double t = std::pow(std::abs(rise) * a / b, c / (c - 1.0));
     return std::copysign(std::isinf(t) ? a : a * std::pow(t / (1.0 + t), 1.0 / c), rise);
   }

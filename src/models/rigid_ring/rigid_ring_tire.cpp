@@ -21,14 +21,15 @@ using magic_formula::WheelContact;
 namespace {
 
 constexpr double kLeastSigma = 0.01;  // m
-constexpr double kLeastShare = 0.05;  // of the nominal load: a patch that lifts off has that length
+constexpr double kLeastShare = 0.05;  // share of the nominal load: a patch about to lift off has
+                                      // the length at this load
 
-/// The loaded radius at the nominal load, standing.
+/// Returns the loaded radius at the nominal load at rest.
 double nominal_radius(const Parameters& p) {
   return MagicFormula(p).evaluate({p.FNOMIN, 0.0, 0.0, 0.0, 0.0, p.LONGVL, p.NOMPRES}).R_l;
 }
 
-/// What holds a deflection back that has reached its bound.
+/// Stops a deflection that has reached its bound.
 double bounded_rate(double u, double rate, double bound) {
   return (u >= bound && rate > 0.0) || (u <= -bound && rate < 0.0) ? 0.0 : rate;
 }
@@ -81,7 +82,8 @@ WheelMotion RigidRingTire::belt_motion(const State& y, const WheelMotion& rim) c
   return belt;
 }
 
-/// Fz = F_static(rho + Fz/k_bz), the file's own curve of rim and road, by the secant method.
+/// Solves Fz = F_static(rho + Fz/k_bz), with the file's own curve of rim and road, by the secant
+/// method.
 double RigidRingTire::load(double rho, double approach, double spin_rate, double gamma) const {
   const auto surplus = [&](double Fz) {
     return Fz -
@@ -102,7 +104,7 @@ double RigidRingTire::load(double rho, double approach, double spin_rate, double
   return std::max(Fz + parameters_.DAMP_RESIDUAL * ring_.c_rz * approach, 0.0);
 }
 
-/// `turning`: w_c - w_y, rad/s.
+/// Computes slips and their rates. `turning`: w_c - w_y, rad/s.
 void RigidRingTire::slip(
     const WheelContact& wheel, double spin_rate, double turning, Contact& c, const State& y) {
   using namespace magic_formula;
@@ -146,16 +148,16 @@ RigidRingTire::Contact RigidRingTire::contact(const State& y, const Rim& at, boo
   const double R_omega = p.UNLOADED_RADIUS * (p.Q_RE0 + p.Q_V1 * speed * speed);
   const double turning =
       at.normal_rate.dot(wheel->axes.col(0)) - rim.angular_velocity.dot(wheel->axes.col(1));
-  // Where forces along the road lower the load, those that it makes.
+  // If forces along the road lower the load, load and forces are iterated.
   const bool coupled = rolling && (p.Q_FCX != 0.0 || p.Q_FCY != 0.0);
   constexpr int kMost = 20;
-  constexpr double kClose = 1e-9;  // of the load
+  constexpr double kClose = 1e-9;  // share of the load
   for (int i = 0; i < (coupled ? kMost : 1); ++i) {
     const double Fz = load(
         R_omega - wheel->height, rolling ? wheel->approach : 0.0, belt.spin_rate, wheel->gamma);
     if (Fz <= 0.0) {
       forces_ = {};
-      c.rate = -y.tail<4>() / 1e-3;  // what was sheared springs back within a millisecond
+      c.rate = -y.tail<4>() / 1e-3;  // deformation springs back within a millisecond
       return c;
     }
     const bool settled = i > 0 && std::abs(Fz - forces_.Fz) <= kClose * Fz;
@@ -172,7 +174,7 @@ RigidRingTire::Contact RigidRingTire::contact(const State& y, const Rim& at, boo
   return c;
 }
 
-/// What springs and dampers do to the rim, in C.
+/// Computes force and moment of springs and dampers on the rim, in C.
 void RigidRingTire::springs(const State& y,
                             double spin_rate,
                             Vector3d& force,
@@ -215,8 +217,8 @@ HubForces RigidRingTire::hub_forces(const State& y, double spin_rate) const {
   return hub;
 }
 
-/// The effective plane under the wheel at `motion`, where the belt is `ahead` s later than now and
-/// the patch carries what it will by then.
+/// Returns the effective plane under the wheel at `motion`, with the belt and the load extrapolated
+/// by `ahead` s.
 magic_formula::RoadPlane RigidRingTire::plane_ahead(const WheelMotion& motion,
                                                     double ahead,
                                                     const road::Road& road,
@@ -225,7 +227,7 @@ magic_formula::RoadPlane RigidRingTire::plane_ahead(const WheelMotion& motion,
   then.head<6>() += ahead * state_.segment<6>(6);
   const WheelMotion belt = belt_motion(then, motion);
   const Vector3d forward = belt.carrier.col(1).cross(Vector3d::UnitZ());
-  if (forward.norm() < 1e-3) return plane_;  // lies flat: `touch` will say so
+  if (forward.norm() < 1e-3) return plane_;  // lies flat: `touch` reports it
   const double Fz = std::max(forces_.Fz + ahead * load_rate_, kLeastShare * parameters_.FNOMIN);
   const SteadyState patch =
       formula_.evaluate({Fz, 0.0, 0.0, 0.0, 0.0, parameters_.LONGVL, settings_.pressure});
@@ -244,7 +246,7 @@ int RigidRingTire::substeps(double step, double Vx) const {
                                              (ring_.k_bgamma + ring_.c_ry * R2) / ring_.I_xx,
                                              (ring_.k_btheta + ring_.c_rx * R2) / ring_.I_yy})) +
                          std::abs(Vx) / kLeastSigma * 0.2;
-  constexpr double kAngle = 0.5;  // rad a substep: an error of 1e-4 of the amplitude a period
+  constexpr double kAngle = 0.5;  // rad per substep: an error of 1e-4 of the amplitude per period
   return std::clamp(static_cast<int>(std::ceil(step * fastest / kAngle)), 1, 1000);
 }
 
@@ -277,7 +279,8 @@ Result<HubForces> RigidRingTire::settle(const WheelMotion& motion,
   return hub_forces(state_, 0.0);
 }
 
-/// Rim and plane in between, all of them straight on from the last step's end to this one's.
+/// Returns rim and plane at an intermediate time, all linear from the last step's end to this
+/// one's.
 RigidRingTire::Rim RigidRingTire::between(const WheelMotion& motion,
                                           const magic_formula::RoadPlane& plane,
                                           double step,

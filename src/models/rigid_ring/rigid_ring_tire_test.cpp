@@ -20,7 +20,7 @@ using magic_formula::MagicFormula;
 using magic_formula::Parameters;
 using road::PlaneRoad;
 
-/// The round tire with a belt, stiff enough sideways for the file's overall stiffness.
+/// Returns the round tire with a belt, stiff enough sideways for the file's overall stiffness.
 Parameters ring_tire() {
   Parameters p = magic_formula::round_tire();
   p.BELT_MASS = 7.0;
@@ -50,7 +50,7 @@ WheelMotion standing(double height) {
   return motion;
 }
 
-/// Flat, then a step up at x = 0.
+/// A flat road with a step up at x = 0.
 class StepRoad : public road::Road {
  public:
   explicit StepRoad(double height) : height_(height) {}
@@ -63,8 +63,8 @@ class StepRoad : public road::Road {
 };
 
 TEST(RingConstants, OfTheSampleFile) {
-  // Belt 7 kg, 80 Hz, 0.6 kg m^2, 70 Hz, C_z 314931 N/m, C_x 391220 N/m: 1.769e6, 1.161e5, 3.83e5,
-  // 1.24e6 by the closed forms.
+  // Belt 7 kg, 80 Hz, 0.6 kg m^2, 70 Hz, C_z 314931 N/m, C_x 391220 N/m give 1.769e6, 1.161e5,
+  // 3.83e5, 1.24e6 by the closed forms.
   Parameters p = ring_tire();
   p.VERTICAL_STIFFNESS = 314931.0;
   p.LONGITUDINAL_STIFFNESS = 391220.0;
@@ -102,7 +102,7 @@ TEST(RigidRing, StandingItIsAsStiffAsTheFileSays) {
     constexpr int kSteps = 400;
     Result<HubForces> hub = HubForces{};
     for (int i = 0; i < 2 * kSteps; ++i) {
-      // Pushed smoothly over the first half, then held.
+      // The rim is pushed smoothly over the first half, then held.
       const double rate = i < kSteps ? kPush / (kSteps * kStep) *
                                            (1.0 - std::cos(2.0 * std::numbers::pi * i / kSteps))
                                      : 0.0;
@@ -112,7 +112,7 @@ TEST(RigidRing, StandingItIsAsStiffAsTheFileSays) {
       hub = tire->advance(motion, PlaneRoad(), 0.0, kStep);
       ASSERT_TRUE(hub.ok());
     }
-    // Sideways the belt tilts, and its camber thrust takes off 2 %.
+    // Sideways the belt tilts, and its camber thrust reduces the force by 2 %.
     if (sideways)
       EXPECT_NEAR(-hub->force.y() / kPush, p.LATERAL_STIFFNESS, 0.03 * p.LATERAL_STIFFNESS);
     else
@@ -135,14 +135,15 @@ TEST(RigidRing, RollingSteadilyItGivesTheMagicFormula) {
   for (int i = 0; i < 3000; ++i) hub = tire->advance(motion, PlaneRoad(), 0.0, 1e-3);
   ASSERT_TRUE(hub.ok());
   EXPECT_NEAR(
-      tire->contact_forces().Fz, 4000.0, 5.0);  // dampers that turn lift the ring by c Omega x/k
+      tire->contact_forces().Fz, 4000.0, 5.0);  // rotating dampers lift the ring by c Omega x/k
   const auto there =
       formula.evaluate({tire->contact_forces().Fz, kappa, 0.0, 0.0, 0.0, speed, 2.2e5});
   EXPECT_NEAR(hub->force.x(), there.Fx, 1e-3 * there.Fx);
   EXPECT_NEAR(hub->force.z(), tire->contact_forces().Fz, 1e-3);
 }
 
-/// Cycles a second of a hub force or moment while the rim, in the air, is held after a jerk.
+/// Returns the frequency, Hz, of a hub force or moment while the rim, in the air, is held after a
+/// jerk.
 template <class Read>
 double ringing(RigidRingTire& tire, const Vector3d& jerk, const Vector3d& twist, Read read) {
   constexpr double kStep = 1e-4;
@@ -195,7 +196,7 @@ TEST(RigidRing, OverAStepTheLoadRisesAndSettlesAgain) {
     if (motion.center.x() > -0.2) highest = std::max(highest, hub->force.z());
   }
   EXPECT_GT(highest, 5000.0);                 // more than the static 200 N/mm times 25 mm
-  EXPECT_NEAR(hub->force.z(), 5000.0, 50.0);  // where it ends
+  EXPECT_NEAR(hub->force.z(), 5000.0, 50.0);  // final value
 }
 
 /// A wave A sin(k x), smooth where the cams touch it.
@@ -216,7 +217,7 @@ class SineRoad : public road::Road {
   double A_, k_;
 };
 
-/// Hub force after 0.04 s over a smooth wave, drifting, braked, in `parts` steps.
+/// Returns the hub force after 0.04 s over a smooth wave, drifting, braked, in `parts` steps.
 Vector3d after_a_ride(const Parameters& p, int parts) {
   constexpr double kTime = 0.04, kSpeed = 20.0, omega = 2.0 * std::numbers::pi * 12.0;
   const auto tire = make(p);
@@ -252,8 +253,8 @@ TEST(RigidRing, IsOfOrderTwoInItsStep) {
   }
 }
 
-// How far the patch rolls in a step decides how often the step is divided, not how far the wheel
-// does: on a belt the wheel stands.
+// The number of substeps must depend on the distance that the patch rolls, not on that of the
+// wheel: on a belt the wheel stands still.
 TEST(RigidRing, OnAFastBeltItRollsAsOverAFastRoad) {
   Parameters p = ring_tire();
   p.PKX1 = 2.0;  // relaxation lengths of a centimeter
@@ -278,18 +279,19 @@ TEST(RigidRing, OnAFastBeltItRollsAsOverAFastRoad) {
   EXPECT_LT((forces[1] - forces[0]).norm(), 1e-9 * forces[0].norm());
 }
 
-/// A ring tire whose effective radius goes with the load, that rolls without resistance.
+/// Returns a ring tire whose effective radius depends on the load, and which rolls without
+/// resistance.
 Parameters free_rolling_tire() {
   Parameters p = ring_tire();
   p.QSY1 = 0.0;
-  p.FREFF = 0.3;  // a change of R_e that is seen: 6 mm over the nominal load
+  p.FREFF = 0.3;  // gives a visible change of R_e: 6 mm over the nominal load
   return p;
 }
 
-/// What is read each step of a wheel that rolls freely with 2 m/s at constant height over a wave.
+/// Values in each step of a wheel that rolls freely at 2 m/s and constant height over a wave.
 struct Rolled {
   double omega, R_e, beta, height, Fz;
-  Vector3d center;  // of the belt
+  Vector3d center;  // center of the belt
 };
 std::vector<Rolled> roll_over(const Parameters& p, const SineRoad& road, double way) {
   constexpr double kSpeed = 2.0, kStep = 5e-4, kInertia = 1.0;
@@ -319,7 +321,7 @@ std::vector<Rolled> roll_over(const Parameters& p, const SineRoad& road, double 
   return rolled;
 }
 
-// Slowly over a long wave a free wheel turns with V/R_e of the load of the moment.
+// On a long wave a slow free wheel turns at V/R_e with R_e of the instantaneous load.
 TEST(RigidRing, OverALongWaveTheSpinFollowsTheRadiusOfTheLoad) {
   const auto rolled = roll_over(free_rolling_tire(), SineRoad(0.005, 0.5), 25.0);
   double off = 0.0, varies = 0.0, load = 0.0;
@@ -334,14 +336,14 @@ TEST(RigidRing, OverALongWaveTheSpinFollowsTheRadiusOfTheLoad) {
   EXPECT_LT(off, 0.005 * varies);
 }
 
-// Over a shorter one slope and curvature show: omega R_e = V cos(beta) + (R_l - R_e) dbeta/dt, the
-// same for a tire whose axle follows the wave. A disc would turn as on the flat.
+// On a shorter wave slope and curvature matter: omega R_e = V cos(beta) + (R_l - R_e) dbeta/dt,
+// also for a tire whose axle follows the wave. A disk would turn as on flat ground.
 TEST(RigidRing, OverAShortWaveTheSpinFollowsTheCurvature) {
   Parameters p = free_rolling_tire();
   p.FREFF = p.DREFF = 0.0;  // R_e is that of the free tire at every load
   const auto rolled = roll_over(p, SineRoad(0.004, 4.0), 16.0);
   double off = 0.0, varies = 0.0;
-  for (std::size_t i = rolled.size() * 3 / 4; i + 1 < rolled.size(); ++i) {  // the start rang off
+  for (std::size_t i = rolled.size() * 3 / 4; i + 1 < rolled.size(); ++i) {  // start has decayed
     const Rolled &r = rolled[i], &before = rolled[i - 1], &after = rolled[i + 1];
     const double turning = (after.beta - before.beta) / 1e-3;
     const Vector3d along(std::cos(r.beta), 0.0, std::sin(r.beta));
@@ -354,9 +356,10 @@ TEST(RigidRing, OverAShortWaveTheSpinFollowsTheCurvature) {
   EXPECT_LT(off, 0.01 * varies);
 }
 
-// Braked over a long wave with a spin that stands, straight on and in a corner, the slip itself
-// goes with the load: the force is the formula's at kappa = omega R_e(Fz)/V - 1, lagging
-// behind the springs of patch and belt: d(sigma_c kappa')/dt = V (kappa - kappa') - dFx/dt / k_b.
+// The wheel is braked over a long wave at constant spin, straight on and in a corner, so the slip
+// itself depends on the load. The force is that of the formula at kappa = omega R_e(Fz)/V - 1,
+// delayed by the springs of patch and belt: d(sigma_c kappa')/dt = V (kappa - kappa') - dFx/dt /
+// k_b.
 TEST(RigidRing, BrakedOverALongWaveTheSlipFollowsTheRadiusOfTheLoad) {
   const Parameters p = free_rolling_tire();
   const MagicFormula formula(p);
@@ -387,11 +390,12 @@ TEST(RigidRing, BrakedOverALongWaveTheSlipFollowsTheRadiusOfTheLoad) {
       most = std::max(most, kappa);
     }
     EXPECT_LT(off, alpha == 0.0 ? 1e-3 : 0.01);  // the belt turns a little under Mz
-    EXPECT_GT(most - least, 8e-3);               // of a slip of 3 %
+    EXPECT_GT(most - least, 8e-3);               // compared with a slip of 3 %
   }
 }
 
-/// After `steps` steps of a ring that stands and is moved with a smooth bump of these velocities.
+/// Returns the forces on a ring at rest after it was moved by `way` and turned by `angle` in a
+/// smooth bump of velocity that lasts `time`, and then held for as long.
 HubForces moved(RigidRingTire& tire, const Vector3d& way, double angle, double time) {
   constexpr double kStep = 1e-3;
   WheelMotion motion = standing(0.28);
@@ -418,8 +422,8 @@ TEST(RigidRing, PushedFarWhileStandingItIsHeldByFriction) {
   EXPECT_NEAR(moved(*make(p), {0.0, 0.3, 0.0}, 0.0, 3.0).force.y(), -4000.0, 60.0);
 }
 
-// Limit by the turn slip of the file, slope by its yaw stiffness: that of the belt's springs with
-// the residual one.
+// The limit is that of the file's turn slip, the slope its yaw stiffness: the belt's springs in
+// series with the residual one.
 TEST(RigidRing, TurnedOnTheSpotItIsHeldByYawStiffnessUpToTheFormulasTorque) {
   Parameters p = ring_tire();
   p.YAW_STIFFNESS = 5000.0;
@@ -428,7 +432,8 @@ TEST(RigidRing, TurnedOnTheSpotItIsHeldByYawStiffnessUpToTheFormulasTorque) {
   EXPECT_NEAR(moved(*make(p), {0.0, 0.0, 0.0}, 1e-4, 1.0).moment.z(), -0.5, 0.01 * 0.5);
 }
 
-// Through standstill, steered and pushed aside, and the same backward in a mirror across the road.
+// The path goes through standstill, steered and pushed aside; then the same backward, mirrored
+// across the road.
 TEST(RigidRing, TheMirroredWayBackwardGivesMirroredForces) {
   Parameters p = ring_tire();
   p.YAW_STIFFNESS = 5000.0;
@@ -439,7 +444,7 @@ TEST(RigidRing, TheMirroredWayBackwardGivesMirroredForces) {
     const auto tire = make(p);
     const SineRoad road(0.003, 4.0);
     WheelMotion motion = standing(0.28);
-    motion.center.x() = std::numbers::pi / 8.0;  // a crest, from which both ways are alike
+    motion.center.x() = std::numbers::pi / 8.0;  // a crest, from which both directions are alike
     double heading = 0.0;
     ASSERT_TRUE(tire->settle(motion, road, 0.0).ok());
     for (int i = 1; i <= 2000; ++i) {

@@ -37,7 +37,7 @@ Result<RingConstants> ring_constants(const magic_formula::Parameters& p, double 
   c.c_btheta = damping(p.DAMP_WINDUP, c.k_btheta, c.I_yy);
   const auto residual = [&c](double overall, double of_ring) {
     const double compliance = 1.0 / overall - of_ring;
-    // The ring alone is as soft as the file wants the whole: what is left is nearly rigid.
+    // If the ring alone is as soft as the file's whole tire, the residual spring is nearly rigid.
     constexpr double kLeastShare = 0.05;
     const bool left = compliance * overall >= kLeastShare;
     c.too_soft = c.too_soft || !left;

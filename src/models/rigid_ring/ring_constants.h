@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stiffnesses and dampings of the rigid ring from what a .tir states: frequencies of the free belt,
-// overall stiffnesses of the tire.
+// Stiffnesses and dampings of the rigid ring from the values of a .tir: frequencies of the free
+// belt, overall stiffnesses of the tire.
 //
 //   k_bx = k_bz = m_b (2 pi f_long)^2     k_by = m_b (2 pi f_lat)^2
 //   k_bgamma = k_bpsi = I_xx (2 pi f_yaw)^2     k_btheta = I_yy (2 pi f_windup)^2
 //   c = 2 zeta sqrt(k m)
 //
-// What the ring does not give, the residual springs between ring and contact patch do, in series:
+// The overall compliance beyond that of the ring is that of the residual springs between ring and
+// contact patch, in series:
 //   1/C_z = 1/k_bz + 1/c_rz
 //   1/C_x = 1/k_bx + R_l^2/k_btheta + 1/c_rx
 //   1/C_y = 1/k_by + R_l^2/k_bgamma + 1/c_ry
@@ -25,13 +26,14 @@ struct RingConstants {
   double c_bx = 0.0, c_by = 0.0, c_bgamma = 0.0, c_btheta = 0.0;
   double c_rx = 0.0, c_ry = 0.0, c_rz = 0.0;  // N/m, residual
   double c_rpsi = 0.0;                        // N m/rad, residual; 0: no YAW_STIFFNESS in the file
-  /// In some direction the ring alone is (nearly) as soft as the file wants the whole tire; the
-  /// residual spring is then twenty times as stiff as the whole, which the tire stays short of.
+  /// True if in some direction the ring alone is (nearly) as soft as the file's whole tire. The
+  /// residual spring is then twenty times as stiff as the whole tire, so the tire is softer than
+  /// the file requires.
   bool too_soft = false;
 };
 
-/// A Failure where masses, frequencies or overall stiffnesses are missing. `R_l`: loaded radius at
-/// the nominal load; stiffnesses at nominal load and pressure.
+/// Returns a Failure if masses, frequencies or overall stiffnesses are missing. `R_l`: loaded
+/// radius at the nominal load. Stiffnesses are at nominal load and pressure.
 Result<RingConstants> ring_constants(const magic_formula::Parameters& parameters, double R_l);
 
 }  // namespace latsch::rigid_ring

@@ -9,7 +9,7 @@
 namespace latsch::rigid_ring {
 namespace {
 
-constexpr double kLeastShift = 0.004;  // m: a patch that is about to lift off still has a slope
+constexpr double kLeastShift = 0.004;  // m: a patch about to lift off still has a slope
 constexpr int kMostTracks = 10;
 
 }  // namespace
@@ -50,7 +50,8 @@ magic_formula::RoadPlane TandemCams::plane(const Eigen::Vector3d& center,
       Eigen::Vector3d(
           -slope * heading.x() - bank * left.x(), -slope * heading.y() - bank * left.y(), 1.0)
           .normalized();
-  // Of the ground at the effective height: over a cleat on a drum it changes as smoothly as that.
+  // The velocity is that of ground at the effective height, so over a cleat on a drum it changes as
+  // smoothly as this height.
   plane.velocity =
       ground.velocity + ground.turning.cross(Eigen::Vector3d(0.0, 0.0, w - ground.height));
   plane.friction = ground.friction;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Enveloping: the road as the patch feels it, from two cams that roll behind one another.
+// Enveloping: the road as the contact patch experiences it, from two cams that roll one behind the
+// other.
 //
 //   |x/a_e|^c + |z/b_e|^c = 1     outline of a cam: ELLIPS_LENGTH, ELLIPS_HEIGHT (times R0),
 //                                 ELLIPS_ORDER
@@ -9,9 +10,9 @@
 //   tan beta_y = (Z_r - Z_f)/l_s  effective slope, positive downhill
 // [Schmeitz 2004; Pacejka 2012, 10.1.6]
 //
-// On a plain slope a cam touches uphill of its middle, so w is above the slope there by what the
-// definition says: 0.5 mm at 8 %. Over the width, ELLIPS_NWIDTH pairs stand side by side; their
-// mean counts, and their inclination as effective camber.
+// On a plane slope a cam touches uphill of its middle, so by this definition w is above the slope
+// there: 0.5 mm at 8 %. Over the width there are ELLIPS_NWIDTH pairs side by side; w and beta_y are
+// their means, and their lateral inclination is the effective camber.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,8 +28,8 @@ class TandemCams {
  public:
   explicit TandemCams(const magic_formula::Parameters& parameters);
 
-  /// Under a wheel that stands at `center` and heads along `forward`; `a`, `b`: half length and
-  /// half width of the patch.
+  /// Returns the effective plane under a wheel at `center` with heading `forward`. `a`, `b`: half
+  /// length and half width of the patch.
   magic_formula::RoadPlane plane(const Eigen::Vector3d& center,
                                  const Eigen::Vector3d& forward,
                                  double a,

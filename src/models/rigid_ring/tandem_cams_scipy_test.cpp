@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Effective height and slope against an independent program that takes the definition by its word:
-// NumPy slides the outline over points of the road 0.02 mm apart, corners among them.
+// Tests effective height and slope against an independent program that applies the definition
+// literally: NumPy slides the outline over points of the road 0.02 mm apart, including corners.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -68,7 +68,7 @@ with open("answers", "w") as out:
 
 constexpr double kDrum = 1.25;  // m, radius
 
-/// The roads of the script.
+/// Returns the roads of the script.
 std::vector<std::unique_ptr<road::Road>> roads() {
   using road::ProfileRoad;
   std::vector<std::unique_ptr<road::Road>> all;

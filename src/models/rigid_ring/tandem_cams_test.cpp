@@ -31,7 +31,7 @@ magic_formula::Parameters cams_of(double tracks) {
   return p;
 }
 
-/// The maximum of height and depth over 10,000 points a side.
+/// Returns the maximum of height and depth over 10,000 points a side.
 double densely(const CamOutline& cam, const Vector2d& at, const Road& road) {
   constexpr int kParts = 10000;
   double highest = -1e9;
@@ -56,8 +56,8 @@ TEST(CamOutline, IsAnEllipseOfOrderTwoAndTouchesWhereItsSlopeSays) {
   }
 }
 
-// On a slope of tan = s the definition says max(s x + depth(x)): by the inequality dual to the
-// outline's norm, b (1 + (s a/b)^(c/(c-1)))^((c-1)/c), both cams alike.
+// On a slope of tan = s the definition gives max(s x + depth(x)). By the inequality dual to the
+// outline's norm this is b (1 + (s a/b)^(c/(c-1)))^((c-1)/c), equal for both cams.
 TEST(TandemCams, OnAPlainSlopeStandAsTheirOutlineSays) {
   const auto p = cams_of(3.0);
   const TandemCams cams(p);
@@ -72,8 +72,8 @@ TEST(TandemCams, OnAPlainSlopeStandAsTheirOutlineSays) {
   }
 }
 
-// A vertical flank h high: a cam whose middle is d before it stands on its edge, h + depth(d) high,
-// and on level road where that is less than b.
+// Before a vertical flank of height h a cam with its middle at the distance d stands on the edge,
+// at height h + depth(d), or on the level road if that is less than b.
 TEST(TandemCams, BeforeAStepStandOnItsEdge) {
   const auto p = cams_of(1.0);
   constexpr double h = 0.02, a = 0.05;
@@ -92,7 +92,7 @@ TEST(TandemCams, BeforeAStepStandOnItsEdge) {
   }
 }
 
-/// Heights of another road, and not a word about what they are like.
+/// A road with the heights of another one and without bounds.
 class SilentRoad final : public Road {
  public:
   explicit SilentRoad(const Road& road) : road_(road) {}
@@ -116,8 +116,8 @@ road::CrgRoad rough_grid() {
   return road::CrgRoad(grid);
 }
 
-// Every kind of road against the maximum over 20,000 points, whether the road says what it is like
-// or not. Beside a flank the points miss the edge by their distance, 0.03 mm, times the outline's
+// Every kind of road is compared with the maximum over 20,000 points, with the road's bounds and
+// without. Beside a flank the points miss the edge by their distance, 0.03 mm, times the outline's
 // slope.
 TEST(CamContact, FindsTheHighestOfManyPointsOnEveryRoad) {
   const road::Kerb saw{.height = 0.025, .count = 2, .start = {-0.8, -0.4}};
@@ -156,8 +156,8 @@ TEST(CamContact, FindsTheHighestOfManyPointsOnEveryRoad) {
   }
 }
 
-// A plate of 0.3 mm is thinner than the first spacing of samples; a road that says how high it is
-// at most does not hide it.
+// A plate of 0.3 mm is thinner than the first spacing of samples; bounds of the road must reveal
+// it.
 TEST(CamContact, SeesAThinPlate) {
   const road::ProfileRoad road = road::cleat_road(0.0337, 0.02, 3e-4, 0.0);
   const CamOutline cam{0.3, 0.3, 1.8};

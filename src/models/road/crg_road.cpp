@@ -17,13 +17,13 @@ namespace {
 using Border = CrgGrid::Border;
 using Eigen::Vector2d;
 
-// The same direction to all digits but the last of sums over the line.
+// Tolerance for equal directions: all digits but the last of sums over the line.
 constexpr double kStraight = 1e-12;
 // Spacings that differ by less count as even, as in OpenCRG's own evaluation.
 constexpr double kEven = 1e-9;
-// The cosine of a corner of the line sharper than any road's: its normals are no use.
+// Cosine of a corner of the line that is sharper than any road's; its normals cannot be used.
 constexpr double kFolded = 1e-6;
-// OpenCRG closes a line whose ends differ by less than 60 deg.
+// Cosine of the 60 deg between the ends of a line below which OpenCRG closes it.
 constexpr double kClosingCosine = 0.5;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -59,7 +59,7 @@ CrgRoad::CrgRoad(CrgGrid grid) : grid_(std::move(grid)) {
   if (grid_.closed) find_closure();
 }
 
-/// The straight continuations of both ends meet: each is used for half of the gap.
+/// Finds where the straight continuations of both ends meet; each is used for half of the gap.
 void CrgRoad::find_closure() {
   const double cosine = first_.dot(last_);
   if (cosine <= kClosingCosine) return;
@@ -78,13 +78,13 @@ double CrgRoad::wrapped(double u) const {
   return u - length * std::floor((u - close_min_) / length);
 }
 
-/// Direction of the line in a point, not of unit length.
+/// Returns the direction of the line at a point, not normalized.
 Vector2d CrgRoad::tangent(int point) const {
   const int last = grid_.rows() - 1;
   return grid_.line[std::min(point + 1, last)] - grid_.line[std::max(point - 1, 0)];
 }
 
-/// From a point of the line as far as where v = 1 crosses the normal on its tangent.
+/// Returns the vector from a point of the line to where v = 1 crosses the normal on its tangent.
 Vector2d CrgRoad::miter(int point, const Vector2d& normal) const {
   const Vector2d n = left_of(tangent(point)).normalized();
   const double cosine = n.dot(normal);
@@ -109,7 +109,8 @@ CrgRoad::Interval CrgRoad::interval(const Vector2d& p) const {
   const double a = beyond(k) / tangent(k).dot(d);
   const double b = -beyond(k + 1) / tangent(k + 1).dot(d);
   found.number = k;
-  // Beyond a center of curvature the normals have crossed: anywhere in the interval is as good.
+  // Beyond a center of curvature the normals have crossed, and any place in the interval is as
+  // good.
   found.part = a + b > 0.0 ? std::clamp(a / (a + b), 0.0, 1.0) : 0.5;
   found.v = cross(d, p - P[k]) / d.norm();
   const bool before = k == 0 && a < 0.0, behind = k == last - 1 && b < 0.0;
@@ -157,13 +158,13 @@ namespace {
 
 struct Folded {
   double way = 0.0;   // 0 ... length
-  double sign = 1.0;  // of the derivative
+  double sign = 1.0;  // sign of the derivative
   bool outside = false;
 };
 
-/// Where the border mode looks for a place beyond 0 ... length.
+/// Returns the place that the border mode uses for a place beyond 0 ... length.
 Folded fold(double way, double length, Border border) {
-  if (!std::isfinite(way)) way = 0.0;  // so far away that no number tells it
+  if (!std::isfinite(way)) way = 0.0;  // too large for a number
   if (way >= 0.0 && way <= length) return {way};
   if (border == Border::repeat) return {way - length * std::floor(way / length)};
   if (border == Border::reflect) {
@@ -214,8 +215,8 @@ void CrgRoad::add_grid(const Place& u, const Place& v, Elevation& result) const 
   }
 }
 
-/// Height of the line and banking; this counts from the line as far as the grid goes, and with the
-/// place in the grid also where that is repeated.
+/// Adds the height of the line and its banking. The banking is multiplied by v in the grid, also
+/// where the grid is repeated.
 void CrgRoad::add_line(const Place& u, const Place& v, Elevation& result) const {
   const double rise = grid_.line_height[u.row + 1] - grid_.line_height[u.row];
   result.z += grid_.line_height[u.row] + u.part * rise;
@@ -281,14 +282,14 @@ double CrgRoad::mean_height(const Vector2d& from, const Vector2d& to, double tim
   const Position a = locate(from.x(), from.y()), b = locate(to.x(), to.y());
   const double columns = static_cast<double>(grid_.v.size() - 1);
   const double by_u = 1.0 / grid_.u_increment, by_v = columns / (grid_.v.back() - grid_.v.front());
-  // Places of the ends in the grid, in lines from its corner.
+  // The places of the ends are given in grid lines, from the grid's corner.
   const Vector2d begin((a.u - grid_.u_begin) * by_u, (a.v - grid_.v.front()) * by_v);
   const Vector2d end((b.u - grid_.u_begin) * by_u, (b.v - grid_.v.front()) * by_v);
   const Vector2d low = begin.cwiseMin(end), high = begin.cwiseMax(end), way = end - begin;
   if (!(low.minCoeff() >= 0.0 && high.x() <= grid_.rows() - 1.0 && high.y() <= columns &&
         way.cwiseAbs().maxCoeff() <= kMost))
     return Road::mean_height(from, to, time);
-  // The shares of the way at which it next crosses lines of both kinds.
+  // Shares of the line at which it next crosses grid lines of both kinds.
   Vector2d next, line;
   const auto share_at = [&](int i) {
     return way[i] == 0.0 ? 2.0 : std::max(0.0, (line[i] - begin[i]) / way[i]);
@@ -297,7 +298,7 @@ double CrgRoad::mean_height(const Vector2d& from, const Vector2d& to, double tim
     line[i] = way[i] > 0.0 ? std::floor(begin[i]) + 1.0 : std::ceil(begin[i]) - 1.0;
     next[i] = share_at(i);
   }
-  const double off = 0.5 / std::sqrt(3.0);  // two places of Gauss
+  const double off = 0.5 / std::sqrt(3.0);  // two Gauss points
   double done = 0.0, sum = 0.0;
   while (done < 1.0) {
     const double until = std::min(1.0, next.minCoeff()), part = until - done;
@@ -319,7 +320,7 @@ double CrgRoad::mean_height(const Vector2d& from, const Vector2d& to, double tim
 GroundPoint CrgRoad::at(double x, double y, double) const {
   const Interval place = interval({x, y});
   const Elevation surface = evaluate(wrapped(u_of(place)), place.v);
-  // The gradient in the plane: z by u and v are its products with how the place moves with them.
+  // Derivatives of z by u and v are the products of the gradient with the derivatives of the place.
   Eigen::Matrix2d moves;
   moves.row(0) = place.along_u;
   moves.row(1) = place.along_v;
@@ -334,7 +335,7 @@ GroundPoint CrgRoad::at(double x, double y, double) const {
 std::string CrgRoad::beyond(double x, double y) const {
   const Position p = locate(x, y);
   const Place u = along(p.u), v = across(p.v);
-  // What lies on the way that closes a line is interpolated as its file asks for.
+  // Places between the ends of a closed line are interpolated, as its file asks for.
   const bool is_on_line = !u.outside || closed_;
   if (is_on_line && !v.outside) return {};
   return fmt::format(
@@ -350,7 +351,7 @@ std::string CrgRoad::beyond(double x, double y) const {
 
 GroundBounds CrgRoad::bounds(const GroundBox& box, double) const {
   if (!straight_ || closed_ || grid_.smooth_begin > 0.0 || grid_.smooth_end > 0.0) return {};
-  // Along a straight line u and v go straight with x and y: the corners hold the rest.
+  // On a straight line u and v are linear in x and y, so the corners bound the others.
   double u0 = std::numeric_limits<double>::infinity(), v0 = u0, u1 = -u0, v1 = -u0;
   for (const auto& [x, y] : std::initializer_list<std::pair<double, double>>{
            {box.x0, box.y0}, {box.x1, box.y0}, {box.x0, box.y1}, {box.x1, box.y1}}) {
@@ -372,7 +373,8 @@ GroundBounds CrgRoad::bounds(const GroundBox& box, double) const {
     highest = std::max(highest, z + grid_.line_height[row]);
   }
   if (grid_.banking.empty()) return {highest, false};
-  double lean = -std::numeric_limits<double>::infinity();  // banking times v, both straight
+  double lean = -std::numeric_limits<double>::infinity();  // maximum of banking times v, both
+                                                           // linear
   for (int row = first.row; row <= last.row + 1; ++row) {
     for (const double v : {v0, v1}) lean = std::max(lean, grid_.banking[row] * v);
   }

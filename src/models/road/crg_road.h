@@ -2,20 +2,20 @@
 // A curved regular grid: heights on a grid along a reference line, the surface of OpenCRG
 // [ASAM OpenCRG 1.2.0, concept paper].
 //
-//   u  along the line, every `u_increment`; v  to its left, at any rising places
+//   u  along the line, every `u_increment`; v  to its left, at any increasing places
 //   z(u, v) = line height(u) + banking(u) v + grid(u, v)
 //
-// with heights and banking straight between rows and the grid bilinear. In the interval k between
-// the points P_k and P_k+1 of the line, v is the distance from the line through both; u divides,
-// parallel to it, the way from the normal on P_k-1 P_k+1 through P_k to that on P_k P_k+2 through
-// P_k+1. Beyond both ends the line goes on straight. At a place nearer to a center of curvature
-// than the line itself the coordinates are not unique, as in OpenCRG.
+// Heights and banking are linear between rows, and the grid is bilinear. In the interval k between
+// the points P_k and P_k+1 of the line, v is the distance from the line through both. u divides,
+// parallel to this line, the distance from the normal on P_k-1 P_k+1 through P_k to the normal on
+// P_k P_k+2 through P_k+1. Beyond both ends the line continues straight. At a place closer to a
+// center of curvature than the line itself the coordinates are not unique, as in OpenCRG.
 //
 // Beyond the grid the border modes of OpenCRG hold:
 //   none     no road: elevation() is empty there; for a tire at() keeps the edge
 //   zero     z = border_offset
-//   keep     the edge goes on, raised by border_offset
-//   repeat   the grid begins again, reflect: it comes back mirrored
+//   keep     the edge continues, raised by border_offset
+//   repeat   the grid begins again; reflect: it returns mirrored
 #pragma once
 
 #include <optional>
@@ -32,15 +32,17 @@ struct CrgGrid {
   double u_increment = 1.0;           // m
   std::vector<Eigen::Vector2d> line;  // m, at least two points
   std::vector<double> line_height;    // m, of each row
-  std::vector<double> banking;        // of each row, or none
+  std::vector<double> banking;        // for each row, or empty
   std::vector<double> v;              // m, at least two, rising
   std::vector<double> z;              // m, row by row, v from right to left
-  std::vector<bool> missing;          // of each z, or none: it is a guess, elevation() is empty
+  std::vector<bool> missing;          // for each z, or empty; true: z is a guess, and elevation()
+                                      // is empty
 
   Border border_u = Border::keep, border_v = Border::keep;
   double border_offset_u = 0.0, border_offset_v = 0.0;  // m
-  double smooth_begin = 0.0, smooth_end = 0.0;  // m: over which z fades in from the line's height
-  bool closed = false;                          // the end joins the begin, where it can
+  double smooth_begin = 0.0, smooth_end = 0.0;  // m, length over which z fades in from the line's
+                                                // height
+  bool closed = false;                          // the end joins the begin, if possible
 
   int rows() const { return static_cast<int>(line.size()); }
   double u_end() const { return u_begin + u_increment * (rows() - 1); }
@@ -56,26 +58,27 @@ class CrgRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
-  /// Beside the grid, but where its file says that it is repeated or reflected; gaps in it count as
-  /// road, which the file fills.
+  /// Reports places beside the grid, unless its file has it repeated or reflected there. Gaps in
+  /// the grid, which the file fills, count as road.
   std::string beyond(double x, double y) const override;
-  /// From one line of the grid to the next, between which heights are of second degree.
+  /// Integrates from one line of the grid to the next; the height between them is of second degree.
   double mean_height(const Eigen::Vector2d& from,
                      const Eigen::Vector2d& to,
                      double time) const override;
-  /// Inside the grid of a straight line the highest of the heights around; else nothing.
+  /// Returns, inside the grid of a straight line, the highest of the surrounding heights; otherwise
+  /// no bound.
   GroundBounds bounds(const GroundBox& box, double time) const override;
 
   Position locate(double x, double y) const;
   Eigen::Vector2d point(const Position& position) const;
-  /// Empty where the file has no road.
+  /// Empty if the file has no road there.
   std::optional<double> elevation(const Position& position) const;
   const CrgGrid& grid() const { return grid_; }
 
  private:
   struct Interval {
     int number = 0;     // between points number and number + 1
-    double part = 0.0;  // way through it; < 0, > 1 beyond the ends
+    double part = 0.0;  // position in it; < 0, > 1 beyond the ends
     double v = 0.0;
     Eigen::Vector2d along_u;  // derivatives of the place by u and v
     Eigen::Vector2d along_v;
@@ -83,7 +86,7 @@ class CrgRoad final : public Road {
   struct Place {
     int row = 0;
     double part = 0.0;
-    double sign = 1.0;  // of the derivative; 0 where the edge is kept
+    double sign = 1.0;  // sign of the derivative; 0 if the edge is kept
     bool outside = false;
   };
   struct Elevation {
@@ -108,7 +111,7 @@ class CrgRoad final : public Road {
   LineIndex index_;
   bool straight_ = false, even_v_ = false, closed_ = false;
   double close_min_ = 0.0, close_max_ = 0.0;
-  Eigen::Vector2d first_, last_;  // directions at both ends, unit
+  Eigen::Vector2d first_, last_;  // unit directions at both ends
 };
 
 }  // namespace latsch::road

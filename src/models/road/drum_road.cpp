@@ -11,9 +11,10 @@ namespace latsch::road {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-// Closer to the side of the drum its surface becomes steeper than three to one.
+// Share of R beyond which |x| is not on the drum, because the surface becomes steeper than three to
+// one.
 constexpr double kEdge = 0.95;
-// m: edges that seen from above are shorter have no surface.
+// Length in plan, m, below which an edge counts as vertical and has no surface.
 constexpr double kVertical = 1e-12;
 
 }  // namespace
@@ -26,8 +27,8 @@ DrumRoad::DrumRoad(const Settings& settings)
   for (const Cleat& cleat : settings_.cleats) {
     assert(!cleat.profile.empty() && cleat.profile.reach() < R_);
     const double arc = std::max(-cleat.profile.begin(), cleat.profile.end());
-    // A corner's height shows beside its arc by height * tan θ; tan θ < 3.1 within the edges, the
-    // rest is for the curvature.
+    // In plan a corner is displaced from its arc by height * tan θ. Within the edges tan θ < 3.1;
+    // the remaining factor allows for curvature.
     constexpr double kLean = 10.0;
     windows_.push_back((arc / std::cos(cleat.angle) + kLean * cleat.profile.reach()) / R_);
   }
@@ -36,7 +37,7 @@ DrumRoad::DrumRoad(const Settings& settings)
 void DrumRoad::raise(int number, double x, double y, double turned, Surface& surface) const {
   const Cleat& cleat = settings_.cleats[number];
   const double middle = cleat.starting_angle - turned - y * std::tan(cleat.angle) / R_;
-  // The whole turns that bring the middle nearest to the point asked for.
+  // Whole turns bring the middle as near as possible to the point.
   const double theta = middle - kTurn * std::round((middle - std::asin(x / R_)) / kTurn);
   if (std::abs(theta - std::asin(x / R_)) > windows_[number]) return;
   const double stretch = 1.0 / (R_ * std::cos(cleat.angle));
@@ -75,8 +76,9 @@ DrumRoad::Surface DrumRoad::locate(double x, double y, double time) const {
 
 double DrumRoad::height(double x, double y, double time) const { return locate(x, y, time).z; }
 
-/// Of a cleat where it may be seen between x0 and x1, its middle between the angles `first` and
-/// `last`: of one angle exact, of several the highest corner of every edge that may be there.
+/// Returns the highest point of a cleat between x0 and x1, if its middle is between the angles
+/// `first` and `last`. For a single angle it is exact; for several it is the highest corner of
+/// every edge that may be there.
 double DrumRoad::highest_of(
     const Cleat& cleat, double x0, double x1, double first, double last) const {
   const double stretch = 1.0 / (R_ * std::cos(cleat.angle));
@@ -108,7 +110,7 @@ double DrumRoad::highest_of(
   return most;
 }
 
-/// Whether one may be seen in the box; then `highest` is raised to it.
+/// True if a cleat may be seen in the box; `highest` is then raised to it.
 bool DrumRoad::cleat_in(const GroundBox& box, double time, double& highest) const {
   bool seen = false;
   const double turned = settings_.surface.distance(time) / R_;
@@ -126,7 +128,7 @@ bool DrumRoad::cleat_in(const GroundBox& box, double time, double& highest) cons
   return seen;
 }
 
-/// Highest at the top of an outer drum, at the sides of an inner one, or on a cleat.
+/// The highest point is at the top of an outer drum, at the sides of an inner one, or on a cleat.
 GroundBounds DrumRoad::bounds(const GroundBox& box, double time) const {
   const double nearest = std::clamp(0.0, box.x0, box.x1);
   const double farthest = std::max(std::abs(box.x0), std::abs(box.x1));
@@ -150,8 +152,8 @@ GroundPoint DrumRoad::at(double x, double y, double time) const {
   ground.height = surface.z;
   double slope_y = 0.0;
   if (surface.cleat >= 0) {
-    // Aside by dy the cleat stands turned by dθ = -tan(angle) dy / R about the axis; θ grows toward
-    // +x on top of an outer drum, which lies above the axis, and on the floor of an inner one.
+    // Displaced by dy, the cleat is turned by dθ = -tan(angle) dy / R about the axis. θ grows
+    // toward +x on top of an outer drum, which is above the axis, and on the floor of an inner one.
     const double turn = up_ * std::tan(settings_.cleats[surface.cleat].angle) / R_;
     slope_y = (-x - surface.slope * above_axis) * turn;
   }

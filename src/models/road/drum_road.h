@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The drum of a test rig, smooth or with cleats: the road under a wheel whose hub stands still.
+// The drum of a test rig, smooth or with cleats, as the road under a wheel with a fixed hub.
 //
 //   outer: the tire stands on it            inner: the tire rolls within
 //            z                                  z
@@ -8,16 +8,15 @@
 //    .   ----+---->x  surface at z = 0      `   |   '
 //   .        | axis at -R                     ` ----+---->x
 //
-// The axis is parallel to y; the surface touches z = 0 at x = 0, where it runs toward -x at
-// `surface.speed`: that of a wheel rolling toward +x. θ is the angle about the axis from that line
-// toward +x. A cleat at starting angle θ0 has its middle at
+// The axis is parallel to y. The surface touches z = 0 at x = 0, where it moves toward -x at
+// `surface.speed`, as below a wheel that rolls toward +x. θ is the angle about the axis from that
+// line toward +x. A cleat with starting angle θ0 has its middle at
 //   θ = θ0 - distance(t)/R - y tan(angle)/R,
 // wound around the drum as a helix, turned by `angle` from the line of the axle, counterclockwise
-// seen from above as in profile_road.h. Its section is a
-// Profile over the arc length across the bar, wrapped on the drum: the corners stand at their arc
-// and height, the edges between are straight. Where flank and drum hide each other from above the
-// upper surface counts. Beyond |x| = 0.95 R the surface goes on as the tangent there, without
-// cleats.
+// seen from above as in profile_road.h. Its section is a Profile over the arc length across the
+// bar, wrapped around the drum: corners are at their arc length and height, edges between them are
+// straight. Where flank and drum hide each other from above, the upper surface counts. Beyond |x| =
+// 0.95 R the surface continues as the tangent there, without cleats.
 #pragma once
 
 #include <vector>
@@ -31,7 +30,7 @@ namespace latsch::road {
 class DrumRoad final : public Road {
  public:
   struct Cleat {
-    Profile profile = {};         // heights not negative: a drum has no grooves
+    Profile profile = {};         // heights >= 0: a drum has no grooves
     double starting_angle = 0.0;  // rad
     double angle = 0.0;           // rad, against the axle, |angle| < 90 deg
     double friction = 1.0;        // factor on the tire's own friction
@@ -40,7 +39,7 @@ class DrumRoad final : public Road {
     double diameter = 2.0;  // m, > 0
     bool inner = false;
     Travel surface = {};
-    double friction = 1.0;  // factor, beside the cleats
+    double friction = 1.0;  // factor beside the cleats
     std::vector<Cleat> cleats = {};
   };
 
@@ -65,12 +64,12 @@ class DrumRoad final : public Road {
 
   Settings settings_;
   double R_;
-  double up_;                    // of the axis: -1 below the road (outer), +1 above (inner)
-  double edge_x_, edge_z_;       // where the tangent goes on
-  std::vector<double> windows_;  // rad: beyond them a cleat is not seen
+  double up_;                    // side of the axis: -1 below the road (outer), +1 above (inner)
+  double edge_x_, edge_z_;       // point from which the tangent continues
+  std::vector<double> windows_;  // rad, beyond which a cleat is not seen
 };
 
-/// Equally spaced cleats of one section, the first at `starting_angle`.
+/// Returns equally spaced cleats with one section, the first at `starting_angle`.
 std::vector<DrumRoad::Cleat> equally_spaced(int number, const DrumRoad::Cleat& first);
 
 }  // namespace latsch::road

@@ -37,11 +37,11 @@ Profile section_across(const Kerb& kerb) {
   return Profile({{0.0, 0.0}, {kerb.ramp, 1.0}, {kerb.width - kerb.ramp, 1.0}, {kerb.width, 0.0}});
 }
 
-/// Without points above each other: the lower one gives way.
+/// Returns the points without vertical flanks, by moving a point of each flank.
 std::vector<Profile::Point> without_flanks(std::vector<Profile::Point> points) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (points[i].s - points[i - 1].s >= kFlank) continue;
-    // Before a rise the low point comes earlier, in a fall the high one.
+    // The point before moves backward: the low one before a rise, the high one before a fall.
     points[i - 1].s = points[i].s - kFlank;
   }
   return points;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kerbs as tracks have them: one section repeated along the track, of a given width.
+// Kerbs of race tracks: one section repeated along the track, with a given width.
 //
 //   saw_tooth   rises over the pitch, falls back at its end
-//   triangle    up over half the pitch, down over the other
-//   sine        height (1 - cos(2π s / pitch)) / 2, by chords of 1/256 of the pitch: at most
-//               0.004 % of the height away
-//   block       a bar of `length` in the middle of every pitch, its edges beveled
+//   triangle    up over half the pitch, down over the other half
+//   sine        height (1 - cos(2π s / pitch)) / 2, by chords of 1/256 of the pitch, with an error
+//               of at most 0.004 % of the height
+//   block       a bar of `length` in the middle of every pitch, with beveled edges
 //
-// A negative height is a depth: the same section below the road. `ramp` at either side brings the
-// height up across the width, as kart tracks have it.
+// A negative height is a depth: the same section below the road. `ramp` at either side raises the
+// height gradually across the width, as on kart tracks.
 #pragma once
 
 #include "models/road/profile_road.h"
@@ -24,23 +24,23 @@ struct Kerb {
   double width = 0.8;   // m, across
   double height = 0.0;  // m; negative: depth
   int count = 4;
-  double length = 0.0;                              // m, block: of the bar
-  double bevel = 0.0;                               // m, block
+  double length = 0.0;                              // m, length of a block's bar
+  double bevel = 0.0;                               // m, bevel of a block
   double ramp = 0.0;                                // m, at most width / 2
-  Eigen::Vector2d start = Eigen::Vector2d::Zero();  // m: begin of the first, right edge
-  double angle = 0.0;                               // rad, of the track about z
-  double friction = 1.0;                            // factor, on the kerb
-  double road_friction = 1.0;                       // factor, beside it
+  Eigen::Vector2d start = Eigen::Vector2d::Zero();  // m, begin of the first, right edge
+  double angle = 0.0;                               // rad, direction of the track about z
+  double friction = 1.0;                            // factor on the kerb
+  double road_friction = 1.0;                       // factor beside the kerb
 };
 
-/// One pitch, from s = 0.
+/// Returns the profile of one pitch, from s = 0.
 Profile kerb_profile(const Kerb& kerb);
 
 ProfileRoad kerb_road(const Kerb& kerb);
 
-/// The same as triangles, for programs that read nothing else: level for `approach` (m) before and
-/// behind it and for `beside` (m) on both sides, where a car's other wheels are; 0: as wide as the
-/// kerb. Flanks fall over 0.01 mm.
+/// Returns the kerb as triangles, for programs that read nothing else. They are level for
+/// `approach` (m) before and behind the kerb, and for `beside` (m) on both sides, where a car's
+/// other wheels are; 0: as wide as the kerb. Flanks fall over 0.01 mm.
 TriangleMesh kerb_triangles(const Kerb& kerb, double approach, double beside = 0.0);
 
 }  // namespace latsch::road

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nearest corner of a long line in the plane, found in a tree of boxes around stretches of it.
+// Search for the nearest corner of a long line in the plane, in a tree of boxes around its
+// stretches.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,10 +11,10 @@ namespace latsch::road {
 class LineIndex {
  public:
   LineIndex() = default;
-  /// At least one point. The points are not kept: `nearest` is given the same ones.
+  /// Takes at least one point. The points are not stored: `nearest` must be given the same ones.
   explicit LineIndex(const std::vector<Eigen::Vector2d>& points);
 
-  /// The first of the nearest points.
+  /// Returns the first of the nearest points.
   int nearest(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& p) const;
 
  private:

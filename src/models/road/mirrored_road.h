@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A road mirrored in the plane y = 0: what a tire rolls on that is the mirror image of another
+// A road mirrored in the plane y = 0, for a tire that is the mirror image of another
 // (models/tire/mirrored_tire.h).
 #pragma once
 
@@ -9,7 +9,7 @@ namespace latsch::road {
 
 class MirroredRoad final : public Road {
  public:
-  /// The road has to outlive it.
+  /// The road must outlive this object.
   explicit MirroredRoad(const Road& road) : road_(road) {}
 
   GroundPoint at(double x, double y, double time) const override;

@@ -77,7 +77,7 @@ void PlacedRoad::below(const GroundRow& row, double time, const RowGround& groun
   }
 }
 
-/// Of the rectangle along the axes of the road itself that holds the turned one.
+/// Uses the rectangle along the road's own axes that contains the turned one.
 GroundBounds PlacedRoad::bounds(const GroundBox& box, double time) const {
   Eigen::Vector2d low = local(box.x0, box.y0), high = low;
   for (const auto& [x, y] : std::initializer_list<std::pair<double, double>>{
@@ -88,7 +88,7 @@ GroundBounds PlacedRoad::bounds(const GroundBox& box, double time) const {
   }
   GroundBounds bounds = road_->bounds({low.x(), high.x(), low.y(), high.y()}, time);
   bounds.highest += origin_.z();
-  bounds.cylinder.reset();  // its axis is parallel to y no more
+  bounds.cylinder.reset();  // its axis is no longer parallel to y
   return bounds;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A road put elsewhere: turned about z by `angle`, its origin brought to `origin`.
+// A road in another place: turned about z by `angle`, its origin moved to `origin`.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@ namespace latsch::road {
 
 class PlacedRoad final : public Road {
  public:
-  /// rad, m.
+  /// `angle` in rad, `origin` in m.
   PlacedRoad(std::shared_ptr<const Road> road, double angle, const Eigen::Vector3d& origin);
 
   GroundPoint at(double x, double y, double time) const override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plane without end: the flat road, a grade, a flat belt that runs.
+// An infinite plane: the flat road, a grade, or a running flat belt.
 #pragma once
 
 #include "models/road/road.h"
@@ -10,14 +10,15 @@ namespace latsch::road {
 class PlaneRoad final : public Road {
  public:
   struct Settings {
-    double height = 0.0;    // m, below the origin
+    double height = 0.0;    // m, at the origin
     double grade = 0.0;     // dz/dx: rises ahead
     double bank = 0.0;      // dz/dy: rises to the left
     double friction = 1.0;  // factor
-    Travel belt = {};       // along the falling side of x: carries a standing tire's ground back
+    Travel belt = {};       // down the x direction: carries the ground backward below a standing
+                            // tire
   };
 
-  /// Level at zero, at rest.
+  /// Makes a level plane at zero, at rest.
   PlaneRoad() : PlaneRoad(Settings{}) {}
   explicit PlaneRoad(const Settings& settings);
 
@@ -28,7 +29,7 @@ class PlaneRoad final : public Road {
  private:
   Settings settings_;
   Eigen::Vector3d normal_;
-  Eigen::Vector3d forward_;  // unit, up the grade along x
+  Eigen::Vector3d forward_;  // unit vector, up the grade along x
 };
 
 }  // namespace latsch::road

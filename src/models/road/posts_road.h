@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The four plates of a post rig: level, each moved up and down by an actuator, one below each
-// quarter of a car. Between samples heights go by a cubic through both ends with the slopes of
-// central differences, so that velocities have no jumps; beyond them the ends are held.
+// The four plates of a post rig, one below each quarter of a car: level, each moved up and down by
+// an actuator. Heights between samples are cubics through both ends with slopes from central
+// differences, so that velocities have no jumps. Beyond the samples the first and last heights are
+// kept.
 #pragma once
 
 #include <array>
@@ -14,9 +15,9 @@ namespace latsch::road {
 class PostsRoad final : public Road {
  public:
   struct Settings {
-    double x = 0.0, y = 0.0;    // m: where the quarters meet
-    std::vector<double> times;  // s, rising evenly, two at least
-    /// Front left, front right, rear left, rear right, m, at these times.
+    double x = 0.0, y = 0.0;    // m, the point where the quarters meet
+    std::vector<double> times;  // s, evenly spaced, at least two
+    /// Heights at these times: front left, front right, rear left, rear right, m.
     std::array<std::vector<double>, 4> heights;
   };
 

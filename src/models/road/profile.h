@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The section of an obstacle: height over a coordinate s, straight between its points.
+// The section of an obstacle: height over a coordinate s, linear between its points.
 //
 //   cleat:      ____________  height        kerb, saw tooth:      /|   /|   /|
 //          bevel/            \                                   / |  / |  / |
 //              |              |                                 /  | /  | /  |
 //       -------+              +-------  0                      /   |/   |/   |
 //
-// Two points at one s are a vertical flank; exactly there the higher of both heights counts.
-// Beyond its ends a profile keeps the height it ends with.
+// Two points with the same s form a vertical flank; exactly there the greater of both heights
+// counts. Beyond its ends a profile keeps its last height.
 #pragma once
 
 #include <algorithm>
@@ -24,49 +24,51 @@ class Profile {
   };
   struct Value {
     double height = 0.0;  // m
-    double slope = 0.0;   // dz/ds; at a corner that of the part behind it
+    double slope = 0.0;   // dz/ds; at a corner the slope of the part behind it
   };
 
-  /// Level at zero.
+  /// Makes a level profile at zero.
   Profile() = default;
-  /// `points` by s, which never falls.
+  /// Takes `points` in order of s, which never decreases.
   explicit Profile(std::vector<Point> points);
 
   Value at(double s) const;
-  /// Below it from its begin to s, m^2; of one that is not empty.
+  /// Returns the area below the profile from its begin to s, m^2. The profile must not be empty.
   double area(double s) const;
   struct Extremes {
     double lowest, highest;  // m
   };
-  /// Over s0 <= s <= s1.
+  /// Returns the extremes over s0 <= s <= s1.
   Extremes between(double s0, double s1) const;
   const std::vector<Point>& points() const { return points_; }
-  /// Asks places one after the other that are close to each other: from where the last one was.
+  /// Evaluates successive, nearby places, each search starting from the last place.
   class Walk;
-  /// Those with s0 <= s <= s1.
+  /// Returns the points with s0 <= s <= s1.
   std::span<const Point> points_between(double s0, double s1) const;
   bool empty() const { return points_.empty(); }
   double begin() const { return points_.front().s; }
   double end() const { return points_.back().s; }
-  /// The largest distance from zero, m.
+  /// Returns the largest distance from zero, m.
   double reach() const { return reach_; }
 
  private:
   using Place = std::vector<Point>::const_iterator;
 
   Place first_from(double s) const;
-  /// From `near` on, where it is near.
+  /// Searches from `near` on, if s is near it.
   Place first_from(double s, Place near) const;
   Place search(double s, Place from, Place to) const;
   Value at(double s, Place right) const;
   double area(double s, Place right) const;
 
   std::vector<Point> points_;
-  std::vector<double> areas_;         // of each point
-  std::vector<double> slopes_;        // from each point to the next; 0 of flanks
-  std::vector<Extremes> of_several_;  // of z, of sixteen points each
-  std::vector<int> first_in_;  // the first point from each of equal parts on, one a point; or none
-  bool even_ = false;          // points at even distances: that of a part is that of its number
+  std::vector<double> areas_;         // area up to each point
+  std::vector<double> slopes_;        // slope from each point to the next; 0 for flanks
+  std::vector<Extremes> of_several_;  // extremes of z, of sixteen points each
+  /// First point behind the start of each of equal parts, one part per point; or empty.
+  std::vector<int> first_in_;
+  bool even_ = false;          // points are evenly spaced: a part starts at the point with its
+                               // number
   double parts_per_meter_ = 0.0;
   double reach_ = 0.0;
 };
@@ -75,12 +77,12 @@ class Profile::Walk {
  public:
   explicit Walk(const Profile& profile) : profile_(&profile), right_(profile.points_.begin()) {}
 
-  /// The same bits as the profile's.
+  /// Returns the same bits as the profile's at().
   Value at(double s) {
     right_ = profile_->first_from(s, right_);
     return profile_->at(s, right_);
   }
-  /// That of s, which was the last place asked for.
+  /// Returns the area up to s, which must be the last place evaluated.
   double area_to(double s) const { return profile_->area(s, right_); }
 
  private:
@@ -88,8 +90,8 @@ class Profile::Walk {
   Place right_;
 };
 
-/// The first point that is not before s. Where there are many, from what is known of its part: back
-/// as far as rounding has put it, or forward.
+/// Returns the first point that is not before s. If there are many points, the search starts at the
+/// first point of its part, and goes back as far as rounding may require, or forward.
 inline Profile::Place Profile::first_from(double s) const {
   auto from = points_.begin();
   auto to = points_.end();
@@ -147,13 +149,13 @@ inline double Profile::area(double s, Place right) const {
   return areas_[i] + way * (left->z + 0.5 * slopes_[i] * way);
 }
 
-/// A bar of `length` across s = 0. A bevel of 45 deg takes `bevel` off its upper edges along both
-/// directions; the flanks below are vertical. A negative height is a groove, beveled at its rim.
-/// Needs length > 0 and 0 <= bevel <= min(|height|, length / 2).
+/// Returns a bar of `length` across s = 0. A bevel of 45 deg removes `bevel` from its upper edges
+/// along both directions; the flanks below are vertical. A negative height is a groove with beveled
+/// rim. Requires length > 0 and 0 <= bevel <= min(|height|, length / 2).
 Profile cleat_profile(double height, double length, double bevel);
 
-/// The same with every corner rounded by the radius given for it (0: sharp), as far as half of the
-/// shorter edge beside it allows, by chords of at most 5 deg.
+/// Returns the profile with every corner rounded by its radius (0: sharp), limited by half of the
+/// shorter adjacent edge, with chords of at most 5 deg.
 Profile rounded_profile(const std::vector<Profile::Point>& points,
                         const std::vector<double>& radii);
 

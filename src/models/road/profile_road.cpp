@@ -10,7 +10,7 @@
 namespace latsch::road {
 namespace {
 
-constexpr double kShortest = 1e-4;  // m: of shorter ways areas cancel
+constexpr double kShortest = 1e-4;  // m; areas of shorter lines cancel
 
 }  // namespace
 
@@ -25,7 +25,7 @@ Eigen::Vector2d ProfileRoad::local(double x, double y, double time) const {
   return {forward * cos_ + left * sin_, left * cos_ - forward * sin_};
 }
 
-/// Which of the repetitions a place s belongs to.
+/// Returns the number of the repetition to which a place s belongs.
 double ProfileRoad::number_at(double s) const {
   const double number = s / settings_.pitch;
   if (settings_.count <= 0) return std::floor(number);
@@ -87,12 +87,12 @@ double ProfileRoad::mean_height(const Eigen::Vector2d& from,
   const Eigen::Vector2d begin = local(from.x(), from.y(), time),
                         way = local(to.x(), to.y(), time) - begin;
   if (const auto mean = mean_along(begin, way)) return *mean;
-  std::vector<double> corners{0.0, 1.0};  // where on the way
+  std::vector<double> corners{0.0, 1.0};  // shares of the line at which the slope changes
   const auto add_corner = [&](double distance, double run) {
     if (const double u = distance / run; u > 0.0 && u < 1.0) corners.push_back(u);
   };
   const auto add = [&](const Profile& profile, double shift, double start, double run) {
-    constexpr double kSlack = 1e-6;  // m, beyond rounding: add_corner() decides
+    constexpr double kSlack = 1e-6;  // m, more than rounding: add_corner() decides
     const double from = std::min(start, start + run) - shift,
                  to = std::max(start, start + run) - shift;
     for (const Profile::Point& p : profile.points_between(from - kSlack, to + kSlack))
@@ -104,14 +104,15 @@ double ProfileRoad::mean_height(const Eigen::Vector2d& from,
   } else {
     const double first = std::min(begin.x(), begin.x() + way.x()), last = first + std::abs(way.x());
     const double end = number_at(last), start = number_at(first);
-    for (double i = 0.0; i <= end - start; ++i) {  // far out start + i no longer grows by steps
+    for (double i = 0.0; i <= end - start; ++i) {  // for distant places start + i may not change
+                                                   // with i
       const double n = start + i;
       add_corner(n * settings_.pitch - begin.x(), way.x());  // the seam
       add(settings_.along, n * settings_.pitch, begin.x(), way.x());
     }
   }
   std::sort(corners.begin(), corners.end());
-  // Two points of Gauss a piece: exact to the third degree, and never on a flank.
+  // Two Gauss points per piece are exact to the third degree, and are never on a flank.
   const double off = 0.5 / std::sqrt(3.0);
   double sum = 0.0;
   for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -138,10 +139,10 @@ GroundPoint ProfileRoad::at(double x, double y, double time) const {
   return ground;
 }
 
-/// Places in order: border, middle, border ... First where they are, then what is there, so that no
-/// look-up waits for another.
+/// Places in order: border, middle, border ... All places are computed first, then all profiles
+/// there, so that no look-up waits for another.
 struct ProfileRoad::RowPlaces {
-  static constexpr int kPieces = 16;  // of a row at once
+  static constexpr int kPieces = 16;  // pieces of a row at once
   template <class Value>
   using Of = std::array<Value, 2 * kPieces + 1>;
 
@@ -149,8 +150,8 @@ struct ProfileRoad::RowPlaces {
   Of<double> s, t, number;  // s from the begin of its repetition
   Of<Profile::Value> along, across;
   Of<double> height;
-  Of<double> area;  // of along, where it is level across
-  bool level;       // the factor across is the same at all of them and between
+  Of<double> area;  // area of `along`, if it is level across
+  bool level;       // the factor across is the same at all places and between
 };
 
 void ProfileRoad::below(const GroundRow& row, double time, const RowGround& ground) const {
@@ -234,8 +235,8 @@ void ProfileRoad::describe(const GroundRow& row,
   }
 }
 
-/// A plane where the whole box is beside the sections or on one straight piece, as long as what
-/// stands across does not change in it.
+/// Returns a plane if the whole box is beside the sections or on one straight piece, and the
+/// profile across does not change in it.
 GroundBounds ProfileRoad::bounds(const GroundBox& box, double time) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double shift = settings_.belt.distance(time) - settings_.origin.x();

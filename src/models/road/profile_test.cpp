@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Profiles of many points, which are looked up by parts, against the piece that a walk over all
-// points finds: between points, on them, on flanks, beyond both ends.
+// Tests profiles of many points, which are looked up by parts, against a search through all points:
+// between points, on them, on flanks, beyond both ends.
 #include "models/road/profile.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,8 @@
 namespace latsch::road {
 namespace {
 
-/// Straight between the last point before s and the first behind it; the highest of those at s.
+/// Interpolates between the last point before s and the first behind it; takes the highest of those
+/// at s.
 double height_by_a_walk(const std::vector<Profile::Point>& points, double s) {
   if (s < points.front().s) return points.front().z;
   if (s > points.back().s) return points.back().z;
@@ -33,7 +34,8 @@ TEST(Profile, OfManyPointsFindsThePieceThatAWalkDoes) {
     std::vector<Profile::Point> points;
     double s = -1.0;
     for (int i = 0; i < 300; ++i) {
-      // Uneven: many close to each other, gaps a thousand times as wide, every tenth a flank.
+      // Spacing is uneven: many points close to each other, gaps a thousand times as wide, every
+      // tenth a flank.
       const double x = random.uniform();
       if (i > 0) s += even ? 0.01 : i % 10 == 0 ? 0.0 : 0.1 * std::pow(x, 8);
       points.push_back({s, random.uniform()});

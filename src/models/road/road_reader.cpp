@@ -21,7 +21,7 @@ constexpr double kLargest = 1e4;                            // m
 constexpr double kShortest = 1e-6;                          // m
 constexpr double kFastest = 1e3;                            // m/s
 constexpr double kRightAngle = std::numbers::pi / 2.0;      // rad
-constexpr double kMostOblique = 80.0 / 90.0 * kRightAngle;  // of a cleat
+constexpr double kMostOblique = 80.0 / 90.0 * kRightAngle;  // limit of a cleat's angle
 
 Range friction_range() { return Range::between(0.0, 10.0); }
 Range size_range() { return {0.0, kLargest, true}; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A road as a person writes it.
+// Reads a road from a file or an inline table:
 //
 //   kind = "flat"                        # friction, height, grade, bank (plain), belt_speed
 //
@@ -39,13 +39,13 @@
 
 namespace latsch::road {
 
-/// Throws InputError naming the place; unknown keys too.
+/// Throws InputError naming the place, for unknown keys too.
 std::unique_ptr<Road> read_road(const Node& table);
 
-/// Whether `kind` is that of a road.
+/// True if `kind` is that of a road.
 bool is_road(const Node& table);
 
-/// Of kind "kerb" alone.
+/// Reads a road of kind "kerb" only.
 Kerb read_kerb(const Node& table);
 
 }  // namespace latsch::road

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Roads against the geometry they are drawn from.
+// Tests roads against the geometry from which they are made.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -22,8 +22,8 @@ namespace {
 // Rounding of coordinates of a few meters.
 constexpr double kRounding = 1e-14;
 
-/// The normal must be that of the surface: central differences of the height with steps h, whose
-/// error is h² times a third derivative (below 1/m² here) and the rounding of the height over h.
+/// The normal must be that of the surface, by central differences of the height with steps h. Their
+/// error is h² times a third derivative (below 1/m² here) plus the rounding of the height over h.
 void expect_normal_of_surface(const Road& road, double x, double y, double time) {
   constexpr double h = 1e-5;
   constexpr double kError = 1e-8;
@@ -106,7 +106,7 @@ TEST(CleatRoad, TurnsWithItsAngleAndTravelsWithItsBelt) {
 }
 
 TEST(KerbRoad, RepeatsItsSectionAndEnds) {
-  Kerb kerb;  // the kerb of the saw-tooth sample: 800 x 800 x 25 mm, four of them
+  Kerb kerb;  // the kerb of the saw-tooth sample: four of 800 x 800 x 25 mm
   kerb.height = 0.025;
   kerb.start = {0.0, -0.4};
   kerb.friction = 0.9;
@@ -165,9 +165,9 @@ TEST_P(Drum, CleatPassesTheTopOnceATurn) {
   DrumRoad::Settings with = settings(20.0);
   with.cleats = {{cleat_profile(0.02, 0.025, 0.005), 0.5, 0.0, 0.8}};
   const DrumRoad road(with);
-  const double first = 0.5 * 1.25 / 20.0;  // the cleat has to come 0.5 rad
+  const double first = 0.5 * 1.25 / 20.0;  // time for the 0.5 rad to the cleat
   const double period = 2.0 * std::numbers::pi * 1.25 / 20.0;
-  // The flat top is a chord: its middle lies nearer to the axis than its corners at 7.5 mm of arc.
+  // The flat top is a chord, so its middle is nearer to the axis than its corners at 7.5 mm of arc.
   const double sag = (GetParam() ? 1.23 : 1.27) * (1.0 - std::cos(0.0075 / 1.25));
   for (int turn = 0; turn < 3; ++turn) {
     const GroundPoint ground = road.at(0.0, 0.0, first + turn * period);
@@ -175,7 +175,7 @@ TEST_P(Drum, CleatPassesTheTopOnceATurn) {
     EXPECT_EQ(ground.friction, 0.8);
     EXPECT_EQ(road.height(0.0, 0.0, first + (turn + 0.5) * period), 0.0);
   }
-  // Just before, its leading bevel stands at x > 0.
+  // Just before, its leading bevel is at x > 0.
   const double drum = DrumRoad(settings()).height(0.03, 0.0, 0.0);
   EXPECT_NEAR(road.height(0.03, 0.0, first - 0.03 / 20.0) - drum, 0.02, 1e-4);
   EXPECT_EQ(road.height(0.0, 0.0, first - 0.03 / 20.0), 0.0);
@@ -228,7 +228,8 @@ TEST(DrumRoad, SpacesCleatsEqually) {
   }
 }
 
-/// 8 x 8 squares of two triangles each over x, y in -0.5 .. 0.5 m, with a hole in the middle.
+/// Returns 8 x 8 squares of two triangles each over x, y in -0.5 .. 0.5 m, with a hole in the
+/// middle.
 TriangleMesh hilly_mesh(double height) {
   constexpr int kSquares = 8;
   RandomStream random(5, 1);
@@ -261,8 +262,8 @@ CrgGrid banked_grid() {
   return grid;
 }
 
-// A mesh ends at its outline and at its hole, a grid at its rows and sections; turned and moved
-// both end where they have been brought to. Kerbs, drums and planes go on without an end.
+// A mesh ends at its outline and at its hole, a grid at its rows and sections; placed roads end at
+// the transformed places. Kerbs, drums and planes are infinite.
 TEST(Road, EndsWhereItsDataDo) {
   const auto mesh = std::make_shared<const TriangleRoad>(hilly_mesh(0.01));
   EXPECT_EQ(mesh->beyond(-0.4, 0.49), "");
@@ -283,7 +284,7 @@ TEST(Road, EndsWhereItsDataDo) {
   EXPECT_EQ(PlaneRoad{}.beyond(1e6, -1e6), "");
 }
 
-// What a road says of a rectangle holds at every point of it.
+// Bounds of a rectangle must hold at every point of it.
 TEST(Road, BoundsHoldInTheWholeBox) {
   const DrumRoad drum({.diameter = 2.0,
                        .surface = 3.0,
@@ -353,7 +354,7 @@ TEST(Road, BoundsHoldInTheWholeBox) {
   EXPECT_GT(cylinders, 5000);
 }
 
-// Against a sum of many heights; where edges are vertical no sum of few would do.
+// The reference is a sum of many heights; at vertical edges a sum of few would not suffice.
 TEST(Road, MeanHeightIsTheIntegralOverTheWay) {
   Kerb ramped{.pitch = 0.1, .width = 0.2, .height = 0.02, .count = 3, .ramp = 0.05, .angle = 0.3};
   const ProfileRoad kerb = kerb_road(ramped);
@@ -377,7 +378,7 @@ TEST(Road, MeanHeightIsTheIntegralOverTheWay) {
         low = std::min(low, z);
         high = std::max(high, z);
       }
-      // Of a vertical flank a sum knows the place by half a part.
+      // The sum locates a vertical flank only to half a part.
       EXPECT_NEAR(road->mean_height(from, to, time), sum, 1e-9 + 2.0 * 0.02 / kParts);
       uneven += high > low;
     }
@@ -398,7 +399,7 @@ CrgGrid bumpy_grid(RandomStream& random, double du) {
   return grid;
 }
 
-// The same of roads that are continuous; the waves' own rule is for ways short against a wave.
+// Roads here are continuous; the rule for waves requires lines that are short relative to a wave.
 TEST(Road, MeanHeightOfTrianglesGridsAndWavesIsTheIntegral) {
   RandomStream random(5, 2);
   const TriangleRoad kerb(kerb_triangles({.shape = Kerb::Shape::sine,
@@ -426,12 +427,14 @@ TEST(Road, MeanHeightOfTrianglesGridsAndWavesIsTheIntegral) {
         const Eigen::Vector2d at = from + (k + 0.5) / kParts * (to - from);
         sum += road->height(at.x(), at.y(), 0.0) / kParts;
       }
-      // A corner within a part of so many counts by its square; kerbs have a few hundred.
+      // The effect of a corner within a part is quadratic in its length; kerbs have a few hundred
+      // corners.
       EXPECT_NEAR(road->mean_height(from, to, 0.0), sum, 2e-8) << from << " " << to;
     }
 }
 
-// Up to rounding: rows that lean, cross seams and edges, on sections, triangles, beside all.
+// The results are equal up to rounding for rows that are inclined, cross seams and edges, on
+// sections and triangles and beside all.
 TEST(Road, BelowARowIsWhatIsBelowEachOfItsPlaces) {
   RandomStream random(5, 3);
   Kerb ramped{.pitch = 0.1, .width = 0.2, .height = 0.02, .count = 3, .ramp = 0.05, .angle = 0.3};
@@ -486,7 +489,8 @@ TEST(Road, BelowARowIsWhatIsBelowEachOfItsPlaces) {
     }
 }
 
-// Where places are farther apart than sections, adding one to the number of a section leaves it.
+// If places are so large that adding one to the number of a section does not change it, the loop
+// must still end.
 TEST(Road, MeanHeightFarOutComesToAnEnd) {
   const ProfileRoad row({.along = cleat_profile(0.02, 0.03, 0.005), .pitch = 0.2});
   const double mean = row.mean_height({4e15, 0.0}, {4e15 + 1.0, 0.0}, 0.0);
@@ -494,8 +498,8 @@ TEST(Road, MeanHeightFarOutComesToAnEnd) {
   EXPECT_LE(mean, 0.02);
 }
 
-// A box that shrinks on a point in the end promises its height: what finds the highest point of a
-// road by halving comes to an end.
+// Bounds of a box that shrinks to a point converge to its height, so a search for the highest point
+// by halving ends.
 TEST(Road, BoundsCloseInOnAPoint) {
   const DrumRoad drum(
       {.diameter = 2.0,

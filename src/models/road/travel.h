@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast a belt or a drum's surface runs: speed over time, straight between the points of a
-// table, constant before the first and after the last; the way is its exact integral from t = 0.
+// Speed of a belt or of a drum's surface over time: linear between the points of a table, constant
+// before the first and after the last. The distance is its exact integral from t = 0.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,11 @@ class Travel {
     double speed = 0.0;  // m/s
   };
 
-  /// At rest.
+  /// Makes a belt at rest.
   Travel() : Travel(0.0) {}
-  /// At a constant speed, m/s.
+  /// Makes a constant speed, m/s.
   Travel(double speed);  // NOLINT: a speed is a travel
-  /// `points` by time, which rises; at least one.
+  /// Takes `points` in order of increasing time; at least one.
   explicit Travel(std::vector<Point> points);
 
   double speed(double time) const;     // m/s
@@ -28,8 +28,8 @@ class Travel {
   double from_first(double time) const;
 
   std::vector<Point> points_;
-  std::vector<double> distances_;  // from the first point
-  double at_zero_ = 0.0;           // that of t = 0
+  std::vector<double> distances_;  // distance from the first point
+  double at_zero_ = 0.0;           // distance from the first point at t = 0
 };
 
 }  // namespace latsch::road

@@ -16,12 +16,12 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// A triangle of less area in plan, relative to its longest edge squared, is a wall.
+// Area in plan, relative to its longest edge squared, below which a triangle is a wall.
 constexpr double kWall = 1e-12;
-// Relative to the area: neighbors must not leave a crack on their common edge.
+// Tolerance relative to the area, so that neighbors leave no crack on their common edge.
 constexpr double kOnEdge = 1e-12;
-// Long triangles lie in many cells: the grid is made coarser until it holds at most so many
-// entries for each of them.
+// Largest number of grid entries per triangle. Long triangles lie in many cells, so the grid is
+// made coarser until it is met. Larger values cost memory, smaller ones time.
 constexpr double kEntries = 16.0;
 constexpr double kMostCells = 4e6;
 
@@ -36,7 +36,8 @@ bool TriangleRoad::Facet::covers(const Vector2d& p) const {
          cross(a - c, p - c) >= least;
 }
 
-/// Which share of a way from a place inside, or on the way there, leads out of it.
+/// Returns the share of a line at which it leaves the triangle; the line starts inside or enters on
+/// the way.
 double TriangleRoad::Facet::end_of(const Vector2d& from, const Vector2d& way) const {
   double end = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
@@ -94,7 +95,8 @@ void TriangleRoad::build_facets() {
   }
 }
 
-/// Length over width of a typical triangle: the geometric mean, which a few long ones do not turn.
+/// Returns length over width of a typical triangle: the geometric mean, on which a few long ones
+/// have little influence.
 double TriangleRoad::shape_of_facets() const {
   constexpr double kThinnest = 1e-9;  // m
   double sum = 0.0;
@@ -161,7 +163,7 @@ void TriangleRoad::in_cell(int column, int row, const Action& action) const {
 
 namespace {
 
-/// Area of a triangle within a rectangle: the triangle cut by one side after the other.
+/// Returns the area of a triangle within a rectangle, by cutting it at one side after the other.
 double area_within(const std::array<Vector2d, 3>& corners,
                    const Vector2d& low,
                    const Vector2d& high) {
@@ -187,8 +189,8 @@ double area_within(const std::array<Vector2d, 3>& corners,
 
 }  // namespace
 
-/// A cell has no hole where the triangles of a mesh without overlaps fill its area; where some
-/// overlap the sum is larger and nothing is promised.
+/// A cell has no hole if the triangles of a mesh without overlaps fill its area. If some overlap,
+/// the sum is larger and nothing is promised.
 void TriangleRoad::find_covered() {
   constexpr double kRounding = 1e-9;
   highest_ = facets_.front().highest();
@@ -247,7 +249,7 @@ std::array<int, 2> TriangleRoad::cell_of(const Vector2d& p) const {
           static_cast<int>(std::clamp((p.y() - low_.y()) / size_.y(), 0.0, rows_ - 1.0))};
 }
 
-/// No facet where there is none above or below.
+/// Returns no facet if there is none above or below.
 TriangleRoad::Hit TriangleRoad::find_covering(const Vector2d& p) const {
   Hit best;
   const auto [column, row] = cell_of(p);
@@ -278,7 +280,7 @@ std::string TriangleRoad::beyond(double x, double y) const {
       high_.y());
 }
 
-/// Rings of cells around that of the point, until no closer triangle can come.
+/// Searches rings of cells around that of the point until no closer triangle is possible.
 TriangleRoad::Hit TriangleRoad::find_nearest(const Vector2d& p) const {
   const Vector2d within = p.cwiseMax(low_).cwiseMin(high_);
   const auto [column, row] = cell_of(within);
@@ -297,7 +299,8 @@ TriangleRoad::Hit TriangleRoad::find_nearest(const Vector2d& p) const {
   };
   const double outside = (p - within).norm();
   for (int ring = 0; ring <= std::max(columns_, rows_); ++ring) {
-    // A cell of this ring is at least so far from `within`, and that is nearest to the point.
+    // A cell of this ring is at least this far from `within`, the nearest place of the grid to the
+    // point.
     const double away = std::max(ring - 1, 0) * size_.minCoeff();
     if (std::hypot(away, outside) > least) break;
     for (int i = -ring; i <= ring; ++i) {
@@ -314,14 +317,14 @@ TriangleRoad::Hit TriangleRoad::find_nearest(const Vector2d& p) const {
 
 double TriangleRoad::height(double x, double y, double) const { return find({x, y}).z; }
 
-/// From triangle to triangle, where these lie beside each other; else by samples.
+/// Integrates from triangle to triangle if they are adjacent; otherwise by samples.
 double TriangleRoad::mean_height(const Vector2d& from, const Vector2d& to, double time) const {
   if (!is_covered({std::min(from.x(), to.x()),
                    std::max(from.x(), to.x()),
                    std::min(from.y(), to.y()),
                    std::max(from.y(), to.y())}))
     return Road::mean_height(from, to, time);
-  constexpr double kNext = 1e-9;  // of the way, beyond an edge
+  constexpr double kNext = 1e-9;  // share of the line, to step beyond an edge
   constexpr int kMost = 4096;     // triangles
   const Vector2d way = to - from;
   double done = 0.0, sum = 0.0;

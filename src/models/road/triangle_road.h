@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A road of triangles, seen from above: height by plane interpolation in the triangle below a
-// point, the highest one where several are; vertical ones are walls and have no point.
+// A road of triangles, seen from above. The height is that of the plane of the triangle below a
+// point, and of the highest if there are several. Vertical triangles are walls and contain no
+// point.
 //
-// Beside the mesh, and in holes of it, the road keeps the height of the nearest point of the mesh
-// in plan and is level. Triangles are found through a grid of cells in the plane, about one for
-// each of them.
+// Beside the mesh, and in its holes, the road is level at the height of the mesh's nearest point in
+// plan. Triangles are found through a grid of cells in the plane, with about one cell per triangle.
 #pragma once
 
 #include <algorithm>
@@ -27,24 +27,25 @@ struct TriangleMesh {
 
 class TriangleRoad final : public Road {
  public:
-  /// At least one triangle that is not vertical.
+  /// The mesh must have at least one triangle that is not vertical.
   explicit TriangleRoad(TriangleMesh mesh);
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
-  /// Beside the mesh and in its holes.
+  /// Reports places beside the mesh and in its holes.
   std::string beyond(double x, double y) const override;
   double mean_height(const Eigen::Vector2d& from,
                      const Eigen::Vector2d& to,
                      double time) const override;
-  /// Exact to the cells of the grid; where those are not covered the highest of all nodes.
+  /// Exact to the cells of the grid. If these are not covered, the highest of all nodes is
+  /// returned.
   GroundBounds bounds(const GroundBox& box, double time) const override;
 
-  /// Whether it is seen from above.
+  /// True if the triangle is seen from above.
   static bool has_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
 
   const TriangleMesh& mesh() const { return mesh_; }
-  /// Of all nodes, in plan.
+  /// Bounds of all nodes, in plan.
   Eigen::Vector2d low() const { return low_; }
   Eigen::Vector2d high() const { return high_; }
 
@@ -53,11 +54,11 @@ class TriangleRoad final : public Road {
   struct Facet {
     std::array<Eigen::Vector2d, 3> corners;
     Eigen::Vector2d slope;  // dz/dx, dz/dy
-    double z0 = 0.0;        // at corners[0]
+    double z0 = 0.0;        // height at corners[0]
     double friction = 1.0;
 
     double z(const Eigen::Vector2d& p) const { return z0 + slope.dot(p - corners[0]); }
-    /// Whether both are one plane of one friction.
+    /// True if both have the same plane and friction.
     bool continues(const Facet& other) const {
       return slope == other.slope && friction == other.friction &&
              std::abs(other.z(corners[0]) - z0) <= 1e-12;
@@ -87,16 +88,16 @@ class TriangleRoad final : public Road {
 
   TriangleMesh mesh_;
   std::vector<Facet> facets_;
-  Eigen::Vector2d low_, high_, size_;  // of all, of a cell
+  Eigen::Vector2d low_, high_, size_;  // bounds of all; size of a cell
   int columns_ = 1, rows_ = 1;
-  std::vector<int> begins_;   // of each cell in members_
+  std::vector<int> begins_;   // begin of each cell in members_
   std::vector<int> members_;  // facets
-  /// What is in a cell of the grid.
+  /// Contents of a cell of the grid.
   struct Cell {
     double highest;
-    int facet;     // its first; none: -1
-    bool plane;    // all are in the plane of that
-    bool covered;  // it has no hole
+    int facet;     // its first facet; none: -1
+    bool plane;    // all facets are in that plane
+    bool covered;  // the cell has no hole
   };
   std::vector<Cell> cells_;
   double highest_ = 0.0;  // m, of all facets

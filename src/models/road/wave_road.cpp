@@ -49,7 +49,7 @@ GroundPoint WaveRoad::at(double x, double, double) const {
 double WaveRoad::mean_height(const Eigen::Vector2d& from,
                              const Eigen::Vector2d& to,
                              double time) const {
-  constexpr double kShort = 0.05;  // of a wave: there the rule's error is (π part)^6 / 3.15e4
+  constexpr double kShort = 0.05;  // share of a wave; the rule's error there is (π part)^6 / 3.15e4
   const auto [low, high] = std::minmax(from.x(), to.x());
   const auto length_at = [&](double x) {
     const double s = x - settings_.start;
@@ -64,7 +64,7 @@ double WaveRoad::mean_height(const Eigen::Vector2d& from,
   return (5.0 * (z(middle - off) + z(middle + off)) + 8.0 * z(middle)) / 18.0;
 }
 
-/// The amplitude goes straight, so it is largest at an end of the stretch.
+/// The amplitude is linear, so it is largest at an end of the stretch.
 GroundBounds WaveRoad::bounds(const GroundBox& box, double) const {
   const double from = std::max(box.x0, settings_.start), to = std::min(box.x1, settings_.end);
   if (from > to) return {0.0, true};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Waves across a level road: a sine, or a sweep whose amplitude and wave length change on the way.
+// Waves across a level road: a sine, or a sweep of amplitude and wave length along the road.
 //
 // From `start` to `end`, with s = x - start over the length L = end - start,
 //   z = A(s) sin φ(s),   dφ/ds = 2π / λ(s),   φ(0) = 0,
-// A(s) straight from begin to end; λ(s) straight, or exponential: λ0 (λ1/λ0)^(s/L). Level
-// elsewhere. An endless sweep keeps its beginning.
+// A(s) is linear from begin to end; λ(s) is linear, or exponential: λ0 (λ1/λ0)^(s/L). Elsewhere the
+// road is level. An endless sweep keeps the values of its beginning.
 #pragma once
 
 #include <limits>
@@ -27,7 +27,8 @@ class WaveRoad final : public Road {
   explicit WaveRoad(const Settings& settings);
 
   GroundPoint at(double x, double y, double time) const override;
-  /// Of waves that are long against the way by Gauss' rule of three places: to 1e-9 of the height.
+  /// Uses Gauss' rule with three places if waves are long relative to the line, to 1e-9 of the
+  /// height.
   double mean_height(const Eigen::Vector2d& from,
                      const Eigen::Vector2d& to,
                      double time) const override;
@@ -36,7 +37,7 @@ class WaveRoad final : public Road {
  private:
   Settings settings_;
   double growth_ = 0.0;   // dA/ds
-  double stretch_ = 0.0;  // dλ/ds, or the exponent by way
+  double stretch_ = 0.0;  // dλ/ds, or the exponent per distance
 };
 
 }  // namespace latsch::road

@@ -7,8 +7,8 @@
 namespace latsch {
 namespace {
 
-/// m of an element of this length around `center` that a sensor around `at` has: of its even share,
-/// averaged over the length b on which it fades.
+/// Returns the length of an element around `center` that a sensor around `at` covers, m, weighted
+/// by its share, which fades over the length b.
 double on_sensor(double at, double side, double center, double length, double b) {
   const double z = at - center;
   if (std::abs(z) >= 0.5 * (side + length + b)) return 0.0;
@@ -36,7 +36,7 @@ double Footprint::pressure_at(double x, double y, double side) const {
 
 double Footprint::peak_pressure(double side) const {
   if (elements.empty()) return 0.0;
-  constexpr double kSteps = 6.0, kLast = 1e-3;  // in the sensor's side; of it
+  constexpr double kSteps = 6.0, kLast = 1e-3;  // steps per sensor side; last step over the side
   const auto by_x = [](const auto& a, const auto& b) { return a.x < b.x; };
   const auto by_y = [](const auto& a, const auto& b) { return a.y < b.y; };
   const auto [back, front] = std::ranges::minmax_element(elements, by_x);

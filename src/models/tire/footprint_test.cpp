@@ -21,13 +21,13 @@ TEST(Footprint, ASensorInsideSeesThePressureAndHalfOfItAtTheEdge) {
   EXPECT_NEAR(print.peak_pressure(kSide), p, 1e-9 * p);
 }
 
-// On a patch of 10 mm the sensor sees what it holds.
+// On a patch of 10 mm the sensor measures its whole force.
 TEST(Footprint, APatchSmallerThanTheSensorCountsWithItsForce) {
   const Footprint print = Footprint::rectangle(20.0, 0.01, 0.01);
   EXPECT_NEAR(print.peak_pressure(kSide), 20.0 / (kSide * kSide), 1e-6);
 }
 
-// By looking everywhere, a tenth of a millimeter apart.
+// The reference searches everywhere, a tenth of a millimeter apart.
 TEST(Footprint, ThePeakIsThatOfEveryPlaceOfTheSensor) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(0.0, 1.0);
@@ -44,7 +44,7 @@ TEST(Footprint, ThePeakIsThatOfEveryPlaceOfTheSensor) {
       for (double y = -0.06; y < 0.06; y += 1e-4)
         most = std::max(most, print.pressure_at(x, y, kSide));
     const double peak = print.peak_pressure(kSide);
-    EXPECT_LE(peak, most * 1.01);  // which is looked for in steps too
+    EXPECT_LE(peak, most * 1.01);  // the reference is searched in steps too
     EXPECT_GE(peak, most * 0.97);
   }
 }
@@ -59,16 +59,16 @@ TEST(Footprint, GripIsTheShareOfTheFrictionThatIsUsed) {
   EXPECT_EQ(print.grip_level(), 0.0);
 }
 
-constexpr double kHat = 10e-3;  // m, from node to node
+constexpr double kHat = 10e-3;  // m, distance of nodes
 
-/// What a node stands for whose pressure is a mean weighted by its hat
+/// Returns the element of a node whose pressure is a mean weighted by its hat function
 /// (experiment/rigs/fe_tire/tire_footprint.h).
 FootprintElement share(double x, double y, double pressure) {
   return {
       .x = x, .y = y, .length = kHat, .width = kHat, .pressure = pressure, .blur = std::sqrt(0.5)};
 }
 
-/// Nodes at offset + k kHat along x, of a pressure that is the same across.
+/// Returns nodes at offset + k kHat along x, with a pressure that is constant across.
 template <class Pressure>
 Footprint strip(double offset, const Pressure& pressure) {
   Footprint print;
@@ -81,7 +81,7 @@ Footprint strip(double offset, const Pressure& pressure) {
   return print;
 }
 
-// Shares overlap with their neighbors' so that the sum is as it was.
+// Elements overlap with their neighbors so that the sum is unchanged.
 TEST(BlurredFootprint, ASensorOnEvenPressureShowsIt) {
   const Footprint print = strip(0.0, [](double) { return 2e5; });
   for (const double x : {0.0, 1e-3, 4e-3, 7.5e-3})
@@ -96,7 +96,8 @@ TEST(BlurredFootprint, AWideSensorShowsAllOfTheForceOnce) {
   EXPECT_NEAR(print.pressure_at(0.0, 0.0, kAll) * kAll * kAll, force, 1e-9 * force);
 }
 
-// Of one share alone the second moment is (L^2 + b^2) / 12: forces on narrow sensors along it.
+// The second moment of a single element is (L^2 + b^2) / 12, found from forces on narrow sensors
+// along it.
 TEST(BlurredFootprint, AShareIsSpreadMidwayBetweenEvenAndHat) {
   Footprint print;
   print.elements.push_back(share(0.0, 0.0, 1e5));
@@ -110,8 +111,8 @@ TEST(BlurredFootprint, AShareIsSpreadMidwayBetweenEvenAndHat) {
   EXPECT_NEAR(moment / force, 0.5 * (1.0 / 12.0 + 1.0 / 6.0) * kHat * kHat, 1e-3 * kHat * kHat);
 }
 
-/// Of an ellipse p0 sqrt(1 - (x / a)^2) [Johnson, Contact Mechanics, section 4.2], Pa: what a node
-/// knows of it, weighted by its hat, and what a sensor would show.
+/// Ellipse p0 sqrt(1 - (x / a)^2) [Johnson, Contact Mechanics, section 4.2], Pa, with its mean
+/// weighted by a node's hat function, and the value that a sensor would show.
 struct Line {
   double a, p0 = 3e5;
   double at(double x) const {
@@ -136,8 +137,8 @@ struct Line {
   }
 };
 
-// A node's mean is lower than the ellipse's peak, the less the longer the patch: by 9 % of three
-// elements, by 3 % of five, with a node in the middle or an element.
+// A node's mean is lower than the ellipse's peak, by 9 % for a patch of three elements, by 3 % for
+// five, with a node or an element in the middle.
 TEST(BlurredFootprint, ASensorShowsThePeakOfALineContact) {
   struct {
     double a, reach;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tire::advance_free of a tire whose steps are cheap and whose state is copied with it: steps are
-// tried from the same state, at rates that Broyden's method takes from what the last ones left. The
-// wheel's inertia is nearly all that counts in a short step, so two or three trials do.
+// Tire::advance_free for a tire whose steps are cheap and whose state is copied with it. Steps are
+// tried from the same state, at rates that Broyden's method derives from the residuals of the last
+// ones. In a short step the wheel's inertia dominates, so two or three trials suffice.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ template <class T>
 Result<HubForces> advance_by_trials(
     T& tire, WheelMotion& motion, FreeWheel& wheel, const road::Road& road, double time, double h) {
   constexpr int kMost = 30;
-  constexpr double kClose = 1e-7;  // of the force on the hub, at the radius for the spin
+  constexpr double kClose = 1e-7;  // share of the force on the hub, at the radius for the spin
   using Pair = FreeWheel::Pair;
   const T before = tire;
   FreeWheel::Matrix stiffness = FreeWheel::Matrix::Zero();
@@ -34,14 +34,14 @@ Result<HubForces> advance_by_trials(
       motion = there;
       return hub;
     }
-    // Broyden: the least change by which the last trial would have been foretold.
+    // Broyden's update is the least change with which the last trial would have been predicted.
     const Pair way = 0.5 * h * (rates - last_rates);
     if (way.squaredNorm() > 0.0)
       stiffness -= (of_tire - last_T + stiffness * way) * way.transpose() / way.squaredNorm();
     last_rates = rates;
     last_T = of_tire;
     auto next = wheel.balanced(time, h, rates, of_tire, stiffness);
-    if (!next) {  // what was learned is of a kink: start again
+    if (!next) {  // the estimate is from a kink: start again
       stiffness.setZero();
       next = wheel.balanced(time, h, rates, of_tire, stiffness);
     }

@@ -15,13 +15,14 @@ double place_after(const FreeRate& free, double step, double rate) {
   return free.place + 0.5 * step * (free.rate + rate);
 }
 
-/// T + F - m a1.
+/// Returns T + F - m a1.
 double unbraked(const FreeRate& free, double time, double step, double rate, double T) {
   const double a = free.inertia > 0.0 ? 2.0 * (rate - free.rate) / step - free.acceleration : 0.0;
   return T + push_on(free, time, rate).value - free.inertia * a;
 }
 
-/// Dry friction of at most `brake` on a wheel that all else would turn with a moment of `sum`.
+/// Returns dry friction of at most `brake` on a wheel on which all other moments have the sum
+/// `sum`.
 double friction(double brake, double rate, double sum) {
   return rate != 0.0 ? -std::copysign(brake, rate) : -std::clamp(sum, -brake, brake);
 }
@@ -64,7 +65,7 @@ FreeWheel::Pair FreeWheel::left(double time, double step, const Pair& rates, con
 
 std::optional<FreeWheel::Pair> FreeWheel::balanced(
     double time, double step, const Pair& rates, const Pair& T, const Matrix& stiffness) const {
-  // D (w1 - rates) = r + B
+  // The equations are D (w1 - rates) = r + B.
   Matrix D = Matrix::Identity();
   Pair r = Pair::Zero();
   const std::optional<FreeRate>* const all[2] = {&spin, &height};
@@ -76,7 +77,7 @@ std::optional<FreeWheel::Pair> FreeWheel::balanced(
     if (*all[1 - i]) D(i, 1 - i) = 0.5 * step * stiffness(i, 1 - i);
     r[i] = unbraked(free, time, step, rates[i], T[i]);
   }
-  // The height out of it, then the spin by itself, with its brake.
+  // The height is eliminated, then the spin is solved alone, with its brake.
   const double firm = D(0, 0) - D(0, 1) * D(1, 0) / D(1, 1);
   if (!(D(1, 1) > 0.0 && firm > 0.0)) return std::nullopt;
   Pair to = Pair::Zero();

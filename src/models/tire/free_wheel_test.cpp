@@ -13,12 +13,12 @@
 namespace latsch {
 namespace {
 
-/// A tire that is springs, and a damper, about the wheel's axis and below it; spins and heights
-/// act on each other's spring a little. Its state is the number of its steps alone.
+/// A tire of springs and a damper about the wheel's axis and below it, with a weak coupling of spin
+/// and height. Its only state is the number of its steps.
 class Springs final : public Tire {
  public:
   double by_spin = 0.0, by_height = 0.0, damping = 0.0, coupling = 0.0, hardening = 0.0;
-  double broken_above = 1e9;  // m, of the height
+  double broken_above = 1e9;  // m of height
   long steps = 0;
 
   double free_radius() const override { return 0.3; }
@@ -52,7 +52,7 @@ class Springs final : public Tire {
 
 const road::PlaneRoad kRoad;
 
-/// After `parts` steps over a time. The wheel begins as it is.
+/// Returns the wheel after `parts` steps over a time.
 FreeWheel after(Springs tire, FreeWheel wheel, double time, int parts) {
   WheelMotion motion;
   const double h = time / parts;
@@ -65,7 +65,7 @@ FreeWheel after(Springs tire, FreeWheel wheel, double time, int parts) {
   return wheel;
 }
 
-// J w' = -k y - d w from y = 0.01.
+// The motion is J w' = -k y - d w from y = 0.01.
 TEST(FreeWheel, RingsAsADampedOscillatorDoesToOrderTwo) {
   constexpr double J = 0.8, omega = 200.0, D = 0.1, kTime = 0.05, y0 = 0.01;
   Springs tire;
@@ -85,7 +85,7 @@ TEST(FreeWheel, RingsAsADampedOscillatorDoesToOrderTwo) {
     EXPECT_NEAR(std::log2(off(parts) / off(2 * parts)), 2.0, 0.05) << parts;
 }
 
-// The trapezoidal rule keeps the energy of a spring and turns by 2 atan(h omega/2) a step.
+// The trapezoidal rule conserves the energy of a spring and turns by 2 atan(h omega/2) a step.
 TEST(FreeWheel, KeepsItsEnergyHoweverLongTheStep) {
   for (const double angle : {0.1, 0.6, 2.0, 20.0}) {
     Springs tire;
@@ -113,7 +113,7 @@ TEST(FreeWheel, TurnsUniformlyFasterUnderAConstantMoment) {
   EXPECT_NEAR(end.spin->place, 14.0, 1e-12);
 }
 
-// J w' = -c w, told by the push alone.
+// The motion is J w' = -c w, given only by the push.
 TEST(FreeWheel, AMomentMayHangOnTheRateAndOnTime) {
   FreeWheel wheel;
   wheel.spin = {.inertia = 1.0, .rate = 1.0, .acceleration = -50.0, .push = [](double t, double w) {
@@ -127,7 +127,8 @@ TEST(FreeWheel, AMomentMayHangOnTheRateAndOnTime) {
   EXPECT_NEAR(std::log2(off(40) / off(80)), 2.0, 0.05);
 }
 
-// c z' = T - load: an axle without mass on a spring comes to rest at load/k, h/tau being 50 or not.
+// With c z' = T - load an axle without mass on a spring comes to rest at load/k, whether h/tau is
+// 50 or not.
 TEST(FreeWheel, AnAxleWithoutMassFollowsItsLoad) {
   constexpr double k = 2e5, load = 4000.0;
   for (const double tau : {20e-3, 1e-5}) {
@@ -143,7 +144,7 @@ TEST(FreeWheel, AnAxleWithoutMassFollowsItsLoad) {
   }
 }
 
-// Two at once, each spring pulled by the other: the slower of two modes that are known.
+// Two springs, each pulled by the other's motion, have two known modes; the slower one is excited.
 TEST(FreeWheel, SpinAndHeightAreSolvedTogether) {
   Springs tire;
   tire.by_spin = tire.by_height = 1e4;
@@ -151,7 +152,8 @@ TEST(FreeWheel, SpinAndHeightAreSolvedTogether) {
   FreeWheel wheel;
   wheel.spin = {.inertia = 1.0, .place = 0.01, .acceleration = -10.0};
   wheel.height = {.inertia = 1.0, .place = -0.01, .acceleration = 10.0};
-  // Against each other they feel k - c: sqrt(1000) rad/s, by the rule's own phase.
+  // In opposite motion they have stiffness k - c: sqrt(1000) rad/s, with the phase of the rule
+  // itself.
   constexpr int kSteps = 500;
   constexpr double h = 5e-3, omega = 31.6227766016837933;
   for (FreeRate* free : {&*wheel.spin, &*wheel.height}) free->acceleration = -1000.0 * free->place;
@@ -179,7 +181,7 @@ TEST(FreeWheel, ASpringThatIsNotLinearIsSolvedToo) {
   }
 }
 
-// From 10 rad/s with 20 N m on 0.5 kg m^2: at rest after 0.25 s, and there it stays.
+// A wheel at 10 rad/s, with 20 N m on 0.5 kg m^2, stops after 0.25 s and stays at rest.
 TEST(FreeWheel, ABrakeLocksItAndHoldsIt) {
   FreeWheel wheel;
   wheel.brake = 20.0;
@@ -196,7 +198,7 @@ TEST(FreeWheel, ABrakeLocksItAndHoldsIt) {
   }
   EXPECT_EQ(wheel.spin->rate, 0.0);
   EXPECT_EQ(wheel.spin->acceleration, 0.0);
-  // Until more pulls than it holds.
+  // This holds until the moment exceeds the brake's.
   wheel.spin->push = [](double t, double) -> Push { return {100.0 * (t - 0.4), 0.0}; };
   for (int i = 401; i <= 700; ++i) {
     ASSERT_TRUE(tire.advance_free(motion, wheel, kRoad, 1e-3 * i, 1e-3));
@@ -207,8 +209,8 @@ TEST(FreeWheel, ABrakeLocksItAndHoldsIt) {
   EXPECT_NEAR(wheel.spin->rate, 0.5 * 100.0 * 0.1 * 0.1 / 0.5, 1e-9);
 }
 
-// The brake is steeper than any step can follow; with a spring it comes to rest where the spring
-// pulls less than it holds.
+// The brake is steeper than any step can resolve. With a spring the wheel stops where the spring
+// pulls less than the brake holds.
 TEST(FreeWheel, ABrakedSpringComesToRestWithinItsFriction) {
   for (const double h : {1e-3, 0.05, 3.0}) {
     Springs tire;
@@ -236,7 +238,7 @@ TEST(FreeWheel, AFailureLeavesAllAsItWas) {
   EXPECT_EQ(motion, before);
   EXPECT_EQ(wheel.height->place, 0.0);
   EXPECT_EQ(wheel.height->rate, 10.0);
-  // A drive that grows faster with the speed than inertia holds it: no speed is the only one.
+  // A drive that grows faster with speed than inertia holds it has no unique solution.
   tire.broken_above = 1e9;
   wheel = {};
   wheel.spin = {.inertia = 1.0, .rate = 1.0, .push = [](double, double w) -> Push {

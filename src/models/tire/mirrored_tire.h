@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tire on the other side of the car than the one it was measured on: its mirror image. With
-// S = diag(1, -1, 1) it sees the wheel's motion and its road mirrored in y = 0 and gives back its
-// answer mirrored,
+// The mirror image of a tire, for the other side of the car than the one on which it was measured.
+// With S = diag(1, -1, 1) it receives the wheel's motion and the road mirrored in y = 0, and
+// returns mirrored results,
 //   center S p, carrier S C S, velocity S v, angular velocity -S w;  force S F, moment -S M
-// so that slip angle, inclination and turn slip go in with the other sign and Fy, Mx, Mz come out
-// with it, of any kind of tire: what plies, cone and tread pull one way on the left they pull the
-// other way on the right.
+// so slip angle, inclination and turn slip enter with reversed sign and Fy, Mx, Mz are returned
+// with reversed sign, for any kind of tire: pulls by ply steer, conicity and tread pattern change
+// their side.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace latsch {
 
-/// Of the car, as on which a tire was measured and its file written.
+/// Side of the car on which a tire was measured and for which its file was written.
 enum class TireSide { left, right };
 
 class MirroredTire final : public Tire {
@@ -42,7 +42,8 @@ class MirroredTire final : public Tire {
   std::unique_ptr<Tire> tire_;
 };
 
-/// The tire as it is mounted on that side: itself, or its mirror image where it is of the other.
+/// Returns the tire as mounted on that side: itself, or its mirror image if it belongs to the other
+/// side.
 std::unique_ptr<Tire> mounted(std::unique_ptr<Tire> tire, TireSide of, TireSide on);
 
 }  // namespace latsch

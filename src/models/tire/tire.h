@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One interface for the tires that roll: motion of the wheel and road in, force on the hub out.
+// Interface of tires that roll. Inputs are the wheel's motion and the road, output is the force on
+// the hub.
 //
 // Frames: inertial with z up; TYDEX C at the wheel center (x forward, y along the spin axis to the
 // left, z up in the wheel plane; does not spin). Signs as in NOTATION.md.
@@ -17,7 +18,7 @@
 
 namespace latsch {
 
-/// Where the rim is and how it moves.
+/// Position and motion of the rim.
 struct WheelMotion {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();            // m, inertial
   Eigen::Matrix3d carrier = Eigen::Matrix3d::Identity();       // columns: axes of C, inertial
@@ -29,7 +30,8 @@ struct WheelMotion {
   bool operator==(const WheelMotion&) const = default;
 };
 
-/// Empty, or why no tire can follow: a number that is none, a step (s) back in time.
+/// Returns an empty text, or why no tire can follow: a number that is not finite, a step (s) back
+/// in time.
 inline std::string trouble_with(const WheelMotion& motion, double step = 0.0) {
   if (!(motion.center.allFinite() && motion.carrier.allFinite() && motion.velocity.allFinite() &&
         motion.angular_velocity.allFinite() && std::isfinite(motion.spin) &&
@@ -38,7 +40,7 @@ inline std::string trouble_with(const WheelMotion& motion, double step = 0.0) {
   return step >= 0.0 && std::isfinite(step) ? "" : "a step of the tire needs a time of 0 or more";
 }
 
-/// What the tire does to the rim at the wheel center, in C.
+/// Force and moment of the tire on the rim at the wheel center, in C.
 struct HubForces {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // N m
@@ -46,34 +48,34 @@ struct HubForces {
 
 struct FreeWheel;
 
-/// A tire in motion: it remembers its state from one step to the next.
+/// A tire in motion, which stores its state from one step to the next.
 class Tire {
  public:
   virtual ~Tire() = default;
 
-  /// m; of the unloaded tire at rest: where first touch is.
+  /// Radius of the unloaded tire at rest, m, which gives the place of first touch.
   virtual double free_radius() const = 0;
-  /// Brings the tire to rest in equilibrium with the rim standing (velocities taken as zero).
+  /// Brings the tire to equilibrium with the rim at rest (velocities taken as zero).
   virtual Result<HubForces> settle(const WheelMotion& motion,
                                    const road::Road& road,
                                    double time) = 0;
-  /// Goes on from the last state to `motion`, `step` seconds later, `time` being the end of the
-  /// step.
+  /// Advances the last state to `motion`, `step` seconds later; `time` is the end of the step.
   virtual Result<HubForces> advance(const WheelMotion& motion,
                                     const road::Road& road,
                                     double time,
                                     double step) = 0;
-  /// The same with a wheel whose spin or height follows what acts on it (free_wheel.h), solved with
-  /// the step; `wheel` and what is free of `motion` become those at its end. A Failure leaves the
-  /// tire and both as they were.
+  /// Advances together with a wheel whose spin or height follows from the forces on it
+  /// (free_wheel.h). `wheel` and the free part of `motion` become those at the end of the step. A
+  /// Failure leaves the tire and both unchanged.
   virtual Result<HubForces> advance_free(
       WheelMotion& motion, FreeWheel& wheel, const road::Road& road, double time, double step) = 0;
-  /// As it stood on the road at the end of settle() or of the last step; nothing of a kind of tire
-  /// that does not know.
+  /// Returns the footprint at the end of settle() or of the last step, or nothing for tire models
+  /// without one.
   virtual std::optional<Footprint> footprint() const { return std::nullopt; }
-  /// m, inertial: points around its belt as it stands, in order; none of a kind that has no belt.
+  /// Returns points around the belt in its current position, in order, m, inertial; none for tire
+  /// models without a belt.
   virtual Eigen::Matrix3Xd outline() const { return {}; }
-  /// An independent copy of model and state.
+  /// Returns an independent copy of model and state.
   virtual std::unique_ptr<Tire> clone() const = 0;
 };
 
