@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a road from a file or an inline table:
+// A road is described by a table, in a file of its own or inline:
 //
 //   kind = "flat"                        # friction, height, grade, bank (plain), belt_speed
 //

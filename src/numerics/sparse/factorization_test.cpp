@@ -121,7 +121,7 @@ TEST(Factorization, SolvesWhereUnknownsStandAloneOrInParts) {
     }
     Factorization factor(pattern);
     ASSERT_TRUE(factor.factorize(A).definite());
-    const Eigen::MatrixXd B = Eigen::MatrixXd::Random(A.size(), 70);  // more than go together
+    const Eigen::MatrixXd B = Eigen::MatrixXd::Random(A.size(), 70);  // more than one group
     Eigen::MatrixXd X = B;
     factor.solve_columns(X);
     EXPECT_LT((dense(A) * X - B).norm(), 1e-11 * B.norm());
