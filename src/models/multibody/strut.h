@@ -42,7 +42,7 @@ struct LineGeometry {
   /// Return ∂e/∂x of both bodies.
   Vector6d by_a() const;
   Vector6d by_b() const;
-  /// Returns its e'' if no body has an acceleration.
+  /// Returns the line's part of e'' if no body has an acceleration.
   double centripetal(const Vector6d& rate_a, const Vector6d& rate_b) const;
   /// ∂²e/∂x∂x: derivatives of by_a() and by_b(), with columns for travel and rotation of a and b.
   struct Turning {

@@ -32,7 +32,7 @@ struct Lever {
 
   /// Returns what is wrong with the lever, or an empty text.
   std::string fault() const;
-  /// The angle, and its slope by the driving end's displacement, with the driving end at a place.
+  /// Angle of the lever, and its derivative by the position of the driving end.
   struct Turned {
     double angle;
     Eigen::Vector3d by_driving;

@@ -198,7 +198,7 @@ TEST(FreeWheel, ABrakeLocksItAndHoldsIt) {
   }
   EXPECT_EQ(wheel.spin->rate, 0.0);
   EXPECT_EQ(wheel.spin->acceleration, 0.0);
-  // This holds until the moment exceeds the brake's.
+  // The brake holds until the moment exceeds its own.
   wheel.spin->push = [](double t, double) -> Push { return {100.0 * (t - 0.4), 0.0}; };
   for (int i = 401; i <= 700; ++i) {
     ASSERT_TRUE(tire.advance_free(motion, wheel, kRoad, 1e-3 * i, 1e-3));

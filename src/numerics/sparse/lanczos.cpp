@@ -293,7 +293,7 @@ EigenPairs<Scalar> Lanczos<Scalar>::run(const Matrix& start) {
   begin(start);
   int since_check = 0;
   for (int steps = 0; steps < settings_.max_steps; ++steps) {
-    // This happens at the start, or if an invariant subspace is complete but too small.
+    // The pool is empty at the start, and if an invariant subspace is complete but too small.
     if (pool_ == 0 && done_ < n_) add_to_pool(scattered_block(settings_.block));
     if (pool_ == 0) break;
     const int width = std::min(pool_, settings_.block);

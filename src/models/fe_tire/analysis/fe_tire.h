@@ -130,7 +130,8 @@ class FeTire {
 
   /// Computes the `count` lowest modes of the inflated, unloaded tire by circumferential harmonics.
   Result<std::vector<Mode>> modes(const Inflated& inflated, int count);
-  /// Computes these modes by a full eigenvalue problem of the whole ring, for comparison.
+  /// Computes the `count` lowest modes by a full eigenvalue problem of the whole ring, for
+  /// comparison.
   Result<std::vector<Mode>> modes_full(const Inflated& inflated, int count);
   /// Computes modes about the state. Points in contact stay in contact; with friction they stick.
   Result<std::vector<Mode>> modes(const TireState& state, int count);

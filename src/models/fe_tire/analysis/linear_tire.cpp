@@ -67,8 +67,8 @@ Eigen::VectorXd forces_by_heights(const TreadSurface& tread,
   return c;
 }
 
-/// Returns their tangent. Points are springs, and those of a cell add a small block for the cell's
-/// nodes.
+/// Returns the tangent of the contact forces by the nodes' heights. Points are springs, and those
+/// of a cell add a small block for the cell's nodes.
 Eigen::MatrixXd stiffness_by_heights(const TreadSurface& tread,
                                      const std::vector<TreadContact::Touch>& touches) {
   const auto of_cell = by_cells(tread, touches);

@@ -55,7 +55,8 @@ class TreadContact {
 
   /// Sets the equilibrium from which the next steps start.
   void start(const GroundPose& pose, const Eigen::VectorXd& x, std::vector<Anchor> anchors);
-  /// Sets it by displacements of the tread's nodes (TreadSurface::displacements).
+  /// Sets the starting equilibrium by displacements of the tread's nodes
+  /// (TreadSurface::displacements).
   void start(const GroundPose& pose, const Eigen::Matrix3Xd& u, std::vector<Anchor> anchors);
   /// Moves the ground; anchors remain those of the start.
   void move(const GroundPose& pose);
@@ -64,7 +65,7 @@ class TreadContact {
   /// Returns the points in contact with the tread's nodes displaced by u
   /// (TreadSurface::displacements).
   std::vector<Touch> touches(const Eigen::Matrix3Xd& u) const;
-  /// Returns these points, all sticking if there is friction, for small motions about x.
+  /// Returns the points in contact, all sticking if there is friction, for small motions about x.
   std::vector<Touch> stuck(const Eigen::VectorXd& x) const;
   /// Returns the anchors of the equilibrium x, or displacements u, with which the step ended.
   std::vector<Anchor> anchors(const Eigen::VectorXd& x) const;

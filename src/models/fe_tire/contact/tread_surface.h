@@ -87,7 +87,7 @@ class TreadSurface {
   const std::vector<Place>& places() const { return places_; }
   const std::vector<Point>& points() const { return points_; }
   const std::vector<Point>& samples() const { return samples_; }
-  /// True if these are indices of points().
+  /// True if all of `some` are indices of points().
   bool has_points(const std::vector<int>& some) const {
     return std::ranges::all_of(
         some, [this](int point) { return point >= 0 && point < std::ssize(points_); });

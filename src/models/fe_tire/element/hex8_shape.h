@@ -65,7 +65,7 @@ struct HexShape {
 
 /// Returns the shape functions at a point of the parent cube.
 Vector8 shape_functions(double xi, double eta, double zeta);
-/// Returns their derivatives by xi, eta, zeta (rows).
+/// Returns the derivatives of the shape functions by xi, eta, zeta (rows).
 Matrix38 parent_gradients(double xi, double eta, double zeta);
 /// Returns columns radial, circumferential, axial at X. On the spin axis, where they are undefined,
 /// those of the bottom are used.

@@ -77,7 +77,7 @@ struct TireSlopes::Impl {
   /// Returns the factorization of the tangent about a state: that of its modes if they were
   /// computed, or a new one.
   Result<const numerics::Factorization*> factor(Systems& all, const TireState& state);
-  /// Returns these modes with shapes solved to kSharp.
+  /// Returns the given modes with shapes solved to kSharp.
   Result<std::vector<Mode>> sharpened_modes(const TireState& state, std::vector<Mode> modes);
   Result<Eigen::MatrixXd> of_some_modes(const TireState& state,
                                         const std::vector<Mode>& modes,
