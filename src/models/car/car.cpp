@@ -399,7 +399,7 @@ Result<bool> Car::advance(CarState& state,
   const double part = step / mechanism_steps, end = state.time() + step;
   std::string trouble;
   for (int i = 1; i <= mechanism_steps; ++i) {
-    // The remaining part of the path from the last inputs to these.
+    // `share` is the part of the remaining change of the inputs, `left` the time after this step.
     const double share = 1.0 / (mechanism_steps - i + 1), left = step - i * part;
     const double now = end - left;
     const GuidePoint guide = inputs.guide ? GuidePoint{inputs.guide->x - inputs.guide->speed * left,

@@ -10,7 +10,6 @@
 // period has more than about ten steps. Without mass (m = 0) the rule is T1 + F(t1, w1) = 0, and y'
 // = w provides the lag. A brake acts on the spin with dry friction B: -brake if w > 0, +brake if w
 // < 0, and at w = 0 the moment that holds the wheel, up to brake.
-// holds the wheel, up to brake.
 #pragma once
 
 #include <Eigen/Core>

@@ -25,7 +25,7 @@ void solve_right_transposed(int rows, int n, const Real* L, int ld, Real* B);
 template <class Real>
 void negative_square(int rows, int n, const Real* B, int ld, Real* C);
 
-// Specializations in float, where few pivots take most of the time.
+// Specializations for float, with own kernels that are faster for few pivots.
 template <>
 bool cholesky(int n, float* A, int ld);
 template <>

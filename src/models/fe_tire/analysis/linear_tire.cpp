@@ -22,11 +22,11 @@ constexpr int kFewRows = 10'000;
 // repeat, the solution is exact.
 constexpr int kMostContactChanges = 30;
 constexpr double kExact = 1e-8;  // relative to g; S has single precision
-// Shares of the largest depth for points near the ground. The ground is expected to reach points
-// that are at least kWithin of it deep, because a patch grows less than the undeformed tire is cut.
-// The condensed tire is made with more points, from kWithinReach on, than are needed at once.
+// Shares of the largest depth. Points deeper than kWithin of it are expected to touch, because a
+// patch is smaller than the section of the ground with the undeformed tire. A new condensed tire
+// includes more points, those deeper than kWithinReach of it minus kNear, so that it serves longer.
 constexpr double kWithin = 0.35, kWithinReach = 0.2;
-constexpr double kNear = 0.2e-3;  // m above the depth of kWithinReach
+constexpr double kNear = 0.2e-3;  // m
 // An old factor of the ground's tangent is used as long as it leaves at most this share of the
 // residual.
 constexpr double kOfUse = 0.3;
@@ -354,7 +354,7 @@ bool LinearTire::touch_by_heights(const TreadContact& contact, const Eigen::Vect
     w_ += left;
   }
   c_ = forces_by_heights(tread_, contact.touches(moved_back(w_)));
-  return true;  // The residual of the elements' forces judges it.
+  return true;  // The residual of the elements' forces decides.
 }
 
 /// Adds points to those within reach. Returns false if the tire beyond them is not positive
@@ -445,7 +445,7 @@ bool LinearTire::touch_within_reach(const TreadContact& contact,
     is_slow = !(least < kOfUse * norm);
   }
   forces_within_reach(contact, w, &tangent_);
-  return by_nodes_.is_positive();  // The residual of the elements' forces judges it.
+  return by_nodes_.is_positive();  // The residual of the elements' forces decides.
 }
 
 /// Stores the tangent of the ground. L_ becomes the factor of the tire on it.

@@ -4,9 +4,9 @@
 //
 // The residual is split into g of elements and pressure and c of the ground, which acts on the
 // nodes of the tread's surface alone (tread_surface.h). With the tangent K of g factorized at this
-// or an earlier state,
+// or an earlier state, the equation
 //
-//   solve    g - K d + c(u(x - d)) = 0                                                        (L.1)
+//            g - K d + c(u(x - d)) = 0                                                        (L.1)
 //
 // is solved exactly, including points that come down, lift off, stick or slide. All other nodes are
 // eliminated once per factorization:  S w = g' + c(u - w),  S dense (condensed_tire.h). Newton's

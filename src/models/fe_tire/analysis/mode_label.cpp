@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<const char*, 4> kTypeNames = {"torsional", "lateral", "radial", "other"};
 constexpr double kPairTolerance =
     1e-6;                            // relative difference of the frequencies of a degenerate pair
-constexpr double kSamePlace = 1e-6;  // share of the largest coordinate: nodes this near are one
+constexpr double kSamePlace = 1e-6;  // share of the largest coordinate: nodes this near coincide
 constexpr double kClearPhase = 0.5;  // least overlap with the mirror image for a phase
 
 }  // namespace

@@ -12,8 +12,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-// Tangential penalty before slip as a share of the normal penalty. A larger share lets points slide
-// less before they slip and conditions the tangent worse.
+// Tangential penalty before slip as a share of the normal penalty. A larger share lets points move
+// less before they slip.
 constexpr double kTangentialShare = 0.5;
 
 }  // namespace

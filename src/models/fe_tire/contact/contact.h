@@ -4,8 +4,8 @@
 //
 // At every point of the tread's surface (tread_surface.h) with the distance g to the ground, its
 // normal n and the reference area dA,
-//   normal traction     p = -epsilon g            where g < 0, otherwise none               (C.1)
-//                                                 (where points are held: of these, of any g)
+//   normal traction     p = -epsilon g            if g < 0, otherwise none                  (C.1)
+//                                                 (held points: for any g; others none)
 //   tangential trial    t = -epsilon_t (1 - n n^T) (x - a)  from the anchor a it sticks to   (C.2)
 //   Coulomb             |t| <= mu p; beyond it the point slips: t = mu p t / |t|, a follows (C.3)
 // in the ground's axes, so the ground carries the anchors along. A point that comes down within a

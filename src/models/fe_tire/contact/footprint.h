@@ -8,15 +8,15 @@
 // line of samples, around the tire or across, is therefore that of the curve (F.1) which passes
 // through two heights at the same places as the surface. Both heights lie above the distance that
 // penalty, interpolation and the offset of (T.1) leave in the patch. If the surface ends or comes
-// down again before the second height, the place of the first is the edge. Without a line around
-// that has a length there is no patch: a gap that grows slower than (F.1) is no contact.
+// down again before the second height, the place of the first is the edge. If no line
+// around the tire has a length, there is no patch: a gap that grows slower than (F.1) is no contact.
 //
 // On a smooth surface the ground acts on means around nodes, so between two columns the surface may
 // bulge into the ground beside a column that just does not touch, by 0.2 mm if columns are 16 mm
 // wide. Means across of lines around, weighted by a hat a column wide to both sides, do not bulge;
 // but on a round tread they lie behind its lowest line. Lines around therefore use
 //   g <- (g + mean of g across) / 2                                                           (F.2)
-// that is, half of the difference, as half of the sag counts in (T.2). Facets are used unchanged.
+// with half of the difference, as half of the sag counts in (T.2). Facets are used unchanged.
 #pragma once
 
 #include <Eigen/Core>

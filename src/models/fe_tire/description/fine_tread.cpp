@@ -45,8 +45,8 @@ TreadSplit split_of(const TireDescription& tire, const TreadElements& largest) {
   for (std::size_t j = 0; columns[j] < section.tread_to; ++j) {
     split.columns.push_back(parts((columns[j + 1] - columns[j]) * half_length, largest.across));
   }
-  // Columns are short where the wall bends. If any column is split, all of them are, to keep their
-  // ratios.
+  // Columns are short where the wall bends. If any column is split, every column is split at least
+  // in two.
   if (std::ranges::max(split.columns) > 1) {
     for (int& of_column : split.columns) of_column = std::max(of_column, 2);
   }

@@ -2,7 +2,7 @@
 // The size molded into a tire's sidewall and the section dimensions it stands for.
 //
 //   225/50R16      metric: nominal width 225 mm, height 50 % of it, radial, rim of 16 inches
-//   195/65R390     metric, rim in mm where it is 100 or more
+//   195/65R390     metric, rim in mm if 100 or more
 //   185R14C        metric without a ratio: height 82 % of the width
 //   59/80R63       inches: width 59, height 80 % of it; of two digits on a rim of 25 and more
 //   10.00R20       inches: width and rim; 11R22.5, 18.4-38, 40.00R57

@@ -46,8 +46,8 @@ LATSCH_INLINE void tangent(const V* Ci, const V* A, const V& ci, V (*D)[6]) {
   }
 }
 
-/// Computes S and D = dS/dE at the strain E, and returns det C. Where it is not positive, S and D
-/// are void.
+/// Computes S and D = dS/dE at the strain E, and returns det C. If it is not positive, S and D are
+/// void.
 LATSCH_INLINE V stress(const Hyperelastic& law, const V* E, V* S, V (*D)[6]) {
   V C[6], Ci[6], det;
   invert(E, C, Ci, det);

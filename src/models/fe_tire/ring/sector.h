@@ -2,7 +2,7 @@
 // One sector represents the ring as long as all sectors are equally wide and have the same state
 // (inflated, not yet loaded).
 //
-// In sector frames the tangent of the ring is block-circulant: every sector sees
+// In sector frames the tangent of the ring is block-circulant. Every sector has the blocks
 //   A = K_00 + K_11   (its own nodes, from the elements on both sides)
 //   B = K_01          (toward the next sector)
 // For displacements u_s = Re(u exp(i n s 2 pi / S)) of circumferential number n it therefore acts

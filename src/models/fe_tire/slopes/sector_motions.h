@@ -6,7 +6,6 @@
 // the ring is that of the real and of the imaginary part of phi in one sector, times the number of
 // sectors, and its effect on the state is again the same in all sectors. So an element is evaluated
 // with these parts side by side, the modes in its lanes.
-// parts side by side, the modes in its lanes.
 #pragma once
 
 #include <Eigen/Core>
