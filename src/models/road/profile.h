@@ -67,8 +67,8 @@ class Profile {
   std::vector<Extremes> of_several_;  // extremes of z, of sixteen points each
   /// First point behind the start of each of equal parts, one part per point; or empty.
   std::vector<int> first_in_;
-  bool even_ = false;          // points are evenly spaced: a part starts at the point with its
-                               // number
+  bool even_ = false;  // points are evenly spaced: a part starts at the point with its
+                       // number
   double parts_per_meter_ = 0.0;
   double reach_ = 0.0;
 };

@@ -14,7 +14,7 @@ struct FootprintElement {
   double length = 0.0, width = 0.0;     // m
   double pressure = 0.0;                // Pa, over the whole rectangle, grooves included
   double shear_x = 0.0, shear_y = 0.0;  // Pa, on the tire
-  double friction = 0.0;  // 1: it slides if its shear is this many times the pressure
+  double friction = 0.0;                // 1: it slides if its shear is this many times the pressure
   /// Share of its length and width over which its force fades at the edges. The neighbor's force
   /// fills the difference, so that equal neighbors give an even pressure.
   double blur = 0.0;

@@ -14,7 +14,7 @@ using Residuals = std::function<Eigen::VectorXd(const Eigen::VectorXd& x)>;
 
 struct LeastSquares {
   Eigen::VectorXd x;
-  double sum = 0.0;            // |r|^2
+  double sum = 0.0;  // |r|^2
   /// Covariance of x, (J^T J)^-1 |r|^2 / (residuals - unknowns). It is 0 if there are no more
   /// residuals than unknowns, and infinite if J does not have full rank.
   Eigen::MatrixXd covariance;

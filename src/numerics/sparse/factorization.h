@@ -42,7 +42,7 @@ struct FactorStatus {
 };
 
 enum class Precision {
-  full,    // double
+  full,  // double
   /// Float inside, double outside, for a preconditioner. `definite` refers to the rounded matrix.
   single,
   /// Single, with solutions refined to double by the matrix itself, so that matrix and pattern must

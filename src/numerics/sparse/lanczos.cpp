@@ -29,7 +29,7 @@ constexpr double kDependent =
 constexpr double kOrthogonal = 1e-10, kOrthogonalOfTolerance = 1e-5;
 constexpr double kNearEigenvector = 0.02;  // largest residual of a start vector that is kept
 constexpr int kSpareDirections = 20;       // basis beyond twice the wanted pairs before a restart
-constexpr int kKeptBeyondWanted = 6;  // Ritz vectors kept at a restart beyond the wanted ones
+constexpr int kKeptBeyondWanted = 6;       // Ritz vectors kept at a restart beyond the wanted ones
 constexpr int kStepsBetweenChecks =
     3;  // for narrow blocks, because the small problem has a cost too
 

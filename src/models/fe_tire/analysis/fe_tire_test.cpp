@@ -192,7 +192,7 @@ TEST(FeTire, HalfTheRingGivesWhatTheWholeRingGives) {
   ASSERT_TRUE(modes) << modes.failure().reason;
 
   Mesh skewed =
-      build_mesh(description);  // a change of the symmetry far below all other errors
+      build_mesh(description);  // changes the symmetry by far less than all other errors here
   skewed.X(1, 20) += 1e-6;
   FeTire whole(skewed, build_materials(description), {ElementKind::full_integration});
   const auto inflated_whole = whole.inflate(kPressure);
@@ -294,7 +294,7 @@ TEST(FeTire, GradingSectorsDoesNotTouchTheFreeTire) {
 TEST(FeTire, CordsKeepTheHalfTurnSymmetryAndALopsidedSectionDoesNot) {
   TireDescription tire = small_tire();
   tire.cord_model =
-      CordModel::rebar;  // plies at +- angle leave no mirror plane, but the half turn
+      CordModel::rebar;  // plies at +- angle leave no mirror plane, but they keep the half turn
   const Materials materials = build_materials(tire);
   EXPECT_TRUE(find_mirror(build_mesh(tire), materials).has_value());
 

@@ -179,8 +179,7 @@ FootprintSize footprint_size(const TreadSurface& tread,
       if (run.length > 0.0) size.area += covered(line, area, run);
     }
   }
-  if (along.length(halved) == 0.0) return {};  // near the ground, but the gap is not that beside a
-                                               // patch
+  if (along.length(halved) == 0.0) return {};  // the gap is not that beside a patch
   for (const std::vector<int>& samples : lines_across) {
     const Line line{samples, at, 1, near};
     for (const Run& run : runs_of(line, false)) across.add(run);

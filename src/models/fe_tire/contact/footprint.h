@@ -9,7 +9,7 @@
 // through two heights at the same places as the surface. Both heights lie above the distance that
 // penalty, interpolation and the offset of (T.1) leave in the patch. If the surface ends or comes
 // down again before the second height, the place of the first is the edge. If no line
-// around the tire has a length, there is no patch: a gap that grows slower than (F.1) is no contact.
+// around the tire has a length, there is no patch: a gap growing slower than (F.1) is no contact.
 //
 // On a smooth surface the ground acts on means around nodes, so between two columns the surface may
 // bulge into the ground beside a column that just does not touch, by 0.2 mm if columns are 16 mm

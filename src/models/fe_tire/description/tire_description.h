@@ -85,8 +85,8 @@ struct SectorZone {
   bool operator==(const SectorZone&) const = default;
 };
 
-enum class BeadClamp { whole, inside, outside };  // rim holds the whole bead face, or its part on
-                                                  // this side of the line
+/// Part of the bead's face that the rim holds: the whole, or up to the reference line.
+enum class BeadClamp { whole, inside, outside };
 
 /// The part of a tire's description that determines the mesh.
 struct Section {

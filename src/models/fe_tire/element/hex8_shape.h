@@ -33,8 +33,8 @@ struct SolidShellOperators {
   static constexpr int kSquares = 7;   // see solid_shell::kSquares
   static constexpr int kColumns = kStrains + kEnhanced;
 
-  Number b[kModes][3];       // 1/m, mean gradients of the shape functions in the center's triad
-  Number gamma[kModes][3];   // hourglass vectors, z_j = sum_m x_m gamma[m][j]
+  Number b[kModes][3];      // 1/m, mean gradients of the shape functions in the center's triad
+  Number gamma[kModes][3];  // hourglass vectors, z_j = sum_m x_m gamma[m][j]
   /// Weights of F a_j = sum_m x_m along[m][j], with unit vectors a_j along xi, across it and normal
   /// to both.
   Number along[kModes][3];
