@@ -165,7 +165,7 @@ TEST(Assembly, PlayAndFrictionDrawALoop) {
     rest = *found;
     return rest.poses[0].place.x();
   };
-  EXPECT_NEAR(push(20.0), 20.0 / 1e6, 1e-12);  // sticks
+  EXPECT_NEAR(push(20.0), 20.0 / 1e6, 1e-12);  // friction sticks
   const double out = push(130.0);              // beyond the play, friction slips
   EXPECT_NEAR(out, 1e-4 + 100.0 / 1e7, 1e-12);
   EXPECT_NEAR(push(100.0), out - 30.0 / (1e7 + 1e6), 1e-12);  // back: friction sticks again

@@ -157,7 +157,7 @@ RigidRingTire::Contact RigidRingTire::contact(const State& y, const Rim& at, boo
         R_omega - wheel->height, rolling ? wheel->approach : 0.0, belt.spin_rate, wheel->gamma);
     if (Fz <= 0.0) {
       forces_ = {};
-      c.rate = -y.tail<4>() / 1e-3;  // deformation springs back within a millisecond
+      c.rate = -y.tail<4>() / 1e-3;  // the residual springs relax within a millisecond
       return c;
     }
     const bool settled = i > 0 && std::abs(Fz - forces_.Fz) <= kClose * Fz;

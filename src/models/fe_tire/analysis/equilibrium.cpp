@@ -218,7 +218,8 @@ bool EquilibriumSolver::start(const RingState& state) {
   return tire_.step(contact_, state.x, f_, d_);
 }
 
-/// Returns false if the tangent does not exist or has no factor.
+/// Finds a direction by the old factor if it is of use, or by a new one. Returns false if the
+/// tangent does not exist or has no factor.
 bool EquilibriumSolver::find_direction(RingState& state, double tolerance) {
   const bool is_factor_of_use =
       has_factor_ && (!has_tangent_ || last_cg_iterations_ <= kIterationsOfAStaleFactor);
