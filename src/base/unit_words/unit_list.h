@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The list behind unit_words.h: one word of a unit a row, its meaning in the language of UDUNITS-2.
+// The list behind unit_words.h: each row holds a word for a unit and its meaning in the language of
+// UDUNITS-2.
 //
-// Factors that UDUNITS has rounded or does not have are written here: the pound, ounce, slug and
-// foot-pound units from the international pound of 0.45359237 kg and the inch of 25.4 mm [NIST SP
-// 811 (2008), B.8], kilopond and technical atmosphere from 9.80665 m/s^2 [DIN 1301-3], the metric
-// horsepower as 75 kp m/s [DIN 66036], the conventional millimeter of mercury and of water [ISO
-// 80000-4:2019].
+// Factors that UDUNITS has rounded or lacks are written here: the pound, ounce, slug and foot-pound
+// units from the international pound of 0.45359237 kg and the inch of 25.4 mm [NIST SP 811 (2008),
+// B.8], kilopond and technical atmosphere from 9.80665 m/s^2 [DIN 1301-3], the metric horsepower as
+// 75 kp m/s [DIN 66036], the conventional millimeter of mercury and of water [ISO 80000-4:2019].
 #pragma once
 
 #include <string_view>
@@ -97,7 +97,8 @@ inline constexpr Row kWords[] = {
     {"count", "1"}, {"counts", "1"},
 };
 
-/// Known in this case alone: another one means, or may mean, something else.
+/// These words are known in this case alone: in another case they mean, or may mean, something
+/// else.
 inline constexpr Row kExact[] = {
     {"M", "m"},      {"S", "s"},        {"MS", "ms"},      {"H", "h"},
     {"Min", "min"},  {"MN", "MN"},      {"mN", "mN"},      {"mNm", "mN m"},
@@ -112,7 +113,7 @@ inline constexpr Row kExact[] = {
     {"A", "A"},      {"mA", "mA"},      {"L", "l"}, {"d", "day"}, {"kt", "knot"},
 };
 
-/// Whole texts, blanks and case aside.
+/// Whole texts, compared without blanks and case.
 inline constexpr Row kWhole[] = {
     {"", "1"}, {"1", "1"}, {"-", "1"}, {"--", "1"}, {"—", "1"}, {"none", "1"}, {"n/a", "1"},
     {"unitless", "1"}, {"dimensionless", "1"}, {"deg.c", "degC"}, {"deg c", "degC"},
@@ -127,11 +128,11 @@ inline constexpr Row kWhole[] = {
     {"inh2o", "249.08891 Pa"}, {"m/s/s", "m/s^2"},
 };
 
-/// Whole texts as they are after all words have their meaning.
+/// Whole texts, compared after every word has been replaced by its meaning.
 inline constexpr Row kTogether[] = {{"rev/min", "rpm"}, {"rev min^-1", "rpm"}};
 
-/// Texts with more than one meaning, as words of the lists above, the usual one first.
-/// `only_by_dimension`: none is usual enough to be taken without knowing what is measured.
+/// Texts with more than one meaning, in words of the lists above, the usual one first.
+/// `only_by_dimension`: no meaning is usual enough to be assumed if the dimension is not known.
 struct Ambiguous {
   std::string_view written;
   std::string_view meanings[2];
@@ -190,14 +191,14 @@ inline constexpr Ambiguous kAmbiguousWords[] = {
     {"''", {"in", "arcsec"}, false, true, "which may be an inch or an arc second: write \"in\""},
     {"'", {"ft", "arcmin"}, false, true, "which may be a foot or an arc minute: write \"ft\""},
 };
-/// The same of whole texts, as they are after all words have their meaning.
+/// Ambiguous whole texts, compared after every word has been replaced by its meaning.
 inline constexpr Ambiguous kAmbiguousTexts[] = {
     {"1/min", {"rpm", "cpm"}, false, false, ""},
     {"min^-1", {"rpm", "cpm"}, false, false, ""},
     {"kg/cm^2", {"at", "kg/(cm cm)"}, false, false, ""},
 };
 
-/// Refused, with what to write instead, behind the name of the text.
+/// Refused texts, each with advice that follows the text in the message.
 inline constexpr Row kRefused[] = {
     {"grad", "which is a degree in German and 0.9 degrees in English: write \"deg\" or \"gon\""},
     {"GRAD", "which is a degree in German and 0.9 degrees in English: write \"deg\" or \"gon\""},
@@ -216,7 +217,7 @@ inline constexpr Row kRefused[] = {
     {"dBA", "which is a level, no quantity: give the quantity itself"},
 };
 
-/// Characters that stand for others.
+/// Characters and the characters they stand for.
 inline constexpr Row kCharacters[] = {
     {"µ", "u"},      {"μ", "u"},       {"º", "°"},          {"˚", "°"},      {"²", "2"},
     {"³", "3"},      {"¹", "1"},       {"⁴", "4"},          {"⁻", "-"},      {"−", "-"},

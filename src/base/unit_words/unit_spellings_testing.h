@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Units as files of tires, vehicles and rigs write them, in German, English, American and Japanese
-// habits, with factor and offset by hand: SI value = number * factor + offset. The tests of all
-// readers go through this table. Each family names the source of its factors.
+// custom, each with factor and offset by hand: SI value = number * factor + offset. The tests of
+// all readers use this table. Each family names the source of its factors.
 #pragma once
 
 #include <limits>
@@ -11,8 +11,8 @@ namespace latsch {
 
 struct UnitSpelling {
   const char* written;
-  const char* si;  // the dimension of what is measured
-  double factor;   // kRefused: a reader has to refuse the text
+  const char* si;  // unit of the measured quantity
+  double factor;   // kRefused: a reader must refuse the text
   double offset = 0.0;
 };
 

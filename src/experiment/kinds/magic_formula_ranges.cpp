@@ -70,7 +70,7 @@ constexpr NamedRange kRanges[] = {
     {"PPY5", -8, 8},
     // Fy, combined
     {"RBY1", 2, 40},
-    {"RBY2", 0, 40},  // its sign hardly matters, and the other one is a second minimum
+    {"RBY2", 0, 40},  // its sign hardly matters, and a range of both signs has a second minimum
     {"RBY3", -0.5, 0.5},
     {"RBY4", -4000, 4000},
     {"RCY1", 0.5, 2},
@@ -126,7 +126,7 @@ constexpr NamedRange kRanges[] = {
     {"SSZ2", -0.2, 0.2},
     {"SSZ3", -4, 4},
     {"SSZ4", -4, 4},
-    // of the carcass in the road, N/m: relaxation lengths are slip stiffnesses over these
+    // N/m, of the carcass in the road plane: relaxation lengths are slip stiffnesses over these
     {"LONGITUDINAL_STIFFNESS", 3e4, 3e6},
     {"LATERAL_STIFFNESS", 2e4, 2e6},
 };
