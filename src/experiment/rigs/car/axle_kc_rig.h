@@ -30,7 +30,7 @@ struct AxleKcTest {
   bool springs_locked = false;
   bool at_wheel_center = false;
   std::vector<Channel> prescribed;  // stated loads and positions, recorded beside the motion
-  Eigen::Matrix<double, 12, Eigen::Dynamic> loads;  // of left and right wheel, N, N m; a column for
+  Eigen::Matrix<double, 12, Eigen::Dynamic> loads;  // left and right wheel, N, N m; one column for
                                                     // each state
   std::optional<std::array<std::vector<double>, 2>> travel;  // m, of the wheel centers, imposed by
                                                              // pads
