@@ -12,9 +12,10 @@
 //                                    # in the wheel frame; {from = "measurement.shapes"}: its
 //                                    # x, y, z; default: no shapes
 //
-// Channels, one value for each mode: "frequency" (Hz), and "n", "type", "phase" as numbers
-// (rigs/mode_record.h); "shape" at the points; "damping" (of critical) if the model has it; on the
-// ground one value of "deflection", "loaded_radius" (m) and "force" (N) if the model computes them.
+// Channels, one value for each mode: "frequency" (Hz), and "n", "type" and "phase" as
+// numbers (rigs/mode_record.h); "shape" at the points; "damping" (of critical) if the model has it;
+// on the ground one value of "deflection", "loaded_radius" (m) and "force" (N) if the model
+// computes them.
 #pragma once
 
 #include "experiment/language/test.h"
