@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page costs beside the real program: node tests/bench.mjs LATSCH FOLDER, where FOLDER holds the studies
+// Measures the page on the real program: node tests/bench.mjs LATSCH FOLDER, where FOLDER holds the studies
 //   many/study.toml   with a journal of 50 000 trials
-//   some/study.toml   with one of 5 000 and its report, some/study.html
+//   some/study.toml   with a journal of 5 000 trials and its report, some/study.html
 //   live/study.toml   that was never run, and whose trials take some tenths of a second
-// With --smoke behind them the journals are as short as they are, few views are looked at and no tire is fitted.
-// Prints a line a figure: its name, a tab, the number. What fails ends it.
+// With --smoke behind them the existing journals are used whatever their length, few views are measured and no tire is
+// fitted. Prints one line for each figure: its name, a tab, the number. A failure ends the program.
 
 import { execFileSync, spawn } from 'node:child_process';
 import { statSync } from 'node:fs';
@@ -72,7 +72,7 @@ async function livePoints(page, ask, study) {
     let last = written(study);
     const count = async () => (await ask(`/api/study?study=${study}`)).trials;
     const committed = (async () => {
-      // The write-ahead log grows with every commit; the last time it did so before the count has changed is that of the trial.
+      // The write-ahead log grows with every commit; its last growth before the count changes is that of the trial.
       while ((await count()) < trial) { last = written(study); await pause(2); }
       return Math.max(last, written(study));
     })();
@@ -122,7 +122,7 @@ tell('many_load_ms', await loadTime(browser, address, 'many/study.toml'));
 tell('many_redraw_ms', await redrawTime(browser, address, 'many/study.toml'));
 
 if (!smoke) {
-  const fresh = Date.now(); // as after an installation: a tire, its study, the run, the first point
+  const fresh = Date.now(); // like after an installation: a tire, its study, the run, the first point
   execFileSync(latsch, ['new', join(folder, 'fresh')], { stdio: 'ignore' });
   await until(async () => (await ask('/api/home')).studies.some((one) => one.study === 'fresh/study.toml' && one.state === 'new'));
   await ask('/api/run', { study: 'fresh/study.toml', verb: 'run', workers: 2 });

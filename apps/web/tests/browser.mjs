@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A browser for the tests: Debian's chromium, or what CHROMIUM names. Every page of it collects what its console calls an
-// error, for a page has to have none.
+// A browser for the tests: Debian's chromium, or the one that CHROMIUM names. Every page collects the errors of its
+// console, because a page must have none.
 
 import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a journal of 50 000 trials costs the page: until its convergence is drawn, and each time it is drawn again. For a
-// page at any address, so that a benchmark measures the real server with it.
+// Measures the page with a journal of 50 000 trials: the time until its convergence is drawn, and for each redraw.
+// Works for a page at any address, so that a benchmark measures the real server with it.
 
 import { newPage, settled } from './browser.mjs';
 

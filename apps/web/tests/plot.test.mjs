@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a plot draws is what the page tells: after a click on its key, after trials that came, after another width of the window.
+// A plot draws the data of the page: after a click on its key, after new trials, after a change of the window's width.
 
 import assert from 'node:assert/strict';
 

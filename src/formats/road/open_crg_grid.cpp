@@ -60,7 +60,8 @@ class GridBuilding {
     return -1;
   }
 
-  /// Returns "" values if the file has no such channel. `first`: in row 0 the channel may be empty.
+  /// Returns the values of a channel, empty if the file has none. `first` is the first row in which
+  /// a value is required.
   std::vector<double> column(Kind kind, const char* name, int first = 0) const {
     const int at = column_of(kind);
     if (at < 0) return {};

@@ -201,7 +201,7 @@ class HeaderReading {
     place->second = {*number, line_, header_.file};
   }
 
-  /// Reads a number; also one whose exponent of 0 has its sign after the digits' place, as in a
+  /// Reads a number; also one with an exponent of 0 whose sign precedes the letter e, as in a
   /// sample of the standard (2.000000000+e00), with a warning.
   std::optional<double> number_of(std::string_view text) {
     const auto number = parse_number(text);

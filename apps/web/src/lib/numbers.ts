@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers, units and times as they are read.
+// Numbers, units and times as shown to people.
 
 import type { Told, Value } from './contract';
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colors of fields: viridis (Smith, van der Walt 2015), eleven of its colors and straight lines between them. Lines have
-// the colors of Okabe and Ito (2008), as variables of app.css.
+// Colors of fields: viridis (Smith, van der Walt 2015), eleven of its colors with linear interpolation between them.
+// Lines have the colors of Okabe and Ito (2008), as variables of app.css.
 
 const kViridis = [
   [68, 1, 84], [72, 36, 117], [65, 68, 135], [53, 95, 141], [42, 120, 142], [33, 145, 140],

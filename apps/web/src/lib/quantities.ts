@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quantities as a study file has them: a text with its unit, a plain number where there is none.
+// Quantities as in a study file: a text with its unit, or a plain number if there is no unit.
 
 export function inFile(value: number, unit: string): string | number {
   return unit && unit !== '1' ? `${value} ${unit}` : value;

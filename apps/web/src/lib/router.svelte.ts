@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The address of what is shown, behind the #: "#/convergence?study=tire/study.toml&weights=force:2". Every view has one.
+// The address of the displayed view, behind the #: "#/convergence?study=tire/study.toml&weights=force:2". Every view
+// has one.
 
 export interface Route {
   view: string;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of the axes is shown: all marks with some air, or the stretch that was zoomed to.
+// The displayed part of the axes: all marks with a margin, or the selected part.
 
 import type { Value } from '../lib/contract';
 import { edges, type Mark } from './marks';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mesh on the stage: its parts in colors of their own or all in those of a field, displaced, swinging in a mode; its
-// rods, links of a suspension, in those of their forces; a step of a test, with arrows and the road below.
+// A mesh on the stage: its parts in colors of their own or all in those of a field, displaced or vibrating in a mode;
+// its rods (links of a suspension) in the colors of their forces; a step of a test, with arrows and the road below.
 
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, type Object3D, PlaneGeometry, SRGBColorSpace, Vector3 } from 'three';
 
@@ -12,21 +12,21 @@ import { extentOf, fieldRange, type SceneData, type SceneFrame, type SceneMesh, 
 
 export interface Shown {
   what: SceneFrame | SceneSequence;
-  hidden: ReadonlySet<string>; // parts
+  hidden: ReadonlySet<string>; // names of parts
   hasField: boolean;
   hasEdges: boolean;
   hasForces: boolean;
-  exaggeration: number; // of displacements, and of a mode
-  arrows: number; // how long they are drawn
+  exaggeration: number; // factor of displacements and modes
+  arrows: number; // length of arrows
   ink: string;
-  load: Rgb; // of arrows from outside
+  load: Rgb; // color of external forces
 }
 
 export const isSequence = (what: SceneFrame | SceneSequence): what is SceneSequence => 'at' in what;
 
-const kArrow = 0.42; // of the radius: the longest
-const kCrest = '#5e6a76'; // of a road
-const kGlass = 0.28; // opacity of what stands around the links
+const kArrow = 0.42; // share of the radius; length of the longest arrow
+const kCrest = '#5e6a76'; // color of a road
+const kGlass = 0.28; // opacity of parts around the links
 
 /** What the pointer is on: a rod or an arrow by its number, else the point that is nearest. */
 export interface Found {
@@ -40,12 +40,12 @@ export class ModelScene {
   readonly mesh: Mesh;
   readonly source: SceneMesh;
   readonly range: [number, number] | null;
-  points: Float32Array; // of the step or frame that is shown
+  points: Float32Array; // points of the displayed step or frame
   values: Float32Array | null;
   #positions: BufferAttribute;
   #rods: Rods | null = null;
   #ends: number[] = []; // points of the rods, two each
-  #names: string[] = []; // of the rods
+  #names: string[] = []; // names of the rods
   #arrows: Arrows | null = null;
   #road: Mesh | null = null;
   #thickness: number;

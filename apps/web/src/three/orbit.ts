@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A camera that goes around a point, z up: drag turns, right or shift drag moves, the wheel goes nearer; arrow keys turn,
-// + and - go nearer and away, 0 shows all.
+// A camera that orbits a point, z up: drag rotates, right or shift drag moves, the wheel zooms; arrow keys rotate, +
+// and - zoom, 0 shows all.
 
 import { type PerspectiveCamera, Vector3 } from 'three';
 
-const kTurn = 0.008; // rad a pixel
-const kKeyTurn = 0.12; // rad a press
+const kTurn = 0.008; // rad per pixel
+const kKeyTurn = 0.12; // rad per key press
 
 export class Orbit {
   #target = new Vector3();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cylinders or cones between places that move, all of one mesh: rods of a suspension, arrows of forces.
+// Cylinders or cones between moving points, all in one mesh: rods of a suspension, arrows of forces.
 
 import { type BufferGeometry, Color, CylinderGeometry, InstancedMesh, Matrix4, MeshLambertMaterial, Quaternion, SRGBColorSpace, Vector3 } from 'three';
 

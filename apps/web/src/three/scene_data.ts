@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene as it comes from the server (docs/studio.md): the length of a JSON text, the text, the arrays it names.
+// Decodes a scene of the server (docs/studio.md): the length of a JSON text, the text, the arrays it names.
 
 interface Span {
   at: number;
@@ -45,12 +45,12 @@ export interface SceneSequence {
   along: string;
   unit: string;
   at: (number | null)[];
-  origins: number[]; // how far along x the place has gone from which points are told
-  points: Float32Array; // of all steps
+  origins: number[]; // distance along x of the origin of the points
+  points: Float32Array; // for all steps
   field: { name: string; unit: string; values: Float32Array } | null;
   arrows: SceneArrow[];
-  vectors: Float32Array; // of all steps, in the arrows' units
-  ground: number | null; // a mesh that stands still
+  vectors: Float32Array; // for all steps, in the arrows' units
+  ground: number | null; // index of a mesh that does not move
 }
 
 export interface SceneData {
@@ -59,7 +59,7 @@ export interface SceneData {
   meshes: SceneMesh[];
   frames: SceneFrame[];
   sequences: SceneSequence[];
-  remarks: string[]; // what is not shown
+  remarks: string[]; // names of omitted data
 }
 
 interface Told {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A place for things in space: renderer, camera, light, labels, a probe. Drawn when something has changed, or for every
-// frame of the screen while something moves.
+// A stage for objects in space: renderer, camera, light, labels, a probe. It is drawn when something has changed, or in
+// every frame of the screen while something moves.
 
 import { AmbientLight, DirectionalLight, type Mesh, type Object3D, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 
@@ -17,7 +17,7 @@ export interface Hit {
   point: Vector3;
   corners: [number, number, number]; // indices of the triangle's points
   nearest: number;
-  instance: number | undefined; // of instanced ones
+  instance: number | undefined; // for instanced meshes
 }
 
 export class Stage {

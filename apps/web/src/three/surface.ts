@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The target over two variables as a surface in a box of 2 x 2 x 1: height and color are the target on its scale.
+// The target over two variables as a surface in a box of 2 x 2 x 1: height and color show the target on its scale.
 
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, SphereGeometry, SRGBColorSpace } from 'three';
 

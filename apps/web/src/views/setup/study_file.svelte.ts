@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The study file while it is edited: what is on the disk, what is typed, what the program says to it. The form and the
-// text change one and the same file; where another program has changed it meanwhile, nothing is overwritten unasked.
+// The study file while it is edited: the text on the disk, the edited text, the messages of the program about it. The
+// form and the text change the same file; if another program has changed it meanwhile, nothing is overwritten without
+// asking.
 
 import { api } from '../../lib/api';
 import type { Check, Edit } from '../../lib/contract';
@@ -18,7 +19,7 @@ export class EditedFile {
   isReady = $state(false);
   hasConflict = $state(false);
   #onDisk = $state('');
-  #before: string[] = $state.raw([]); // the texts before what the form or Save has written, the last one last
+  #before: string[] = $state.raw([]); // earlier texts, before changes by the form or Save; the latest is last
   #version = '';
   #timer: ReturnType<typeof setTimeout> | undefined;
   #question = 0;
@@ -117,7 +118,7 @@ export class EditedFile {
         this.#take(file.text, file.version);
       }
     } catch {
-      // The foot of the page says that the server is gone.
+      // The foot of the page reports that the server is not reachable.
     }
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of a surface of the target as colors and heights: on a logarithmic scale where it spans more than a decade.
+// Converts the values of a surface of the target into colors and heights: on a logarithmic scale if they span more than
+// a decade.
 
 import type { Surface, Told, Value } from '../../lib/contract';
 
