@@ -25,13 +25,13 @@ export async function newPage(browser, { scheme = 'light', width = 1440, height 
   return page;
 }
 
-/** What is loading has come, and what is drawn is drawn. */
+/** Waits until everything is loaded and drawn. */
 export async function settled(page) {
   await page.waitForFunction(() => !document.querySelector('.loading, footer .waiting, [aria-busy=true]') && !document.body.innerText.includes('Loading the'), null, { timeout: 30000 });
   await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 }
 
-/** Violations that axe finds, in words. */
+/** Returns violations found by axe, in words. */
 export async function violations(page) {
   await page.evaluate(`(() => { const module = undefined, exports = undefined, define = undefined; ${axeScript}\n})()`);
   const { violations: found } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));

@@ -17,7 +17,7 @@ async function open(browser, address) {
   return page;
 }
 
-/** The pixels of the first plot, as a text that differs where they do. */
+/** The pixels of the first plot as a text, which differs if they do. */
 const pixels = (page) => page.locator('.u-wrap canvas').first().evaluate((canvas) => canvas.toDataURL());
 
 const drawnAnew = (page, before) =>

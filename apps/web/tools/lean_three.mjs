@@ -45,7 +45,7 @@ const shaders = join(source, 'renderers', 'shaders');
 
 const textOf = (file) => readFileSync(file, 'utf8');
 
-/** Names of the chunks that the materials' shaders include, and what those include. */
+/** Names of the chunks that the materials' shaders include, directly or through other chunks. */
 function reached() {
   const found = new Set(kOfEvery);
   const visit = (text) => {

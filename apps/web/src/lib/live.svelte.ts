@@ -26,7 +26,7 @@ class Live {
   #listeners = new Map<Kind, Set<Listener>>();
   #wasLost = false;
 
-  /** Follows this study's events; "" is the list alone. */
+  /** Follows this study's events; "" follows the list alone. */
   follow(study: string): void {
     if (isReport || (this.#source && study === this.#study)) return;
     this.#source?.close();

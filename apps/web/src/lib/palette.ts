@@ -27,7 +27,7 @@ export function inkOn(color: Rgb): string {
   return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.179 ? '#000000' : '#ffffff';
 }
 
-/** From -1 (blue) through the color between, `paper`, to 1 (vermilion): correlations on paper, forces on kForceless. */
+/** Color of -1 (blue) through `paper` at 0 to 1 (vermilion): correlations on paper, forces on kForceless. */
 export function diverging(value: number, paper: Rgb): Rgb {
   const end = value < 0 ? [0, 114, 178] : [213, 94, 0];
   const share = Math.min(Math.abs(value), 1);

@@ -24,7 +24,7 @@ function styleSheet(id: string, media: string): void {
   (document.getElementById(id) as HTMLStyleElement | null)?.setAttribute('media', media);
 }
 
-/** Paper gets the chapters, whatever is on the screen. */
+/** Prints the chapters, whatever is on the screen. */
 function print(isPrinting: boolean): void {
   if (isPrinting) {
     document.getElementById(kPrinted)!.hidden = false;

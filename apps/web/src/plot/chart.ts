@@ -59,7 +59,7 @@ export class Chart {
     this.#range();
   }
 
-  /** Other marks in the same axes: drawn, with what is zoomed left as it is. */
+  /** Draws other marks in the same axes and keeps the zoom. */
   draw(marks: readonly Mark[]): void {
     if (marks === this.#options.marks) return;
     this.#options.marks = marks;
@@ -235,7 +235,7 @@ export class Chart {
   }
 }
 
-/** How many ticks there is room for. */
+/** Number of ticks that fit. */
 function room(plot: uPlot, isUpright: boolean): number {
   const [length, each] = isUpright ? [plot.bbox.height, 26] : [plot.bbox.width, 52];
   return Math.max(Math.floor(length / devicePixelRatio / each), 3);
@@ -245,7 +245,7 @@ function inScale([least, greatest]: Range, isLog: boolean | undefined): { min: n
   return isLog ? { min: Math.log10(least), max: Math.log10(greatest) } : { min: least, max: greatest };
 }
 
-/** The nearest point within reach; of cells the one below the cursor. Marks drawn later come first. */
+/** The nearest point within reach; for cells the one below the cursor. Marks drawn later come first. */
 function nearest(marks: readonly Mark[], place: Place, atX: number, atY: number, reach: number): Probed | null {
   let best: Probed | null = null;
   let least = reach * reach;

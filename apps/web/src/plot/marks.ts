@@ -22,7 +22,7 @@ export interface Mark {
   cells?: { values: readonly (readonly Value[])[]; paint: (value: number) => string };
 }
 
-/** From values to pixels of the canvas; NaN for what has no place. */
+/** Maps values to pixels of the canvas; NaN for values without a position. */
 export interface Place {
   x: (value: Value | undefined) => number;
   y: (value: Value | undefined) => number;
@@ -52,7 +52,7 @@ function trace(context: CanvasRenderingContext2D, mark: Mark, place: Place): voi
   }
 }
 
-/** A corner where the value changes: the best of thousands of trials changes some ten times. */
+/** A corner at each change of the value: the best of thousands of trials changes some ten times. */
 function traceSteps(context: CanvasRenderingContext2D, mark: Mark, place: Place): void {
   let [end, level] = [NaN, NaN];
   for (let k = 0; k <= mark.x.length; ++k) {
@@ -143,7 +143,7 @@ const band: Draw = (context, mark, place) => {
   context.globalAlpha = 1;
 };
 
-/** Where a cell of a level ends: halfway to its neighbors. */
+/** Boundaries of the cells of levels: halfway to the neighbors. */
 export function edges(levels: readonly Value[], isLog: boolean): number[] {
   const at = levels.map((level) => (isLog ? Math.log(level ?? NaN) : (level ?? NaN)));
   if (at.length === 1) at.push(at[0]! + 1);

@@ -27,7 +27,7 @@ function withAir([least, greatest]: Range, isLog: boolean, share: number): Range
   return [least - air, greatest + air];
 }
 
-/** The range of one axis over all marks; of cells their edges, without air. */
+/** The range of one axis over all marks; for cells their edges, without a margin. */
 export function fullRange(marks: readonly Mark[], axis: 'x' | 'y', isLog: boolean, withZero: boolean): Range {
   const grid = marks.find((mark) => mark.kind === 'cells');
   if (grid) {

@@ -38,7 +38,7 @@ export class Arrows {
     this.#scale = sequence.arrows.map(({ unit }) => 1 / (longest.get(unit) || 1));
   }
 
-  /** At these positions of the mesh. */
+  /** Places the arrows at these positions of the mesh. */
   place(positions: BufferAttribute, vectors: Float32Array, values: Float32Array | null): void {
     const [tail, head, neck, along] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
     const { length, thickness, color } = this.look;

@@ -28,7 +28,7 @@ const kArrow = 0.42; // share of the radius; length of the longest arrow
 const kCrest = '#5e6a76'; // color of a road
 const kGlass = 0.28; // opacity of parts around the links
 
-/** What the pointer is on: a rod or an arrow by its number, else the point that is nearest. */
+/** The object below the pointer: a rod or an arrow by its number, else the nearest point. */
 export interface Found {
   point: number;
   rod: string | null;
@@ -78,7 +78,7 @@ export class ModelScene {
     }
   }
 
-  /** A step of the sequence. */
+  /** Shows a step of the sequence. */
   show(step: number): void {
     const { what } = this.shown;
     if (!isSequence(what)) return;
@@ -90,7 +90,7 @@ export class ModelScene {
     this.#road?.position.setX(-what.origins[step]!);
   }
 
-  /** Points at this sine of a mode's swing; without a mode as the frame has them. */
+  /** Places points at this sine of a mode's oscillation; without a mode at their positions in the frame. */
   place(sine: number): void {
     const { what, exaggeration } = this.shown;
     const rest = this.source.points;
@@ -106,7 +106,7 @@ export class ModelScene {
     this.#placeRods();
   }
 
-  /** What the probe looks for. */
+  /** Meshes that the probe searches. */
   get bodies(): Mesh[] {
     const solid = this.source.triangles.length ? [this.mesh] : [];
     return [...(this.#arrows ? [this.#arrows.shafts.mesh, this.#arrows.heads.mesh] : []), ...(this.#rods ? [this.#rods.mesh] : []), ...solid];
@@ -123,7 +123,7 @@ export class ModelScene {
     return { point: distance(a) < distance(b) ? a : b, rod: this.#names[instance]!, arrow: null };
   }
 
-  /** The color of a force; without one of none. */
+  /** The color of a force; without a value that of no force. */
   #force(value: number | undefined): Rgb {
     const most = this.range?.[1] ?? 0;
     return value === undefined || !Number.isFinite(value) || most === 0 ? kForceless : diverging(value / most, kForceless);
@@ -210,7 +210,7 @@ export class ModelScene {
     this.objects.push(this.#road);
   }
 
-  /** The higher the darker: kerbs are flat against a car. */
+  /** Colors higher points darker: kerbs are low compared with a car. */
   #reliefs(heights: Float32Array, [least, greatest]: [number, number]): BufferAttribute {
     const [low, high, color] = [new Color(partColor('road')), new Color(kCrest), new Color()];
     const colors = new Float32Array(3 * heights.length);
@@ -218,7 +218,7 @@ export class ModelScene {
     return new BufferAttribute(colors, 3);
   }
 
-  /** Lines of what is no rod. */
+  /** Draws edges that belong to no rod. */
   #edges(): void {
     const isRod = new Set(this.source.rods.flatMap((rod) => Array.from({ length: rod.count }, (_, k) => rod.first + k)));
     const lines = this.source.edges.filter((_, k) => !isRod.has(k >> 1));

@@ -30,7 +30,7 @@ export class Orbit {
     this.#listen('contextmenu', (event) => event.preventDefault());
   }
 
-  /** Shows what lies within `radius` around `center`, from this side; "0" comes back to it. */
+  /** Shows everything within `radius` around `center` from this side; key "0" returns to this view. */
   show(center: Vector3, radius: number, azimuth = -0.9, height = 0.45): void {
     const distance = (1.1 * radius) / Math.sin((this.camera.fov * Math.PI) / 360);
     this.#home = { target: center.clone(), distance, azimuth, height };

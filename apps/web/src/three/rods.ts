@@ -20,7 +20,7 @@ export class Rods {
     this.mesh.frustumCulled = false;
   }
 
-  /** From a to b, this thick; nothing where both are one place. */
+  /** Places rod k from a to b with this thickness; hides it if both points coincide. */
   place(k: number, a: Vector3, b: Vector3, thickness: number): void {
     this.#along.subVectors(b, a);
     const length = this.#along.length();

@@ -38,7 +38,7 @@ export interface SceneArrow {
   is_load: boolean;
 }
 
-/** What a test does: a step after the other, of a rig's states or of a run's moments. */
+/** A test step by step: the states of a rig or moments of a run. */
 export interface SceneSequence {
   name: string;
   mesh: number;
@@ -136,7 +136,7 @@ export function fieldRange(values: Float32Array): [number, number] {
   return Number.isFinite(least) ? [least, greatest] : [0, 1];
 }
 
-/** As far to either side of zero as the values go. */
+/** A range symmetric to zero that contains the values. */
 export function signedRange(values: Float32Array): [number, number] {
   let most = 0;
   for (const value of values) if (Math.abs(value) > most) most = Math.abs(value);
@@ -149,7 +149,7 @@ export function stepOf(sequence: SceneSequence, step: number): { points: Float32
   return { points: part(sequence.points), values: sequence.field && part(sequence.field.values), vectors: part(sequence.vectors) };
 }
 
-/** The step in which forces are largest: what there is to see. */
+/** The step with the largest forces, which shows most. */
 export function strongestStep(sequence: SceneSequence): number {
   let [best, most] = [0, -1];
   for (let step = 0; step < sequence.at.length; ++step) {
@@ -170,7 +170,7 @@ export function longestArrow(sequence: SceneSequence, unit: string): number {
   return most;
 }
 
-/** What the points span along each axis, half its diagonal, and its middle. */
+/** The extent of the points along each axis, half its diagonal, and its middle. */
 export function extentOf(points: Float32Array): { center: [number, number, number]; radius: number; sizes: number[] } {
   const least = [Infinity, Infinity, Infinity];
   const greatest = [-Infinity, -Infinity, -Infinity];

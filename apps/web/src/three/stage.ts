@@ -30,7 +30,7 @@ export class Stage {
   #isDue = false;
   #move: ((seconds: number) => void) | null = null;
 
-  /** Throws where the browser has no WebGL. */
+  /** Throws if the browser has no WebGL. */
   constructor(
     readonly host: HTMLElement,
     onprobe: (x: number, y: number) => void,
@@ -64,7 +64,7 @@ export class Stage {
     this.request();
   }
 
-  /** Draws at the next frame of the screen. */
+  /** Requests a drawing in the next frame of the screen. */
   request(): void {
     if (this.#isDue) return;
     this.#isDue = true;
@@ -82,7 +82,7 @@ export class Stage {
     this.request();
   }
 
-  /** The nearest of these below a place of the picture. */
+  /** The nearest of these objects below a point of the picture. */
   hit(objects: readonly Mesh[], x: number, y: number): Hit | null {
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(x, y), this.camera);

@@ -89,7 +89,7 @@ export function labels(surface: Surface, levels: Levels): Label[] {
   ];
 }
 
-/** Where a point of the variables lies on the surface: above the nearest point of the grid. */
+/** Position of a point of the variables on the surface: above the nearest point of the grid. */
 export function placeOn(surface: Surface, levels: Levels, [x, y]: [Value, Value]): Place | null {
   if (x === null || y === null) return null;
   const closest = (axis: SurfaceAxis, value: number) => axis.levels.reduce((best, level, k) => (Math.abs(along(axis, level) - along(axis, value)) < Math.abs(along(axis, axis.levels[best]!) - along(axis, value)) ? k : best), 0);

@@ -9,7 +9,7 @@ import type { Label } from './stage';
 
 const kLength = 0.22; // share of the radius
 
-/** `isAhead`: of what is looked at from its front left, at its front right. */
+/** `isAhead`: at the front right, for a model that is seen from its front left. */
 export function triad(mesh: SceneMesh, ink: string, isAhead = false): { lines: LineSegments; labels: Label[] } {
   const { center, radius, sizes } = extentOf(mesh.points);
   const length = kLength * radius;
