@@ -59,8 +59,7 @@ struct Node::Impl {
   /// completes or replaces an earlier one; a bare `has` replaces none.
   template <class MakeDeclaredKey>
   void declare(std::string_view key, const MakeDeclaredKey& make) const {
-    if (record) record->declare(value().path, key, make());  // without a record the declaration is
-                                                             // not even made
+    if (record) record->declare(value().path, key, make());  // only made if it is recorded
   }
   DocumentValue::Kind kind(int i) const { return tree->value(i).kind; }
   DocumentValue now(int i) const { return tree->value_now(i, *changes); }

@@ -71,8 +71,7 @@ Json answer_of(const correlation::Study& study, const correlation::Identifiabili
   for (int i = 0; i < study.space.size(); ++i) {
     const Interval interval = correlation::reported_interval(study, result, i);
     const auto end = [&](double u) -> Json {
-      if (!(u >= 0.0 && u <= 1.0)) return nullptr;  // outside of the range: the range limits it,
-                                                    // not the data
+      if (!(u >= 0.0 && u <= 1.0)) return nullptr;  // limited by the range, not by data
       DesignPoint point = result.point;
       auto at = study.space.to_unit(point);
       at[i] = u;

@@ -14,7 +14,7 @@ namespace latsch::cli {
 namespace {
 
 constexpr double kWithin =
-    4.0;  // ratio of the bounds to the tire's own value, up and down
+    4.0;  // ratio of the upper bound to the tire's own value, and of that value to the lower
 
 constexpr std::string_view kHead =
     R"(# A study: which numbers of tire.toml may vary, what was measured, how the two are compared.

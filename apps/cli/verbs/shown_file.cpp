@@ -196,8 +196,7 @@ void show_channels(const Channels& channels, bool over_first, ShownFile& shown) 
     return over_first ? plot_unit(channel.unit, channel.values) : PlotUnit{channel.unit};
   };
   for (const Channel& channel : channels.all()) {
-    if (&channel == over || channel.values.size() < 2) continue;  // a single value is only in the
-                                                                  // table
+    if (&channel == over || channel.values.size() < 2) continue;  // the table has single values
     const PlotUnit y = unit_of(channel), x = over ? unit_of(*over) : PlotUnit{};
     report::PlotLine line{"",
                           over ? in_plot_unit(over->values, x) : std::vector<double>(),

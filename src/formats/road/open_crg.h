@@ -48,9 +48,9 @@ struct OpenCrg {
   std::vector<std::string> statements;  // options and modifiers of the surface, as in the file
   std::vector<std::string> kept;        // "name = value": statements that do not concern the
                                         // surface
-  std::vector<std::string> warnings;  // for the user: statements whose meaning may have been
-                                      // different
-  int gaps = 0;                       // number of heights missing in the file
+  std::vector<std::string> warnings;    // for the user: statements whose meaning may have been
+                                        // different
+  int gaps = 0;                         // number of heights missing in the file
   road::CrgGrid grid;
 
   /// Throw InputError naming file, line (of digits) or record (of binary data), what was found and

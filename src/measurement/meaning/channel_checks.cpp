@@ -292,8 +292,7 @@ void check_time(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   std::size_t back = 0, first = 0;
   for (std::size_t i = 1; i < time->values.size(); ++i)
     if (time->values[i] < time->values[i - 1] && back++ == 0) first = i;
-  if (2 * back < time->values.size()) return;  // the file holds several runs, each with its own
-                                               // time
+  if (2 * back < time->values.size()) return;  // a file of several runs
   doubts.push_back({time->name,
                     fmt::format("goes backward {}: is its sign another one?",
                                 of_samples(back, time->values.size())),

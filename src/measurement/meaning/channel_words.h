@@ -44,7 +44,7 @@ const ChannelMeaning* find_meaning(std::string_view name);
 
 struct RecognizedName {
   const ChannelMeaning* meaning = nullptr;  // never null
-  std::string channel;      // our name with frame or wheel: "alpha", "FyW", "Fz_FL"
+  std::string channel;                      // our name with frame or wheel: "alpha", "FyW", "Fz_FL"
   std::string unit;         // unit at the end of the name, such as "deg"; empty: none
   bool keeps_name = false;  // a channel of its own elsewhere, such as camber
 };

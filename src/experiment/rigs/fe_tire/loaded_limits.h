@@ -64,7 +64,7 @@ class Missed {
   FewMeshes meshes_;
   std::map<std::string, Of> of_;  // keys are mode labels
   double part_ = 0.0;             // error as a share of the change by refining the section
-  Of all_;  // root mean squares; `missed` is the error beyond that share
+  Of all_;                        // root mean squares; `missed` is the error beyond that share
 };
 
 }  // namespace latsch

@@ -86,8 +86,7 @@ magic_formula::LevelsOfCondition levels_of(Condition condition, std::vector<doub
   const bool is_angle = condition == Condition::camber;
   if (values.empty() || (!is_angle && !(size > 0.0))) return found;
   if (!is_angle)
-    for (double& x : values) x = std::abs(x);  // a load or speed may have the sign of another
-                                               // convention
+    for (double& x : values) x = std::abs(x);  // other axes may reverse the sign
   const LevelResolution resolution = resolution_of(condition, size);
   const DistinctLevels levels = distinct_levels(values, resolution);
   found.count = levels.count();

@@ -12,8 +12,8 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kWheelInertia = 1.0;  // kg m^2, of the wheel that finds its free rolling speed
-constexpr double kFollow = 20e-3;      // s, time constant with which the axle follows the load
+constexpr double kWheelInertia = 1.0;      // kg m^2, of the wheel that finds its free rolling speed
+constexpr double kFollow = 20e-3;          // s, time constant with which the axle follows the load
 constexpr double kLeastDeflection = 1e-3;  // m
 
 /// Carrier yawed relative to the belt: with the heading turned right by α the belt moves the wheel
