@@ -83,7 +83,7 @@ class DocumentRecord {
   /// Returns every file that was named, and the files that those refer to.
   std::vector<std::filesystem::path> files() const;
 
-  // The following functions are for readers. Each does nothing if nobody records.
+  // The following functions are for readers. Each does nothing without a record.
 
   /// Records what a whole table, such as {from = "measurement.rig"}, has been resolved into.
   static void stands_for(const Node& table, std::string value);

@@ -19,7 +19,7 @@ struct Row {
 // clang-format off
 /// Known also in other cases: "KPA", "Newton".
 inline constexpr Row kWords[] = {
-    // length
+    // Length.
     {"m", "m"}, {"meter", "m"}, {"meters", "m"}, {"metre", "m"}, {"metres", "m"}, {"mm", "mm"},
     {"millimeter", "mm"}, {"millimeters", "mm"}, {"millimetre", "mm"}, {"millimetres", "mm"},
     {"cm", "cm"}, {"centimeter", "cm"}, {"centimeters", "cm"}, {"centimetre", "cm"},
@@ -28,17 +28,17 @@ inline constexpr Row kWords[] = {
     {"in", "in"}, {"inch", "in"}, {"inches", "in"}, {"zoll", "in"}, {"ft", "ft"}, {"foot", "ft"},
     {"feet", "ft"}, {"yd", "yd"}, {"yard", "yd"}, {"mi", "mile"}, {"mile", "mile"},
     {"miles", "mile"}, {"thou", "2.54e-5 m"},
-    // volume
+    // Volume.
     {"l", "l"}, {"liter", "l"}, {"liters", "l"}, {"litre", "l"}, {"ml", "ml"}, {"cc", "cm^3"},
     {"ccm", "cm^3"},
-    // mass
+    // Mass.
     {"kg", "kg"}, {"kilogram", "kg"}, {"kilograms", "kg"}, {"kilogramm", "kg"}, {"gram", "gram"},
     {"grams", "gram"}, {"gramm", "gram"}, {"milligram", "mg"}, {"tonne", "t"}, {"tonnes", "t"},
     {"megagram", "t"}, {"lbm", "lb"}, {"lb_m", "lb"}, {"pound_mass", "lb"},
     {"kpound_mass", "453.59237 kg"}, {"ounce_mass", "0.028349523125 kg"},
     {"slug", "14.593902937206364 kg"}, {"slugs", "14.593902937206364 kg"}, {"tex", "tex"},
     {"dtex", "dtex"},
-    // force
+    // Force.
     {"N", "N"}, {"newton", "N"}, {"newtons", "N"}, {"kN", "kN"}, {"kilonewton", "kN"},
     {"kilonewtons", "kN"}, {"knewton", "kN"}, {"daN", "daN"}, {"decanewton", "daN"},
     {"meganewton", "MN"}, {"millinewton", "mN"}, {"kgf", "kgf"}, {"kilogram_force", "kgf"},
@@ -47,14 +47,14 @@ inline constexpr Row kWords[] = {
     {"klbf", "kip"}, {"kip", "kip"}, {"kips", "kip"}, {"kpound_force", "kip"},
     {"ozf", "0.27801385095378125 N"}, {"ounce_force", "0.27801385095378125 N"}, {"dyn", "dyne"},
     {"dyne", "dyne"},
-    // moment, impulse, damping in one word
+    // Moment, impulse, damping in one word.
     {"Nm", "N m"}, {"kNm", "kN m"}, {"daNm", "daN m"}, {"Ncm", "N cm"}, {"Nmm", "N mm"},
     {"kNmm", "kN mm"}, {"Nms", "N m s"}, {"Ns", "N s"}, {"kNs", "kN s"}, {"kgfm", "kgf m"},
     {"kgfcm", "kgf cm"}, {"kgfmm", "kgf mm"}, {"kpm", "kgf m"}, {"ftlb", "ft lbf"},
     {"ftlbs", "ft lbf"}, {"ftlbf", "ft lbf"}, {"lbft", "lbf ft"}, {"lbfft", "lbf ft"},
     {"inlb", "in lbf"}, {"inlbs", "in lbf"}, {"inlbf", "in lbf"}, {"lbin", "lbf in"},
     {"lbfin", "lbf in"},
-    // time and frequency
+    // Time and frequency.
     {"s", "s"}, {"sec", "s"}, {"secs", "s"}, {"second", "s"}, {"seconds", "s"}, {"sek", "s"},
     {"sekunde", "s"}, {"sekunden", "s"}, {"ms", "ms"}, {"msec", "ms"}, {"millisecond", "ms"},
     {"milliseconds", "ms"}, {"us", "us"}, {"usec", "us"}, {"microsecond", "us"},
@@ -62,7 +62,7 @@ inline constexpr Row kWords[] = {
     {"minuten", "min"}, {"h", "h"}, {"hr", "h"}, {"hrs", "h"}, {"hour", "h"}, {"hours", "h"},
     {"day", "day"}, {"days", "day"}, {"Hz", "Hz"}, {"hertz", "Hz"}, {"kHz", "kHz"},
     {"GHz", "GHz"}, {"cpm", "1/min"},
-    // angle and speed of rotation
+    // Angle and speed of rotation.
     {"deg", "deg"}, {"degs", "deg"}, {"degree", "deg"}, {"degrees", "deg"}, {"°", "deg"},
     {"rad", "rad"}, {"rads", "rad"}, {"radian", "rad"}, {"radians", "rad"}, {"radiant", "rad"},
     {"mrad", "mrad"}, {"milliradian", "mrad"}, {"milliradians", "mrad"}, {"urad", "urad"},
@@ -70,28 +70,28 @@ inline constexpr Row kWords[] = {
     {"revs", "rev"}, {"revolution", "rev"}, {"revolutions", "rev"}, {"turn", "rev"},
     {"turns", "rev"}, {"umdr", "rev"}, {"umdrehung", "rev"}, {"umdrehungen", "rev"},
     {"rpm", "rpm"}, {"upm", "rpm"}, {"rps", "rev/s"},
-    // velocity and acceleration
+    // Velocity and acceleration.
     {"kmh", "km/h"}, {"kph", "km/h"}, {"kmph", "km/h"}, {"mph", "mile/h"}, {"mps", "m/s"},
     {"fps", "ft/s"}, {"ips", "in/s"}, {"knot", "knot"}, {"knots", "knot"}, {"kts", "knot"},
     {"gn", "9.80665 m/s^2"}, {"gee", "9.80665 m/s^2"}, {"milli_gn", "9.80665e-3 m/s^2"},
     {"standard_gravity", "9.80665 m/s^2"},
-    // pressure, over that of the air around: "psig" is "psi"
+    // Pressure, over that of the air around: "psig" is "psi".
     {"Pa", "Pa"}, {"pascal", "Pa"}, {"hPa", "hPa"}, {"kPa", "kPa"}, {"kilopascal", "kPa"},
     {"kpascal", "kPa"}, {"megapascal", "MPa"}, {"mpascal", "MPa"}, {"GPa", "GPa"},
     {"gigapascal", "GPa"}, {"bar", "bar"}, {"bars", "bar"}, {"mbar", "mbar"},
     {"millibar", "mbar"}, {"psi", "psi"}, {"psig", "psi"}, {"barg", "bar"}, {"kPag", "kPa"},
     {"ksi", "ksi"}, {"psf", "lbf/ft^2"}, {"atm", "atm"}, {"at", "98066.5 Pa"},
     {"torr", "133.32236842105263 Pa"}, {"mmHg", "mmHg"}, {"inHg", "inHg"},
-    // temperature
+    // Temperature.
     {"degC", "degC"}, {"deg_C", "degC"}, {"celsius", "degC"}, {"°C", "degC"}, {"degF", "degF"},
     {"deg_F", "degF"}, {"fahrenheit", "degF"}, {"°F", "degF"}, {"degK", "K"}, {"kelvin", "K"},
     {"°K", "K"}, {"degR", "degR"}, {"rankine", "degR"},
-    // energy, power, electricity, light, amount
+    // Energy, power, electricity, light, amount.
     {"J", "J"}, {"joule", "J"}, {"kJ", "kJ"}, {"watt", "W"}, {"kW", "kW"}, {"kilowatt", "kW"},
     {"Wh", "W h"}, {"kWh", "kW h"}, {"hp", "745.69987158227022 W"},
     {"bhp", "745.69987158227022 W"}, {"volt", "V"}, {"volts", "V"}, {"kV", "kV"}, {"ampere", "A"},
     {"amp", "A"}, {"ohm", "ohm"}, {"Ω", "ohm"}, {"mol", "mol"}, {"cd", "cd"},
-    // plain numbers
+    // Plain numbers.
     {"%", "%"}, {"percent", "%"}, {"pct", "%"}, {"prozent", "%"}, {"‰", "1e-3"},
     {"permil", "1e-3"}, {"permille", "1e-3"}, {"promille", "1e-3"}, {"ppm", "1e-6"},
     {"count", "1"}, {"counts", "1"},
@@ -137,7 +137,7 @@ struct Ambiguous {
   std::string_view written;
   std::string_view meanings[2];
   bool any_case, only_by_dimension;
-  std::string_view way_out;  // behind the name of the text
+  std::string_view way_out;  // to follow the text in a message
 };
 inline constexpr Ambiguous kAmbiguousWords[] = {
     {"lb", {"lbf", "lbm"}, true, false, "which may be a force or a mass: write \"lbf\" or \"lbm\""},

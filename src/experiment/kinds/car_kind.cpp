@@ -135,8 +135,8 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles {
   }
 
  private:
-  /// The car on the rig. Preloads carry its weight if pads replace the ground; without pads they
-  /// are zero.
+  /// Returns the car for the rig. Its springs have the preloads that carry its weight if pads stand
+  /// below the wheels; without pads the rig needs no preloads.
   Result<car::CarMechanism> on_rig(const AxleKcTest& test) const {
     if (!test.travel) return car::build(file_.parameters);
     const auto stands = car({});

@@ -70,7 +70,7 @@ Result<Channels> run(const suspension::CompliantCorner& corner,
     return numbers > 0 &&
            std::find(asked.channels.begin(), asked.channels.end(), channel) != asked.channels.end();
   };
-  std::vector<int> followed;  // channels whose slopes are requested
+  std::vector<int> followed;  // indices of the channels whose slopes are requested
   for (int m = 0; m < 6; ++m) {
     const std::string name = KcTest::kMoved[static_cast<std::size_t>(m)];
     if (is_asked(name) || (test.slopes && is_asked(test.slopes->name(name)))) followed.push_back(m);

@@ -56,7 +56,7 @@ multibody::Mechanism on_the_rig(const car::CarMechanism& car, const AxleKcTest& 
                       body,
                       whole.bodies()[static_cast<std::size_t>(body)].origin,
                       held});
-  // Pads replace the springs' preloads; without pads the preloads are zero.
+  // The springs keep their preloads only if pads carry the wheels.
   std::vector<double> preloads;
   for (multibody::Strut& strut : struts) preloads.push_back(std::exchange(strut.preload, 0.0));
   for (int side = 0; side < 2; ++side) {
@@ -110,7 +110,7 @@ class AxleOnRig {
     return true;
   }
 
-  /// dx .. caster of a side.
+  /// Returns dx, dy, dz, camber, toe, caster of a side relative to the unloaded state.
   Vector6d moved(int side) const {
     const suspension::WheelPosition now = wheel(rest_, side),
                                     &was = wheels_at_rest_[static_cast<std::size_t>(side)];
