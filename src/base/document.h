@@ -117,7 +117,7 @@ class Document {
 
   Node root() const;
 
-  /// Returns the number at `path` in SI; its SI unit ("Pa") is available too. Throws InputError if
+  /// get() returns the number at `path` in SI, unit() its SI unit ("Pa"). Both throw InputError if
   /// the path leads to no number; the message names the nearest path that does.
   double get(std::string_view path) const;
   std::string unit(std::string_view path) const;

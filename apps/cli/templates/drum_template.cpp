@@ -31,15 +31,13 @@ using correlation::RigFile;
 
 constexpr double kBefore = 0.04, kBehind = 0.2;  // s around the hit, in which the response decays
 constexpr double kOfTurn = 0.9;                  // most of the distance to the passage's ends
-constexpr double kRoom = 0.1;                    // share of the window that is kept free for the
-                                                 // delay
+constexpr double kRoom = 0.1;                    // share of the window, kept free for the delay
 constexpr double kMoreRoom = 5e-3;               // s, added to that share
-constexpr double kQuiet = 15e-3;                 // s before the hit, when the tire meets the cleat
-constexpr double kFarthest = 60e-3;              // s, greatest distance between the hits of record
-                                                 // and test
+constexpr double kQuiet = 15e-3;                 // s before the hit; the mean load ends there
+constexpr double kFarthest = 60e-3;              // s, most between the hits of record and test
 constexpr double kShiftStep = 0.5e-3;            // s
 constexpr double kAlike = 0.5;      // correlation below which a dissimilarity is reported
-constexpr double kSameDrum = 0.02;  // tolerance between the stated and the computed diameter
+constexpr double kSameDrum = 0.02;  // relative difference of stated and computed diameter
 
 const std::vector<RingNumber> kNumbers = {
     {"radial", "sidewall.radial.stiffness", "MN/m^2", 2.0},

@@ -216,7 +216,7 @@ inline constexpr UnitSpelling kAll[] = {
     {"m^-1", "1/m", 1.0}, {"m-1", "1/m", 1.0}, {"1/mm", "1/m", 1e3}, {"mm/min", "m/s", 1e-3 / 60},
     {"N/Mm", "N/m", kRefused}, {"nN/um", "N/m", kRefused}, {"PS/m", "N/m", kRefused},
     // Density, inertia, energy, power [metric horsepower of 75 kp m/s: DIN 66036; hp of
-    // 550 ft lbf/s], yarns
+    // 550 ft lbf/s], yarns.
     {"kg/m^3", "kg/m^3", 1.0}, {"kg/m3", "kg/m^3", 1.0}, {"kg/m³", "kg/m^3", 1.0},
     {"KG/M3", "kg/m^3", 1.0}, {"g/cm^3", "kg/m^3", 1e3}, {"g/cm3", "kg/m^3", 1e3},
     {"g/cm³", "kg/m^3", 1e3}, {"kg/l", "kg/m^3", 1e3}, {"t/m^3", "kg/m^3", 1e3},

@@ -89,8 +89,8 @@ class FeTireKind : public SpecimenKind {
     if (before && before->becomes(description, numbers)) return reuse;
     return std::make_unique<DescribedTire>(description, numbers);
   }
-  /// True for all numbers except those that decide where parts begin and end, because they change
-  /// the mesh.
+  /// True for pressure, rubbers, layers, contour and thicknesses, except the positions at which
+  /// parts begin and end, because these change the mesh.
   bool knows_slopes_in(const std::string& path) const override {
     const auto begins = [&path](const char* with) { return path.starts_with(with); };
     if (path.ends_with(".from") || path.ends_with(".to")) return false;

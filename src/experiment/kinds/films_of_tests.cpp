@@ -10,8 +10,8 @@
 namespace latsch::experiment {
 
 void add_films(const std::vector<const Test*>& tests, Specimen& specimen, report::Scene& scene) {
-  // Steps of all films, of a film, and least steps of a film. More steps make a page larger: a step
-  // of a car on its road needs some 7 kB, all of them 1.6 MB, of which a report keeps 0.9 MB.
+  // Most steps of all films together, most and fewest of one film. More steps make a page larger: a
+  // step of a car on its road needs some 7 kB, all of them 1.6 MB, which are 0.9 MB in a report.
   constexpr int kSteps = 240, kMostSteps = 120, kFewestSteps = 9;
   std::vector<const Test*> shown;
   for (const Test* test : tests)
