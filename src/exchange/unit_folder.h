@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A unit as files: the `resources` of a package, which its library reads.
 //
-//   unit.toml    kind = "tire" or "car", token = "{...}"   # of all that stands in the files below
+//   unit.toml    kind = "tire" or "car", token = "{...}"   # of the content of the files below
 //                [tire] or [car]
 //                model_kind, model, road                   # the last two: names of files beside it
 //
