@@ -19,8 +19,8 @@
 //   inclination and side force    opposite, at one slip angle
 //   kappa and Fx; dx, dy, dz and the force along them; Vx and omega     equal
 //
-// A load channel that varies about zero, as on a K&C rig or over a cleat, holds no tire loads and
-// is not checked.
+// A load channel that varies about zero, as on a K&C rig or over a cleat, holds no tire loads, and
+// its sign is not checked.
 //
 // A channel with at least nine impossible samples in ten is an error; a minority of odd samples is
 // counted. A wrong number of a plausible size is not detected.
