@@ -28,7 +28,7 @@ std::string description(const experiment::Language& language) {
       fmt::join(models, ", "));
 }
 
-/// Offered where a model of the program has the capability.
+/// A verb that is offered if a model of the program has the capability.
 struct OfferedVerb {
   void (*add)(CommandLine& app, Program& program);
   const char* capability = "";  // empty: any model
@@ -91,7 +91,7 @@ int run_cli(int argc, char** argv, const experiment::Language& language) {
   } catch (const InputError& error) {
     complain(error.what(), error.place());
     return close_console(kWrongInput);
-  } catch (const std::filesystem::filesystem_error& error) {  // a folder that may not be written
+  } catch (const std::filesystem::filesystem_error& error) {  // a folder that is not writable
     const std::string path = error.path1().string();
     complain(path + ": cannot be created or changed: " + error.code().message(), {path, 0});
     return close_console(kWrongInput);

@@ -13,7 +13,7 @@ struct Fmu {
   std::unique_ptr<Instance> instance;
 };
 
-/// A message is a format of printf, and a # begins a value reference [2.1.5].
+/// Escapes a message, which is a format of printf in which # begins a value reference [2.1.5].
 std::string as_format(const std::string& message) {
   std::string result;
   for (const char c : message) {
@@ -25,7 +25,7 @@ std::string as_format(const std::string& message) {
 
 Status from(exchange::Status status) { return static_cast<Status>(static_cast<int>(status)); }
 
-/// What `work` does with the instance; an error where there is none.
+/// Returns the result of `work` with the instance; an error if there is none.
 template <class Work>
 Status with(Component component, const Work& work) {
   auto* fmu = static_cast<Fmu*>(component);
@@ -36,7 +36,7 @@ Status refused(Component component, const char* what) {
   return with(component, [&](Instance& instance) { return instance.refuse(what); });
 }
 
-/// Of a kind of variables of which the unit has none: nothing can be asked for.
+/// Access to variables of a type that the unit does not have: only an empty request succeeds.
 Status none(Component component, std::size_t count, const char* what) {
   return count == 0 && component ? ok : refused(component, what);
 }
@@ -54,7 +54,7 @@ Text fmi2GetTypesPlatform() { return "default"; }
 Text fmi2GetVersion() { return "2.0"; }
 
 Status fmi2SetDebugLogging(Component component, int, std::size_t, const Text[]) {
-  return component ? ok : error;  // errors are always logged, and there is nothing else
+  return component ? ok : error;  // errors are always logged, and there are no other categories
 }
 
 Component fmi2Instantiate(
@@ -179,7 +179,7 @@ Status fmi2DoStep(Component component, double time, double step, int) {
 Status fmi2CancelStep(Component component) { return refused(component, kSynchronous); }
 
 Status fmi2GetStatus(Component component, StatusKind, Status*) {
-  return component ? discard : error;  // of asynchronous steps, of which there are none
+  return component ? discard : error;  // there are no asynchronous steps
 }
 Status fmi2GetRealStatus(Component component, StatusKind kind, double* value) {
   return with(component, [&](Instance& instance) {
@@ -194,7 +194,7 @@ Status fmi2GetIntegerStatus(Component component, StatusKind, int*) {
 Status fmi2GetBooleanStatus(Component component, StatusKind kind, int* value) {
   if (!component) return error;
   if (kind != terminated || !value) return discard;
-  *value = 0;  // a unit never asks to be terminated
+  *value = 0;  // a unit never requests termination
   return ok;
 }
 Status fmi2GetStringStatus(Component component, StatusKind, Text*) {

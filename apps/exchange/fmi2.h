@@ -2,9 +2,9 @@
 // The functions of FMI 2.0 for co-simulation, as other programs call them [Functional Mock-up
 // Interface 2.0.5, 2.1 and 4.2]: names, arguments and values of the standard, declared anew.
 //
-// Boolean is int, 0 or 1. What a unit of ours has not (integers, texts, derivatives, states as
-// bytes) is there and returns `error`. Those for model exchange alone are not there: importers of
-// co-simulation units do not look for them.
+// Boolean is int, 0 or 1. Functions for features that our units lack (integers, texts, derivatives,
+// states as bytes) exist and return `error`. Functions for model exchange alone do not exist:
+// importers of co-simulation units do not look for them.
 #pragma once
 
 #include <cstddef>

@@ -13,7 +13,7 @@ Status from(exchange::Status status) { return static_cast<Status>(static_cast<in
 
 Instance* of(Handle handle) { return static_cast<Instance*>(handle); }
 
-/// What `work` does with the instance; an error where there is none.
+/// Returns the result of `work` with the instance; an error if there is none.
 template <class Work>
 Status with(Handle handle, const Work& work) {
   return handle ? from(work(*of(handle))) : error;
@@ -23,7 +23,7 @@ Status refused(Handle handle, const char* what) {
   return with(handle, [&](Instance& instance) { return instance.refuse(what); });
 }
 
-/// Of a kind of variables of which the unit has none: nothing can be asked for.
+/// Access to variables of a type that the unit does not have: only an empty request succeeds.
 Status none(Handle handle, std::size_t count) {
   return count == 0 && handle ? ok : refused(handle, "has variables of type Float64 alone");
 }
@@ -53,7 +53,7 @@ extern "C" {
 Text fmi3GetVersion() { return "3.0"; }
 
 Status fmi3SetDebugLogging(Handle handle, bool, std::size_t, const Text[]) {
-  return handle ? ok : error;  // errors are always logged, and there is nothing else
+  return handle ? ok : error;  // errors are always logged, and there are no other categories
 }
 
 Handle fmi3InstantiateCoSimulation(Text,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The functions of FMI 3.0, as other programs call them [Functional Mock-up Interface 3.0.2, 2.2
-// and 4.2]: names, arguments and values of the standard, declared anew. All of them are there, as
-// it asks; those a co-simulation unit of ours has no use for (types but Float64, clocks, events,
-// derivatives, states as bytes, model exchange, scheduled execution) log and return `error`.
+// and 4.2]: names, arguments and values of the standard, declared anew. All of them exist, as the
+// standard requires; those that our co-simulation units do not need (types other than Float64,
+// clocks, events, derivatives, states as bytes, model exchange, scheduled execution) log and return
+// `error`.
 #pragma once
 
 #include <cstddef>
@@ -69,7 +70,7 @@ LATSCH_C Status fmi3ExitInitializationMode(Handle);
 LATSCH_C Status fmi3Terminate(Handle);
 LATSCH_C Status fmi3Reset(Handle);
 
-// Of all types alike: references, values with their counts.
+// The access functions of all types are alike: references, values with their counts.
 #define LATSCH_TYPE(Name, Value)                                                             \
   LATSCH_C Status fmi3Get##Name(                                                             \
       Handle, const Reference[], std::size_t references, Value values[], std::size_t count); \

@@ -10,7 +10,7 @@
 namespace latsch::exchange {
 namespace {
 
-// Of a communication step: by how much its begin may differ from the end of the last one.
+// Share of a communication step by which its beginning may differ from the end of the last step.
 constexpr double kTimeSlack = 1e-6;
 
 }  // namespace
@@ -163,7 +163,7 @@ Status Instance::copy_state(void** state) {
   return guarded([&] {
     if (!state) return refuse("was given no place for its state");
     auto copy = std::make_unique<State>(now_.copy());
-    if (*state) {  // one to be overwritten
+    if (*state) {  // overwrites an existing copy
       *static_cast<State*>(*state) = std::move(*copy);
     } else {
       *state = copy.release();

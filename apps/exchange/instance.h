@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// One instance of a functional mock-up unit, of FMI 2.0 or 3.0: the life cycle and the values, on
-// any unit. The C functions of the two standards (fmi2.cpp, fmi3.cpp) translate to it.
+// One instance of a functional mock-up unit, of FMI 2.0 or 3.0: the life cycle and the values, for
+// any unit. The C functions of the two standards (fmi2.cpp, fmi3.cpp) call it.
 //
 //   instantiated ─► initializing ─► stepping ─► terminated       reset(): instantiated, from any
 //
-// Nothing is thrown beyond it: what is wrong is logged and becomes a status. A call that is refused
-// changes nothing. In `initializing` the unit begins when an output is asked for or at the end, as
-// often as inputs change.
+// It throws nothing: errors are logged and become a status. A refused call changes nothing. In
+// `initializing` the unit starts when an output is read or at the end, again after every change of
+// inputs.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@
 
 namespace latsch::exchange {
 
-/// The values both standards have for it.
+/// Values that both standards use for it.
 enum class Status : int { ok = 0, warning = 1, discard = 2, error = 3, fatal = 4 };
 
 class Instance {
@@ -29,7 +29,7 @@ class Instance {
 
   Instance(std::unique_ptr<Unit> unit, Log log);
 
-  /// Where time begins and, if any, ends, s.
+  /// Sets the beginning and, if any, the end of time, s.
   Status set_up(double start, std::optional<double> stop);
   Status begin_initialization();
   Status end_initialization();
@@ -37,17 +37,17 @@ class Instance {
   Status reset();
 
   Status get(const unsigned* references, std::size_t count, double* values);
-  /// All or none. `discard` for a value that is not finite.
+  /// Sets all values or none. Returns `discard` for a value that is not finite.
   Status set(const unsigned* references, std::size_t count, const double* values);
   Status step(double time, double step);
   double time() const { return now_.time; }
 
-  /// A copy of all that the instance remembers, to be freed by free_state().
+  /// Returns a copy of the whole state of the instance, to be freed by free_state().
   Status copy_state(void** state);
   Status restore_state(void* state);
   static void free_state(void** state);
 
-  /// What the unit does not have: logged, an error.
+  /// Logs a feature that the unit does not have; returns an error.
   Status refuse(const std::string& what);
 
  private:
@@ -57,7 +57,7 @@ class Instance {
     Stage stage = Stage::instantiated;
     double time = 0.0;
     std::optional<double> stop = {};
-    bool begun = false;  // the outputs are those of the inputs
+    bool begun = false;  // true if the outputs belong to the inputs
 
     State copy() const { return {unit->clone(), stage, time, stop, begun}; }
   };

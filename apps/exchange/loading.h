@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what an importer says to an instance.
+// Creates an instance from the arguments of an importer.
 #pragma once
 
 #include <memory>
@@ -9,11 +9,12 @@
 
 namespace latsch::exchange {
 
-/// The folder an URI of FMI 2.0 names: "file:///tmp/a%20b" is "/tmp/a b" [RFC 3986; RFC 8089]; a
-/// path is itself. InputError for another scheme, another machine.
+/// Returns the folder of a URI of FMI 2.0: "file:///tmp/a%20b" is "/tmp/a b" [RFC 3986; RFC 8089];
+/// a path is returned unchanged. Throws InputError for another scheme or another machine.
 std::string folder_of_uri(const std::string& uri);
 
-/// nullptr, and why in the log, where the folder holds no unit or another one than `token` says.
+/// Returns nullptr, with the reason in the log, if the folder contains no unit or one with another
+/// token.
 std::unique_ptr<Instance> load_instance(const std::string& folder,
                                         const std::string& token,
                                         const Instance::Log& log);

@@ -34,11 +34,11 @@ struct Seat {
   std::mutex busy;
   std::unique_ptr<SteppedTire> tire;
   std::string description;
-  std::shared_ptr<const road::Road> road;  // where it is read from a file
+  std::shared_ptr<const road::Road> road;  // if it is read from a file
   std::string message;
 };
 
-/// Of all tires of the process, by IDTYRE.
+/// Returns the tire of that IDTYRE among all tires of the process.
 std::shared_ptr<Seat> seat(int idtyre) {
   static std::mutex busy;
   static std::map<int, std::shared_ptr<Seat>> seats;
@@ -66,7 +66,7 @@ void load(Seat& seat, const std::string& file, const std::string& road) {
   seat.road = road.empty() ? nullptr : std::shared_ptr(formats::read_road_file(road).road);
 }
 
-/// What DTYRE gets, as it gets it.
+/// The arguments of DTYRE, unchanged.
 struct Call {
   const double *time, *dis, *tramat, *angtwc, *vel, *omega, *omegar;
   int* ntypar;

@@ -2,24 +2,23 @@
 // A tire behind the Standard Tyre Interface: the subroutine DTYRE as Fortran programs call it
 // [TYDEX working group, Standard Tyre Interface 1.4, 1999; the argument lists as Adams Tire's
 // manual prints them for TYRSUB and as the open Fedem solver calls DTYRE and is called back for the
-// road]. SI, TYDEX axes. Arguments go by address, arrays by column.
+// road]. SI, TYDEX axes. Arguments are passed by address, arrays by column.
 //
 //   JOBFLG  1, 11  sizes of the arrays: NTYPAR, NDEQVR, NVARS, NWORK, NIWORK
-//           2, 3   reads the tire file CHTDST(1:NCHTDS), any that rolls; forgets what was
+//           2, 3   reads the tire file CHTDST(1:NCHTDS), any that rolls; forgets earlier states
 //           0      forces at TIME
-//           5      the same for a difference: nothing is kept
-//           4, 6   nothing is to be done (a step is over; initial conditions of no states)
+//           5      forces for a difference: no state is kept
+//           4, 6   nothing to be done (a step is over; initial conditions of no states)
 //           99     forgets the tire
-//   IERR    0 good, 1 to be minded, 2 no result, 3 the program should stop
+//   IERR    0 good, 1 warning, 2 no result, 3 the program should stop
 //
-// The state of the tire stays here, by IDTYRE: DEQVAR is empty, and how a call becomes a step is
-// said in src/exchange/stepped_tire.h. Where ROAD is a null pointer the road is read from
-// CHRDST(1:NCHRDS).
+// The state of the tire stays here, by IDTYRE: DEQVAR is empty, and src/exchange/stepped_tire.h
+// says how a call becomes a step. If ROAD is a null pointer the road is read from CHRDST(1:NCHRDS).
 //   TYPARR(7)      m, unloaded radius
 //   VARINF(10)     m, deflection: unloaded minus loaded radius
 //   VARINF(12)     m, loaded radius
 //   VARINF(13:15)  m, the point of the road below the wheel's plane, inertial
-// and zeros elsewhere: the places at which that solver reads them. TYRMOD has 256 characters.
+// All other elements are zero: that solver reads these positions. TYRMOD has 256 characters.
 #pragma once
 
 #include "exchange/called_road.h"
@@ -63,9 +62,9 @@ using Dtyre = void(const int* ndev,
                    int* ierr);
 
 extern "C" {
-/// As Fortran compilers of Linux name it; and for C.
+/// Names for Fortran compilers of Linux and for C.
 [[gnu::visibility("default")]] Dtyre dtyre_, dtyre;
-/// Why IERR of the tire's last call was not 0; "" where it was. Until its next call.
+/// Says why IERR of the tire's last call was not 0; "" if it was. Valid until its next call.
 [[gnu::visibility("default")]] const char* latsch_sti_message(const int* idtyre);
 }
 

@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Svelte's compiler and its checker are told: styles leave in files of their own, as the server's policy asks.
+// Options of Svelte's compiler and checker: styles are written to files of their own, as the server's policy requires.
 export default { compilerOptions: { css: 'external', runes: true } };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time as an argument: what measures or waits takes a Clock, and a test gives it a time of its own.
+// Time is an argument: code that measures time or waits takes a Clock, so that a test can supply
+// its own.
 #pragma once
 
 #include <chrono>
@@ -7,7 +8,7 @@
 
 namespace latsch {
 
-/// Seconds since some moment; never runs backward, whatever happens to the date.
+/// Seconds since a fixed moment. A Clock never runs backward, even if the date is changed.
 using Clock = std::function<double()>;
 
 inline Clock steady_clock() {

@@ -11,7 +11,7 @@
 namespace latsch {
 namespace {
 
-/// The value a path leads to, which must be a number.
+/// Index of the value at `path`. Throws InputError if that value is no number.
 int number_at(const DocumentTree& tree, std::string_view path, const Document& document) {
   const int index = tree.find(path);
   if (index >= 0 && tree.value(index).number) return index;
@@ -54,7 +54,7 @@ void Document::set(std::string_view path, double value) {
   if (!std::isfinite(value))
     throw InputError(tree_->place(index),
                      std::string(path) + " cannot become " + format_number(value));
-  // Copies of this document and nodes read from it keep what they have.
+  // Other copies of this document and nodes read from it keep the earlier numbers.
   if (changes_.use_count() > 1) changes_ = std::make_shared<DocumentChanges>(*changes_);
   (*changes_)[index] = value;
 }

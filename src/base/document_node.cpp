@@ -16,7 +16,7 @@ namespace {
 using Kind = DocumentValue::Kind;
 using Declared = DeclaredKey::Kind;
 
-/// `an angle such as "22 deg"`
+/// Returns a description with an example: `an angle such as "22 deg"`.
 std::string expectation(const Unit& unit) {
   const DimensionWords words = words_for(unit);
   if (unit.dimensionless()) return words.noun + " such as " + words.example;
@@ -29,7 +29,7 @@ std::string expectation(const Unit& unit) {
   throw InputError({tree.file(), value.line}, value.path + " " + message);
 }
 
-/// Why a value is not a finite number in that dimension.
+/// Says why a value is not a finite number of the expected dimension.
 std::string fault_of(const DocumentValue& value, const Unit& expected) {
   const std::string found = "is " + written(value) + ", ";
   if (value.kind == Kind::number && value.unit.empty() && !expected.dimensionless()) {
@@ -48,7 +48,8 @@ std::string fault_of(const DocumentValue& value, const Unit& expected) {
   return std::isfinite(unit->to_si(parts->number)) ? wanted : found + "expected a finite number";
 }
 
-/// "more than 0 mm", "0 to 1", "at least 3 bar": the range in the unit the value is written in.
+/// Describes a range in the unit the value is written in: "more than 0 mm", "0 to 1", "at least 3
+/// bar".
 std::string describe(const Range& range, const Unit& unit) {
   const auto bound = [&](double si) {
     const std::string number = format_number(unit.from_si(si), 12);
@@ -81,7 +82,7 @@ double read_number(const DocumentTree& tree,
   Unit unit = number->unit;
   double si = tree.si(index, changes);
   if (!unit.same_dimension(expected)) {
-    // "lb" is a mass where one is expected.
+    // A word such as "lb" has the meaning that fits the expected dimension.
     const auto meant = find_unit(unit.text(), expected);
     const auto digits = split_number(tree.value_now(index, changes).text);
     if (!meant || !meant->same_dimension(expected) || !digits)
@@ -128,7 +129,8 @@ std::shared_ptr<const Node::Impl> Node::Impl::at(int table) const {
 }
 
 void Node::Impl::reject_missing(std::string_view key, const std::string& expected) const {
-  // Most missing keys are misspelled ones. Two letters: not "inside" for "outside".
+  // Greatest edit distance, in letters, at which a missing key counts as misspelled rather than
+  // absent. A larger value would take "inside" for "outside".
   constexpr int kMisspelling = 2;
   constexpr std::size_t kShortest = 4;
   for (const int child : value().children) {
@@ -414,7 +416,7 @@ void Node::close() const {
                        "unknown key " + in_quotes(value.path) +
                            did_you_mean(value.key, {known.begin(), known.end()}));
     const auto is_table = [&](int i) { return impl_->tree->value(i).kind == Kind::table; };
-    // [[kind]] and [kind.name] hold tables that named_tables() read.
+    // named_tables() reads both [[kind]] and [kind.name].
     const bool list_of_tables =
         value.kind == Kind::list && !value.children.empty() && is_table(value.children.front());
     if (is_table(child) || list_of_tables) Node(impl_->at(child)).close();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a Node holds: where it stands in the tree, the keys that were asked for through any Node of
-// the same reading, and the record that this reading is kept in, if there is one.
+// A Node holds its position in the tree, the keys that were read through any Node of the same
+// reading, and, if there is one, the record that this reading is written to.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace latsch {
 
-/// Where a Node stands in a document, for those who need more than its getters say.
+/// Position of a Node in a document, for code that needs more than the getters of Node.
 struct DocumentPlace {
   std::shared_ptr<const DocumentTree> tree;
   std::shared_ptr<const DocumentChanges> changes;
@@ -21,10 +21,11 @@ struct DocumentPlace {
   std::shared_ptr<RecordedKeys> record;
 };
 DocumentPlace place_in_document(const Node& node);
-/// The same table, what is read through it recorded there.
+/// Returns the table of `node` such that everything read through it is also written to `record`.
 Node recorded_in(const Node& node, std::shared_ptr<RecordedKeys> record);
 
-/// Keys asked for, by the table they belong to: also those the file does not have, for suggestions.
+/// Keys that were read, by the table they belong to. Keys that the file lacks are included, for
+/// suggestions.
 using DocumentAsked = std::map<int, std::set<std::string, std::less<>>>;
 
 struct Node::Impl {
@@ -32,9 +33,10 @@ struct Node::Impl {
   std::shared_ptr<const DocumentChanges> changes;
   std::shared_ptr<DocumentAsked> asked;
   int index;
-  std::shared_ptr<RecordedKeys> record = nullptr;  // none: nobody wants to know
+  std::shared_ptr<RecordedKeys> record = nullptr;  // nullptr: nothing is recorded
 
-  // The only ways in from outside: a nested class may open its Node, and names its friends.
+  // These functions are the only access from outside: a nested class may open its Node, and names
+  // its friends.
   friend DocumentPlace place_in_document(const Node& node) {
     const Impl& impl = of(node);
     return {impl.tree, impl.changes, impl.index, impl.record};
@@ -48,23 +50,24 @@ struct Node::Impl {
   static Node node_of(std::shared_ptr<const Impl> impl) { return Node(std::move(impl)); }
 
   const DocumentValue& value() const { return tree->value(index); }
-  /// The value of that key, which now counts as asked for; -1 where the file has none.
+  /// Returns the index of the value of that key, which now counts as read, or -1 if the file lacks
+  /// the key.
   int ask(std::string_view key) const;
-  /// The same reading at another table of it.
+  /// Returns the same reading at another table.
   std::shared_ptr<const Impl> at(int table) const;
-  /// Adds to the record what a reader says of a key of this table. A later statement completes or
-  /// replaces an earlier one; `has` alone replaces none.
+  /// Adds a reader's declaration of a key of this table to the record. A later declaration
+  /// completes or replaces an earlier one; a bare `has` replaces none.
   template <class MakeDeclaredKey>
   void declare(std::string_view key, const MakeDeclaredKey& make) const {
-    if (record) record->declare(value().path, key, make());  // else nothing is made
+    if (record) record->declare(value().path, key, make());  // only made if it is recorded
   }
   DocumentValue::Kind kind(int i) const { return tree->value(i).kind; }
   DocumentValue now(int i) const { return tree->value_now(i, *changes); }
-  /// InputError for a key that is not there, at the one that was probably meant to be it.
+  /// Throws InputError for a missing key, at the place of the key that was probably meant.
   [[noreturn]] void reject_missing(std::string_view key, const std::string& expected) const;
 };
 
-/// As in the file, for messages: `"22 N"`, `2.6`, `a table`.
+/// Returns the value as written in the file, for messages: `"22 N"`, `2.6`, `a table`.
 std::string written(const DocumentValue& value);
 
 }  // namespace latsch

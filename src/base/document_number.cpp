@@ -7,7 +7,7 @@
 namespace latsch {
 namespace {
 
-/// The unit of a number that is written without one.
+/// Returns the unit that applies to a number written without a unit of its own.
 std::optional<Unit> unit_beside(const DocumentValue& value) {
   return Unit::find(value.unit.empty() ? "1" : value.unit);
 }
@@ -35,7 +35,8 @@ DocumentValue with_number(DocumentValue value, double si) {
     const std::string_view old = split_number(value.text)->digits;
     digits += value.text.substr(old.data() + old.size() - value.text.data());
   } else {
-    // TOML tells integers from floats: an integer stays one as long as it is written like one.
+    // TOML distinguishes integers from floats: an integer stays an integer while its digits look
+    // like one.
     const bool like_integer = digits.find_first_not_of("-0123456789") == digits.npos;
     value.integer = value.integer && like_integer && digits.size() < 16 && digits != "-0";
     if (like_integer && !value.integer) digits += ".0";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A value of a document as a number, from its text and back into it.
+// Converts a value of a document into a number and a number back into the value's text.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace latsch {
 
-/// Nothing where the value does not stand for a finite number.
+/// Returns nothing if the value does not stand for a finite number.
 std::optional<DocumentNumber> number_of(const DocumentValue& value);
 
-/// The value with another number, SI, written in the unit the file has.
+/// Returns the value with another number (SI), written in the unit of the file.
 DocumentValue with_number(DocumentValue value, double si);
 
 }  // namespace latsch

@@ -17,10 +17,11 @@ namespace {
 
 using Kind = DocumentValue::Kind;
 
-/// Longer values are told by their fingerprints: a journal keeps the text of every identity.
+/// Longest value that a record writes in full. Longer values are replaced by their fingerprints
+/// because a journal keeps the text of every identity; a larger limit makes journals longer.
 constexpr std::size_t kLongest = 2000;  // characters
 
-/// A value of the file as it counts: numbers in SI, nothing of how they are written.
+/// Returns a value of the file as it counts: numbers in SI, independent of how they are written.
 std::string canonical(const DocumentTree& tree, const DocumentChanges& changes, int index) {
   const DocumentValue& value = tree.value(index);
   if (value.number)
@@ -69,7 +70,8 @@ bool is_below(const std::string& path, const std::string& table) {
   return path.size() > table.size() && path.starts_with(table) && path[table.size()] == '.';
 }
 
-/// Contents, and the ending of the first one's name: it says which reader takes the file.
+/// Returns the contents of the files, preceded by the extension of the first one, which decides
+/// which reader reads it.
 std::string contents_of(const std::vector<std::filesystem::path>& files) {
   std::vector<std::string> told;
   for (const std::filesystem::path& file : files)
@@ -122,11 +124,11 @@ std::string fingerprint(std::string_view text) {
 }
 
 std::string fingerprint_of_file(const std::filesystem::path& file) {
-  constexpr std::size_t kLargest = std::size_t{4} << 30;  // bytes; more than any reader takes
+  constexpr std::size_t kLargest = std::size_t{4} << 30;  // bytes; more than any reader accepts
   if (file.extension() == ".toml") {
     try {
       return fingerprint(canonical_text(Document::read(file)));
-    } catch (const InputError&) {  // it has the name, but is no document
+    } catch (const InputError&) {  // the file has the name of a document but is none
     }
   }
   return fingerprint(MappedFile(file, kLargest).text());
@@ -190,7 +192,7 @@ std::string DocumentRecord::text() const {
     } else if (!key.is_there) {
       value = key.fallback.value_or("");
     } else if (value.empty() && key.kind != DeclaredKey::Kind::table) {
-      value = written(path);  // asked for, but read by no getter
+      value = written(path);  // a key that was tested for, but whose value no getter read
     }
     if (!value.empty()) values[path] = std::move(value);
   }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a reader asked of a table, and what it got: the declaration of every key (kind of value,
-// unit, range, choices, default) with its resolved value, and the files that keys name.
+// Records what a reader requested from a table and what it received: the declaration of every key
+// (kind of value, unit, range, choices, default) with its resolved value, and the files that keys
+// name.
 //
-// A reader does nothing for it: the getters of Node record as they read. The record is the one
-// source of two things. Its text() is the identity of what was read: every key that counts, with
-// its default where it was not written, and no comment, order, unit or place. Its keys() are the
-// table of keys for a page, a form or a schema.
+// A reader needs no code for this: the getters of Node record as they read. The record has two
+// uses. Its text() is the identity of what was read: every key that counts, with its default if it
+// was not written, and no comment, order, unit or place. Its keys() are the table of keys for a
+// page, a form or a schema.
 #pragma once
 
 #include <filesystem>
@@ -20,12 +21,12 @@
 
 namespace latsch {
 
-/// A key as its reader asked for it.
+/// Declaration of a key by its reader.
 struct DeclaredKey {
   enum class Kind {
-    presence,  // only whether it is there
+    presence,  // only tested for presence
     table,
-    tables,  // with free names
+    tables,  // tables with free names
     quantity,
     quantities,
     one_or_more,
@@ -37,22 +38,25 @@ struct DeclaredKey {
     texts
   };
   Kind kind = Kind::presence;
-  std::vector<std::string> units = {};            // SI: one, or of every column
-  Range range = {};                               // of numbers
-  std::vector<std::string> choices = {};          // of a choice
-  std::optional<std::string> fallback = {};       // what holds unless it is written
-  std::string value = {};                         // as resolved; "" where it was not read
-  bool is_there = false;                          // in the file
-  bool is_measurable = false;                     // {from = "measurement.NAME"} may stand there
-  std::vector<std::filesystem::path> files = {};  // that it names, those they refer to behind them
+  std::vector<std::string> units = {};            // SI; a single unit, or that of every column
+  Range range = {};                               // for numbers
+  std::vector<std::string> choices = {};          // for a choice
+  std::optional<std::string> fallback = {};       // value that applies if the key is not written
+  std::string value = {};                         // resolved value; "" if it was not read
+  bool is_there = false;                          // true if the file has the key
+  bool is_measurable = false;                     // {from = "measurement.NAME"} is allowed
+  std::vector<std::filesystem::path> files = {};  // files that the key names, then those they refer
+                                                  // to
 };
 
-/// The keys of one reading by their paths below the table it begins with: "road.heading".
+/// The keys of one reading by their paths below the table at which the reading begins:
+/// "road.heading".
 struct RecordedKeys {
   std::string base;  // path of that table
   std::map<std::string, DeclaredKey> keys;
-  std::map<std::string, std::string> in_place;  // of a whole table: the value it stands for
-  std::shared_ptr<RecordedKeys> outer;          // of a reading around this one; nullptr: none
+  std::map<std::string, std::string> in_place;  // value that replaces a whole table, by the table's
+                                                // path
+  std::shared_ptr<RecordedKeys> outer;          // record of an enclosing reading; nullptr: none
 
   std::string path_of(std::string_view table, std::string_view key) const;
   void ask(std::string_view table, std::string_view key, bool is_there);
@@ -61,32 +65,33 @@ struct RecordedKeys {
 
 class DocumentRecord {
  public:
-  /// Records what is read through node() and the tables found through it.
+  /// Records everything read through node() and the tables found through it.
   explicit DocumentRecord(const Node& table);
   const Node& node() const { return node_; }
 
-  /// Every key asked for, by its path, also those that are not there.
+  /// Returns every key that was read or tested for, by its path, including keys that the file
+  /// lacks.
   const std::map<std::string, DeclaredKey>& keys() const { return recorded_->keys; }
-  /// Adds a value that stands somewhere else, in canonical form.
+  /// Adds a value from elsewhere, in canonical form.
   void put(const std::string& path, std::string value);
 
-  /// The identity of what was read: a line `path = value` for every key that is written or has a
-  /// default, sorted by path. A named file counts by its content and the ending of its name. Two
-  /// texts are equal exactly if the readers got the same. Long values appear as fingerprints.
-  /// Throws InputError if a named file cannot be read any more.
+  /// Returns the identity of what was read: a line `path = value` for every key that is written or
+  /// has a default, sorted by path. A named file counts by its content and the extension of its
+  /// name. Two texts are equal exactly if the readers received the same. Long values appear as
+  /// fingerprints. Throws InputError if a named file cannot be read any more.
   std::string text() const;
-  /// Every file that was named, and those they refer to.
+  /// Returns every file that was named, and the files that those refer to.
   std::vector<std::filesystem::path> files() const;
 
-  // For readers. Each does nothing where nobody records.
+  // The following functions are for readers. Each does nothing without a record.
 
-  /// What a whole table, such as {from = "measurement.rig"}, has been resolved into.
+  /// Records what a whole table, such as {from = "measurement.rig"}, has been resolved into.
   static void stands_for(const Node& table, std::string value);
-  /// The files a key names: its own, then those that this refers to.
+  /// Records the files a key names: its own, then those that this file refers to.
   static void names_files(const Node& table,
                           std::string_view key,
                           std::vector<std::filesystem::path> files);
-  /// That {from = "measurement.NAME"} may stand under the key.
+  /// Records that {from = "measurement.NAME"} is allowed under the key.
   static void may_be_measured(const Node& table, std::string_view key);
 
  private:
@@ -96,20 +101,22 @@ class DocumentRecord {
   Node node_;
 };
 
-/// A document without its comments, formatting and units: a line of TOML for every value, in the
-/// order of the file, quantities in SI. Reading the text gives the same text.
+/// Returns a document without its comments, formatting and units: a line of TOML for every value,
+/// in the order of the file, quantities in SI. Reading the text and calling this again gives the
+/// same text.
 std::string canonical_text(const Document& document);
 
-/// A content in a few characters, "17 bytes, 9f86d081884c7d65": its length and the 64-bit FNV-1a
-/// hash [Fowler, Noll, Vo, draft-eastlake-fnv]. It tells contents apart that differ by accident or
-/// by an edit; it protects against nobody.
+/// Returns a content in a few characters, "17 bytes, 9f86d081884c7d65": its length and the 64-bit
+/// FNV-1a hash [Fowler, Noll, Vo, draft-eastlake-fnv]. Contents that differ by accident or by an
+/// edit get different fingerprints; there is no protection against intent.
 std::string fingerprint(std::string_view text);
 
-/// Of what a file means: of a .toml its canonical text, so that notes and formatting do not matter,
-/// of any other file its bytes. Throws InputError if the file cannot be read.
+/// Returns the fingerprint of a file's meaning: of a .toml its canonical text, so that notes and
+/// formatting do not matter, of any other file its bytes. Throws InputError if the file cannot be
+/// read.
 std::string fingerprint_of_file(const std::filesystem::path& file);
 
-// Values as records write them: exact, as TOML.
+// Returns values as records write them: exact, as TOML.
 
 std::string canonical(double value, std::string_view unit);
 std::string canonical(const std::vector<double>& values, std::string_view unit);

@@ -38,7 +38,7 @@ sectors = 60
 
 Document tire() { return Document::parse(kTire, "tire.toml"); }
 
-/// The complaint of reading that text.
+/// Returns the error message of reading that text, or "" if there is none.
 std::string complaint(const std::string& text, const std::function<void(const Node&)>& read) {
   try {
     read(Document::parse(text, "t.toml").root());
@@ -143,7 +143,8 @@ TEST(Document, CopiesAndNodesReadEarlierKeepTheirValues) {
   EXPECT_EQ(earlier.quantity("pressure", "Pa"), 2.6e5);
 }
 
-// Property: whatever bits a number is set to, get gives them back, and so does the text read anew.
+// Property: get() returns exactly the bits that were set, and so does the text when it is read
+// again.
 TEST(Document, SetValuesComeBackBitForBitThroughTheText) {
   std::uint64_t state = 7;
   Document document = tire();
@@ -325,8 +326,8 @@ TEST(DocumentLimits, SyntaxSizeAndDepth) {
   EXPECT_EQ(complaint(flood + "]", nothing), "t.toml:1: holds more than 50000 values");
 }
 
-// In proportion to its length: 50,000 values on one line took 4 s when each was sought from the
-// left.
+// The time is proportional to the length: 50,000 values on one line took 4 s when each was searched
+// for from the left end.
 TEST(DocumentLimits, LongLinesAreReadInProportionToTheirLength) {
   std::string text = "a = [";
   for (int i = 0; i < 49000; ++i) text += "1, ";

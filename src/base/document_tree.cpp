@@ -16,10 +16,10 @@ namespace {
 constexpr int kDeepest = 16;
 constexpr int kMostValues = 50000;
 
-/// Rejects deep nesting and floods of values before the parser meets them: its own limit of depth
-/// is generous, dotted keys have none, and a value takes a hundred times the memory of its text.
-/// Counts brackets, dots and separators outside of texts and comments; the exact depth is checked
-/// later.
+/// Rejects deep nesting and too many values before the parser sees them: the parser's own limit of
+/// depth is generous, dotted keys have none, and a value needs a hundred times the memory of its
+/// text. Counts brackets, dots and separators outside of texts and comments; the exact depth is
+/// checked later.
 void check_size_of_source(std::string_view source, const std::string& file) {
   int line = 1, brackets = 0, dots = 0, values = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
@@ -30,7 +30,7 @@ void check_size_of_source(std::string_view source, const std::string& file) {
       for (i += closing.size(); i < source.size() && source.substr(i, closing.size()) != closing;
            ++i) {
         if (source[i] == '\n') ++line;
-        if (source[i] == '\n' && !multiline) break;  // not closed: the parser will say so
+        if (source[i] == '\n' && !multiline) break;  // an unclosed text; the parser will report it
         if (source[i] == '\\' && c == '"') ++i;
       }
       if (multiline) i += 2;
@@ -57,8 +57,9 @@ void check_size_of_source(std::string_view source, const std::string& file) {
   }
 }
 
-/// Byte offsets of positions given as line and column in characters. Values are asked for from left
-/// to right, so it goes on where it stopped: a line may hold thousands of them.
+/// Converts positions given as line and column in characters into byte offsets. Values are looked
+/// up from left to right, so each search continues where the last one ended: a line may hold
+/// thousands of values.
 class SourceMap {
  public:
   explicit SourceMap(std::string_view source) : source_(source), starts_{0} {
@@ -84,7 +85,7 @@ class SourceMap {
  private:
   std::string_view source_;
   std::vector<std::size_t> starts_;
-  std::size_t line_ = 0, column_ = 1, at_ = 0;  // where it stopped
+  std::size_t line_ = 0, column_ = 1, at_ = 0;  // end of the last search
 };
 
 }  // namespace
@@ -119,7 +120,7 @@ class DocumentBuilder {
     return path.empty() ? key : path + "." + key;
   }
 
-  /// {unit = "mm", values = [...]}
+  /// True for a table {unit = "mm", values = [...]}.
   static bool is_list_with_unit(const toml::table& table) {
     return table.size() == 2 && table.get("unit") && table.get("unit")->is_string() &&
            table.get("values") && table.get("values")->is_array();
@@ -180,7 +181,7 @@ class DocumentBuilder {
     } else if (const auto* integer = node.as_integer()) {
       value.kind = Kind::number;
       value.integer = true;
-      value.text = std::to_string(**integer);  // decimal, also where it was hexadecimal
+      value.text = std::to_string(**integer);  // decimal, even if the file has it in hexadecimal
     } else if (node.is_floating_point()) {
       value.kind = Kind::number;
       std::erase(value.text, '_');

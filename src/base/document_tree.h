@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parsed file behind a Document: every value with its path, its place, the characters it was
-// written with and the number it stands for. It never changes: numbers that were set since are kept
-// beside it and replace just these characters where a text is wanted, so that comments stay, copies
-// share the file and nobody reads its text twice.
+// written with and the number it stands for. The tree never changes: numbers set later are kept
+// beside it and replace only their own characters when a text is written, so that comments stay,
+// copies share the file and its text is parsed only once.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@
 
 namespace latsch {
 
-/// "2.6 bar", 0.49, or 310 in {unit = "mm", values = [310]}.
+/// A number with its unit: "2.6 bar", 0.49, or 310 in {unit = "mm", values = [310]}.
 struct DocumentNumber {
   Unit unit;
   double si = 0.0;
@@ -32,38 +32,38 @@ struct DocumentValue {
   int line = 0;           // counted from 1
   std::size_t begin = 0;  // bytes of a text, number or flag in the source
   std::size_t end = 0;
-  std::string text;      // what a text says; of other scalars the characters in the source
+  std::string text;      // content of a text; for other scalars the characters in the source
   bool integer = false;  // a number without decimal point
   bool flag = false;
-  std::string unit;           // what {unit, values} names; "" where every number has its own
-  std::vector<int> children;  // of a table or list, in the order of the file
-  std::optional<DocumentNumber> number;  // none where it stands for no finite number
+  std::string unit;           // unit named by {unit, values}; "" if every number has its own
+  std::vector<int> children;  // elements of a table or list, in the order of the file
+  std::optional<DocumentNumber> number;  // none if the value stands for no finite number
 };
 
-/// Numbers in the place of those of the file, SI, by the value they stand at.
+/// Numbers (SI) that replace those of the file, by the index of their value.
 using DocumentChanges = std::map<int, double>;
 
 class DocumentTree {
  public:
-  /// Throws InputError on a syntax error, a file that is too large or too deep.
+  /// Throws InputError on a syntax error and on a file that is too large or nested too deeply.
   DocumentTree(std::string_view source, std::string file);
 
   const std::string& file() const { return file_; }
   const DocumentValue& value(int i) const { return values_[i]; }
   static constexpr int kRoot = 0;
   static constexpr std::size_t kLargestFile = 4u << 20;  // bytes
-  /// -1 where the table has no such key.
+  /// Returns -1 if the table has no such key.
   int child(int table, std::string_view key) const;
-  /// -1 where the path leads nowhere.
+  /// Returns -1 if the path leads nowhere.
   int find(std::string_view path) const;
   int size() const { return static_cast<int>(values_.size()); }
   Place place(int i) const { return {file_, values_[i].line}; }
 
-  /// The number at a value that has one.
+  /// Returns the current number, in SI, of a value that has a number.
   double si(int i, const DocumentChanges& changes) const;
-  /// A value as it would be written now.
+  /// Returns a value as it would be written now.
   DocumentValue value_now(int i, const DocumentChanges& changes) const;
-  /// The source with other numbers.
+  /// Returns the source text with the changed numbers.
   std::string text(const DocumentChanges& changes) const;
 
  private:

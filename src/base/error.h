@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with the user's data: where it stands, what was found, what was expected.
-// (A bug of ours is an assert; a simulation that does not succeed is a Failure value, see
-// result.h.)
+// Errors in the user's data say where they are, what was found and what was expected. (A bug of
+// ours is an assert; a simulation that does not succeed is a Failure value, see result.h.)
 #pragma once
 
 #include <stdexcept>
@@ -9,12 +8,13 @@
 
 namespace latsch {
 
-/// A line of a file the user wrote. line 0: the file as a whole; empty file: no file is concerned.
+/// A line of a user's file. Line 0 is the file as a whole; an empty file name means that no file is
+/// concerned.
 struct Place {
   std::string file;
   int line = 0;
 
-  /// "tire_b.toml:41"
+  /// Returns file and line, such as "tire_b.toml:41".
   std::string text() const;
 };
 

@@ -22,7 +22,7 @@
 namespace latsch {
 namespace {
 
-/// An open file that is closed on every way out.
+/// An open file that its destructor closes.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -46,8 +46,8 @@ class Descriptor {
   throw InputError({file.string(), 0}, fmt::format("{}: {}", what, std::strerror(error)));
 }
 
-/// While it lives, a pipe whose reader has gone is an error of write(2) and does not end the
-/// program.
+/// While an object of this class lives, a pipe whose reader has gone makes write(2) return an error
+/// instead of ending the program.
 class NoPipeSignal {
  public:
   NoPipeSignal() {
@@ -73,14 +73,14 @@ class NoPipeSignal {
   bool was_pending_ = false;
 };
 
-/// 0, or the errno of what went wrong.
+/// Returns 0, or the errno of the error.
 int write_all(int descriptor, std::string_view text) {
   const NoPipeSignal quiet;
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
     if (written >= 0) {
       text.remove_prefix(written);
-    } else if (errno == EAGAIN) {  // our output may be a pipe that somebody else made so
+    } else if (errno == EAGAIN) {  // another program may have made our output a non-blocking pipe
       pollfd room{descriptor, POLLOUT, 0};
       ::poll(&room, 1, -1);
     } else if (errno != EINTR) {
@@ -90,12 +90,12 @@ int write_all(int descriptor, std::string_view text) {
   return 0;
 }
 
-/// What is written to a stream, into an open file. Remembers the first error.
+/// Stream buffer that writes into an open file. It remembers the first error.
 class FileBuffer : public std::streambuf {
  public:
   explicit FileBuffer(int descriptor) : descriptor_(descriptor) { start_again(); }
 
-  /// 0, or the errno of what went wrong first.
+  /// Returns 0, or the errno of the first error.
   int finish() {
     sync();
     return error_;
@@ -127,7 +127,7 @@ class FileBuffer : public std::streambuf {
 
 using Write = std::function<void(std::ostream&)>;
 
-/// 0, or the errno of what went wrong. Throws what `write` throws.
+/// Returns 0, or the errno of the error. Throws what `write` throws.
 int write_into(int descriptor, const Write& write) {
   FileBuffer buffer(descriptor);
   std::ostream out(&buffer);
@@ -135,18 +135,18 @@ int write_into(int descriptor, const Write& write) {
   return buffer.finish();
 }
 
-/// The new name must survive a power loss as well as the data. A file system that cannot flush a
-/// folder is none of the caller's concern: the file is complete either way.
+/// The new name must survive a power loss as well as the data. It is no error if a file system
+/// cannot flush a folder: the file is complete either way.
 void flush_folder(const std::filesystem::path& folder) {
   const Descriptor open(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC));
   if (open.number() >= 0) (void)::fsync(open.number());
 }
 
 constexpr const char* kNotWritten = "cannot be written";
-constexpr int kMostLinks = 40;  // as the system follows
+constexpr int kMostLinks = 40;  // links followed; the system's own limit
 
-/// The file a chain of links leads to, which need not exist; nullopt where it leads through /proc
-/// to an open file, whose name says nothing.
+/// Returns the file at the end of a chain of links, which need not exist; nullopt if the chain
+/// leads through /proc to an open file, whose name identifies nothing.
 std::optional<std::filesystem::path> followed(std::filesystem::path file) {
   const std::filesystem::path asked = file;
   for (int links = 0; links <= kMostLinks; ++links) {
@@ -167,18 +167,18 @@ bool is_open_as(int descriptor, const struct stat& file) {
          open.st_ino == file.st_ino && (::fcntl(descriptor, F_GETFL) & O_ACCMODE) != O_RDONLY;
 }
 
-/// Into what cannot be replaced: a device, a pipe, an open file.
+/// Writes into something that cannot be replaced: a device, a pipe, an open file.
 void write_through(const std::filesystem::path& file, Descriptor open, const Write& write) {
   if (open.number() < 0) fail(file, kNotWritten, errno);
   if (const int error = write_into(open.number(), write)) fail(file, kNotWritten, error);
-  // A device that cannot be flushed says so by one of the first two.
+  // A device that cannot be flushed reports EINVAL, EROFS or ENOTSUP.
   if (::fsync(open.number()) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP) {
     fail(file, kNotWritten, errno);
   }
   if (!open.close()) fail(file, kNotWritten, errno);
 }
 
-/// A new file beside that one, of a name that nobody has.
+/// Creates a new file beside `file` under a name that is not in use.
 Descriptor open_beside(const std::filesystem::path& file, std::string& name) {
   for (int i = 0;; ++i) {
     name = fmt::format("{}.{}.{}.tmp", file.string(), ::getpid(), i);
@@ -191,12 +191,13 @@ void write_in_place(const std::filesystem::path& file, const Write& write) {
   write_through(file, Descriptor(::open(file.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC)), write);
 }
 
-/// `target`: the file itself, where `file` may be a link; `before`: what it was, nullptr: nothing.
+/// `target` is the file itself, even if `file` is a link; `before` is its earlier state, nullptr if
+/// it did not exist.
 void replace(const std::filesystem::path& file,
              const std::filesystem::path& target,
              const struct stat* before,
              const Write& write) {
-  // A file that is protected against writing is not replaced because its folder allows that.
+  // A write-protected file is not replaced, even if its folder allows it.
   if (before && ::faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) {
     fail(file, kNotWritten, errno);
   }
@@ -217,14 +218,14 @@ void replace(const std::filesystem::path& file,
     throw;
   }
   if (before) {
-    // Only root may give a file away; whoever else replaces one owns it.
+    // Only root can give a file away; for other users the new file is their own.
     if (::fchown(open.number(), before->st_uid, before->st_gid) != 0) errno = 0;
     if (::fchmod(open.number(), before->st_mode & 07777) != 0) give_up(errno);
   }
   if (::fsync(open.number()) != 0 || !open.close()) give_up(errno);
   if (::rename(temporary.c_str(), target.c_str()) != 0) {
     const int error = errno;
-    // A file that was mounted by itself, as containers do, cannot be replaced.
+    // A file that is a mount point itself, as in containers, cannot be replaced.
     if (error != EBUSY || !before) give_up(error);
     ::unlink(temporary.c_str());
     return write_in_place(target, write);
@@ -267,7 +268,7 @@ void write_file(const std::filesystem::path& file, const Write& write) {
   if (S_ISBLK(there.st_mode)) {
     throw InputError({file.string(), 0}, "is a disk (a block device), expected a file to write");
   }
-  std::fflush(stdout);  // what was printed before stands before it
+  std::fflush(stdout);  // earlier output precedes the file's text
   for (const int printed : {STDOUT_FILENO, STDERR_FILENO}) {
     if (is_open_as(printed, there)) return write_through(file, Descriptor(::dup(printed)), write);
   }

@@ -67,7 +67,8 @@ TEST_F(File, AMissingFolderIsNamed) {
             file.string() + ": cannot be written: No such file or directory");
 }
 
-// A limit on the size of files ends a write as a full disk does: part is written, then an error.
+// A limit on the size of files ends a write as a full disk does: a part is written, then an error
+// occurs.
 TEST_F(File, AWriteThatEndsEarlyLeavesTheOldFile) {
   write_text_file(folder_ / "a", "old");
   rlimit before{};
@@ -83,7 +84,8 @@ TEST_F(File, AWriteThatEndsEarlyLeavesTheOldFile) {
   EXPECT_EQ(entries(), 1);
 }
 
-/// A device in our own folder: only root makes one, and some systems let nobody use it there.
+/// Makes a device in our own folder. Only root can make a device, and some systems forbid its use
+/// there.
 bool make_device(const std::filesystem::path& file, mode_t kind, unsigned major, unsigned minor) {
   return ::mknod(file.c_str(), kind | 0666, makedev(major, minor)) == 0 &&
          (kind == S_IFBLK || std::ifstream(file).good());
@@ -95,7 +97,7 @@ struct stat status_of(const std::filesystem::path& file) {
   return status;
 }
 
-/// Runs it in a process of its own, whose answer is whether it gave back true.
+/// Runs `action` in a process of its own; true if it returned true there.
 bool elsewhere(const std::function<bool()>& action) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -127,7 +129,8 @@ TEST_F(File, ADeviceIsWrittenToAndStays) {
 }
 
 TEST_F(File, ADiskIsRefused) {
-  const auto disk = folder_ / "disk";  // 42 is for demonstration: no driver has it
+  const auto disk = folder_ / "disk";  // major number 42 is reserved for demonstration: no driver
+                                       // has it
   if (!make_device(disk, S_IFBLK, 42, 0)) GTEST_SKIP() << "devices cannot be made here";
   EXPECT_NE(complaint_of_writing(disk, "x").find("is a disk"), std::string::npos);
   EXPECT_TRUE(S_ISBLK(status_of(disk).st_mode));
@@ -188,7 +191,7 @@ TEST_F(File, LinksInACircleAreNamed) {
   EXPECT_EQ(entries(), 2);
 }
 
-// With the names a temporary file may have taken by links to a file of somebody else.
+// The names that a temporary file may use are links to somebody else's file here.
 TEST_F(File, NoTemporaryFileFollowsALink) {
   write_text_file(folder_ / "theirs", "theirs");
   const auto file = folder_ / "a";
@@ -205,7 +208,7 @@ TEST_F(File, NoTemporaryFileFollowsALink) {
 TEST_F(File, PermissionsHoldForWhoeverIsNotRoot) {
   if (::geteuid() != 0) GTEST_SKIP() << "needs root to become somebody else";
   constexpr uid_t kNobody = 65534;
-  const auto guarded = folder_ / "guarded";  // whose folder may be written
+  const auto guarded = folder_ / "guarded";  // its folder is writable
   write_text_file(guarded, "old");
   ASSERT_EQ(::chmod(guarded.c_str(), 0444), 0);
   ASSERT_EQ(::chmod(folder_.c_str(), 0777), 0);
@@ -214,7 +217,7 @@ TEST_F(File, PermissionsHoldForWhoeverIsNotRoot) {
   }));
   EXPECT_EQ(read_text_file(guarded), "old");
 
-  const auto given = folder_ / "given";  // whose folder may not
+  const auto given = folder_ / "given";  // its folder is not writable
   write_text_file(given, "old and longer");
   ASSERT_EQ(::chmod(given.c_str(), 0666), 0);
   ASSERT_EQ(::chmod(folder_.c_str(), 0755), 0);
@@ -228,7 +231,7 @@ TEST_F(File, PermissionsHoldForWhoeverIsNotRoot) {
 }
 
 TEST_F(File, WhatIsPrintedToIsWrittenToInItsTurn) {
-  const auto file = folder_ / "printed", ours = folder_ / "stdout";  // as /dev/stdout is
+  const auto file = folder_ / "printed", ours = folder_ / "stdout";  // like /dev/stdout
   std::filesystem::create_symlink("/proc/self/fd/1", ours);
   for (const auto& name : {ours, file}) {
     EXPECT_TRUE(elsewhere([&] {
@@ -268,7 +271,7 @@ TEST(MappedFile, HoldsTheTextOfSmallAndLargeFiles) {
   EXPECT_THROW(MappedFile(folder / "file", 2), InputError);
 }
 
-// A rig still writes its file.
+// The file grows while it is read, as that of a rig that still records.
 TEST(MappedFile, AFileThatChangesWhileItIsReadIsRefused) {
   const ScratchFolder folder;
   write_text_file(folder / "file", std::string(32u << 20, 'x'));

@@ -29,7 +29,7 @@ std::string read_settled_file(const std::filesystem::path& file, std::size_t lim
   std::string text = read_text_file(file, limit);
   if (!is_regular) return text;
   const bool is_there = ::stat(file.c_str(), &after) == 0;
-  // Files of the system (/proc) have no size.
+  // Files of the system (/proc) report size 0.
   const bool is_whole = before.st_size == 0 || static_cast<off_t>(text.size()) == before.st_size;
   if (!is_there || !is_same(before, after) || !is_whole)
     throw InputError({file.string(), 0},
@@ -57,7 +57,7 @@ MappedFile::MappedFile(const std::filesystem::path& file, std::size_t limit) {
   if (size > limit)
     throw InputError({file.string(), 0}, fmt::format("is larger than {} bytes", limit));
   if (mapping_) return;
-  text_ = read_settled_file(file, limit);  // or it says why not
+  text_ = read_settled_file(file, limit);  // or throws the reason
   view_ = text_;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A text file of any size as one text, without a copy in memory: its pages come from the disk where
-// they are read and can be let go behind.
+// A text file of any size as one text, without a copy in memory: its pages are read from the disk
+// on access and can be released afterwards.
 //
-// A file of up to 64 MB is read into memory, and one that changes meanwhile is refused. A larger
-// one must not be cut short while it is read: the system then ends the program. What cannot be
-// mapped (a pipe) is read into memory.
+// A file of up to 64 MB is read into memory, and is refused if it changes meanwhile. A larger file
+// must not be truncated while it is read: the system then ends the program. A pipe, which cannot be
+// mapped, is read into memory.
 #pragma once
 
 #include <cstddef>
@@ -14,23 +14,23 @@
 
 namespace latsch {
 
-/// The whole file. Throws InputError as read_text_file does, and where the file changes while it is
-/// read: half of it would be of the old one.
+/// Returns the whole file. Throws InputError as read_text_file does, and if the file changes while
+/// it is read, because half of the text would be old.
 std::string read_settled_file(const std::filesystem::path& file, std::size_t limit);
 
 class MappedFile {
  public:
-  /// Throws InputError naming the path and the reason: missing, a folder, no permission, over the
+  /// Throws InputError naming the path and the reason: missing, a folder, no permission, above the
   /// limit, changed while it was read.
   MappedFile(const std::filesystem::path& file, std::size_t limit);
-  /// A text that is in memory already.
+  /// Holds a text that is in memory already.
   explicit MappedFile(std::string text);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
 
   std::string_view text() const { return view_; }
-  /// What lies before `end` is not needed for now; it comes back where it is read again.
+  /// Releases the pages before `end`, which are not needed for now; they are read again on access.
   void let_go(std::size_t end) const;
 
  private:

@@ -12,10 +12,11 @@
 namespace latsch {
 namespace {
 
-constexpr double kRedraw = 0.1;      // s between two states of the bar
+constexpr double kRedraw = 0.1;      // s between two redraws of the bar
 constexpr double kLineInterval = 5;  // s between two lines in a pipe
 constexpr int kBarWidth = 30;        // characters
-constexpr double kRemembered = 1;    // s; what is done by then came from a journal, not from work
+constexpr double kRemembered = 1;    // s; results within this time came from a journal and do not
+                                     // count for the speed
 
 }  // namespace
 

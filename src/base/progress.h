@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a long run is and when it will end: a bar that redraws itself on a terminal, plain lines
-// at most every few seconds in a pipe or a file.
+// Shows how far a long run is and when it will end: by a bar that redraws itself on a terminal, by
+// plain lines at most every few seconds in a pipe or a file.
 #pragma once
 
 #include <iosfwd>
@@ -10,26 +10,27 @@
 
 namespace latsch {
 
-/// Whether standard error (or the descriptor given) is a terminal.
+/// True if standard error (or the given descriptor) is a terminal.
 bool is_terminal(int descriptor = 2);
-/// Characters in a line of that terminal; 80 where nobody knows.
+/// Characters in a line of that terminal; 80 if unknown.
 int terminal_columns(int descriptor = 2);
 
 class Progress {
  public:
-  /// `terminal`: whether `out` can redraw a line, see is_terminal(). `columns`: how wide it is.
+  /// `terminal` says whether `out` can redraw a line, see is_terminal(); `columns` is the width of
+  /// its lines.
   Progress(std::ostream& out,
            bool terminal,
            Clock clock = steady_clock(),
            int columns = terminal_columns());
-  /// Prints the last state where it was not due, and ends the line of the bar.
+  /// Prints the last state unless it was printed already, and ends the line of the bar.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` of `total` are finished; total 0: nobody knows how many there will be. `note` is one
-  /// short text, such as the best value so far. Prints the first and the last call and what falls
-  /// due in between.
+  /// `done` of `total` are finished; total 0: the total is unknown. `note` is one short text, such
+  /// as the best value so far. Prints the first and the last call, and the calls between them that
+  /// are due.
   void update(long done, long total, const std::string& note = "");
 
  private:
@@ -41,15 +42,15 @@ class Progress {
   Clock clock_;
   std::size_t columns_;
   double start_;
-  double counted_from_;    // time and
-  long counted_done_ = 0;  // number from which the speed is counted
-  double printed_ = 0.0;   // time of the last print
+  double counted_from_;    // s; start of the time over which the speed is measured
+  long counted_done_ = 0;  // finished at that time
+  double printed_ = 0.0;   // s; time of the last output
   std::size_t width_ = 0;  // characters of the bar on the screen
-  std::string state_;      // of the last call
-  std::string shown_;      // of the last print; empty: none yet
+  std::string state_;      // text of the last call
+  std::string shown_;      // text of the last output; empty: none yet
 };
 
-/// "7 s", "2:05", "1:02:05".
+/// Returns a duration such as "7 s", "2:05", "1:02:05".
 std::string format_duration(double seconds);
 
 }  // namespace latsch

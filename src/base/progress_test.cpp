@@ -43,7 +43,7 @@ TEST(Progress, ABarIsNeverWiderThanTheTerminal) {
   EXPECT_EQ(out.str(), "\r[###############...");
 }
 
-// 50 of 100 come from a journal at once; from then on 1 a second.
+// 50 of 100 results come from a journal at once; afterwards one result a second arrives.
 TEST(Progress, WhatWasKnownAtTheStartSaysNothingAboutTheSpeed) {
   std::ostringstream out;
   double time = 0.0;

@@ -50,7 +50,8 @@ double RandomStream::normal() {
 
 std::uint64_t RandomStream::below(std::uint64_t count) {
   assert(count > 0);
-  // Draws above the largest multiple of count would make small values likelier.
+  // Draws above the largest multiple of `count` are repeated, because they would make small values
+  // likelier.
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
   const std::uint64_t limit = kMost - kMost % count;
   std::uint64_t drawn = bits();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulation that does not succeed is a value, not an exception.
+// A simulation that does not succeed returns a value, not an exception.
 #pragma once
 
 #include <cassert>
@@ -10,23 +10,24 @@
 
 namespace latsch {
 
-/// Whose fault a failure is. It decides whether the same point is worth another try.
+/// Origin of a failure. It decides whether the same point is tried again.
 enum class Cause : std::uint8_t {
-  point,       // the simulation says no, crashes or throws: again the same if repeated
-  timeout,     // it took longer than it was allowed
-  bad_output,  // its answer is missing, cannot be read or holds numbers that are not finite
-  transient,   // its worker was killed from outside or is out of reach: nothing about the point
-  not_begun,   // its worker was lost before it began: nothing was tried; never kept
+  point,       // the simulation fails, crashes or throws: it would do so again
+  timeout,     // the simulation exceeded its time limit
+  bad_output,  // its result is missing, cannot be read or holds numbers that are not finite
+  transient,   // its worker was killed from outside or is out of reach: says nothing about the
+               // point
+  not_begun,   // its worker was lost before the start: nothing was tried; never recorded
 };
 
-/// Why a simulation gave no result: one sentence naming the step, the residual, the place and a
-/// hint.
+/// Says why a simulation gave no result: one sentence naming the step, the residual, the place and
+/// a hint.
 struct Failure {
   std::string reason;
   Cause cause = Cause::point;
 };
 
-/// A T, or the Failure that came instead.
+/// A T, or the Failure that occurred instead.
 template <class T>
 class [[nodiscard]] Result {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a folder of their own that is gone afterwards.
+// For tests: a temporary folder that is removed at the end.
 #pragma once
 
 #include <stdlib.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests of readers: texts spoiled as files are spoiled, always in the same way for the same
-// stream.
+// For tests of readers: texts spoiled as files are in practice, reproducibly for a given stream.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +10,8 @@
 
 namespace latsch {
 
-/// One to four changes: a byte replaced, a bit flipped, a stretch lost or doubled, the end lost,
-/// one of the `pieces` put in.
+/// Makes one to four changes: a byte replaced, a bit flipped, a stretch deleted or doubled, the end
+/// cut off, one of the `pieces` inserted.
 inline std::string spoiled(std::string text,
                            const std::vector<std::string>& pieces,
                            RandomStream& random) {

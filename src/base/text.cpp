@@ -23,7 +23,8 @@ std::string lower_case(std::string_view text) {
 }  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
-  // Optimal string alignment: rows i-2, i-1 and i of the table of distances of prefixes.
+  // Optimal string alignment: these are rows i-2, i-1 and i of the table of distances between
+  // prefixes.
   std::vector<int> before(b.size() + 1), previous(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) previous[j] = static_cast<int>(j);
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -50,7 +51,8 @@ std::optional<std::string> nearest(std::string_view name,
     if (candidate.size() > kLongestName) continue;
     const int distance = edit_distance(wanted, lower_case(candidate));
     const std::size_t longer = std::max(name.size(), candidate.size());
-    const int tolerated = longer < 2 ? 0 : static_cast<int>(longer + 2) / 3;  // x is no slip of y
+    const int tolerated = longer < 2 ? 0 : static_cast<int>(longer + 2) / 3;  // a letter is never a
+                                                                              // slip
     if (distance <= tolerated && (!best || distance < least)) {
       best = candidate;
       least = distance;
@@ -73,7 +75,7 @@ std::string in_quotes(std::string_view text) {
       result += c;
   }
   if (text.size() > kLongestQuotation) {
-    // Do not end within a UTF-8 character.
+    // The text must not end within a UTF-8 character.
     while (!result.empty() && (static_cast<unsigned char>(result.back()) & 0x80)) result.pop_back();
     result += "...";
   }
@@ -98,9 +100,9 @@ std::string format_number(double value, int digits) {
 std::string format_known(double value, double uncertainty) {
   constexpr int kMostDigits = 9;
   const auto magnitude = [](double x) { return std::floor(std::log10(std::abs(x))); };
-  const double digits = magnitude(value) - magnitude(uncertainty) + 2.0;  // -inf of 0
+  const double digits = magnitude(value) - magnitude(uncertainty) + 2.0;  // -inf if the value is 0
   const double known = std::isnan(digits) ? 1.0 : std::clamp(digits, 1.0, 1.0 * kMostDigits);
-  // Rounded first: 1987 known to 300 is 1990, not 1.99e+03.
+  // The value is rounded first: 1987 known to 300 is 1990, not 1.99e+03.
   const std::string rounded = fmt::format("{:.{}e}", value, static_cast<int>(known) - 1);
   return format_number(parse_number(rounded).value_or(value), kMostDigits);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words for messages: the nearest name, numbers and what the user wrote, fit to print.
+// Words for messages: the nearest name, numbers, and the user's own text made fit to print.
 #pragma once
 
 #include <optional>
@@ -9,37 +9,38 @@
 
 namespace latsch {
 
-/// Insertions, deletions, substitutions and swaps of neighbors between two words.
+/// Number of insertions, deletions, substitutions and swaps of neighbors that separate two words.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate most like `name`, ignoring case; nothing where none is alike.
+/// Returns the candidate most similar to `name`, ignoring case; nothing if none is similar.
 std::optional<std::string> nearest(std::string_view name,
                                    const std::vector<std::string>& candidates);
 
-/// `, did you mean "pressure"?`, or nothing where no candidate is alike.
+/// Returns `, did you mean "pressure"?`, or "" if no candidate is similar.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates);
 
-/// In quotes, unprintable characters escaped, long text shortened: safe on any terminal.
+/// Returns the text in quotes with unprintable characters escaped and long texts shortened: safe on
+/// any terminal.
 std::string in_quotes(std::string_view text);
 
-/// `"a", "b" or "c"`
+/// Returns the words as a list: `"a", "b" or "c"`.
 std::string list_of(const std::vector<std::string>& words);
 
-/// The fewest digits that give the same bits back: 0.1, 2.6, 1e-12.
+/// Returns the fewest digits that give the same bits when read: 0.1, 2.6, 1e-12.
 std::string format_number(double value);
-/// At most `digits` significant digits.
+/// Returns the value with at most `digits` significant digits.
 std::string format_number(double value, int digits);
 
-/// The value to the second digit of its uncertainty [JCGM 100:2008, 7.2.6], with one digit of its
-/// own at least and nine at most: "73", "-0.0123", "1990", in any unit that both have. Further
-/// digits say nothing and are others on other processors. As exact as can be where the uncertainty
-/// is 0; one digit where it is not finite.
+/// Returns the value to the second digit of its uncertainty [JCGM 100:2008, 7.2.6], with at least
+/// one digit of its own and at most nine: "73", "-0.0123", "1990". Both arguments have the same
+/// unit. Further digits mean nothing and differ between processors. The value is exact if the
+/// uncertainty is 0, and has one digit if it is not finite.
 std::string format_known(double value, double uncertainty);
 
-/// The whole text as a number in C notation, blanks around it allowed; nothing where it is not one.
+/// Reads the whole text as a number in C notation, blanks around it allowed; nothing if it is none.
 std::optional<double> parse_number(std::string_view text);
 
-/// Without blanks, tabs and line ends at both ends.
+/// Returns the text without blanks, tabs and line ends at both ends.
 std::string_view trimmed(std::string_view text);
 
 }  // namespace latsch

@@ -31,7 +31,8 @@ TEST(Text, QuotationsHoldNoControlCharactersAndStayShort) {
   EXPECT_EQ(list_of({"a", "b", "c"}), "\"a\", \"b\" or \"c\"");
 }
 
-// The guide's own example first, [JCGM 100:2008, 7.2.6]: 10.05762 ohm known to 27 mohm is 10.058.
+// The first case is the guide's own example [JCGM 100:2008, 7.2.6]: 10.05762 ohm known to 27 mohm
+// is 10.058.
 TEST(Text, ValuesHaveTheDigitsTheirUncertaintyLeaves) {
   EXPECT_EQ(format_known(10.05762, 0.027), "10.058");
   EXPECT_EQ(format_known(73.039, 33.9), "73");
@@ -40,7 +41,7 @@ TEST(Text, ValuesHaveTheDigitsTheirUncertaintyLeaves) {
   EXPECT_EQ(format_known(99.6, 12.0), "100");
   EXPECT_EQ(format_known(204'113.0, 2100.0), "204100");
   EXPECT_EQ(format_known(1.2345e-7, 3e-9), "1.235e-07");
-  EXPECT_EQ(format_known(0.3, 500.0), "0.3");  // of a logarithmic variable
+  EXPECT_EQ(format_known(0.3, 500.0), "0.3");  // a logarithmic variable
   EXPECT_EQ(format_known(0.0, 0.1), "0");
   EXPECT_EQ(format_known(1.0 / 3.0, 0.0), "0.333333333");
   EXPECT_EQ(format_known(22.31, std::numeric_limits<double>::infinity()), "20");

@@ -17,24 +17,25 @@ namespace latsch {
 
 struct UnitReading {
   std::optional<Unit> unit;
-  std::string fault;    // without a unit: `unknown unit "mmm", did you mean "mm"?`, behind "has "
-  std::string assumed;  // for a unit with several meanings, which one is taken, in words
+  std::string fault;    // if there is no unit: `unknown unit "mmm", did you mean "mm"?`, to follow
+                        // "has "
+  std::string assumed;  // for a unit with several meanings: the meaning chosen, in words
 };
 
-/// Without knowing what is measured. An empty text is a plain number.
+/// Reads a unit whose dimension is not known in advance. An empty text is a plain number.
 UnitReading reading_of_unit(std::string_view written);
-/// Where a value of the dimension of `expected` is expected. The unit may still be of another
-/// dimension: then no meaning of it fits.
+/// Reads a unit if a value of the dimension of `expected` is expected. The result may be of another
+/// dimension: then no meaning of the word fits.
 UnitReading reading_of_unit(std::string_view written, const Unit& expected);
 
-/// The same without words. The text of the unit is as written, or where the usual meaning does not
-/// fit, the spelling of the one that does: "lbm" for "lb".
+/// Returns the unit without explanations. Its text is as written, or, if the usual meaning does not
+/// fit, the spelling of the meaning that does: "lbm" for "lb".
 std::optional<Unit> find_unit(std::string_view written, const Unit& expected);
 
-/// Whether a text is a unit, or a spelling of one that is refused in words ("grad", "psia").
+/// True if a text is a unit, or a spelling that is refused with an explanation ("grad", "psia").
 bool looks_like_unit(std::string_view written);
 
-/// A number and its unit where a value of the dimension of `expected` is expected.
+/// Reads a number and its unit; `expected` has the dimension of the expected value.
 std::optional<Quantity> parse_quantity(std::string_view text, const Unit& expected);
 
 }  // namespace latsch

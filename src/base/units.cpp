@@ -22,17 +22,17 @@ namespace latsch {
 namespace {
 
 constexpr std::size_t kLongestUnit = 64;
-constexpr int kLargestPower = 9;  // of a base unit; what a person writes has one digit
+constexpr int kLargestPower = 9;  // power of a base unit; units typed by a person have one digit
 constexpr const char* kBase[] = {"m", "kg", "s", "A", "K", "mol", "cd", "rad"};
 
-/// Typed often, but not in the database.
+/// Units that people often type but the database lacks.
 constexpr struct {
   const char* name;
   const char* meaning;
 } kAdditions[] = {
     {"deg", "arc_degree"}, {"rev", "6.283185307179586 rad"}, {"Nm", "N m"}, {"kph", "km/h"}};
 
-/// How values of a dimension are called and written; the first of a dimension names its SI unit.
+/// Name and example of values of a dimension; the first row of a dimension has its SI unit.
 struct KnownDimension {
   const char *unit, *noun, *example;
 };
@@ -67,7 +67,8 @@ constexpr KnownDimension kKnown[] = {
     {"W", "a power", "5 kW"},
 };
 
-/// "0.0254" for the double nearest to it: decimal factors then are decimal to 64 bits.
+/// Returns the decimal number of which `value` is the nearest double, such as 0.0254: decimal
+/// factors are then decimal to 64 bits.
 long double as_decimal(double value) {
   const std::string digits = fmt::format("{}", value);
   long double decimal = value;
@@ -79,7 +80,8 @@ bool may_be_unit(std::string_view text) {
   return !text.empty() && text.size() <= kLongestUnit && text.find('\0') == text.npos;
 }
 
-/// The unit database: read once; UDUNITS-2 keeps state, so one thread at a time.
+/// The unit database, which is read once. UDUNITS-2 keeps state, so only one thread at a time uses
+/// it.
 class Database {
  public:
   struct Entry {
@@ -92,7 +94,7 @@ class Database {
     return database;
   }
 
-  /// `text` is trimmed. Of several meanings the usual one.
+  /// `text` is trimmed. If it has several meanings, the usual one is returned.
   std::optional<Entry> find(std::string_view text) {
     const std::lock_guard lock(mutex_);
     if (const auto known = known_.find(text); known != known_.end()) return known->second;
@@ -119,7 +121,7 @@ class Database {
   using UnitPointer = std::unique_ptr<ut_unit, FreeUnit>;
 
   Database() {
-    ut_set_error_message_handler(ut_ignore);  // it would write to stderr
+    ut_set_error_message_handler(ut_ignore);  // the default handler would write to stderr
     system_ = ut_read_xml(nullptr);
     if (!system_)
       throw InputError(
@@ -134,7 +136,7 @@ class Database {
   UnitMeanings meanings_of(std::string_view text) const {
     if (!may_be_unit(text)) return {};
     return unit_meanings(text, [this](std::string_view word, const std::string& meaning) {
-      constexpr long double kSame = 1e-5L;  // UDUNITS rounds some factors to six digits
+      constexpr long double kSame = 1e-5L;  // relative; UDUNITS rounds some factors to six digits
       const auto by_letter = parse(std::string(word)), meant = parse(meaning);
       if (!by_letter || !meant) return false;
       return by_letter->dimension != meant->dimension || by_letter->offset != meant->offset ||
@@ -253,16 +255,16 @@ std::string Unit::exact_number(double value) const {
     std::from_chars(digits.data(), digits.data() + digits.size(), read);
     return to_si(read) == value;
   };
-  // A number that was computed, not typed, needs all digits of a double or more: no use in trying
-  // fewer.
+  // A number that was computed, not typed, needs all digits of a double or more: fewer are not
+  // tried.
   int precision = gives_back(kUsual) ? kFewest : kUsual + 1;
   while (!gives_back(precision) && precision < kMost) ++precision;
   return digits;
 }
 
 void Unit::append_exact_number(double value, std::string& text) const {
-  // In SI the fewest digits that give the bits of a double are what is wanted; they are read again,
-  // for numbers are read with more bits and rounded once more.
+  // In SI the shortest digits that reproduce the double are needed. The result is checked by
+  // reading it again, because numbers are read with more bits and rounded once more.
   if (factor_ == 1.0L && offset_ == 0.0L) {
     char digits[32];
     const auto end = fmt::format_to(digits, "{}", value);
@@ -278,9 +280,9 @@ void Unit::append_exact_number(double value, std::string& text) const {
 
 namespace {
 
-/// A number of digits and a point alone, which most numbers of a file are, without strtold behind
-/// from_chars: up to 19 digits and 10^19 are exact in 64 bits of mantissa, so that their quotient
-/// is the number rounded once, as from_chars gives it. Nothing for any other text.
+/// Reads a number of digits and a point alone, as most numbers of a file are, faster than strtold:
+/// up to 19 digits and 10^19 are exact in 64 bits of mantissa, so that their quotient is the number
+/// rounded once, as from_chars gives it. Returns nothing for any other text.
 std::optional<long double> plain_number(std::string_view text) {
   static_assert(std::numeric_limits<long double>::digits >= 64);
   constexpr std::size_t kMostDigits = 19;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Units of quantities: "2.6 bar", "22.3 N/mm^2", "22 deg", "1e-3 in" into SI and back.
+// Converts quantities with units, "2.6 bar", "22.3 N/mm^2", "22 deg", "1e-3 in", into SI and back.
 //   SI value = number * factor + offset        (offset: "degC" and its like)
 // The units and their spelling are those of the UDUNITS-2 database of the system, with "deg",
-// "rev", "Nm" and "kph" added. Unlike there an angle is a dimension of its own: "22 deg" is no
+// "rev", "Nm" and "kph" added. Unlike in UDUNITS an angle is a dimension of its own: "22 deg" is no
 // plain number and "rpm" no frequency. Numbers are converted with 64 bits of mantissa and rounded
 // once: "310 mm" gives the bits of 0.31, and every SI value has a text that gives its bits back.
 #pragma once
@@ -21,9 +21,9 @@ class Unit {
   /// Powers of m, kg, s, A, K, mol, cd, rad.
   using Dimension = std::array<int, 8>;
 
-  /// Nothing where the text is no unit. Safe to call from any thread.
+  /// Returns nothing if the text is no unit. Safe to call from any thread.
   static std::optional<Unit> find(std::string_view text);
-  /// The same for a unit written in our own code.
+  /// Returns a unit that our own code names, so that it must exist.
   static Unit of(std::string_view text);
 
   const std::string& text() const { return text_; }
@@ -33,7 +33,7 @@ class Unit {
 
   double to_si(long double number) const;
   double from_si(double value) const;
-  /// The number, without the unit, with the fewest digits for which to_si gives the bits of
+  /// Returns the number, without the unit, with the fewest digits for which to_si gives the bits of
   /// `value`.
   std::string exact_number(double value) const;
   void append_exact_number(double value, std::string& text) const;
@@ -47,12 +47,12 @@ class Unit {
 
 /// A number and its unit as a person writes them.
 struct Quantity {
-  std::string number;  // as written
+  std::string number;  // unchanged text
   Unit unit;
   double si = 0.0;
 };
 
-/// Nothing where the text is not a number followed by a unit.
+/// Returns nothing if the text is not a number followed by a unit.
 std::optional<Quantity> parse_quantity(std::string_view text);
 
 /// The number at the beginning of a text and what follows it, both trimmed.
@@ -62,20 +62,20 @@ struct NumberAndRest {
 };
 std::optional<NumberAndRest> split_number(std::string_view text);
 
-/// "2.6 bar": a SI value for a person to read.
+/// Returns an SI value for a person to read, such as "2.6 bar".
 std::string format_quantity(double si, std::string_view unit, int digits = 6);
 
-/// The SI unit of a dimension: "Pa", "N/m", "kg/m^3".
+/// Returns the SI unit of a dimension: "Pa", "N/m", "kg/m^3".
 std::string si_unit(const Unit::Dimension& dimension);
 
-/// What a value of that dimension is called, with an example: `an angle such as "22 deg"`.
+/// Name of values of a dimension, with an example: `an angle such as "22 deg"`.
 struct DimensionWords {
   std::string noun;     // "an angle"
   std::string example;  // "22 deg"
 };
 DimensionWords words_for(const Unit& unit);
 
-/// `unknown unit "mmm", did you mean "mm"?`
+/// Returns the message `unknown unit "mmm", did you mean "mm"?`.
 std::string unknown_unit(std::string_view unit);
 
 }  // namespace latsch

@@ -86,7 +86,7 @@ TEST(Units, DimensionsHaveTheirSiUnitAndWords) {
   EXPECT_EQ(unknown_unit("kpa"), "unknown unit \"kpa\", did you mean \"kPa\"?");
 }
 
-// Powers of two digits were written by si_unit and not read by find.
+// Regression: si_unit wrote powers of two digits, which find did not read.
 TEST(Units, TheSiUnitOfEveryUnitIsAUnitOfItsDimension) {
   for (const char* text :
        {"mm^9", "1/m^9", "N^4", "m^9 kg^-9 s^9 A^-9 K^9 mol^-9 cd^9 rad^-9", "kWh"}) {
@@ -131,7 +131,7 @@ TEST(Units, FormatsForAPerson) {
   EXPECT_EQ(format_quantity(std::numbers::pi, "deg", 3), "180 deg");
 }
 
-// Property: whatever bits, whatever unit, the text gives the bits back.
+// Property: for any bits and any unit, the text gives the bits back.
 TEST(Units, EverySiValueHasATextThatGivesItsBitsBack) {
   std::uint64_t state = 1;
   for (const char* name : {"bar", "mm", "in", "deg", "N/mm^2", "psi", "GPa", "lbf", "rpm", "1"}) {

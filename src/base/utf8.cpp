@@ -6,8 +6,8 @@
 namespace latsch {
 namespace {
 
-/// The second byte of a character lies between these, a character that begins with `first` has
-/// `length` bytes [RFC 3629, 4]; 0 where none begins so.
+/// A character that begins with the byte `first` has `length` bytes, and its second byte lies
+/// between the two bounds [RFC 3629, 4]. The length is 0 if no character begins with `first`.
 struct Utf8Form {
   std::size_t length = 0;
   unsigned char least = 0x80;
@@ -18,16 +18,16 @@ Utf8Form utf8_form(unsigned char first) {
   if (first < 0x80) return {1};
   if (first < 0xc2) return {};
   if (first < 0xe0) return {2};
-  if (first == 0xe0) return {3, 0xa0};        // below: longer than it need be
-  if (first == 0xed) return {3, 0x80, 0x9f};  // above: surrogates
+  if (first == 0xe0) return {3, 0xa0};        // lower bytes would be longer than needed
+  if (first == 0xed) return {3, 0x80, 0x9f};  // higher bytes are surrogates
   if (first < 0xf0) return {3};
   if (first == 0xf0) return {4, 0x90};
   if (first < 0xf4) return {4};
-  if (first == 0xf4) return {4, 0x80, 0x8f};  // above: beyond U+10FFFF
+  if (first == 0xf4) return {4, 0x80, 0x8f};  // higher bytes are beyond U+10FFFF
   return {};
 }
 
-/// Bytes of the character at the beginning; 0 where there is none.
+/// Number of bytes of the character at the beginning; 0 if there is none.
 std::size_t utf8_character(std::string_view bytes) {
   const auto code = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
   const Utf8Form form = utf8_form(code(0));

@@ -27,8 +27,8 @@ TEST(Utf8, HasCharactersOfOneToFourBytes) {
 TEST(Utf8, RefusesLongerFormsSurrogatesAndPieces) {
   for (const char* bytes : {"\x80",
                             "\xc0\xaf",          // "/" in two bytes
-                            "\xe0\x80\xaf",      // in three
-                            "\xf0\x80\x80\xaf",  // in four
+                            "\xe0\x80\xaf",      // "/" in three bytes
+                            "\xf0\x80\x80\xaf",  // "/" in four bytes
                             "\xed\xa0\x80",      // U+D800
                             "\xf4\x90\x80\x80",  // U+110000
                             "\xf5\x80\x80\x80",

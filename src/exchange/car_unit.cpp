@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 constexpr double kFastest = 150.0;                           // m/s
 constexpr double kShortestStep = 1e-6, kLongestStep = 2e-3;  // s, of the car
 
-// Places in the table, of vectors where they begin.
+// Indices in the table, for vectors the first index.
 enum Given : std::size_t {
   speed,
   longest,
@@ -222,7 +222,8 @@ std::optional<Failure> CarUnit::start(double /*time*/) {
   }
   const std::lock_guard lock(shared_->turn);
   car::Car& car = *shared_->car;
-  // Statics need a guide that holds; its line and axle are those of the car's file.
+  // The equilibrium needs a guide that holds the car; its line and axle are those of the car's
+  // file.
   const car::Guide holds;
   car.guide.along = holds.along;
   car.guide.lateral = holds.lateral;
@@ -239,7 +240,8 @@ std::optional<Failure> CarUnit::start(double /*time*/) {
 std::optional<Failure> CarUnit::step(double /*time*/, double step) {
   assert(state_ && step > 0.0);
   const double exact = step / given_[longest];
-  const double steps = std::max(1.0, std::ceil(exact * (1.0 - 1e-9)));  // 1 ms: five of 0.2 ms
+  const double steps = std::max(1.0, std::ceil(exact * (1.0 - 1e-9)));  // 1 ms is five steps of 0.2
+                                                                        // ms despite rounding
   const double h = step / steps;
   const std::lock_guard lock(shared_->turn);
   car::Car& car = *shared_->car;

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car on its tires on a road as a co-simulation unit: rack, torques of the wheels and loads on
-// the chassis in; motion of chassis and wheels, forces of push-rods and tires out.
+// A car on its tires on a road as a co-simulation unit. Inputs: rack, torques of the wheels and
+// loads on the chassis; outputs: motion of chassis and wheels, forces of push-rods and tires.
 //
 // A communication step is divided into equal steps of the car, none longer than the parameter
-// `step.longest`. Inputs of a step are those of its begin, as FMI has them. Torques and loads stay
-// as they are; the rack and the guide are carried on to the end of each step of the car,
+// `step.longest`. Inputs of a step are those at its beginning, as in FMI. Torques and loads stay
+// constant; the rack and the guide are extrapolated to the end of each step of the car,
 //   rack.travel + t rack.velocity,    guide.x + t guide.speed                                (1)
-// because the car feels the rate of both: a rack that jumps from one communication point to the
-// next hits the wheels. t is the time since the communication point.
+// because the rates of both act on the car: a rack that jumps from one communication point to the
+// next would cause an impact on the wheels. t is the time since the communication point.
 //
-// Chassis: inertial axes x, y horizontal, z up, z = 0 on a flat road; its center of mass as it is
-// described, [chassis] center, begins where it is drawn.
+// Chassis: inertial axes x, y horizontal, z up, z = 0 on a flat road; its center of mass, [chassis]
+// center, starts at its drawn position.
 //   axes of the chassis = R_z(yaw) R_y(pitch) R_x(roll)           [ISO 8855:2011]            (2)
-// A chassis of two halves is seen at its front half.
+// For a chassis of two halves these are the axes of its front half.
 //
-// Where a tire leaves what the file of its road knows, a step is a Failure, unless the parameter
-// `road.continues` lets the road go on as its kind of file does (models/road/road.h, beyond).
+// If a tire leaves the road of the file, a step is a Failure, unless the parameter `road.continues`
+// lets the road continue as its kind of file does (models/road/road.h, beyond).
 //
-// The guide holds the car on a line in a driver's place (models/car/car.h); without stiffness it
-// does nothing, once the car has begun.
+// The guide replaces a driver and holds the car on a line (models/car/car.h); without stiffness it
+// has no effect once the car has started.
 #pragma once
 
 #include <array>
@@ -34,12 +34,12 @@
 
 namespace latsch::exchange {
 
-/// Of (2): roll, pitch, yaw, rad; pitch within a right angle to either side.
+/// Angles of (2): roll, pitch, yaw, rad; pitch within a right angle to either side.
 Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& turn);
 
 class CarUnit final : public Unit {
  public:
-  /// InputError where the specimen cannot be driven.
+  /// Throws InputError if the specimen cannot be driven.
   CarUnit(std::shared_ptr<experiment::Specimen> specimen, std::shared_ptr<const road::Road> road);
 
   const std::vector<Variable>& variables() const override { return *variables_; }
@@ -55,7 +55,7 @@ class CarUnit final : public Unit {
   static constexpr std::size_t kGiven = 26, kAnswers = 15 + 4 * 10;
 
  private:
-  /// One car serves a unit and its copies, one at a time: what is theirs is the state.
+  /// One car serves a unit and its copies, one at a time; each of them owns a state.
   struct Shared {
     std::mutex turn;
     std::unique_ptr<car::Car> car;
@@ -67,7 +67,7 @@ class CarUnit final : public Unit {
   const experiment::Drives* drives_;
   std::shared_ptr<const road::Road> road_;
   std::shared_ptr<const std::vector<Variable>> variables_;
-  std::shared_ptr<Shared> shared_;  // from the first start() on
+  std::shared_ptr<Shared> shared_;  // set by the first start()
   std::optional<car::CarState> state_;
   std::array<double, kGiven> given_{};      // parameters and inputs, in the table's order
   std::array<double, kAnswers> answers_{};  // outputs

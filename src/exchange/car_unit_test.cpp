@@ -15,13 +15,13 @@ namespace latsch::exchange {
 namespace {
 
 const std::filesystem::path kCars = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/kerb";
-const std::filesystem::path kCar = kCars / "baseline.toml";  // its tires have no force along x
+const std::filesystem::path kCar = kCars / "baseline.toml";  // its tires have no longitudinal force
 const std::filesystem::path kRingCar = kCars / "ring_rigid.toml";
 constexpr double kMass =
-    220.0 + 4.0 * (8.2 + 4.0 + 0.8 + 1.0 + 0.4 + 0.3 + 0.4);  // of that file, kg
+    220.0 + 4.0 * (8.2 + 4.0 + 0.8 + 1.0 + 0.4 + 0.3 + 0.4);  // kg, from that file
 constexpr double kGravity = 9.80665, kCommunication = 1e-3;
 
-/// A unit of the car, its variables by name.
+/// A unit of the car with access to variables by name.
 class Driven {
  public:
   explicit Driven(const std::filesystem::path& file = kCar,
@@ -67,11 +67,12 @@ class Driven {
 };
 
 TEST(CarUnit, StandsOnItsTiresWithItsWeightAndWhatIsPutOnIt) {
-  // Statics end at 1e-5 of the weight at each tire.
+  // The error of the equilibrium is 1e-5 of the weight at each tire.
   Driven car;
   car.start();
   EXPECT_NEAR(car.sum("Fz"), kMass * kGravity, 5e-5 * kMass * kGravity);
-  EXPECT_NEAR(car.get("chassis.z"), 0.28, 0.02);  // drawn, but for its tires
+  EXPECT_NEAR(car.get("chassis.z"), 0.28, 0.02);  // drawn position minus the deflection of the
+                                                  // tires
   EXPECT_NEAR(car.get("chassis.az"), 0.0, 1e-2);
   const double height = car.get("chassis.z");
   car.set("load.Fz", -1000.0);
@@ -94,8 +95,8 @@ TEST(CarUnit, GoesStraightOnAtItsSpeed) {
 }
 
 TEST(CarUnit, TorqueOnTheWheelsAcceleratesTheCarThatIsLetGo) {
-  // Of wheels that roll: (m + Σ I/r²) a = Σ T/r, against a car that coasts; I of wheel and belt, r
-  // that of rolling. The wheels slip first, in which the car gains less: 5 %.
+  // Wheels that roll follow (m + Σ I/r²) a = Σ T/r, compared with a car that coasts; I is that of
+  // wheel and belt, r the rolling radius. The wheels slip at first, which reduces the speed: 5 %.
   Driven coasting(kRingCar), driven(kRingCar);
   const double torque = 60.0;
   for (Driven* car : {&coasting, &driven}) {
@@ -148,12 +149,12 @@ TEST(CarUnit, TheGuideGoesWhereTheInputsAre) {
     car.go(1);
   }
   EXPECT_NEAR(car.get("chassis.x") - 0.75, 4.0, 0.05);
-  EXPECT_GT(car.get("chassis.y"), 0.005);  // it lags: its tires resist going sideways
+  EXPECT_GT(car.get("chassis.y"), 0.005);  // the car lags, because its tires resist lateral motion
 }
 
 TEST(CarUnit, ACommunicationStepIsEqualStepsOfTheCarNoneLongerThanTheLongest) {
-  // Five of 0.2 ms in a call of 1 ms, or one each: the same bits where inputs stay. 0.15 ms makes
-  // seven, which is another sequence of steps.
+  // Five steps of 0.2 ms in a call of 1 ms or in one call each give the same bits if inputs are
+  // constant. 0.15 ms gives seven steps, which is another sequence.
   const auto run = [](double communication, int calls, double longest) {
     Driven car;
     car.set("speed", 10.0);
@@ -177,7 +178,7 @@ TEST(CarUnit, ACopyGoesOnToTheSameBitsWhateverTheOtherDoes) {
   auto& other = static_cast<CarUnit&>(*copy);
   EXPECT_TRUE(*other.state() == *car.unit().state());
   car.set("load.Fx", 300.0);
-  for (int i = 0; i < 5; ++i) {  // in turns
+  for (int i = 0; i < 5; ++i) {  // steps both cars alternately
     ASSERT_FALSE(other.step(5e-3 + i * kCommunication, kCommunication));
     car.go(1);
   }
@@ -189,8 +190,8 @@ TEST(CarUnit, ACopyGoesOnToTheSameBitsWhateverTheOtherDoes) {
   EXPECT_TRUE(*other.state() == *alone.unit().state());
 }
 
-// A level road of two triangles that ends at 5 m: the car is off it 0.2 s after the start, and on
-// level ground where it may go on, as on a road without end.
+// A level road of two triangles ends at 5 m: the car leaves it 0.2 s after the start, and is on
+// level ground if the road may continue, as on a road without end.
 TEST(CarUnit, EndsAtTheEdgeOfItsRoadUnlessThatContinues) {
   const ScratchFolder folder;
   const road::TriangleMesh mesh{{{-3, -2, 0}, {5, -2, 0}, {5, 2, 0}, {-3, 2, 0}},

@@ -18,7 +18,7 @@ constexpr const char* kNeeds =
     "shared libraries (Debian 12: libstdc++6 libfmt9 libtomlplusplus3 libudunits2-0 libmetis5\n"
     "libopenblas0-serial libmatio11 zlib1g); `ldd` on it says which of them a machine lacks.\n";
 
-/// What libzip says is wrong; out of memory in practice.
+/// Throws with the error of libzip; in practice it is out of memory.
 [[noreturn]] void fail(const char* what) {
   throw std::runtime_error(std::string("the package cannot be made: ") + what);
 }
@@ -33,7 +33,7 @@ class Zip {
     if (!source_) fail(zip_error_strerror(&error));
     zip_ = zip_open_from_source(source_, ZIP_TRUNCATE, &error);
     if (!zip_) fail(zip_error_strerror(&error));
-    zip_source_keep(source_);  // closing the file gives one reference back
+    zip_source_keep(source_);  // closing the file drops one reference
     zip_error_fini(&error);
   }
   ~Zip() {
@@ -43,7 +43,7 @@ class Zip {
   Zip(const Zip&) = delete;
   Zip& operator=(const Zip&) = delete;
 
-  /// The bytes have to live until bytes() is called.
+  /// The bytes must live until bytes() is called.
   void add(const std::string& name, const std::string& bytes) {
     zip_source_t* content = zip_source_buffer(zip_, bytes.data(), bytes.size(), 0);
     if (!content) fail(zip_strerror(zip_));
@@ -72,8 +72,9 @@ class Zip {
   }
 
  private:
-  static constexpr zip_uint32_t kLevel = 3;  // a third of the time of 9, a few percent larger
-  static constexpr zip_uint16_t kEpoch = (1 << 5) | 1;  // January 1, 1980: the first a ZIP knows
+  static constexpr zip_uint32_t kLevel = 3;  // a third of the time of level 9, a few percent larger
+  static constexpr zip_uint16_t kEpoch = (1 << 5) | 1;  // January 1, 1980: the first date of a ZIP
+                                                        // file
 
   zip_source_t* source_ = nullptr;
   zip_t* zip_ = nullptr;

@@ -4,9 +4,9 @@
 //   modelDescription.xml
 //   binaries/linux64/NAME.so  or  binaries/x86_64-linux/NAME.so
 //   resources/                              the unit's files, unit_folder.h
-//   documentation/externalDependencies.txt  what the library needs of the machine
+//   documentation/externalDependencies.txt  libraries that the machine has to have
 //
-// The same content gives the same bytes: files carry no time. For Linux on x86-64 alone.
+// Equal content gives equal bytes: files have no time. For Linux on x86-64 only.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@
 
 namespace latsch::exchange {
 
-/// `library` is the file that becomes the binary. InputError where it cannot be read.
+/// `library` is the file that becomes the binary. Throws InputError if it cannot be read.
 std::string fmu_package(FmiVersion version,
                         const UnitTitle& title,
                         const std::vector<Variable>& variables,

@@ -31,8 +31,8 @@ constexpr std::array kUnits = {BaseUnit{"N", 1, 1, -2, 0},
                                BaseUnit{"rad/s", 0, 0, -1, 1},
                                BaseUnit{"s", 0, 0, 1, 0}};
 
-/// As the value of an attribute in double quotes [XML 1.0, 2.3]; what XML has no way to write is a
-/// blank.
+/// Returns a text as the value of an attribute in double quotes [XML 1.0, 2.3]; characters that XML
+/// cannot write become blanks.
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -147,7 +147,7 @@ std::string model_structure(FmiVersion version, const std::vector<Variable>& var
   std::string outputs, initial;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     if (variables[i].causality != Causality::output) continue;
-    // FMI 2.0 counts places in ModelVariables from 1, where the time is.
+    // FMI 2.0 counts indices in ModelVariables from 1, which is the time.
     const std::string place = two ? attribute("index", std::to_string(i + 2))
                                   : attribute("valueReference", std::to_string(reference_of(i)));
     outputs +=

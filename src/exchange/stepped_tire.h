@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// From calls at a time to steps of a tire. DTYRE is asked for forces at whatever times an
-// integrator tries, also again, also earlier; a tire goes from a state by a step. So states are
-// kept with their times, and forces at t are those of a step from the latest kept state before t:
+// Converts calls at arbitrary times into steps of a tire. An integrator calls DTYRE for forces at
+// any times that it tries, repeatedly and also going back; a tire advances from a state by a step.
+// So states are kept with their times, and forces at t are those of a step from the latest kept
+// state before t:
 //
 //   the first t, or none later than it   the tire is settled there, at rest
 //   t grows                              a step from the last call's state
 //   the same t                           the step that led there, to the motion of this call
 //   an earlier t                         later states are forgotten, then as above
 //
-// A step that an integrator tries and gives up costs nothing but its work. Of the states the last
-// 64 are kept; to go back beyond them, but to the start, is an error.
+// A step that an integrator tries and rejects costs only computing time. The last 64 states are
+// kept; going back beyond them, except to the start, is an error.
 #pragma once
 
 #include <deque>
@@ -27,7 +28,7 @@ class SteppedTire {
   explicit SteppedTire(std::unique_ptr<Tire> tire) : unused_(std::move(tire)) {}
 
   double free_radius() const { return unused_->free_radius(); }
-  /// `keep`: the state is one to go on from. A Failure keeps nothing new.
+  /// `keep` says that later steps may start from this state. A Failure keeps no new state.
   Result<HubForces> forces(const WheelMotion& motion,
                            const road::Road& road,
                            double time,
@@ -41,7 +42,7 @@ class SteppedTire {
   static constexpr std::size_t kMost = 64;
 
   std::unique_ptr<Tire> unused_;
-  std::deque<Kept> kept_;  // times rise
+  std::deque<Kept> kept_;  // in order of time
   std::optional<double> start_;
 };
 

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Places in the table of where vectors begin.
+// Indices in the table at which vectors begin.
 enum Given : std::size_t { pressure, is_carried_on, x, yaw = 5, vx = 8, wx = 11, spin = 14 };
 
 std::vector<Variable> table(double height) {
@@ -62,7 +62,8 @@ std::vector<Variable> table(double height) {
 }  // namespace
 
 double loaded_radius(const WheelMotion& motion, const road::Road& road, double time) {
-  constexpr int kCorrections = 3;  // of the plane to that below the point found
+  constexpr int kCorrections = 3;  // iterations by which the plane below the found point is
+                                   // determined
   const Vector3d down = -motion.carrier.col(2);
   double radius = 0.0;
   for (int i = 0; i <= kCorrections; ++i) {

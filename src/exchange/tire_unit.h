@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tire that rolls on a road, of any kind, as a co-simulation unit: the wheel's motion in, the
-// force on the hub out.
+// A rolling tire of any kind on a road as a co-simulation unit: its input is the wheel's motion,
+// its output the force on the hub.
 //
 //   carrier = R_z(yaw) R_x(inclination) R_y(pitch)                                           (1)
-// turns the axes of the TYDEX C frame into the inertial ones: the spin axis is fixed by the first
-// two, and nothing is singular before the wheel lies flat.
+// rotates the axes of the TYDEX C frame into the inertial ones: the first two rotations determine
+// the spin axis, and the angles are regular unless the wheel lies flat.
 //
-// Inputs of a step are those of its begin, as FMI has them, and are carried on to its end
+// Inputs of a step are those at its beginning, as in FMI, and are extrapolated to its end
 //   center + h velocity,  exp(h [angular velocity]) carrier,  spin + h spin rate             (2)
-// to where the tire then is moved. So a coupling in which all units step side by side stays of
-// first order in the forces and second in the motion. Where the parameter `inputs.carried_on` is 0
+// to which the tire then is moved. So a coupling in which all units step in parallel is of first
+// order in the forces and of second order in the motion. If the parameter `inputs.carried_on` is 0
 // the inputs are the motion at the step's end, for a caller that knows it.
 #pragma once
 
@@ -24,16 +24,16 @@
 
 namespace latsch::exchange {
 
-/// From the wheel center along the wheel's plane down to the road, m; the road as the plane below.
-/// Where the wheel lies flat on it: infinity.
+/// Distance from the wheel center along the wheel's plane down to the road, m, which is replaced by
+/// the plane below. Infinite if the wheel lies flat on the road.
 double loaded_radius(const WheelMotion& motion, const road::Road& road, double time);
 
-/// (2).
+/// Evaluates (2).
 WheelMotion carried_on(const WheelMotion& motion, double step);
 
 class TireUnit final : public Unit {
  public:
-  /// The specimen has to roll. InputError where it does not.
+  /// Throws InputError if the specimen does not roll.
   TireUnit(std::shared_ptr<experiment::Specimen> specimen, std::shared_ptr<const road::Road> road);
   TireUnit(const TireUnit& other);
 
@@ -44,7 +44,7 @@ class TireUnit final : public Unit {
   std::optional<Failure> step(double time, double step) override;
   std::unique_ptr<Unit> clone() const override { return std::make_unique<TireUnit>(*this); }
 
-  /// As the inputs have it.
+  /// Motion according to the inputs.
   WheelMotion motion() const;
 
  private:
@@ -58,8 +58,8 @@ class TireUnit final : public Unit {
   std::shared_ptr<const std::vector<Variable>> variables_;
   std::unique_ptr<Tire> tire_;
   std::array<double, kGiven> given_{};      // parameters and inputs, in the table's order
-  std::array<double, kAnswers> answers_{};  // outputs, but for those of the footprint
-  mutable std::optional<Footprint> print_;  // once someone has asked for it
+  std::array<double, kAnswers> answers_{};  // outputs except those of the footprint
+  mutable std::optional<Footprint> print_;  // computed at the first request
 };
 
 }  // namespace latsch::exchange

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// A co-simulation unit: a model that other programs step, seen as a table of numbers. They set
-// inputs, ask for a step, read outputs, and may go back to where it was. It knows no file format
-// and no C interface (model_description.h, apps/exchange), and these know no model.
+// A co-simulation unit: a model that other programs step, seen as a table of numbers. These
+// programs set inputs, request a step, read outputs, and may return to an earlier state. The unit
+// knows no file format and no C interface (model_description.h, apps/exchange), and these know no
+// model.
 //
-//   parameters  set before start(), which takes them
+//   parameters  set before start(), which reads them
 //   inputs      what acts on the unit; may be set before every step
-//   outputs     what it answers, those of the last start() or step()
+//   outputs     results of the last start() or step()
 //
-// All numbers are SI. The state is a value: clone() copies it with all values, and the copy goes on
-// to the same bits.
+// All numbers are SI. The state is a value: clone() copies it with all values, and the copy
+// continues with the same bits.
 #pragma once
 
 #include <cstddef>
@@ -26,26 +27,27 @@ enum class Causality { parameter, input, output };
 struct Variable {
   std::string name;  // parts joined by points: "wheel.x"
   Causality causality = Causality::output;
-  std::string unit;  // one of model_description.h: "N m"; "1": none
+  std::string unit;  // a unit of model_description.h: "N m"; "1": none
   std::string description;
-  double start = 0.0;  // of parameters and inputs
+  double start = 0.0;  // start value of parameters and inputs
 };
 
 class Unit {
  public:
   virtual ~Unit() = default;
 
-  /// The same through the unit's life and in its copies. A variable's place in it is its number.
+  /// The table is constant during the unit's life and in its copies. A variable's index in it is
+  /// its number.
   virtual const std::vector<Variable>& variables() const = 0;
   virtual double value(std::size_t variable) const = 0;
-  /// Of a parameter or an input; finite.
+  /// Sets a parameter or an input to a finite value.
   virtual void set(std::size_t variable, double value) = 0;
 
-  /// Begins anew at `time` from parameters and inputs, so that the outputs are those of them.
-  /// Nothing, or why there is no such state. InputError where the parameters make no model.
+  /// Starts anew at `time` from parameters and inputs, so that the outputs belong to them. Returns
+  /// nothing, or why there is no such state. Throws InputError if the parameters make no model.
   virtual std::optional<Failure> start(double time) = 0;
-  /// From `time` on by `step` > 0, in seconds. After a Failure only a copy from before or start()
-  /// goes on.
+  /// Advances from `time` by `step` > 0, in seconds. After a Failure only an earlier copy, or this
+  /// unit after start(), can continue.
   virtual std::optional<Failure> step(double time, double step) = 0;
 
   virtual std::unique_ptr<Unit> clone() const = 0;

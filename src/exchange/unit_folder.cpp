@@ -23,13 +23,13 @@ namespace fs = std::filesystem;
 constexpr const char* kUnit = "unit.toml";
 constexpr const char* kModel = "model";
 constexpr const char* kFlatRoad = "kind = \"flat\"\n";
-constexpr std::size_t kLargestRoad = 256u << 20;  // bytes, as of OpenCRG
+constexpr std::size_t kLargestRoad = 256u << 20;  // bytes, as for OpenCRG
 
 /// 64-bit FNV-1a over names and bytes [Fowler, Noll, Vo; IETF draft-eastlake-fnv].
 std::uint64_t hash_of(const UnitFiles& files, std::uint64_t hash) {
   const auto add = [&](std::string_view bytes) {
     for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    hash = (hash ^ 0xffu) * 0x100000001b3u;  // where one ends and the next begins
+    hash = (hash ^ 0xffu) * 0x100000001b3u;  // separates names and contents
   };
   for (const auto& [name, bytes] : files) {
     if (name == kUnit) continue;
@@ -50,9 +50,9 @@ std::string hash_in_words(const UnitFiles& files) {
                      b & 0xffffffffffff);
 }
 
-/// The road's file and those it refers to, under the names they have from its folder.
+/// Adds the road's file and those it refers to, under their names relative to its folder.
 void add_road(UnitFiles& files, const fs::path& road) {
-  formats::read_road_file(road);  // refused here where it is none
+  formats::read_road_file(road);  // throws InputError here if it is no road
   const fs::path folder = (road.parent_path() / ".").lexically_normal();
   for (const fs::path& file : formats::files_of_road(road)) {
     const fs::path name = file.lexically_normal().lexically_relative(folder);
@@ -66,7 +66,7 @@ void add_road(UnitFiles& files, const fs::path& road) {
   }
 }
 
-/// What becomes a unit: what it is, the capability a model of it has.
+/// A kind of unit: its name, and the capability that its models have.
 struct UnitKind {
   const char* name;
   const char* ability;
@@ -107,7 +107,7 @@ std::unique_ptr<Unit> unit_of(const experiment::SpecimenKind& kind,
 UnitFiles unit_files(const experiment::SpecimenKind& kind,
                      const Document& numbers,
                      const fs::path& road) {
-  unit_of(kind, numbers, road);  // what is wrong is said of the files as they stand
+  unit_of(kind, numbers, road);  // errors are reported for the files as written
   UnitFiles files;
   const std::string model = kModel + fs::path(numbers.file()).extension().string();
   files.emplace_back(model, kind.text(numbers));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A unit as files: what travels in the `resources` of a package, and a library finds there.
+// A unit as files: the `resources` of a package, which its library reads.
 //
-//   unit.toml    kind = "tire" or "car", token = "{...}"   # of all that stands in the files below
+//   unit.toml    kind = "tire" or "car", token = "{...}"   # of the content of the files below
 //                [tire] or [car]
 //                model_kind, model, road                   # the last two: names of files beside it
 //
-// A car is one file, its suspensions and tires tables of it (base/document_parts.h).
+// A car is one file, with its suspensions and tires as tables (base/document_parts.h).
 //
 // A new kind of unit is a line of kUnitKinds.
 #pragma once
@@ -25,17 +25,17 @@ namespace latsch::exchange {
 /// Files by their names in the folder, with their bytes.
 using UnitFiles = std::vector<std::pair<std::string, std::string>>;
 
-/// A tire or a car with these numbers on the road of a file (.toml, .crg, .rdf); empty: flat,
-/// height 0. InputError where there is no such unit.
+/// Returns a tire or a car with these numbers on the road of a file (.toml, .crg, .rdf); empty:
+/// flat, height 0. Throws InputError if there is no such unit.
 std::unique_ptr<Unit> unit_of(const experiment::SpecimenKind& kind,
                               const Document& numbers,
                               const std::filesystem::path& road = {});
-/// The same as files. What the road's file includes comes with it.
+/// Returns the unit as files, including the files that the road's file refers to.
 UnitFiles unit_files(const experiment::SpecimenKind& kind,
                      const Document& numbers,
                      const std::filesystem::path& road = {});
 
-/// The token of these files, "{...}", that of unit.toml.
+/// Returns the token of these files, "{...}", which is that of unit.toml.
 std::string token_of(const UnitFiles& files);
 
 struct UnitFromFolder {
@@ -43,7 +43,7 @@ struct UnitFromFolder {
   std::string token;
 };
 
-/// InputError naming the file and what is wrong with it.
+/// Throws InputError naming the file and what is wrong with it.
 UnitFromFolder read_unit(const std::filesystem::path& folder, const experiment::Language& language);
 
 }  // namespace latsch::exchange

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All a recording depends on is in the identity of its test: every key of every kind of test, every
-// file that is named and every number that was measured is changed in turn, and the identity has to
+// The identity of a test contains everything that a recording depends on: every key of every kind
+// of test, every named file and every measured number is changed in turn, and the identity has to
 // change with it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@
 namespace latsch::experiment {
 namespace {
 
-/// A rig that has recorded all it is asked for: every channel near a value that such a channel may
-/// have, times `scale`, in `samples` samples.
+/// Recordings of all measured conditions: every channel near a usual value times `scale`, in
+/// `samples` samples.
 Channels recorded(const std::vector<MeasuredCondition>& conditions, double scale, int samples) {
   static const std::map<std::string, double> usual = {{"m", 0.01},
                                                       {"N", 4000.0},
@@ -37,7 +37,7 @@ Channels recorded(const std::vector<MeasuredCondition>& conditions, double scale
   for (const MeasuredCondition& condition : conditions) {
     const std::string& name = condition.channel;
     const bool is_of_one_wheel = name.ends_with("_L") || name.ends_with("_R");
-    if (is_of_one_wheel && !condition.is_needed) continue;  // the rig has loaded one
+    if (is_of_one_wheel && !condition.is_needed) continue;  // the rig has loaded one wheel only
     std::vector<double> values;
     for (int i = 0; i < samples; ++i)
       values.push_back(condition.channel == "time" ? 0.01 * i * scale
@@ -63,7 +63,7 @@ class IdentityOfTests : public testing::Test {
               return recorded(conditions, scale, samples);
             }};
   }
-  /// Nothing where the reader refuses the keys.
+  /// Returns nothing if the reader refuses the keys.
   std::optional<std::string> identity(const std::string& keys,
                                       double scale = 1.0,
                                       int samples = 12) const {
@@ -74,7 +74,7 @@ class IdentityOfTests : public testing::Test {
       return std::nullopt;
     }
   }
-  /// The keys of a sample, each with what its reader says of it.
+  /// Returns the keys of a sample, each with its reader's declaration.
   std::map<std::string, DeclaredKey> declared(const std::string& keys) const {
     const Document document = Document::parse(keys, "test.toml");
     const DocumentRecord record(document.root());
@@ -85,7 +85,7 @@ class IdentityOfTests : public testing::Test {
   ScratchFolder folder_;
 };
 
-/// The kind a sample is of.
+/// Returns the kind of a sample.
 std::string kind_of(const TestSample& sample) {
   return Document::parse(sample.keys, "").root().text("kind");
 }
@@ -94,7 +94,7 @@ struct Line {
   std::string path, value;
 };
 
-/// A sample with every value on a line of its own.
+/// Returns a sample with every value on a line of its own.
 std::vector<Line> lines_of(const std::string& keys) {
   std::istringstream text(canonical_text(Document::parse(keys, "test.toml")));
   std::vector<Line> lines;
@@ -109,7 +109,7 @@ bool is_at_or_below(const std::string& path, const std::string& table) {
   return path == table || path.starts_with(table + ".");
 }
 
-/// The sample with another value at a path.
+/// Returns the sample with another value at a path.
 std::string with(const std::vector<Line>& lines,
                  const std::string& path,
                  const std::string& value) {
@@ -119,8 +119,8 @@ std::string with(const std::vector<Line>& lines,
   return text + path + " = " + value + "\n";
 }
 
-/// Other values for a key: each number of it a little and a lot away, other choices, the other
-/// flag.
+/// Returns other values for a key: each of its numbers changed a little and a lot, other choices,
+/// the other flag.
 std::vector<std::string> others(const std::string& value, const DeclaredKey& key) {
   std::vector<std::string> found;
   if (value == "true" || value == "false") return {value == "true" ? "false" : "true"};
@@ -169,7 +169,7 @@ TEST_F(IdentityOfTests, EveryKindHasSamplesThatStateEveryKey) {
 
 TEST_F(IdentityOfTests, EveryKeyCounts) {
   int changed = 0;
-  std::map<std::string, int> of_key;  // other values that were accepted
+  std::map<std::string, int> of_key;  // accepted other values of each key
   for (const TestSample& sample : test_samples()) {
     const auto lines = lines_of(sample.keys);
     const auto before = identity(sample.keys);
@@ -177,9 +177,9 @@ TEST_F(IdentityOfTests, EveryKeyCounts) {
     const auto keys = declared(sample.keys);
     for (const Line& line : lines) {
       const auto key = keys.find(line.path);
-      if (key == keys.end() || !key->second.files.empty()) continue;  // see below
+      if (key == keys.end() || !key->second.files.empty()) continue;  // another test varies it
       if (key->second.choices.size() == 1 || line.path == "kind") continue;
-      if (line.path.ends_with(".from")) continue;  // see below
+      if (line.path.ends_with(".from")) continue;  // another test varies it
       std::vector<std::string> candidates = others(line.value, key->second);
       if (sample.others.contains(line.path)) candidates = {sample.others.at(line.path)};
       int accepted = 0;
@@ -211,7 +211,7 @@ TEST_F(IdentityOfTests, EveryFileCountsByItsContent) {
               return one.name == named.filename().string();
             });
         ASSERT_NE(file, sample_files().end()) << named;
-        if (file->other.empty()) continue;  // it only refers to the next
+        if (file->other.empty()) continue;  // it only refers to the next file
         write_text_file(folder_ / file->name, file->other);
         const auto after = identity(sample.keys);
         ASSERT_TRUE(after) << file->name;
@@ -230,8 +230,8 @@ TEST_F(IdentityOfTests, EveryFileCountsByItsContent) {
                 "states.csv", "heights.csv", "surface.crg", "track.rdf", "track.toml"}));
 }
 
-// A condition that is taken from a measurement counts by its numbers: other numbers or another
-// count of them give another identity, another name of the measurement gives none.
+// A condition read from a measurement counts by its numbers: other numbers or another count of
+// numbers change the identity, another name of the measurement does not.
 TEST_F(IdentityOfTests, EveryMeasuredConditionCounts) {
   std::map<std::string, int> counted;
   for (const TestSample& sample : test_samples())
@@ -240,13 +240,14 @@ TEST_F(IdentityOfTests, EveryMeasuredConditionCounts) {
       const auto with_from = [&](const std::string& name) {
         return with(lines_of(sample.keys), path, "{from = \"measurement." + name + "\"}");
       };
-      // As long as what is stated beside it (two samples), or as a signal that is analyzed.
+      // This is the length of the conditions stated beside it (two samples), or of a signal that is
+      // analyzed.
       int samples = 12;
       for (const int other : {2, 300})
         if (!identity(with_from("rig"), 1.0, samples)) samples = other;
       const auto before = identity(with_from("rig"), 1.0, samples);
       counted[kind_of(sample) + ": " + path] += before.has_value();
-      if (!before) continue;  // not beside the other keys of this sample
+      if (!before) continue;  // not allowed beside the other keys of this sample
       EXPECT_EQ(identity(with_from("other"), 1.0, samples), before) << path;
       const auto scaled = identity(with_from("rig"), 1.01, samples),
                  longer = identity(with_from("rig"), 1.0, 18);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All kinds of specimens and tests there are: the one table that readers, errors, help and pages
-// take them from. It is handed to them as a value (apps/cli/run_cli.h).
+// The table of all kinds of specimens and tests, from which readers, errors, help and pages get
+// them. They receive it as a value (apps/cli/run_cli.h).
 #pragma once
 
 #include <filesystem>
@@ -15,31 +15,33 @@
 namespace latsch::experiment {
 
 struct Language {
-  std::vector<const SpecimenKind*> kinds;  // in the order in which people read of them
+  std::vector<const SpecimenKind*> kinds;  // in the order of the documentation
   std::vector<const TestKind*> tests;
 
   std::vector<std::string> kind_names() const;
   std::vector<std::string> test_names() const;
-  /// nullptr where none is called so.
+  /// Returns nullptr if no kind has that name.
   const SpecimenKind* find_kind(const std::string& name) const;
-  /// Of a model's file alone: the `kind` a TOML file states, else the first that recognizes it.
-  /// InputError.
+  /// Decides by a model's file alone: the `kind` that a TOML file states, else the first kind that
+  /// recognizes the file. Throws InputError.
   const SpecimenKind& kind_of_file(const std::filesystem::path& file) const;
-  /// The test that a file describes, which states its `kind`. InputError naming the place.
+  /// Reads the test that a file describes, which states its `kind`. Throws InputError naming the
+  /// place.
   std::unique_ptr<Test> read_test(const std::filesystem::path& file,
                                   const MeasuredConditions& measured = nullptr) const;
-  /// The same of its keys, wherever they stand.
+  /// Reads a test from its keys in any file.
   std::unique_ptr<Test> read_test(const Node& keys, const TestSource& source) const;
-  /// The same with its identity, for those who keep recordings.
+  /// Reads a test with its identity, for callers that keep recordings.
   ReadTest read_identified_test(const std::filesystem::path& file,
                                 const MeasuredConditions& measured = nullptr) const;
   ReadTest read_identified_test(const Node& keys, const TestSource& source) const;
-  /// Kinds of specimens that have one of these capabilities, as tests need: "ring_tire", ...
+  /// Returns the kinds of specimens that have at least one of these capabilities, as tests need
+  /// them: "ring_tire", ...
   std::vector<std::string> kinds_for(const std::vector<std::string>& needs) const;
-  /// Runs a test with the specimen these numbers make. Throws InputError where they make none or
-  /// the kind cannot do it.
+  /// Runs a test with the specimen that these numbers make. Throws InputError if they make none or
+  /// the kind cannot run the test.
   Result<Channels> run(const SpecimenKind& kind, const Document& numbers, const Test& test) const;
-  /// The same by Test::run_in_blocks().
+  /// Runs a test by Test::run_in_blocks().
   Result<std::vector<std::string>> run_in_blocks(
       const SpecimenKind& kind,
       const Document& numbers,
@@ -47,10 +49,10 @@ struct Language {
       const std::function<void(const Channels&)>& tell) const;
 };
 
-/// What latsch speaks as it is shipped; a program of one's own may speak another.
+/// The language of the shipped program; other programs may have another one.
 const Language& language();
 
-/// Whether specimens of this kind have one of these capabilities; whether they can do the test.
+/// True if specimens of this kind have one of these capabilities, or can run the test.
 bool can(const SpecimenKind& kind, const std::vector<std::string>& needs);
 bool can(const SpecimenKind& kind, const Test& test);
 

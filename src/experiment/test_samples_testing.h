@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: samples of every kind of test, which together state every key it has, with the files
-// they name. A kind without a sample, or a key in none, fails identity_of_tests_test.cpp.
+// For tests: samples of every kind of test, which together contain every key of the test, with the
+// files they name. A kind without a sample, or a key in no sample, fails
+// identity_of_tests_test.cpp.
 #pragma once
 
 #include <map>
@@ -10,11 +11,12 @@
 namespace latsch::experiment {
 
 struct TestSample {
-  std::string keys;                                // TOML, with its kind
-  std::map<std::string, std::string> others = {};  // path -> another text, where no choice says one
+  std::string keys;                                // TOML, including the kind
+  std::map<std::string, std::string> others = {};  // path -> another text, if the key has no
+                                                   // choices
 };
 
-/// Two files that differ in what they say.
+/// Two files with different content.
 struct SampleFile {
   std::string name, text, other;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Axis systems and signs of tire data, and the ways between them.
+// Axis systems and signs of tire data, and the conversions between them.
 //
 // Frames, all with the origin as named:
 //   W  contact point: z normal of the road, x along wheel plane and road, y in the road
@@ -7,7 +7,7 @@
 //   C  wheel center: y the spin axis, x as in W, z up in the wheel plane; does not spin
 // C is H turned about x by the camber γ.
 //
-// Signs of one and the same wheel, one column a convention:
+// Signs of the same wheel, one column for each convention:
 //
 //   |        | iso                   | adapted_sae          | sae (J670e)              |
 //   | x y z  | forward, left, up     | forward, right, down | forward, right, down     |
@@ -30,14 +30,14 @@
 //   | rack   | along y               | -iso                 | -iso                     |
 //
 // toe, camber and caster of a suspension, wheel travel, heights of road and posts, the speed of
-// rotation (positive rolling forward) and κ are defined without axes: they are the same in all. A
-// slope such as dy_by_Fy has the signs of both. meaning/channel_sense.h has every name and derives
-// the signs.
+// rotation (positive rolling forward) and κ are defined without axes: they are the same in all
+// conventions. A slope such as dy_by_Fy has the product of both signs. meaning/channel_sense.h has
+// every name and derives the signs.
 //
-// `iso` is ISO 8855, TYDEX and what Magic Formula tools call ISO; inside the program everything is
-// iso. Vy is the lateral velocity of the wheel in the axes of its column: with y to the right it
-// changes its sign, and where the definition does too, α does not [Pacejka 2012, appendix 1; SAE
-// J670e]. A file or its user tells the convention: signs cannot be guessed.
+// `iso` is ISO 8855, TYDEX and the convention that Magic Formula tools call ISO; inside the program
+// everything is iso. Vy is the lateral velocity of the wheel in the axes of its column: with y to
+// the right it changes its sign, and if the definition of α does too, α does not [Pacejka 2012,
+// appendix 1; SAE J670e]. A file or its user states the convention: signs cannot be guessed.
 #pragma once
 
 #include <Eigen/Core>
@@ -52,15 +52,15 @@ namespace latsch {
 enum class AxisConvention { iso, adapted_sae, sae };
 enum class AxisFrame { W, H, C };
 
-/// Names as users write them: "iso", "adapted_sae", "sae".
+/// Names for users: "iso", "adapted_sae", "sae".
 const std::vector<std::string>& axis_convention_names();
-/// Throws InputError for any other.
+/// Throws InputError for any other name.
 AxisConvention axis_convention_of(std::string_view name);
 
-/// Names as users write them: "W", "H", "C".
+/// Names for users: "W", "H", "C".
 const std::vector<std::string>& axis_frame_names();
 std::string name_of(AxisFrame frame);
-/// Of one of these names.
+/// Returns the frame with one of these names.
 AxisFrame axis_frame_of(std::string_view name);
 
 struct Wrench {
@@ -79,26 +79,29 @@ struct WheelSlip {
   bool operator==(const WheelSlip&) const = default;
 };
 
-/// From a convention to iso; each is its own inverse, so this also leads back.
+/// Converts from a convention to iso. Each conversion is its own inverse, so it also converts from
+/// iso.
 Wrench to_iso(const Wrench& wrench, AxisConvention from);
 WheelSlip to_iso(const WheelSlip& slip, AxisConvention from);
 
-/// In iso, between frames: `gamma` is the camber, `loaded_radius` the distance from the wheel
-/// center to the contact point, along the wheel plane. With A the turn about x by γ and r the way
-/// from the center to the contact point, in H,
+/// Converts between frames, in iso: `gamma` is the camber, `loaded_radius` the distance from the
+/// wheel center to the contact point along the wheel plane. With A the rotation about x by γ and r
+/// the vector from the center to the contact point, in H,
 ///   F_H = F_W            M_H = M_W + r x F_W        r = R_l (0, sin γ, -cos γ)
 ///   F_H = A F_C          M_H = A M_C
-/// as follows from where the frames stand [TYDEX 1.3, axis systems; ISO 8855].
+/// according to the definition of the frames [TYDEX 1.3, axis systems; ISO 8855].
 Wrench in_frame(
     const Wrench& wrench, AxisFrame from, AxisFrame to, double gamma, double loaded_radius);
 
-/// κ from the bounded slip λ = (v - ω r) / max(v, ω r), positive in braking, of some theses and
-/// simulators [Koek 2018, eq. 2-1]; only for import. -1 < λ <= 1, where 1 is the locked wheel.
+/// Returns κ from the bounded slip λ = (v - ω r) / max(v, ω r), positive in braking, which some
+/// theses and simulators use [Koek 2018, eq. 2-1]; only for import. -1 < λ <= 1, where 1 is the
+/// locked wheel.
 double kappa_of_bounded_slip(double lambda);
 double bounded_slip_of_kappa(double kappa);
 
-/// The channels of a test in iso, with their slopes. Every channel that the convention defines is
-/// turned, by whatever spelling (meaning/channel_words.h); a name that is not known stays as it is.
+/// Returns the channels of a test in iso, with their slopes. Every channel with a sign in the
+/// convention is converted, under any spelling (meaning/channel_words.h); a channel with an unknown
+/// name is unchanged.
 Channels to_iso(const Channels& channels, AxisConvention from);
 
 }  // namespace latsch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signs against one wheel described by its motion and by arrows in space.
+// Signs are checked against one wheel that is described by its motion and by arrows in space.
 #include "measurement/axes.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Forward, left and up are the axes of space here; a convention is its three axes in them.
+// Space has the axes forward, left and up here; the rows are the axes of the convention.
 Eigen::Matrix3d axes_of(AxisConvention convention) {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   if (convention != AxisConvention::iso) axes.diagonal() = Vector3d(1, -1, -1);
@@ -43,7 +43,7 @@ TEST(Axes, AngleOfAWheelThatDriftsToTheLeftFollowsFromItsDefinition) {
     const double sign = convention == AxisConvention::adapted_sae ? -1.0 : 1.0;
     const WheelSlip written{std::atan(sign * v.y() / std::abs(v.x())), 0.02, -0.1};
     EXPECT_EQ(to_iso(written, convention), (WheelSlip{iso, 0.02, -0.1}));
-    // The ground pushes back, to the right: the sign that the convention says goes with α > 0.
+    // The ground pushes back to the right, the sign that the convention couples with α > 0.
     const Vector3d push = axes_of(convention) * Vector3d(0, -1, 0);
     const bool positive_pair = (written.alpha > 0) == (push.y() > 0);
     EXPECT_EQ(positive_pair, convention == AxisConvention::adapted_sae);
@@ -52,7 +52,7 @@ TEST(Axes, AngleOfAWheelThatDriftsToTheLeftFollowsFromItsDefinition) {
 
 TEST(Axes, CamberIsARightHandedTurnAboutForwardInAll) {
   for (const AxisConvention convention : kAll) {
-    // The top of a wheel turned by γ > 0 about x, from the axes of the convention into space.
+    // Top of a wheel turned by γ > 0 about the x axis of the convention, in the axes of space.
     const Vector3d top =
         axes_of(convention).transpose() *
         (Eigen::AngleAxisd(0.1, Vector3d::UnitX()) * (axes_of(convention) * Vector3d(0, 0, 1)));
@@ -72,7 +72,7 @@ TEST(Axes, FramesHaveTheSameForceAndMomentsAboutTheirOrigins) {
               1e-12 * 4000);
   EXPECT_NEAR(in_H.moment.y(), -20 - radius * std::cos(gamma) * 100, 1e-12 * 4000);
   const Wrench in_C = in_frame(in_W, AxisFrame::W, AxisFrame::C, gamma, radius);
-  // y of C is the spin axis: it points up by γ on the left.
+  // The y axis of C is the spin axis: it points up by γ on the left.
   EXPECT_NEAR(in_C.force.y(), std::cos(gamma) * -2000 + std::sin(gamma) * 4000, 1e-12 * 4000);
   for (const AxisFrame to : {AxisFrame::W, AxisFrame::H, AxisFrame::C}) {
     const Wrench back =

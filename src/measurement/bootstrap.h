@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a result depends on which hits happened to be measured: the result again and again from
-// as many hits drawn with replacement [Efron 1979].
+// Bootstrap: measures how much a result depends on which hits happened to be measured, by computing
+// it repeatedly from as many hits drawn with replacement [Efron 1979].
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,9 @@
 
 namespace latsch {
 
-/// Standard deviation of every number of the result over `draws` draws; draw number i is the same
-/// for a seed whatever the others. Results of another length or not finite are left out.
+/// Returns the standard deviation of every number of the result over `draws` draws. Draw number i
+/// depends on the seed only, not on the other draws. Results of another length or with numbers that
+/// are not finite are left out.
 std::vector<double> bootstrap_deviation(
     int hits,
     int draws,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a rig records, real or virtual: named columns of numbers in SI units, and how they change
-// with what was varied, where a model knows that.
+// Recordings of a real or virtual rig: named columns of numbers in SI units, with their derivatives
+// by the varied parameters if a model knows them.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ struct Channel {
   std::string name;
   std::string unit;
   std::vector<double> values;
-  /// d value / d variable in SI, all values for the first variable, then for the next; empty: not
-  /// known. Which variables these are says who asked for them.
+  /// d value / d variable in SI: all values for the first variable, then for the next. Empty: not
+  /// known. The caller who requested the slopes knows which variables they refer to.
   std::vector<double> slopes = {};
 
   bool operator==(const Channel&) const = default;
@@ -26,13 +26,13 @@ class Channels {
  public:
   void add(Channel channel);
 
-  /// nullptr where no channel has that name.
+  /// Returns nullptr if no channel has that name.
   const Channel* find(std::string_view name) const;
-  /// Throws std::out_of_range naming the channels there are.
+  /// Throws std::out_of_range naming the existing channels.
   const std::vector<double>& operator[](std::string_view name) const;
 
   const std::vector<Channel>& all() const { return channels_; }
-  /// Of one of them at least.
+  /// True if at least one channel has slopes.
   bool has_slopes() const;
   bool empty() const { return channels_.empty(); }
 

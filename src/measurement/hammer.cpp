@@ -18,7 +18,8 @@ int samples_of(double seconds, double rate) {
   return static_cast<int>(std::lround(seconds * rate));
 }
 
-/// The window without the level in front of the hit, where there is no response yet.
+/// Spectrum of the window after subtracting the level in front of the hit, where there is no
+/// response yet.
 numerics::Spectrum spectrum(std::span<const double> x, int first, int length, int before) {
   std::vector<double> window(x.begin() + first, x.begin() + first + length);
   const double level =
@@ -39,7 +40,7 @@ std::vector<int> find_hits(std::span<const double> hammer,
   for (const double value : hammer) hardest = std::max(hardest, std::abs(value - level));
   if (hardest == 0.0) throw InputError("the hammer's channel is constant: no hit is in it");
   const int before = samples_of(settings.before, rate), length = samples_of(settings.window, rate);
-  const int contact = std::max(1, before);  // samples after which a value over the threshold is
+  const int contact = std::max(1, before);  // samples after which a value above the threshold is
                                             // another hit
   std::vector<int> all;
   for (int i = 0, last = -length; i < static_cast<int>(hammer.size()); ++i) {

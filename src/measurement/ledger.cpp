@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kDigits = 6;
 
-/// "2 not used (`NFX`, `TSTC`)"
+/// Returns a count with names: "2 not used (`NFX`, `TSTC`)".
 std::string counted(const Ledger& ledger, LedgerState state, const char* words) {
   constexpr std::size_t kMostNames = 8;
   std::vector<std::string> names;

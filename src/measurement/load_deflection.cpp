@@ -12,7 +12,7 @@ std::string name(Abscissa abscissa) {
   return abscissa == Abscissa::deflection ? "deflection" : "loaded_radius";
 }
 
-/// Empty where the value is finite and positive (or zero, where that is allowed).
+/// Returns "" if the value is finite and positive (or zero, if `zero_allowed`), else the fault.
 std::string fault_of(const std::string& what, double value, const char* unit, bool zero_allowed) {
   if (std::isfinite(value) && (value > 0.0 || (zero_allowed && value == 0.0))) return "";
   return what + " is " + format_number(value) + " " + unit + ", expected " +

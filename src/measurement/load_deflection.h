@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A measured load-deflection curve: vertical force over how far the wheel center was lowered, or
-// over its height above the ground. The pressure and the ground belong to the load case, not to the
+// A measured load-deflection curve: vertical force over the lowering of the wheel center, or over
+// its height above the ground. The pressure and the ground belong to the load case, not to the
 // curve.
 #pragma once
 
@@ -12,7 +12,7 @@
 namespace latsch {
 
 enum class Abscissa {
-  deflection,     // from first touch
+  deflection,     // 0 at first touch
   loaded_radius,  // wheel center to ground
 };
 
@@ -25,9 +25,9 @@ struct LoadDeflectionCurve {
   bool operator==(const LoadDeflectionCurve&) const = default;
 };
 
-/// The first fault: no point, columns of unequal length, numbers that are not finite, positions or
-/// forces that are not positive (errors are relative to the force), a negative spread, positions
-/// that do not all rise or all fall.
+/// Returns the first fault: no point, columns of unequal length, numbers that are not finite,
+/// positions or forces that are not positive (errors are relative to the force), a negative spread,
+/// or positions that neither all rise nor all fall.
 std::optional<MeasurementFault> find_fault(const LoadDeflectionCurve& curve);
 
 }  // namespace latsch

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What makes a measurement useless, and at which of its points: the reader of a file adds the line.
+// Says why a measurement is useless and at which of its points; the reader of a file adds the line.
 #pragma once
 
 #include <string>

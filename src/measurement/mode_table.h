@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measured vibration modes: frequencies with what the laboratory knows about them.
+// Measured vibration modes: frequencies and what else the laboratory knows about them.
 #pragma once
 
 #include <array>
@@ -16,7 +16,8 @@ struct MeasuredMode {
   std::optional<int> n;    // circumferential number: waves around the tire
   std::string type;        // "torsional", "lateral", "radial"; empty: not known
   char phase = ' ';        // 's' or 'a': symmetric or antisymmetric to the contact; ' ': not known
-  /// x y z of sensor point 0, x y z of point 1 ..., any scale; empty: no shape was measured.
+  /// Displacements x y z of sensor point 0, x y z of point 1 ..., in any scale. Empty: no shape was
+  /// measured.
   std::vector<double> shape;
 
   bool operator==(const MeasuredMode&) const = default;
@@ -29,8 +30,8 @@ struct ModeTable {
   bool operator==(const ModeTable&) const = default;
 };
 
-/// The first fault: no mode, a frequency that is not positive, a negative n, an unknown phase,
-/// shapes that do not fit the sensor points, are not finite or zero everywhere.
+/// Returns the first fault: no mode, a frequency that is not positive, a negative n, an unknown
+/// phase, or shapes that do not fit the sensor points, are not finite or are zero everywhere.
 std::optional<MeasurementFault> find_fault(const ModeTable& table);
 
 }  // namespace latsch

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A signal over the angle of the drum instead of over time: what turns with the drum then has the
-// same order (events a revolution) however the speed drifts.
+// Resamples a signal over the angle of the drum instead of time: events that turn with the drum
+// then have a constant order (events per revolution) even if the speed drifts.
 //
-//   revolutions(t) = 1/U integral v dt,  U the circumference; read at equal steps of it
+//   revolutions(t) = 1/U integral v dt,  U the circumference; sampled at equal steps of revolution
 #pragma once
 
 #include <span>
@@ -12,14 +12,16 @@
 
 namespace latsch {
 
-/// `per_revolution` samples each. The speed (m/s, low-passed) has as many samples as x; positive.
+/// Returns `per_revolution` samples for each revolution. The speed (m/s, low-passed, positive) has
+/// as many samples as x.
 std::vector<double> over_revolutions(std::span<const double> x,
                                      std::span<const double> speed,
                                      double rate,
                                      double circumference,
                                      int per_revolution);
 
-/// Density over the order, unit^2 per order, over `revolutions` a segment (Hann).
+/// Density over the order, unit^2 per order, from Hann-windowed segments of `revolutions`
+/// revolutions.
 numerics::Density order_density(std::span<const double> over_revolutions,
                                 int per_revolution,
                                 int revolutions);

@@ -14,8 +14,10 @@
 namespace latsch {
 namespace {
 
-constexpr double kLeastStrength = 0.25;  // of a period's peak; noise alone has 4 / sqrt(samples)
-constexpr double kComb = 0.8;  // of the highest peak: what all peaks of the comb before it reach
+constexpr double kLeastStrength = 0.25;  // least autocorrelation of a period's peak; noise alone
+                                         // reaches 4 / sqrt(samples)
+constexpr double kComb = 0.8;  // share of the highest peak that all earlier peaks of the comb must
+                               // reach
 
 double mean(std::span<const double> x) {
   return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
@@ -27,7 +29,7 @@ std::vector<double> without_mean(std::vector<double> x) {
   return x;
 }
 
-/// R per overlapping sample over R(0).
+/// Autocorrelation R per overlapping sample over R(0).
 std::vector<double> strengths(const std::vector<double>& x, int lags) {
   std::vector<double> r = numerics::autocorrelation(x, lags);
   const double n = static_cast<double>(x.size()), whole = r[0] / n;
@@ -35,7 +37,7 @@ std::vector<double> strengths(const std::vector<double>& x, int lags) {
   return r;
 }
 
-/// The highest value within a hundredth of a lag (and two samples).
+/// Returns the highest value within a hundredth of the lag (and two samples).
 double peak_near(const std::vector<double>& r, double lag) {
   const int reach = 2 + static_cast<int>(lag / 100.0);
   const int lower = std::max(0, static_cast<int>(lag) - reach);
@@ -43,8 +45,8 @@ double peak_near(const std::vector<double>& r, double lag) {
   return *std::max_element(r.begin() + lower, r.begin() + upper + 1);
 }
 
-/// The greatest number of equal parts of a lag whose ends are all high: a ringing resonance is high
-/// behind one of its periods too, but not behind all of them.
+/// Returns the greatest number of equal parts of a lag whose ends are all high: the autocorrelation
+/// of a ringing resonance is high after one of its own periods too, but not after all of them.
 int parts_of(const std::vector<double>& r, int lag, double shortest) {
   const int most = static_cast<int>(lag / shortest);
   for (int parts = most; parts >= 2; --parts) {
@@ -57,7 +59,7 @@ int parts_of(const std::vector<double>& r, int lag, double shortest) {
   return 1;
 }
 
-/// The place in the folded signal where it is farthest from its mean.
+/// Returns the position in the folded signal that is farthest from the signal's mean.
 int place_of_hit(std::span<const double> x, double period) {
   const int length = static_cast<int>(period);
   std::vector<double> folded(length, 0.0);
@@ -71,8 +73,8 @@ int place_of_hit(std::span<const double> x, double period) {
   return static_cast<int>(hit - folded.begin());
 }
 
-/// Moves a start to where the passage is most like the reference. A second look from there frees
-/// the result of what the first window cut off at its ends.
+/// Moves a start to the position at which the passage is most like the reference. A second
+/// alignment from that position includes what the first window cut off at its ends.
 numerics::Delay align(std::span<const double> x,
                       const std::vector<double>& reference,
                       double& start,
@@ -89,12 +91,12 @@ numerics::Delay align(std::span<const double> x,
   return delay;
 }
 
-/// The signal below the frequency set; as it is where that is no limit.
+/// Returns the signal below `align_below`; the signal itself if that frequency is no limit.
 std::vector<double> what_is_aligned(std::span<const double> x,
                                     double rate,
                                     const PassageSettings& settings) {
   constexpr int kOrder = 4;
-  constexpr double kNoLimit = 0.45;  // of the rate
+  constexpr double kNoLimit = 0.45;  // share of the sampling rate
   if (settings.align_below > 0.0 && settings.align_below < kNoLimit * rate) {
     const auto sections = numerics::sections_of(
         numerics::butterworth(kOrder, numerics::Band::low_pass, {settings.align_below}, rate));
@@ -105,7 +107,7 @@ std::vector<double> what_is_aligned(std::span<const double> x,
   return {x.begin(), x.end()};
 }
 
-/// One round over all passages of x; `first` is where the first one begins.
+/// Aligns all passages of x once; `first` is the start of the first passage.
 Passages aligned(std::span<const double> x,
                  const std::vector<double>& reference,
                  double first,

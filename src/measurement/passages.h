@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The passages of a cleat on a plateau: their period, where each begins, their average.
+// The passages of a cleat on a plateau: their period, their starts, their average.
 //
 //   R(tau) = integral x(t) x(t + tau) dt      its first peak is the period          [thesis K, 2.2]
 //
-// Each passage is cut a period after the one before, and moved to where its cross-correlation with
-// the first passage is greatest; to a fraction of a sample, and read there by band-limited
-// interpolation. Whole samples leave a jitter of up to half a sample, which smooths the average
-// like a low-pass: 1 - (pi f / rate)^2 / 6 in amplitude.
+// Each passage is cut one period after the one before, moved to the maximum of its
+// cross-correlation with the first passage to a fraction of a sample, and evaluated there by
+// band-limited interpolation. Whole samples would leave a jitter of up to half a sample, which
+// smooths the average like a low-pass: 1 - (pi f / rate)^2 / 6 in amplitude.
 //
-// A passage is as long as the period (whole samples) and has the hit at a set share of it. What a
-// drum does between hits is quiet, so a passage's ends join and it can be taken as periodic.
+// A passage is as long as the period (in whole samples) and has the hit at a set share of its
+// length. The drum is quiet between hits, so the ends of a passage join and it can be regarded as
+// periodic.
 #pragma once
 
 #include <optional>
@@ -20,40 +21,46 @@ namespace latsch {
 
 struct Period {
   double samples = 0.0;
-  double strength = 0.0;  // R there, per overlapping sample, over R(0): 1 for a periodic signal
+  double strength = 0.0;  // R at the period, per overlapping sample, over R(0): 1 for a periodic
+                          // signal
 };
 
-/// The period of x between `shortest` and `longest` samples; of several peaks of a comb the first.
-/// Nothing where no peak reaches a strength of 0.25: x does not repeat itself.
+/// Returns the period of x between `shortest` and `longest` samples, the first of several peaks of
+/// a comb. Returns nothing if no peak reaches a strength of 0.25, because x then does not repeat
+/// itself.
 std::optional<Period> find_period(std::span<const double> x, double shortest, double longest);
 
 struct PassageSettings {
-  double hit_at = 0.25;           // of a passage
-  double align_below = 250.0;     // Hz, low-pass (no delay) of what is aligned: above the tire's
-                                  // answer noise times noise would move the maximum; 0: none
-  double most_shift = 0.1;        // of a period, against a period after the one before
-  double least_likeness = 0.5;    // normalized cross-correlation; below it a passage is left out
-  bool align_to_average = false;  // once more, to the average of the passages aligned to the first
-  bool whole_samples = false;     // as the thesis did, for comparison
+  double hit_at = 0.25;           // share of a passage
+  double align_below = 250.0;     // Hz; passages are low-passed (without delay) for the alignment
+                                  // only. Above the tire's own response, noise correlated with
+                                  // noise would move the maximum. 0: no low-pass
+  double most_shift = 0.1;        // share of a period, relative to one period after the passage
+                                  // before
+  double least_likeness = 0.5;    // least normalized cross-correlation; passages below it are left
+                                  // out
+  bool align_to_average = false;  // true: aligns again, to the average of the passages aligned to
+                                  // the first
+  bool whole_samples = false;     // true: aligns to whole samples as the thesis did, for comparison
 };
 
 struct Passages {
   double period = 0.0;           // samples
   int length = 0;                // samples of a passage
-  std::vector<double> starts;    // samples from the beginning of the signal they were found in
-  std::vector<double> likeness;  // to the reference, one each
+  std::vector<double> starts;    // samples from the beginning of the signal that was searched
+  std::vector<double> likeness;  // likeness of each passage to the reference
   int left_out = 0;
 };
 
-/// Empty where not even two passages are alike.
+/// Returns no passages if not even two are alike.
 Passages find_passages(std::span<const double> x,
                        double rate,
                        double period,
                        const PassageSettings& settings);
 
-/// The samples of one passage of any channel recorded with x.
+/// Returns the samples of one passage in any channel recorded with x.
 std::vector<double> passage_values(std::span<const double> x, double start, int length);
-/// Passages in rows.
+/// Returns one passage in each row.
 std::vector<std::vector<double>> cut(std::span<const double> x, const Passages& passages);
 
 struct PassageAverage {
@@ -61,9 +68,8 @@ struct PassageAverage {
   std::vector<double> spread;  // standard deviation over the passages
 };
 
-/// The part of the power that every passage repeats,
-/// |mean of the spectra|^2 / mean |spectrum|^2 of the passages without their means; 1/passages for
-/// noise alone.
+/// Share of the power that every passage repeats, |mean of the spectra|^2 / mean |spectrum|^2 of
+/// the passages without their means; 1/passages for noise alone.
 struct Coherence {
   std::vector<double> frequency;  // Hz
   std::vector<double> value;
@@ -71,7 +77,7 @@ struct Coherence {
 Coherence ensemble_coherence(const std::vector<std::vector<double>>& passages, double rate);
 
 PassageAverage average(const std::vector<std::vector<double>>& passages);
-/// The mean alone, of the passages chosen (any may come more than once).
+/// Returns only the mean of the chosen passages, which may be repeated.
 std::vector<double> mean_of(const std::vector<std::vector<double>>& passages,
                             const std::vector<int>& chosen);
 

@@ -49,8 +49,8 @@ void expect_says(const std::string& message, const std::string& part) {
   EXPECT_NE(message.find(part), std::string::npos) << message;
 }
 
-/// Where the passages begin against the hits next to them, samples: the same for all, but for its
-/// scatter.
+/// Starts of the passages relative to the nearest hits, in samples: equal for all passages except
+/// for scatter.
 std::vector<double> offsets(const Plateau& plateau, const Passages& passages) {
   const auto hits = synthetic_hits(rig(), run());
   std::vector<double> offsets;
@@ -73,8 +73,8 @@ TEST(Plateaus, AreWhereTheRigHeldItsSpeed) {
   const DrumRecord r = record();
   const auto plateaus = find_plateaus(r, "speed", {40 * kKph, 70 * kKph}, {});
   ASSERT_EQ(plateaus.size(), 2u);
-  // Ramps of 4 s around 15 s of speed: 4 .. 19 s and 23 .. 38 s, a second trimmed at each end. A
-  // ramp's end lies within the margin too.
+  // Ramps of 4 s lead to 15 s of constant speed: 4 .. 19 s and 23 .. 38 s, of which a second is
+  // trimmed at each end. The end of a ramp lies within the margin too.
   EXPECT_NEAR(r.time(plateaus[0].first), 5.0, 0.5);
   EXPECT_NEAR(r.time(plateaus[0].end), 18.0, 0.5);
   EXPECT_NEAR(r.time(plateaus[1].first), 24.0, 0.5);
@@ -99,7 +99,7 @@ TEST(Period, IsTheDrumsAndNotAResonances) {
   const auto plateau = find_plateaus(r, "speed", {40 * kKph}, {})[0];
   const auto Fz = r.channel("Fz").subspan(plateau.first, plateau.samples());
   const double exact = rig().circumference / plateau.mean * rig().rate;  // 1080 samples
-  // Without knowing the drum: resonances peak at 14 to 44 samples, and the comb has many peaks.
+  // The drum is not known here: resonances peak at 14 to 44 samples, and the comb has many peaks.
   const auto period = find_period(Fz, 10.0, Fz.size() / 2.0);
   ASSERT_TRUE(period);
   EXPECT_NEAR(period->samples, exact, 5e-4 * exact);  // the drift is 2e-3 over the plateau
@@ -114,9 +114,9 @@ TEST(Period, OfNoiseIsNone) {
   EXPECT_FALSE(find_period(std::vector<double>(1000, 3.0), 10.0, 400.0));
 }
 
-// The speed drifts and a period is no whole number of samples. Against the known hits the starts
-// scatter by what the noise leaves undetermined: sigma_t = noise / |dF/dt| over a passage, a few
-// hundredths of a sample here; whole samples scatter by 1/sqrt(12) = 0.29 and more.
+// The speed drifts and a period is no whole number of samples. Relative to the known hits the
+// starts scatter by what the noise leaves undetermined: sigma_t = noise / |dF/dt| over a passage, a
+// few hundredths of a sample here; whole samples scatter by 1/sqrt(12) = 0.29 and more.
 TEST(Passages, StartWithTheHitsToAFractionOfASample) {
   for (const double noise : {0.0, 15.0}) {
     const DrumRecord r = record(noise);
@@ -151,10 +151,10 @@ TEST(Passages, AverageDownTheNoiseWithTheRootOfTheirNumber) {
   }
   const auto count = static_cast<double>(passages.starts.size());
   const auto length = static_cast<double>(with.mean.size());
-  // Interpolation passes the noise below half the rate: nearly all of it.
+  // Interpolation passes nearly all of the noise, that below half the rate.
   EXPECT_NEAR(std::sqrt(sum / length), 40.0 / std::sqrt(count), 0.1 * 40.0 / std::sqrt(count));
   EXPECT_NEAR(std::sqrt(spread / length), 40.0, 3.0);
-  // Coherence: 1 where the tire answers, 1/count where there is noise alone.
+  // The coherence is 1 where the tire responds, 1/count where there is noise alone.
   const auto coherence = ensemble_coherence(
       cut(noisy.channel("Fz").subspan(plateau.first, plateau.samples()), passages), 2000.0);
   double floor = 0.0, lines = 0.0;

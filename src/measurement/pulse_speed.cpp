@@ -11,11 +11,11 @@
 namespace latsch {
 namespace {
 
-constexpr double kHysteresis = 0.25;  // of the signal's range
+constexpr double kHysteresis = 0.25;  // share of the signal's range
 constexpr std::size_t kFewestPulses = 3;
-constexpr double kFewestSamples = 4.0;  // from a pulse to the next: fewer may hide one
+constexpr double kFewestSamples = 4.0;  // least number between two pulses: fewer may hide a pulse
 
-/// In pitches, 0 at the first pulse.
+/// Distance traveled by the surface in pitches, 0 at the first pulse.
 class WayOfPulses {
  public:
   WayOfPulses(const std::vector<double>& pulses, double last_sample)
@@ -34,7 +34,7 @@ class WayOfPulses {
 
  private:
   const std::vector<double>& pulses_;
-  double before_, after_;  // samples a pitch takes there
+  double before_, after_;  // samples for a pitch before the first and after the last pulse
 };
 
 }  // namespace

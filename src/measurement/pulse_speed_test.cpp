@@ -18,13 +18,14 @@ constexpr double kMean = 12.0, kSway = 1.5, kFrequency = 0.8;  // m/s, m/s, Hz
 double speed_at(double t) {
   return kMean + kSway * std::sin(2.0 * std::numbers::pi * kFrequency * t);
 }
-/// Its integral.
+/// Integral of the speed, m.
 double way_at(double t) {
   const double w = 2.0 * std::numbers::pi * kFrequency;
   return kMean * t + kSway * (1.0 - std::cos(w * t)) / w;
 }
 
-/// A sensor over teeth: a smooth wave, one period a pitch, with noise of that deviation.
+/// Signal of a sensor over teeth: a smooth wave, one period per pitch, with noise of that
+/// deviation.
 std::vector<double> wave(double noise, double seconds = 5.0) {
   RandomStream chance(7, 0);
   std::vector<double> signal;
@@ -34,7 +35,7 @@ std::vector<double> wave(double noise, double seconds = 5.0) {
   return signal;
 }
 
-/// Of the way over every 0.2 s, over that time.
+/// Worst relative error of the mean speed over every 0.2 s.
 double worst_mean(const std::vector<double>& speed) {
   constexpr int kWindow = static_cast<int>(0.2 * kRate);
   double worst = 0.0;
@@ -47,8 +48,8 @@ double worst_mean(const std::vector<double>& speed) {
   return worst;
 }
 
-// Between pulses the way is off by v' T^2 / 8, T = 8 ms, v' = 7.5 m/s^2: 6e-5 m, at both ends of a
-// window of 0.2 s.
+// Between pulses the distance is wrong by v' T^2 / 8, T = 8 ms, v' = 7.5 m/s^2: 6e-5 m, at both
+// ends of a window of 0.2 s.
 TEST(PulseSpeed, IsTheSpeedOfTheTeeth) {
   const auto speed = speed_of_pulses(wave(0.0), kRate, kPitch, "tooth", "run.csv");
   EXPECT_LT(worst_mean(speed), 2.0 * 6.2e-5 / 0.2);
@@ -56,7 +57,8 @@ TEST(PulseSpeed, IsTheSpeedOfTheTeeth) {
     EXPECT_NEAR(speed[i], speed_at(static_cast<double>(i) / kRate), 0.5 * 7.6 * 0.0096);
 }
 
-// Five samples an interval: the scatter of the instants, a tenth of it, does not bias the mean.
+// With five samples per interval the scatter of the instants, a tenth of the interval, does not
+// bias the mean.
 TEST(PulseSpeed, CoarseSamplesDoNotBiasIt) {
   constexpr double kSpeed = 22.0, kFine = 0.06, kCoarse = 1900.0;
   std::vector<double> signal;
@@ -69,7 +71,8 @@ TEST(PulseSpeed, CoarseSamplesDoNotBiasIt) {
   EXPECT_NEAR(mean, kSpeed, 1e-4 * kSpeed);
 }
 
-// An instant is off by sigma / slope: a way by so much at both ends of a window.
+// An instant is wrong by sigma / slope, so the distance has the corresponding error at both ends of
+// a window.
 TEST(PulseSpeed, NoiseOnAFlankIsNoPulse) {
   const auto noisy = wave(0.05);
   EXPECT_EQ(pulses_of(noisy).size(), pulses_of(wave(0.0)).size());

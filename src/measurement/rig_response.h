@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a rig's own resonance does to a force, one mode and a direct part:
+// Effect of a rig's own resonance on a force, by one mode and a direct part:
 //
 //   TF(s) = A / (s^2 + 2 f zeta s + f^2) + c                                               (3-3)
 //   [thesis K, 3.1]; f in rad/s, gain A/f^2 + c at rest
 //
-// The inverse is of the same form, since 1/TF = (1/c) (1 - (A/c) / (s^2 + 2 f zeta s + f^2 + A/c)):
+// The inverse has the same form, since 1/TF = (1/c) (1 - (A/c) / (s^2 + 2 f zeta s + f^2 + A/c)):
 //
 //   A' = -A/c^2,  f'^2 = f^2 + A/c,  f' zeta' = f zeta,  c' = 1/c
 //
-// so a filter from the dummy rim to the real one is an (3-3) as well and can be fitted directly.
-// It exists while c is not 0 and is stable while f'^2 > 0. With c -> 0 the inverse has no upper
-// limit and needs a low-pass behind it:
+// so a filter from the dummy rim to the real one has the form (3-3) as well and can be fitted
+// directly. The inverse exists if c is not 0 and is stable if f'^2 > 0. For c -> 0 the gain of the
+// inverse is unbounded at high frequency, and the inverse needs a low-pass behind it:
 //
 //   1/TF(s) * g^2 / (s^2 + sqrt2 g s + g^2)
 #pragma once
@@ -40,15 +40,16 @@ struct RigResponse {
   bool stable() const { return f > 0.0 && zeta > 0.0; }
 };
 
-/// Nothing where c is 0 or f^2 + A/c is not positive.
+/// Returns nothing if c is 0 or f^2 + A/c is not positive.
 std::optional<RigResponse> inverse(const RigResponse& response);
 
-/// The causal filter, exact at 0 and at f (bilinear transform, see numerics/signals/bilinear.h). A
-/// Failure where the response is not stable or f is above half the rate.
+/// Returns the causal filter, exact at 0 and at f (bilinear transform, see
+/// numerics/signals/bilinear.h). Returns a Failure if the response is not stable or f is above half
+/// the rate.
 Result<numerics::RationalFilter> filter_of(const RigResponse& response, double rate);
 
-/// The causal filter of 1/TF, with a low-pass of second order at `low_pass` Hz behind it; without
-/// one where c is not 0. A Failure in words where the inverse is not stable.
+/// Returns the causal filter of 1/TF, followed by a low-pass of second order at `low_pass` Hz,
+/// which may be missing only if c is not 0. Returns a Failure if the inverse is not stable.
 Result<numerics::RationalFilter> inverse_filter(const RigResponse& response,
                                                 double rate,
                                                 std::optional<double> low_pass = std::nullopt);

@@ -20,7 +20,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr int kFewestLines = 8;
 
-/// One frequency of the fit: what is compared, and in which unit.
+/// One frequency of the fit: the compared values and their unit.
 struct Line {
   double omega;
   Complex H;
@@ -28,7 +28,7 @@ struct Line {
 };
 
 std::vector<Line> lines_of(const MeasuredResponse& m, FrequencyBand band) {
-  constexpr double kNearlyOne = 0.9999;  // the coherence of one hit is 1 whatever its noise
+  constexpr double kNearlyOne = 0.9999;  // the coherence of a single hit is 1 for any noise
   constexpr double kNearlyNone = 0.05;
   std::vector<Line> lines;
   for (std::size_t k = 0; k < m.frequency.size(); ++k) {
@@ -49,7 +49,7 @@ std::vector<Line> lines_of(const MeasuredResponse& m, FrequencyBand band) {
   return lines;
 }
 
-/// Unknowns of the order of 1: log of f over the first guess, zeta, A/f^2, c.
+/// Unknowns of order 1: log of f over the first guess, zeta, A/f^2, c.
 RigResponse response_of(const Eigen::VectorXd& x, double f0) {
   return RigResponse::of(x[2], f0 * std::exp(x[0]), x[1], x[3]);
 }
@@ -64,7 +64,7 @@ Eigen::VectorXd residuals_of(const std::vector<Line>& lines, const RigResponse& 
   return residuals;
 }
 
-/// A/f^2 and c of the least squares for given f and zeta.
+/// Least-squares A/f^2 and c for given f and zeta.
 RigResponse best_gains(const std::vector<Line>& lines, double f, double zeta) {
   const RigResponse one = RigResponse::of(1.0, f, zeta, 0.0);
   Eigen::MatrixX2d basis(2 * lines.size(), 2);
@@ -81,7 +81,7 @@ RigResponse best_gains(const std::vector<Line>& lines, double f, double zeta) {
   return RigResponse::of(gains[0], f, zeta, gains[1]);
 }
 
-/// The best of a grid over the band.
+/// Returns the best point of a grid over the band.
 RigResponse first_guess(const std::vector<Line>& lines) {
   constexpr int kFrequencies = 80;
   RigResponse best;
@@ -116,8 +116,8 @@ struct LinePair {
   Complex dummy, real;
 };
 
-/// Lines within the band, scaled so that the sum of their squared magnitudes is the mean square of
-/// the passage.
+/// Returns the lines within the band, scaled so that the sum of their squared magnitudes is the
+/// mean square of the passage.
 std::vector<LinePair> lines_of(const RimPair& pair, double rate, FrequencyBand band) {
   assert(pair.dummy.size() == pair.real.size());
   const int length = static_cast<int>(pair.dummy.size());
@@ -132,7 +132,8 @@ std::vector<LinePair> lines_of(const RimPair& pair, double rate, FrequencyBand b
   return lines;
 }
 
-/// Where real lies behind dummy, filtered by the start: the Newton of the fit begins near it.
+/// Delay of the real behind the dummy passage, filtered by the start: the fit's Newton iteration
+/// starts near the solution.
 double first_delay(const RimPair& pair, double rate, const RigResponse& start) {
   const int length = static_cast<int>(pair.dummy.size());
   auto D = numerics::real_fft(pair.dummy, length);
@@ -177,7 +178,7 @@ FittedResponse fit_to_rims(const std::vector<RimPair>& pairs,
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     cases.push_back(lines_of(pairs[i], rate, band));
     count += 2 * static_cast<Eigen::Index>(cases.back().size());
-    x[4 + i] = first_delay(pairs[i], rate, start) * start.f;  // as an angle: of the order of 1
+    x[4 + i] = first_delay(pairs[i], rate, start) * start.f;  // an angle, which is of order 1
   }
   if (count < x.size()) throw InputError("the band of the fit holds too few lines of the passages");
   const auto residuals = [&](const Eigen::VectorXd& x) {

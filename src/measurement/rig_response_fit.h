@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The four numbers of (3-3) from measurements: first from the frequency response of a hammer test,
-// then so that the filtered dummy-rim passages match the real-rim ones [thesis K, 3.1].
+// Fits the four numbers of (3-3) to measurements: first to the frequency response of a hammer test,
+// then so that the filtered dummy-rim passages match the real-rim passages [thesis K, 3.1].
 //
 // The first fit weights each frequency by the variance of H1, (1 - gamma^2) / (2 n gamma^2) |H|^2
-// over n hits [Bendat & Piersol, Random Data, 9.2]. Its start needs no hand: for a grid of f and
+// over n hits [Bendat & Piersol, Random Data, 9.2]. Its start is automatic: for a grid of f and
 // zeta the best A and c follow linearly.
 //
-// The second takes both average passages as periodic and compares their Fourier lines in a band,
-// which is the sum of squares of the time series (Parseval). The two runs have no common clock: a
-// delay between them is a fifth unknown. A constant offset does not count.
+// The second fit regards both average passages as periodic and compares their Fourier lines in a
+// band, which is the sum of squares of the time series (Parseval). The two runs have no common
+// clock: a delay between them is a fifth unknown. A constant offset does not count.
 #pragma once
 
 #include <optional>
@@ -26,14 +26,14 @@ struct FrequencyBand {
 
 struct FittedResponse {
   RigResponse response;
-  /// Standard deviations of A/f^2, f (rad/s), zeta, c by the linear theory.
+  /// Standard deviations of A/f^2, f (rad/s), zeta, c by linear theory.
   double sigma_gain = 0.0, sigma_f = 0.0, sigma_zeta = 0.0, sigma_c = 0.0;
-  double delay = 0.0;     // s, of the real run behind the dummy run; second fit
+  double delay = 0.0;     // s, of the real run behind the dummy run; second fit only
   double residual = 0.0;  // root mean square over the lines, of |H| or of the signal (its unit)
   bool converged = false;
 };
 
-/// `H` at frequency[k] with coherence[k], from so many hits.
+/// Response `H` at frequency[k] with coherence[k], from `hits` hits.
 struct MeasuredResponse {
   std::vector<double> frequency;  // Hz
   std::vector<std::complex<double>> H;
@@ -41,17 +41,17 @@ struct MeasuredResponse {
   int hits = 1;
 };
 
-/// Throws InputError where the band holds fewer than 8 frequencies.
+/// Throws InputError if the band holds fewer than 8 frequencies.
 FittedResponse fit_to_response(const MeasuredResponse& measured,
                                FrequencyBand band,
                                std::optional<RigResponse> start = std::nullopt);
 
-/// One load case: averages of the dummy-rim and of the real-rim passages, of equal length.
+/// One load case: averages of the dummy-rim and real-rim passages, of equal length.
 struct RimPair {
   std::vector<double> dummy, real;
 };
 
-/// The filter dummy -> real over all pairs together.
+/// Fits one filter dummy -> real to all pairs together.
 FittedResponse fit_to_rims(const std::vector<RimPair>& pairs,
                            double rate,
                            FrequencyBand band,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rig's response (3-3): its inverse in closed form, its filters, and its four numbers found
-// again from tests whose truth is known.
+// Tests of the rig's response (3-3): its inverse in closed form, its filters, and its four numbers
+// identified from tests whose truth is known.
 #include "measurement/rig_response.h"
 
 #include <gtest/gtest.h>
@@ -54,8 +54,8 @@ TEST(RigResponse, ItsFilterAnswersExactlyAtRestAndAtTheResonance) {
   EXPECT_FALSE(filter_of(RigResponse::of(1.0, 9000.0, 0.1, 1.0), 2000.0).ok());
 }
 
-// The inverse with a low-pass: 1 where the response and its inverse cancel, 3 dB down at the
-// low-pass, also where c is 0 and there is no inverse without it.
+// The inverse with a low-pass: the product of response and inverse is 1 in the pass band and 3 dB
+// down at the low-pass, even if c is 0 and there is no inverse without the low-pass.
 TEST(RigResponse, TheRegularizedInverseUndoesItUpToTheLowPass) {
   for (const double c : {0.55, 0.0}) {
     const RigResponse r = RigResponse::of(1.0 - c, kTruth.f, 0.06, c);
@@ -77,7 +77,8 @@ TEST(RigResponse, TheRegularizedInverseUndoesItUpToTheLowPass) {
 
 SyntheticRig hammered_rig() { return {2000.0, 6.0, kTruth, 11}; }
 
-// From 20 noisy hits: within three standard deviations of the truth, and those small.
+// 20 noisy hits give values within three standard deviations of the truth, and these deviations are
+// small.
 TEST(HammerTest, FindsTheFourNumbersAgain) {
   const Channels test = synthetic_hammer(hammered_rig(), 20, 2.0);
   const HammerSettings settings;
@@ -91,7 +92,7 @@ TEST(HammerTest, FindsTheFourNumbersAgain) {
   EXPECT_NEAR(fit.response.gain(), 0.55, std::max(3.0 * fit.sigma_gain, 1e-3));
   EXPECT_NEAR(fit.response.c, 0.55, std::max(3.0 * fit.sigma_c, 1e-3));
   EXPECT_LT(fit.sigma_f, 2e-3 * kTruth.f);
-  // The scatter over hits drawn again is of the same size as the linear theory's.
+  // The scatter over redrawn hits is of the same size as that of the linear theory.
   const auto sigma = bootstrap_deviation(20, 30, 1, [&](const std::vector<int>& chosen) {
     std::vector<int> drawn;
     for (const int k : chosen) drawn.push_back(hits[k]);
@@ -113,7 +114,7 @@ TEST(HammerTest, SaysWhatIsWrong) {
   EXPECT_THROW(fit_to_response(H, {90.0, 91.0}), InputError);
 }
 
-/// A periodic answer of modes and the same seen through the rig.
+/// A periodic modal response, and the same response seen through the rig.
 RimPair rims(int length, double delay) {
   numerics::Spectrum real(length / 2 + 1, 0.0);
   for (int k = 1; 2 * k < length; ++k) {
@@ -136,7 +137,7 @@ RimPair rims(int length, double delay) {
   return pair;
 }
 
-// Without noise the filter dummy -> real is the inverse of the rig, and the delay comes out too,
+// Without noise the filter dummy -> real is the inverse of the rig, and the delay is found too,
 // from a start 10 % off.
 TEST(RimFit, FindsTheInverseOfTheRigAndTheDelay) {
   const RigResponse exact = *inverse(kTruth);
@@ -171,7 +172,7 @@ TEST(BandLevel, OfASineIsItsMeanSquare) {
   EXPECT_NEAR(std::sqrt(bands[3].lower * bands[3].upper), 100.0, 1e-9);
 }
 
-// The third order of a drum that runs up from 10 to 20 m/s is one line.
+// The third order of a drum that accelerates from 10 to 20 m/s is one line.
 TEST(OrderTracking, WhatTurnsWithTheDrumHasOneOrder) {
   const double rate = 2000.0, circumference = 5.0;
   std::vector<double> speed(40000), x(40000);

@@ -13,13 +13,13 @@ namespace {
 
 using numerics::Spectrum;
 constexpr double kRamp = 4.0;           // s between plateaus
-constexpr double kPulseSeconds = 2.0;   // a hit has died out by then
-constexpr double kBefore = 0.1;         // s of a pulse in front of its hit
+constexpr double kPulseSeconds = 2.0;   // s; long enough for a hit to die out
+constexpr double kBefore = 0.1;         // s of a pulse in front of the hit
 constexpr double kCleatLength = 0.015;  // m
 constexpr double kShortestHit = 1e-3;   // s
 constexpr double kSpeedNoise = 0.02;    // m/s
 
-/// Speed at time t: up to the first plateau, then from plateau to plateau.
+/// Speed at time t, which rises to the first plateau and then goes from plateau to plateau.
 double speed_at(const SyntheticRun& run, double t) {
   double from = 0.0;
   for (const double v : run.speeds) {
@@ -47,7 +47,7 @@ std::vector<double> speeds_of(const SyntheticRig& rig, const SyntheticRun& run) 
   return v;
 }
 
-/// One hit `share` of a sample behind the place `before` samples into the window.
+/// Response to one hit `share` of a sample behind the position `before` samples into the window.
 std::vector<double> pulse(
     const SyntheticRig& rig, const SyntheticRun& run, double speed, double place, int length) {
   const double tau = std::max(kShortestHit, kCleatLength / speed);
@@ -124,8 +124,8 @@ Channels synthetic_run(const SyntheticRig& rig, const SyntheticRun& run) {
 Channels synthetic_hammer(const SyntheticRig& rig, int hits, double noise) {
   constexpr double kPause = 2.0, kFirst = 1.0;        // s
   constexpr double kContact = 1e-3, kForce = 2000.0;  // s, N
-  constexpr double kUnevenness = 0.2;                 // of the hits' strength
-  constexpr std::uint64_t kStream = 1'000'000'000;    // apart from those of the runs
+  constexpr double kUnevenness = 0.2;                 // relative scatter of the hits' strength
+  constexpr std::uint64_t kStream = 1'000'000'000;    // distinct from the streams of the runs
   const int samples = static_cast<int>((kFirst + hits * kPause) * rig.rate);
   std::vector<double> hammer(samples, 0.0);
   RandomStream random(rig.seed, kStream);

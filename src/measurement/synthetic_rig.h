@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drum rig of which everything is known, to try a processing chain on: a drum with one cleat, a
-// force that answers each hit with damped modes, and a rig whose resonance (3-3) colors what a
-// dummy rim lets the load cell see.
+// A drum rig with known properties, to test a processing chain: a drum with one cleat, a force that
+// responds to each hit with damped modes, and a rig whose resonance (3-3) distorts the force that
+// the load cell measures with a dummy rim.
 //
 //   P(w) = sum_m a_m w_m / (w_m^2 - w^2 + 2 i zeta_m w_m w)  exp(-(w tau)^2 / 2)      of one hit
 //   real rim: P,   dummy rim: P TF
 //
-// Each hit is synthesized from its spectrum at its own time, between samples as well, so delays,
-// resonance and rig are exact; tau = 15 mm / v, 1 ms at least, is the time the cleat takes and
-// keeps the signal below half the sampling rate (1 kHz or more). Noise is Gaussian and white.
+// Each hit is synthesized from its spectrum at its own time, which may lie between samples, so
+// delays, resonance and rig are exact. tau = 15 mm / v, at least 1 ms, is the duration of the
+// contact with the cleat and keeps the signal below half the sampling rate (1 kHz or more). Noise
+// is Gaussian and white.
 #pragma once
 
 #include <cstdint>
@@ -22,19 +23,21 @@ namespace latsch {
 struct SyntheticMode {
   double frequency = 0.0;  // Hz
   double zeta = 0.0;
-  double amplitude = 0.0;  // N, a_m: a hit answers with a_m exp(-zeta w t) sin(w t)
+  double amplitude = 0.0;  // N, a_m: a hit causes a_m exp(-zeta w t) sin(w t)
 };
 
 struct SyntheticRun {
-  std::vector<double> speeds;  // m/s, one plateau each
-  double hold = 20.0;          // s, of each plateau
-  double drift = 0.002;        // of the speed, from the begin to the end of a plateau
+  std::vector<double> speeds;  // m/s, one for each plateau
+  double hold = 20.0;          // s, length of each plateau
+  double drift = 0.002;        // relative change of the speed from the beginning to the end of a
+                               // plateau
   double load = 4000.0;        // N
-  double growth = 0.3;         // of the hits with the speed: (v / v_first)^growth
+  double growth = 0.3;         // exponent of the hits' strength over speed: (v / v_first)^growth
   std::vector<SyntheticMode> modes;
   double noise = 15.0;       // N
-  bool dummy_rim = false;    // seen through the rig's response
-  std::uint64_t number = 0;  // of the run: its noise and where its drum starts
+  bool dummy_rim = false;    // true: seen through the rig's response
+  std::uint64_t number = 0;  // run number; determines the noise and the initial position of the
+                             // drum
 };
 
 struct SyntheticRig {
@@ -44,14 +47,14 @@ struct SyntheticRig {
   std::uint64_t seed = 1;
 };
 
-/// Channels time, speed, Fz, Fx (half of Fz's fluctuation, with noise of its own).
+/// Returns the channels time, speed, Fz, Fx (half of Fz's fluctuation, with noise of its own).
 Channels synthetic_run(const SyntheticRig& rig, const SyntheticRun& run);
 
-/// The times of the hits of that run, s.
+/// Returns the times of the hits of that run, s.
 std::vector<double> synthetic_hits(const SyntheticRig& rig, const SyntheticRun& run);
 
-/// A hammer test of the rig: channels time, hammer, Fz; `hits` hits 2 s apart, each a half sine of
-/// 1 ms, noise in N on both.
+/// Simulates a hammer test of the rig: channels time, hammer, Fz; `hits` hits 2 s apart, each a
+/// half sine of 1 ms, with noise in N on both.
 Channels synthetic_hammer(const SyntheticRig& rig, int hits, double noise);
 
 }  // namespace latsch

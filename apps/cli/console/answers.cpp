@@ -71,7 +71,7 @@ Json answer_of(const correlation::Study& study, const correlation::Identifiabili
   for (int i = 0; i < study.space.size(); ++i) {
     const Interval interval = correlation::reported_interval(study, result, i);
     const auto end = [&](double u) -> Json {
-      if (!(u >= 0.0 && u <= 1.0)) return nullptr;  // beyond the bounds: they hold it, not the data
+      if (!(u >= 0.0 && u <= 1.0)) return nullptr;  // limited by the range, not by data
       DesignPoint point = result.point;
       auto at = study.space.to_unit(point);
       at[i] = u;
@@ -80,7 +80,7 @@ Json answer_of(const correlation::Study& study, const correlation::Identifiabili
     const bool is_kept =
         !study.free.empty() && !std::binary_search(study.free.begin(), study.free.end(), i);
     if (is_kept) {
-      all[i]["interval"] = nullptr;  // the last stage does not free it
+      all[i]["interval"] = nullptr;  // not free in the last stage
       continue;
     }
     all[i]["interval"] = {end(interval.lower), end(interval.upper)};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results of several verbs for a program: what `--json` prints. Keys stay what they are; a value
-// has its unit beside it or in its key; shares are plain (0.03, not 3 %); what is not known is
-// null.
+// Results of several verbs for other programs, as printed by `--json`. Keys do not change; a value
+// has its unit beside it or in its key; shares are plain numbers (0.03, not 3 %); unknown values
+// are null.
 #pragma once
 
 #include <string>
@@ -16,38 +16,41 @@
 
 namespace latsch::cli {
 
-/// [{"name", "unit", "values"}], SI.
+/// Returns [{"name", "unit", "values"}], SI.
 Json answer_of(const Channels& channels);
 
-/// Channels that a verb computes: to the file, or where there is none to standard output, as CSV;
-/// with --json and without a file as "channels" of the answer.
+/// Writes computed channels as CSV to the file, or without a file to standard output; with --json
+/// and without a file they become "channels" of the answer.
 void give(const Channels& channels, const std::string& file);
 
-/// [{"name", "value", "unit"}], in the units of the study.
+/// Returns [{"name", "value", "unit"}], in the units of the study.
 Json answer_of(const DesignSpace& space, const DesignPoint& point);
 
-/// The same with "lower", "upper", "initial", "scale", "paths".
+/// Returns [{"name", "lower", "upper", "initial", "scale", "unit", "paths"}] for the variables.
 Json answer_of(const DesignSpace& space);
 
-/// The same as of a point with "interval": [lower, upper] at 95 %, null where nothing holds an end;
-/// "refined": the number of the refined model, where the study has one.
+/// Returns a point with "interval": [lower, upper] at 95 %, null for an end that nothing limits,
+/// and "refined": the number of the refined model, if the study has one.
 Json answer_of(const correlation::Study& study, const correlation::Identifiability& result);
 
-/// Bands, an experiment each: values, ends and noise in SI, null where not known; how many measured
-/// values lie inside band and noise.
+/// Returns the bands, one for each experiment: values, ends and noise in SI, null if not known; and
+/// the number of measured values within band and noise.
 Json answer_of(const correlation::Study& study,
                const std::vector<correlation::ExperimentBand>& bands);
 
-/// The fitted delays of recordings: [{"name", "value", "lower", "upper", "at_end", "unit"}], s.
+/// Returns the fitted delays of recordings: [{"name", "value", "lower", "upper", "at_end",
+/// "unit"}], s.
 Json delays_of(const correlation::Study& study,
                const std::vector<correlation::ExperimentBand>& bands);
 
-/// [{"value", "error", "fitted", "variable", "payer", "in_words"}]; variable: null where none moves
-/// it; payer: what it would be {"value", "error"} if that variable mended the other alone.
+/// Returns [{"value", "error", "fitted", "variable", "payer", "in_words"}]; variable: null if none
+/// affects the value; payer: the {"value", "error"} that would result if the variable corrected the
+/// other value alone.
 Json answer_of(const correlation::Study& study,
                const std::vector<correlation::MissedValue>& missed);
 
-/// One experiment: measured beside simulated, errors as shares, mean and largest.
+/// Returns one experiment: measured beside simulated values, errors as shares, mean and largest
+/// error.
 Json answer_of(const correlation::StudyExperiment& experiment, const Channels& trial);
 
 }  // namespace latsch::cli

@@ -9,7 +9,7 @@
 namespace latsch::cli {
 namespace {
 
-/// How what a former verb did is done now; empty: it was none.
+/// Says what replaces a former verb; empty if there was no such verb.
 std::string_view in_place_of(std::string_view verb) {
   if (verb == "ring") return "a ring from measured data is a study: latsch new FOLDER --ring-data";
   if (verb == "evaluate" || verb == "footprint" || verb == "drum")
@@ -17,7 +17,7 @@ std::string_view in_place_of(std::string_view verb) {
   return {};
 }
 
-/// Whether the first word is a verb or an option; otherwise says what it may have been.
+/// Returns true if the first word is a verb or an option; otherwise reports what it may have been.
 bool known(const CLI::App& app, const std::string& word) {
   if (word.starts_with('-')) return true;
   std::vector<std::string> shown;
@@ -32,8 +32,8 @@ bool known(const CLI::App& app, const std::string& word) {
   return false;
 }
 
-/// The arguments a verb did not expect, with what an option may have been; otherwise what the
-/// parser says.
+/// Describes the arguments a verb did not expect, with the option that may have been meant;
+/// otherwise returns the parser's message.
 std::string complaint(const CLI::App* verb, const CLI::ParseError& error) {
   if (!verb || !dynamic_cast<const CLI::ExtrasError*>(&error)) return error.what();
   std::vector<std::string> options;
@@ -153,7 +153,7 @@ std::string as_typed(int argc, char** argv) {
 }  // namespace
 
 bool CommandLine::run(int argc, char** argv) {
-  // A line that is not understood is answered in the form that it asks for.
+  // A line that is not understood is answered in the form that the line requests.
   CommonOptions asked;
   for (int i = 2; i < argc; ++i) asked.json = asked.json || std::string_view(argv[i]) == "--json";
   open_console(asked, argc > 1 ? argv[1] : "", "");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line as the verbs see it: CLI11 with the names it has there, in one translation unit.
-// Its header costs every file that includes it ten seconds of compiling.
+// The command line as the verbs see it: CLI11 under the same names, in one translation unit.
+// CLI11's header costs every file that includes it ten seconds of compiling.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ class Option;
 
 namespace latsch::cli {
 
-/// An argument of a verb: "file" by its place, "-o,--output" by its name.
+/// An argument of a verb: "file" by its position, "-o,--output" by its name.
 class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
@@ -24,27 +24,29 @@ class Option {
   Option& required();
   Option& between(int least, int most);
   Option& one_of(const std::vector<std::string>& values);
-  Option& or_alone(const std::string& value);  // may stand without a value, for this one
-  Option& capture_default_str();               // --help tells the value it has now
+  Option& or_alone(const std::string& value);  // may be given without a value, which is then this
+                                               // one
+  Option& capture_default_str();               // --help shows its present value
 
  private:
   CLI::Option* option_;
 };
 
-/// What is bound to an option has to live until the line is parsed and the verb has run.
+/// Variables bound to an option have to live until the line is parsed and the verb has run.
 class Verb {
  public:
   explicit Verb(CLI::App* app) : app_(app) {}
 
   Option add_option(const std::string& name, std::string& value, const std::string& help);
   Option add_option(const std::string& name, int& value, const std::string& help);
-  /// May be given more than once.
+  /// The option may be given more than once.
   Option add_option(const std::string& name,
                     std::vector<std::string>& values,
                     const std::string& help);
   void add_flag(const std::string& name, bool& value, const std::string& help);
   void footer(const std::string& text);
-  /// A part of the program itself: neither listed nor with the options every verb has.
+  /// Marks a verb that the program itself calls: it is not listed and lacks the options of every
+  /// verb.
   void hide();
   void callback(std::function<void()> run);
 
@@ -62,14 +64,14 @@ class CommandLine {
 
   Verb add_subcommand(const std::string& name, const std::string& description);
 
-  /// What `latsch VERB --help` prints; of all verbs together where `verb` is empty. Nothing where
-  /// there is no such verb.
+  /// Returns the output of `latsch VERB --help`; for all verbs together if `verb` is empty. Returns
+  /// nothing if there is no such verb.
   std::optional<std::string> help(const std::string& verb) const;
-  /// Names of the verbs that are listed.
+  /// Returns the names of the listed verbs.
   std::vector<std::string> verbs() const;
 
-  /// Runs the verb that was chosen. False where the line was not understood, after saying why;
-  /// --help and --version are true.
+  /// Runs the chosen verb. Returns false if the line was not understood, after reporting why;
+  /// --help and --version return true.
   bool run(int argc, char** argv);
 
  private:
@@ -77,7 +79,8 @@ class CommandLine {
 
   std::unique_ptr<CLI::App> app_;
   std::unique_ptr<struct CommonOptions> common_;
-  std::string general_help_;  // taken before a verb is chosen, of which the parser then speaks
+  std::string general_help_;  // stored before a verb is chosen, because the parser's help is then
+                              // that of the verb
 };
 
 }  // namespace latsch::cli

@@ -18,11 +18,11 @@
 namespace latsch::cli {
 namespace {
 
-/// As standard output is: there is one, and every verb writes to it.
+/// State of the console: like standard output there is one, and every verb writes to it.
 struct Console {
   CommonOptions options;
   std::ofstream log;
-  std::FILE* answers = nullptr;  // standard output as it was, where it is kept for JSON
+  std::FILE* answers = nullptr;  // original standard output, kept for the JSON answer
   Json head = Json::object(), result = Json::object();
 };
 
@@ -50,13 +50,14 @@ Json note(const std::string& sentence, const Place& place) {
 }
 
 void to_standard_error(const std::string& sentence) {
-  const bool named = sentence.starts_with("latsch ");  // "latsch run: ...", of its arguments
+  const bool named = sentence.starts_with("latsch ");  // message such as "latsch run: ...", about
+                                                       // arguments
   const std::string line = (named ? "" : "latsch: ") + sentence + "\n";
   std::fwrite(line.data(), 1, line.size(), stderr);
   log(line);
 }
 
-/// The exit code, or that of a failure where what was printed did not arrive: a full disk, a closed
+/// Returns the exit code, or that of a failure if the output did not arrive: a full disk, a closed
 /// terminal.
 int printed(FILE* out, int exit_code) {
   errno = 0;
@@ -66,7 +67,7 @@ int printed(FILE* out, int exit_code) {
   return exit_code == kDone ? kFailed : exit_code;
 }
 
-/// What is printed past this file goes to standard error: it would spoil the JSON.
+/// Redirects other output to standard error, because it would spoil the JSON.
 void keep_standard_output() {
   std::fflush(stdout);
   console().answers = ::fdopen(::dup(STDOUT_FILENO), "w");
@@ -97,7 +98,7 @@ int close_console(int exit_code) {
   if (!c.answers) return exit_code;
   c.head["exit_code"] = exit_code;
   if (!c.result.empty()) c.head["result"] = c.result;
-  const auto replace = nlohmann::detail::error_handler_t::replace;  // a name that is no UTF-8
+  const auto replace = nlohmann::detail::error_handler_t::replace;  // for names that are no UTF-8
   const std::string text = c.head.dump(2, ' ', false, replace) + "\n";
   std::fwrite(text.data(), 1, text.size(), c.answers);
   exit_code = printed(c.answers, exit_code);

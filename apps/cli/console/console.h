@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the program says, to whom, and in which form: one terminal, as there is one standard output.
+// The output of the program: its receivers and its forms. There is one console, as there is one
+// standard output.
 //
 //   say      a sentence or a table for a person: standard output; not with --quiet or --json
-//   put      data that was asked for, a table to be piped on: standard output, also with --quiet
+//   put      requested data, a table to be piped on: standard output, also with --quiet
 //   warn     what a person should know: standard error; "warnings" of the JSON answer
 //   complain why it ended: standard error; "error" of the JSON answer
 //   answer   the same results for a program, printed at the end with --json
 //
-// With --json standard output is one JSON object whatever happens:
+// With --json standard output is one JSON object in all cases:
 //   {"verb": "run", "exit_code": 0, "warnings": [], "result": {...}}
 //   {"verb": "run", "exit_code": 2, "warnings": [], "error": {"message": "...", "file": "...",
 //    "line": 7}}
-// A log file gets all of say, warn, complain and the progress, appended, with the time of the start
-// and of the end.
+// A log file receives all of say, warn, complain and the progress, appended, with the times of
+// start and end.
 #pragma once
 
 #include <fmt/format.h>
@@ -28,18 +29,18 @@ namespace latsch::cli {
 
 using Json = nlohmann::ordered_json;
 
-/// What every verb takes.
+/// Options of every verb.
 struct CommonOptions {
   bool json = false, quiet = false;
-  std::string log;  // file; empty: none
+  std::string log;  // name of the log file; empty: none
 };
 
-/// Once, before the verb runs. InputError where the log file cannot be written.
+/// Called once, before the verb runs. Throws InputError if the log file cannot be written.
 void open_console(const CommonOptions& options, const std::string& verb, const std::string& line);
-/// Prints the JSON answer and ends the log; gives the exit code back.
+/// Prints the JSON answer and ends the log; returns the exit code.
 int close_console(int exit_code);
 
-/// Of this process nobody wants an answer: it works for another one.
+/// Suppresses all output of this process, which works for another one.
 void be_silent();
 
 void say_text(std::string_view text);
@@ -50,23 +51,23 @@ void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
 
 void put(std::string_view data);
 
-/// One sentence, without "latsch: " and line end.
+/// Reports one sentence, without "latsch: " and line end.
 void warn(const std::string& sentence, const Place& place = {});
 void complain(const std::string& sentence, const Place& place = {});
 
-/// What a program gets; empty until a verb fills it.
+/// The result for programs; empty until a verb fills it.
 Json& answer();
-/// Whether anybody reads the answer.
+/// True if the answer is printed.
 bool answers_in_json();
-/// Says "wrote FILE" and names it in the answer.
+/// Says "wrote FILE" and names the file in the answer.
 void say_written(const std::string& file);
 
-/// How far a run is: on standard error unless --quiet, and in the log.
+/// Shows the progress of a run: on standard error unless --quiet, and in the log.
 class RunningNote {
  public:
   RunningNote();
   ~RunningNote();
-  /// `total` 0: nobody knows.
+  /// `total` is 0 if unknown.
   void update(long done, long total, const std::string& note);
 
  private:

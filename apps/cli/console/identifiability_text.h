@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the data determine, as text: intervals beside values, spectrum, correlations, verdicts.
+// Prints what the data determine: intervals beside values, spectrum, correlations, verdicts.
 #pragma once
 
 #include <string>
@@ -12,27 +12,27 @@
 
 namespace latsch::cli {
 
-/// The point as print_point does, each value with its confidence interval.
+/// Prints the point like print_point, each value with its confidence interval.
 void print_intervals(const correlation::Study& study, const correlation::Identifiability& result);
 
-/// Spectrum, correlations, verdicts, cross-validation, and what to measure once more.
+/// Prints spectrum, correlations, verdicts, cross-validation, and which measurements to repeat.
 void print_identifiability(const correlation::Study& study,
                            const correlation::Identifiability& result);
 
-/// How uncertain the computed values of every experiment are.
+/// Prints the uncertainty of the computed values of every experiment.
 void print_bands(const correlation::Study& study,
                  const std::vector<correlation::ExperimentBand>& bands);
 
-/// The fitted delays of recordings, a line each; nothing where none is fitted.
+/// Prints the fitted delays of recordings, one in each line; nothing if none is fitted.
 void print_delays(const correlation::Study& study,
                   const std::vector<correlation::ExperimentBand>& bands);
 
-/// Which measurements would tell the most.
+/// Prints which measurements would give the most information.
 void print_gains(const correlation::Study& study,
                  const std::string& title,
                  const std::vector<correlation::MeasurementGain>& gains);
 
-/// Measured values that are missed, and what would mend each.
+/// Prints the measured values that the model misses, and what would correct each.
 void print_missed(const correlation::Study& study,
                   const std::vector<correlation::MissedValue>& missed);
 

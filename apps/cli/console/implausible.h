@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a study says that no tire is like: before trials are spent on it.
+// Detects numbers of a study that no tire has, before trials are spent on them.
 #pragma once
 
 #include "correlation/study/study.h"
 
 namespace latsch::cli {
 
-/// Warns of what is unusual. InputError for what is impossible, the first of it, after warning of
-/// all else.
+/// Warns of unusual numbers. Throws InputError for the first impossible one, after all warnings.
 void reject_implausible(const correlation::Study& study);
 
 }  // namespace latsch::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person writes on the command line, with the words for what is wrong.
+// Reads quantities of the command line, with error messages.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace latsch::cli {
 
-/// "25 mm" in the SI unit `unit`; `option` names the culprit in the InputError.
+/// Returns "25 mm" in the SI unit `unit`; `option` is named in the InputError.
 double parse_option(const std::string& option,
                     const std::string& text,
                     const std::string& unit,
                     Range range = Range::positive());
 
-/// "matrix=12 N/mm^2" applied to the point. Throws InputError for a name the space does not have, a
-/// wrong dimension or a value outside the bounds.
+/// Applies "matrix=12 N/mm^2" to the point. Throws InputError for a name that the space does not
+/// have, a wrong dimension or a value outside the range.
 void set_variable(const DesignSpace& space, const std::string& assignment, DesignPoint& point);
 
 }  // namespace latsch::cli

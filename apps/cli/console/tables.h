@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What several verbs print: values of variables with their units, measured beside simulated.
+// Tables that several verbs print: values of variables with their units, measured beside simulated
+// values.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +13,10 @@
 
 namespace latsch::cli {
 
-/// A value (SI) in the unit of its variable: "22.3 N/mm^2".
+/// Returns a value (SI) in the unit of its variable: "22.3 N/mm^2".
 std::string shown(const DesignVariable& variable, double value);
 
-/// Of the column of names in front: the longest of them, 16 letters at least.
+/// Width of the first column: the longest name, at least 16 letters.
 template <class Named>
 int name_width(const std::vector<Named>& all) {
   std::size_t width = 16;
@@ -23,19 +24,20 @@ int name_width(const std::vector<Named>& all) {
   return static_cast<int>(width);
 }
 
-/// Name, bounds, initial value, scale, paths.
+/// Prints name, range, initial value, scale and paths.
 void print_variables(const DesignSpace& space);
 
-/// Name, sum, bounds, value at the initial point of every linear constraint.
+/// Prints name, sum, bounds and value at the initial point of every linear constraint.
 void print_constraints(const DesignSpace& space);
 
-/// Name and value of every variable, the latter as text: "73 N/mm^2".
+/// Prints name and value of every variable; the values are texts such as "73 N/mm^2".
 void print_values(const DesignSpace& space, const std::vector<std::string>& values);
 
-/// Of a point of which no uncertainty is known.
+/// Prints a point whose uncertainty is not known.
 void print_point(const DesignSpace& space, const DesignPoint& point);
 
-/// Measured, simulated, error of every force or mode, then mean and largest error.
+/// Prints measured and simulated value and error of every force or mode, then mean and largest
+/// error.
 void print_comparison(const correlation::StudyExperiment& experiment, const Channels& channels);
 
 }  // namespace latsch::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warnings of what a Magic Formula tire does beyond its data, with the coefficients that do it.
+// Warns of faults of a Magic Formula tire beyond its data, with the coefficients that cause them.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace latsch::cli {
 
-/// Of the tire of a study at a point, over the states of its fitted tests.
+/// Checks the tire of a study at a point, over the states of its fitted tests.
 void warn_beyond_data(const correlation::Study& study, const DesignPoint& point);
 
-/// Of the tire of a file, over its ranges.
+/// Checks the tire of a file over its ranges.
 void warn_beyond_data(const experiment::SpecimenKind& kind,
                       const Document& numbers,
                       const std::string& file);

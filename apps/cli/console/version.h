@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What latsch --version prints: the program, and what it is built with and runs on.
+// The output of latsch --version: the program, its build and the machine.
 #pragma once
 
 #include <string>
 
 namespace latsch::cli {
 
-/// "latsch 0.1.0 (AMD EPYC, kernels avx2)", then a line a part: compiler, libraries by the versions
-/// that are loaded, MPI, the page of `latsch serve`. Throws where LATSCH_KERNELS is impossible.
+/// Returns "latsch 0.1.0 (AMD EPYC, kernels avx2)", then a line for each part: compiler, libraries
+/// in the loaded versions, MPI, the page of `latsch serve`. Throws if LATSCH_KERNELS is impossible.
 std::string version_text();
-/// Its number alone: "0.1.0".
+/// Returns the version number alone: "0.1.0".
 std::string version_number();
 
 }  // namespace latsch::cli

@@ -13,7 +13,7 @@ namespace latsch::cli {
 namespace {
 
 std::atomic<bool> stop_requested{false};
-static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler may not touch it
+static_assert(std::atomic<bool>::is_always_lock_free);  // required in a signal handler
 
 constexpr itimerval kPatience{.it_interval = {}, .it_value = {.tv_sec = 1, .tv_usec = 800'000}};
 

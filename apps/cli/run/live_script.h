@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The script and the style sheet of the studio's views for a report, as the program holds them.
+// The script and the style sheet of the studio's views for a report, contained in the program.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@
 namespace latsch::cli {
 namespace {
 
-/// InputError where an outside program stands in the model's place.
+/// Throws InputError if the study's model is an outside program.
 ModelSource study_source(const std::string& file, const experiment::Language& language) {
   const auto study = correlation::read_study(file, language);
   if (!study.specimens->kind())

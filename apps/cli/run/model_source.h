@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a verb gets a model from: a model's file, or a study at its best point.
+// Origin of a verb's model: a model's file, or a study at its best point.
 #pragma once
 
 #include <string>
@@ -15,19 +15,19 @@ struct ModelSource {
   Document numbers = {};
 };
 
-/// Whether a file is a study, with a model or an outside program; else it is a model.
+/// True if a file is a study, with a model or an outside program; otherwise it is a model.
 bool is_study(const std::string& file);
 
-/// A model's file as it is; of a study its model at the best point of the journal, or at the
-/// initial values. `kind`: as what the file is read; empty: as it says. InputError for a study of
-/// an outside program.
+/// Returns the model of a model's file; for a study its model at the best point of the journal, or
+/// at the initial values. `kind` is the kind as which the file is read; empty: as the file states.
+/// Throws InputError for a study of an outside program.
 ModelSource model_source(const std::string& file,
                          const experiment::Language& language,
                          const std::string& kind = "");
 
-/// The model of a study at the best point of its journal, or at the initial values. InputError if
-/// the journal belongs to another study, or to this one before it was edited: a best point found
-/// for other numbers is none of this model.
+/// Returns the model of a study at the best point of its journal, or at the initial values. Throws
+/// InputError if the journal belongs to another study, or to this one before it was edited, because
+/// a best point found for other numbers does not apply to this model.
 Document model_of(const correlation::Study& study);
 
 }  // namespace latsch::cli

@@ -23,10 +23,11 @@ extern char** environ;
 
 namespace latsch::cli {
 
-/// Studio and server know each other: what is published while there is no server has no listener.
+/// Studio and server refer to each other: messages published while there is no server have no
+/// receiver.
 struct ServedStudies::Parts {
   std::unique_ptr<studio::Studio> studio;
-  std::mutex publishing;  // of what follows; it never takes long
+  std::mutex publishing;  // protects the following members; held only briefly
   studio::Server* published_to = nullptr;
   std::unique_ptr<studio::Server> server;
 };
@@ -37,7 +38,8 @@ ServedStudies::ServedStudies(const ServeOptions& options, const experiment::Lang
   studio::ServerOptions server;
   server.listen = options.listen;
   server.port = static_cast<std::uint16_t>(options.port);
-  server.threads = 12;  // most wait for one that computes: a few slow views keep nothing else
+  server.threads = 12;  // most threads wait for one that computes, so a few slow views must not
+                        // block the others
   server.assets = studio::web_assets();
   server.report = [](std::string_view what) { warn("a request failed: " + std::string(what)); };
   const studio::StudioOptions about{options.root,
@@ -57,8 +59,8 @@ ServedStudies::ServedStudies(const ServeOptions& options, const experiment::Lang
 }
 
 ServedStudies::~ServedStudies() {
-  // The server's handlers ask the studio, the studio's threads tell the server: first nobody is
-  // told any more, then the sockets and handlers end, then the threads.
+  // The server's handlers call the studio, and the studio's threads call the server: therefore
+  // messages stop first, then the sockets and handlers end, then the threads.
   {
     const std::lock_guard lock(parts_->publishing);
     parts_->published_to = nullptr;
@@ -82,7 +84,7 @@ bool ServedStudies::open_browser() const {
       ::posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) return false;
-  // It ends when it likes; somebody has to take note of that, or it stays as a zombie.
+  // The browser ends at any time; waitpid() prevents a zombie process.
   std::thread([process] { ::waitpid(process, nullptr, 0); }).detach();
   return true;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studio's server around the studies of a folder, for `serve` and `run --watch`.
+// The studio's server for the studies of a folder, used by `serve` and `run --watch`.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ struct ServeOptions {
   int port = 0;  // 0: a free one
 };
 
-/// Serves from its beginning to its end, in threads of its own.
+/// Serves during its lifetime, in threads of its own.
 class ServedStudies {
  public:
   ServedStudies(const ServeOptions& options, const experiment::Language& language);
@@ -24,9 +24,9 @@ class ServedStudies {
   ServedStudies(const ServedStudies&) = delete;
   ServedStudies& operator=(const ServedStudies&) = delete;
 
-  /// With its token: who knows it may start runs.
+  /// Returns the address with its token, which permits starting runs.
   std::string address() const;
-  /// A browser of this machine, where there is a display; false where none could be started.
+  /// Opens a browser on this machine if there is a display; false if none could be started.
   bool open_browser() const;
 
  private:

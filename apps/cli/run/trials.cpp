@@ -72,7 +72,7 @@ void say_kind_of_journal(const correlation::Study& study) {
 
 namespace {
 
-/// What goes otherwise than expected: ", 2 failed, 1 repeated; 1 slow, the longest for 12 s".
+/// Returns unexpected events: ", 2 failed, 1 repeated; 1 slow, the longest for 12 s".
 std::string troubles(const RunProgress& progress) {
   std::string text = fmt::format("{} failed", progress.failed);
   const auto add = [&](long number, const char* what) {
@@ -146,7 +146,8 @@ bool take_refined(const correlation::Study& study, correlation::Identifiability&
   ProcessOptions options = worker_processes(study);
   options.arguments.emplace_back("--refined");
   options.workers = 1;
-  options.timeout = std::numeric_limits<double>::infinity();  // that of trials is for coarse ones
+  options.timeout = std::numeric_limits<double>::infinity();  // the limit of trials is meant for
+                                                              // the coarse model
   ProcessExecutor executor(options);
   if (!correlation::evaluate_refined(
           study, result.point, executor, counting_options(study, "the refined model")))
@@ -157,7 +158,7 @@ bool take_refined(const correlation::Study& study, correlation::Identifiability&
 
 namespace {
 
-/// The error a fit hides in its values.
+/// Prints the mesh error, which a fit hides in its values.
 void print_mesh_error(const report::StudyReport& page) {
   const report::DiscretizationError* worst = nullptr;
   double sum = 0.0;
@@ -172,7 +173,7 @@ void print_mesh_error(const report::StudyReport& page) {
       worst->quantity);
 }
 
-/// Every experiment's error in its own measure, beside the least that an earlier stage left.
+/// Prints every experiment's error in its own measure, beside the least error of an earlier stage.
 void print_errors(const report::StudyReport& page) {
   if (page.experiments.empty()) return;
   say("\nErrors by experiment\n");
@@ -225,7 +226,7 @@ void print_errors(const report::StudyReport& page) {
 
 namespace {
 
-/// With the views of the studio, where the program has its page.
+/// Returns the report, with the views of the studio if the program contains its page.
 std::string report_page(const correlation::Study& study,
                         const report::StudyReport& page,
                         const experiment::Language& language) {

@@ -31,7 +31,7 @@ std::uint64_t hash_of(const StudyIdentity& identity) {
   return state;
 }
 
-/// Of several tasks the first one speaks; whether this is another one.
+/// Returns true if another task reports the error: of several tasks only the first one reports.
 bool refuse(const Launch& launch, const std::string& why) {
   if (launch.task == 0) throw InputError(why);
   be_silent();
@@ -89,7 +89,7 @@ void Workers::end() {
 Workers::~Workers() {
   end();
   if (!job_ || job_->rank() != 0) return;
-  for (; started_ < expected_; ++started_) MpiExecutor{*job_};  // whose end tells the ranks
+  for (; started_ < expected_; ++started_) MpiExecutor{*job_};  // the destructor ends the ranks
 }
 
 #else

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where run, resume, doe and identify evaluate: worker processes of this machine or, below mpirun
-// or srun, the ranks of one job. Tasks that are no job are refused: each would lead a run of its
-// own on the same journal.
+// Executors of run, resume, doe and identify: worker processes of this machine or, under mpirun or
+// srun, the ranks of one job. Tasks that do not form a job are refused, because each would lead a
+// run of its own on the same journal.
 #pragma once
 
 #include <memory>
@@ -13,36 +13,37 @@ namespace latsch::cli {
 
 class Workers {
  public:
-  /// Throws InputError, on the first of several tasks, where nothing makes one job of them or they
-  /// were given different studies.
+  /// Throws InputError, on the first of several tasks, if the tasks do not form one job or have
+  /// different studies.
   explicit Workers(const correlation::Study& study);
-  /// Below mpirun the other ranks are told to end, also where nothing was ever started.
+  /// Under mpirun this ends the other ranks, even if nothing was ever started.
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// On a rank that works for another one: does so until that ends, then true. False where this
-  /// process itself leads the run.
-  /// `in_stages`: where the leader starts its workers stage by stage.
+  /// On a rank that works for another one: works until that one ends, then returns true. Returns
+  /// false if this process itself leads the run. `in_stages` says that the leader starts its
+  /// workers stage by stage.
   bool served(const correlation::Study& study, bool in_stages = false);
 
-  /// Of the process that leads the run.
+  /// Starts the executor in the process that leads the run.
   Executor& start(const correlation::Study& study);
 
-  /// Lets the workers go: what comes now needs none of them, and may take longer than they wait.
+  /// Ends the workers: later work does not need them and may take longer than they wait.
   void end();
 
  private:
   struct Job;
-  std::unique_ptr<Job> job_;  // before the executor, which talks through it to its end
+  std::unique_ptr<Job> job_;  // declared before the executor, which uses it until its end
   std::unique_ptr<Executor> executor_;
   int started_ = 0;
-  int expected_ = 1;      // how often the other ranks are started
-  bool refused_ = false;  // and another task says so
+  int expected_ = 1;      // number of times the other ranks are started
+  bool refused_ = false;  // true if another task reports the refusal
 };
 
-/// In its lifetime trials are run. However it ends, a full disk among them, the workers go and then
-/// what killed ones left behind. Declared after the journal, which is held meanwhile.
+/// Trials run during its lifetime. On every kind of end, even a full disk, it ends the workers and
+/// then removes the files of killed ones. Must be declared after the journal, which is locked
+/// meanwhile.
 class TrialsRun {
  public:
   TrialsRun(Workers& workers, const correlation::Study& study);

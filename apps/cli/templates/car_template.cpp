@@ -46,7 +46,7 @@ file = "sweep.csv"
 
 struct SpringNumber {
   const char *name, *path, *unit;
-  double lower, upper, initial, example;  // in that unit
+  double lower, upper, initial, example;  // in `unit`
 };
 constexpr std::array<SpringNumber, 4> kSprings = {
     {{"front_spring", "front.spring.stiffness", "N/mm", 30.0, 90.0, 45.0, 52.5},
@@ -73,7 +73,7 @@ count = 6
 start = ["0 m", "0.3 m"]             # its right edge 0.3 m to the left of the car's middle
 )";
 
-/// From its first line that is no comment.
+/// Returns the text from its first line that is no comment.
 std::string without_head(std::string_view text) {
   while (text.starts_with('#') || text.starts_with('\n')) text.remove_prefix(text.find('\n') + 1);
   return std::string(text);
@@ -108,7 +108,7 @@ std::string car_study() {
   return text + "\n[run]\nworkers = 2\ntimeout = \"5 min\"\n";
 }
 
-/// The front axle, or the rear one, as what stands in the study's folder names it.
+/// The car's file with the names of the suspension files in the study's folder.
 std::string four_post_car() {
   std::string text = without_head(published_four_post_car());
   text = replaced(std::move(text), "../kerb/front_rigid.toml", "front.toml");
@@ -120,7 +120,7 @@ std::string four_post_car() {
          text;
 }
 
-/// As load cells tell it.
+/// Adds the scatter and resolution of load cells.
 void scatter(std::vector<double>& forces, RandomStream& chance) {
   constexpr double kScatter = 3.0, kDigit = 0.1;  // N
   for (double& force : forces)
@@ -166,7 +166,7 @@ std::string example_sweep(const std::string& car_file, const experiment::Languag
     const bool is_force = channel.name.starts_with("pushrod_");
     if (!is_force && channel.name != "time" && !channel.name.starts_with("post_")) continue;
     if (is_force) scatter(channel.values, chance);
-    channel.values.pop_back();  // rounding of its time must not lead beyond the test's
+    channel.values.pop_back();  // its rounded time must not exceed that of the test
     sweep.add(std::move(channel));
   }
   return "# An example, not measured: this car with " + made_of +

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studies `latsch new --suspension` and `--car` write.
+// The studies that `latsch new --suspension` and `--car` write.
 //
-//   suspension  sixteen numbers of a K&C rig and the bushings that make them: studies/compliance,
+//   suspension  sixteen numbers of a K&C rig and the bushings that cause them: studies/compliance,
 //               built into the program
 //   car         a car on four posts, whose springs and dampers are found from the forces of its
 //               push-rods in a sweep: car and suspensions of studies/four_post and studies/kerb.
-//               The recording is an example, of that car with other springs and dampers than the
-//               study starts at, with the scatter of load cells; and a kerb to drive over.
+//               The recording is an example, of that car with springs and dampers different from
+//               the study's start, with the scatter of load cells; and a kerb to drive over.
 #pragma once
 
 #include <string>
@@ -21,18 +21,18 @@ struct WrittenFile {
   std::string name, text;
 };
 
-/// Built into the program.
+/// Contained in the program.
 std::string_view published_corner();
 std::string_view published_compliance_study();
 std::string_view published_four_post_car();
 std::string_view published_front_suspension();
 std::string_view published_rear_suspension();
 
-/// corner.toml, study.toml.
+/// Writes corner.toml, study.toml.
 std::vector<WrittenFile> suspension_study_files();
-/// car.toml, front.toml, rear.toml, kerb.toml, study.toml.
+/// Writes car.toml, front.toml, rear.toml, kerb.toml, study.toml.
 std::vector<WrittenFile> car_study_files();
-/// Its sweep.csv, of the car in that folder.
+/// Returns its sweep.csv, recorded from the car in that folder.
 std::string example_sweep(const std::string& car_file, const experiment::Language& language);
 
 }  // namespace latsch::cli

@@ -29,15 +29,15 @@ using correlation::ProcessedPlateau;
 using correlation::ProcessedRun;
 using correlation::RigFile;
 
-constexpr double kBefore = 0.04, kBehind = 0.2;  // s around the hit: the answer has rung down
-constexpr double kOfTurn = 0.9;                  // of the way to the passage's ends at most
-constexpr double kRoom = 0.1;                    // of the window, for the delay, and a little more:
-constexpr double kMoreRoom = 5e-3;               // s
-constexpr double kQuiet = 15e-3;                 // s before the hit: there the tire meets the cleat
-constexpr double kFarthest = 60e-3;              // s between the hits of record and test
+constexpr double kBefore = 0.04, kBehind = 0.2;  // s around the hit, in which the response decays
+constexpr double kOfTurn = 0.9;                  // most of the distance to the passage's ends
+constexpr double kRoom = 0.1;                    // share of the window, kept free for the delay
+constexpr double kMoreRoom = 5e-3;               // s, added to that share
+constexpr double kQuiet = 15e-3;                 // s before the hit; the mean load ends there
+constexpr double kFarthest = 60e-3;              // s, most between the hits of record and test
 constexpr double kShiftStep = 0.5e-3;            // s
-constexpr double kAlike = 0.5;      // correlation below which the two are told to be unlike
-constexpr double kSameDrum = 0.02;  // of the diameter stated and found
+constexpr double kAlike = 0.5;      // correlation below which a dissimilarity is reported
+constexpr double kSameDrum = 0.02;  // relative difference of stated and computed diameter
 
 const std::vector<RingNumber> kNumbers = {
     {"radial", "sidewall.radial.stiffness", "MN/m^2", 2.0},
@@ -46,12 +46,12 @@ const std::vector<RingNumber> kAlong = {
     {"tangential", "sidewall.tangential.stiffness", "MN/m^2", 2.0},
     {"tangential_damping", "sidewall.tangential.damping", "N s/m^2", 5.0}};
 
-/// A column of a recording as the rig file names it, and what it is.
+/// A column of a recording by its name in the rig file and its quantity.
 struct Column {
   std::string ours, unit;          // "Fz", "N"
-  std::vector<std::string> usual;  // names that mean it, in any case
-  std::string written = {};        // in the file; empty: there is none
-  std::string unit_of_table = {};  // where the file states none
+  std::vector<std::string> usual;  // usual names, in any case
+  std::string written = {};        // name in the file; empty: there is none
+  std::string unit_of_table = {};  // unit if the file states none
 };
 
 std::string lower(std::string text) {
@@ -61,7 +61,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// "Fz = LOAD [N]" for the column of that name.
+/// Reads "Fz = LOAD [N]", which names the column of a channel.
 void take_stated(const std::string& text, std::vector<Column>& columns) {
   const auto equals = text.find('=');
   const std::string ours(trimmed(std::string_view(text).substr(0, equals)));
@@ -95,7 +95,7 @@ bool is_called(const Channel& channel, const Column& column) {
   return false;
 }
 
-/// The names of the columns of one recording.
+/// Finds the columns of one recording by their names.
 std::vector<Column> columns_of(const Channels& record,
                                const DrumRecordings& recordings,
                                const fs::path& file) {
@@ -158,7 +158,7 @@ double length_in(const std::string& text, const std::string& option, const char*
   return quantity->si;
 }
 
-/// "10 mm x 20 mm" as the table of a test.
+/// Converts "10 mm x 20 mm" into the table of a test.
 std::string cleat_table(const std::string& text) {
   constexpr const char* kExpected = "height and length of the cleat, such as \"10 mm x 20 mm\"";
   const auto cross = text.find('x');
@@ -214,7 +214,7 @@ std::string rig_text(const DrumRecordings& recordings,
   return text;
 }
 
-/// The speeds that the first recording holds.
+/// Returns the speeds that the first recording holds.
 std::vector<double> speeds_in(const Channels& channels,
                               const DrumRecordings& recordings,
                               const std::vector<Column>& columns,
@@ -257,13 +257,13 @@ class DrumPassage {
   double turn() const { return plateau_.period.samples / rate_; }
   double speed() const { return plateau_.plateau.mean; }
   double diameter() const { return speed() * turn() / std::numbers::pi; }
-  /// Mean of the force in front of the hit.
+  /// Mean of the force before the hit, N.
   double load() const {
     const auto& force = plateau_.force();
     const auto end = std::max<long>(1, hit_ - std::lround(kQuiet * rate_));
     return std::accumulate(force.begin(), force.begin() + end, 0.0) / static_cast<double>(end);
   }
-  /// Deviation of the average, of a channel by its place.
+  /// Standard deviation of the average of a channel, given by its index.
   double noise(std::size_t channel) const {
     const auto& spread = plateau_.channels[channel].average.spread;
     double square = 0.0;
@@ -274,7 +274,7 @@ class DrumPassage {
   const std::string& channel(std::size_t i) const { return plateau_.channels[i].name; }
   std::size_t passages() const { return plateau_.passages.starts.size(); }
 
-  /// Room for the delay on both sides.
+  /// Margin for the delay on both sides, s.
   double room() const { return kRoom * (before_ + behind_) + kMoreRoom; }
 
   std::string test(const std::string& cleat, double diameter) const {
@@ -291,7 +291,7 @@ class DrumPassage {
         cleat);
   }
 
-  /// Finds the shift by which the record is most like the simulation, and keeps how alike they are.
+  /// Finds the shift with the greatest similarity between record and simulation, and keeps both.
   void align(const Channels& simulated, double sign) {
     const auto &time = simulated["time"], &force = simulated["Fz"];
     for (double moved = -kFarthest; moved <= kFarthest; moved += kShiftStep) {
@@ -303,10 +303,10 @@ class DrumPassage {
   }
   double alike() const { return alike_; }
 
-  /// N: the load at rest of the tire whose force, rolling at that height, is the measured one.
+  /// N: load at rest with which the tire, rolling at the same height, has the measured force.
   double load_at_rest() const { return at_rest_ * std::abs(load()); }
-  /// The known ring rolls with another force than it stands with; the measured tire is taken to do
-  /// so in proportion.
+  /// The known ring has another force when it rolls than at rest; the measured tire is assumed to
+  /// have the same ratio.
   void learn_rolling_load(const Channels& simulated) {
     const auto &time = simulated["time"], &force = simulated["Fz"];
     double sum = 0.0;
@@ -340,7 +340,7 @@ class DrumPassage {
   }
 
  private:
-  /// The correlation of the simulated force with the average moved onto the simulated times.
+  /// Correlation of the simulated force with the average shifted onto the simulated times.
   double correlation_at(const std::vector<double>& time,
                         const std::vector<double>& force,
                         double moved) const {
@@ -363,10 +363,11 @@ class DrumPassage {
   long hit_ = 0;
   double before_ = 0.0, behind_ = 0.0;  // s, the window around the hit
   double moved_ = 0.0, alike_ = 0.0;
-  double at_rest_ = 1.0;  // load at rest over that rolling
+  double at_rest_ = 1.0;  // ratio of the load at rest to that of rolling
 };
 
-/// The drum's diameter, stated or by speed and period, and what is to be said of it.
+/// Returns the drum's diameter, stated or computed from speed and period, and adds remarks about
+/// it.
 double diameter_of(const DrumPassage& passage,
                    std::optional<double> stated,
                    std::vector<std::string>& words) {
@@ -391,7 +392,7 @@ DrumStudy drum_study(const DrumRecordings& recordings,
                      const Document& known,
                      const fs::path& folder,
                      const experiment::Language& language) {
-  ring_tire::read_ring_tire(known.root());  // before any work
+  ring_tire::read_ring_tire(known.root());  // fails before any work is done
   const std::string cleat = cleat_table(recordings.cleat);
   std::optional<double> diameter;
   if (!recordings.diameter.empty())

@@ -22,11 +22,12 @@ namespace fs = std::filesystem;
 using correlation::Measurement;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr std::size_t kMostSamples = 2000;  // more tell little of a sweep: neighbors share noise
-constexpr double kFreeRolling = 0.02;       // |kappa| of a wheel that is not driven
-constexpr double kSmallAngle = 1.5 * kDegree, kSmallSlip = 0.02;  // up to which forces are straight
+constexpr std::size_t kMostSamples = 2000;  // further samples of a sweep give little information,
+                                            // because neighbors share noise
+constexpr double kFreeRolling = 0.02;       // greatest |kappa| of a wheel that is not driven
+constexpr double kSmallAngle = 1.5 * kDegree, kSmallSlip = 0.02;  // up to which forces are linear
 
-/// A part of a channel's range.
+/// Returns a quantile of a channel.
 double quantile(std::vector<double> values, double share) {
   std::erase_if(values, [](double x) { return !std::isfinite(x); });
   if (values.empty()) return 0.0;
@@ -35,7 +36,7 @@ double quantile(std::vector<double> values, double share) {
   return *at;
 }
 
-/// slope and value at 0 of the line through y over x, least squares.
+/// Slope and value at 0 of the least-squares line through y over x.
 std::pair<double, double> line(const std::vector<double>& x, const std::vector<double>& y) {
   const auto n = static_cast<double>(x.size());
   double mx = 0.0, my = 0.0, xx = 0.0, xy = 0.0;
@@ -51,7 +52,7 @@ std::pair<double, double> line(const std::vector<double>& x, const std::vector<d
   return {slope, my - slope * mx};
 }
 
-/// The samples of a test and what varies in them.
+/// The samples of a test and which conditions vary in them.
 class TireTest {
  public:
   explicit TireTest(const Measurement& measured) : measured_(measured) {
@@ -63,12 +64,12 @@ class TireTest {
     lags = (side_lag && side_lag->is_seen()) || (drive_lag && drive_lag->is_seen());
   }
 
-  std::optional<RecordedLag> side_lag, drive_lag;  // of Fy and Fx; none: cannot be told
+  std::optional<RecordedLag> side_lag, drive_lag;  // lags of Fy and Fx; none: cannot be determined
   bool lags = false;
   bool cornering, driving, combined;
 
-  /// The levels of the samples that a stage fits: those of driving, or those of cornering alone
-  /// where a test has both.
+  /// Levels of the samples that a stage fits: those of driving, or of cornering alone if a test has
+  /// both.
   magic_formula::ConditionLevels levels_of(bool of_driving) const {
     return condition_levels([&](const std::string& channel) {
       std::vector<double> all = of(channel);
@@ -97,9 +98,9 @@ class TireTest {
     for (double& one : all) one = std::abs(one);
     return all;
   }
-  /// Grip: what a force reaches of the load.
+  /// Grip: the greatest ratio of a force to the load.
   double grip(const std::string& force) const { return quantile(shares(force), 0.98); }
-  /// Slope of a force over the load at slips below `most`, where the other slip is small.
+  /// Slope of a force over the load at slips below `most` at which the other slip is small.
   double steepness(const std::string& force, const std::string& slip, double most) const {
     std::vector<double> x, y;
     const auto &Fz = of("Fz"), &F = of(force), &s = of(slip);
@@ -123,15 +124,15 @@ class TireTest {
   const Measurement& measured_;
 };
 
-/// Coefficients that a stage frees, where the test tells them.
+/// Coefficients that a stage frees, if the test determines them.
 struct Stage {
   const char* name;
   std::vector<std::string> experiments, coefficients;
 };
 
-/// The stages of all coefficients that the forces of a test could tell, whatever its conditions.
-/// Without what E owes to the side of the slip (PEY3, PEY4, QEZ4, QEZ5): where the formula cuts E
-/// off at 1 nothing tells it, and a search goes on along it for long.
+/// The stages with all coefficients that the forces of a test could determine, for any conditions.
+/// PEY3, PEY4, QEZ4 and QEZ5, the dependence of E on the side of the slip, are left out: where the
+/// formula limits E to 1 no data determine them, and a search would vary them for long.
 std::vector<Stage> every_stage_of(const TireTest& t) {
   std::vector<Stage> stages;
   if (t.cornering) {
@@ -184,8 +185,8 @@ std::vector<Stage> every_stage_of(const TireTest& t) {
   return stages;
 }
 
-/// What is freed, and what is not, by its reason: "of order 2 in the pressure, of which there are 2
-/// levels: 69, 83 kPa" with the coefficients of which that is true.
+/// The freed coefficients, and the others by the reason: "of order 2 in the pressure, of which
+/// there are 2 levels: 69, 83 kPa" with the coefficients for which this is true.
 struct Freed {
   std::vector<Stage> stages;
   std::vector<std::pair<std::string, std::vector<std::string>>> left_out;
@@ -198,8 +199,8 @@ struct Freed {
   }
 };
 
-/// A coefficient of a condition is freed where the recordings hold more distinct levels of it than
-/// the order of its polynomial.
+/// A coefficient of a condition is freed if the recordings have more distinct levels of the
+/// condition than the order of the coefficient's polynomial.
 Freed stages_of(const TireTest& t) {
   Freed freed;
   const magic_formula::ConditionLevels of_cornering = t.levels_of(false),
@@ -244,7 +245,7 @@ void check(const Measurement& measured, const TireTest& test) {
                      "neither slip angle nor slip goes through a sweep: there is no curve to fit");
 }
 
-/// What the recordings show at a glance.
+/// Estimates start values directly from the recordings.
 magic_formula::Parameters start_of(const TireTest& t,
                                    const Measurement& measured,
                                    const std::optional<double>& unloaded_radius) {
@@ -264,11 +265,11 @@ magic_formula::Parameters start_of(const TireTest& t,
     throw InputError(
         measured.place(),
         "has no loaded radius: the tire's radius has to be given, --radius \"0.32 m\"");
-  constexpr double kUsualDeflection = 0.05;  // of the radius, under the nominal load
+  constexpr double kUsualDeflection = 0.05;  // share of the radius, under the nominal load
   p.VERTICAL_STIFFNESS =
       rounded(stiffness > 0.0 ? stiffness : p.FNOMIN / (kUsualDeflection * p.UNLOADED_RADIUS), 1e3);
   const auto digits = [](double x) { return std::round(x * 100.0) / 100.0; };
-  constexpr double kAtNominalLoad = 0.9;  // sin(2 atan(1 / PKY2)) of (4.E25)
+  constexpr double kAtNominalLoad = 0.9;  // estimate of sin(2 atan(1 / PKY2)) of (4.E25)
   p.PCY1 = 1.4;
   p.PDY1 = t.cornering ? digits(t.grip("Fy")) : 1.0;
   p.PEY1 = -0.5;
@@ -278,7 +279,7 @@ magic_formula::Parameters start_of(const TireTest& t,
   p.PDX1 = t.driving ? digits(t.grip("Fx")) : 1.0;
   p.PEX1 = -0.5;
   p.PKX1 = std::max(8.0, digits(t.steepness("Fx", "kappa", kSmallSlip)));
-  // relaxation lengths are slip stiffnesses over these (19)
+  // Relaxation lengths are slip stiffnesses over these stiffnesses (19).
   if (t.side_lag && t.side_lag->is_seen())
     p.LATERAL_STIFFNESS = rounded(-p.PKY1 * kAtNominalLoad * p.FNOMIN / t.side_lag->sigma, 100.0);
   if (t.drive_lag && t.drive_lag->is_seen())
@@ -297,7 +298,7 @@ std::string quoted(const std::vector<std::string>& names) {
   return fmt::format("[\"{}\"]", fmt::join(names, "\", \""));
 }
 
-/// Keys of a measurement that all of them share.
+/// Returns the keys that all measurements share.
 std::string measurement_keys(const TireTestFiles& test, std::size_t every) {
   std::vector<std::string> files;
   for (const fs::path& file : test.files) files.push_back(file.string());
@@ -326,7 +327,7 @@ Measurement read_all(const TireTestFiles& test) {
   return correlation::read_measurement(document.root().table("measurement").table("all"), "");
 }
 
-/// With the axes that the sign of Fz tells, where nobody has said them.
+/// Reads the files in the axes that the sign of Fz indicates, if no axes are stated.
 std::pair<TireTestFiles, Measurement> read(const TireTestFiles& test) {
   Measurement measured = read_all(test);
   if (!test.axes.empty() || !measured.has("Fz") || quantile(measured.values("Fz", "N"), 0.5) >= 0.0)
@@ -382,7 +383,7 @@ std::string sets(const TireTest& t, const std::string& keys) {
   return text;
 }
 
-/// What the loops say, a comment each.
+/// Describes the loops, one comment each.
 std::string lags_in_words(const TireTest& t) {
   std::string text;
   const auto add =

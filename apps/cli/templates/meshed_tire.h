@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tire of finite elements that a model's or a study's file holds: described by its section, or
-// on a mesh of its owner.
+// Reads the finite-element tire of a model's or a study's file: described by its section, or on a
+// mesh of the user.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@
 namespace latsch::cli {
 
 struct MeshedTire {
-  std::string name, size;  // no size where the mesh is its owner's
-  double pressure = 0.0;   // Pa, its own
+  std::string name, size;  // no size if the mesh is the user's
+  double pressure = 0.0;   // Pa, the tire's own
   fe_tire::Mesh mesh;
   fe_tire::Materials materials;
   fe_tire::SolverSettings settings;
-  std::optional<fe_tire::TireDescription> description;  // none where the mesh is its owner's
+  std::optional<fe_tire::TireDescription> description;  // none if the mesh is the user's
 };
 
-/// Throws InputError where the file holds no such tire.
+/// Throws InputError if the file contains no such tire.
 MeshedTire meshed_tire(const std::string& file, const experiment::Language& language);
 
 }  // namespace latsch::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tire file whose columns of elements end where they are told to, and how many sectors it has.
+// Changes the ends of a tire file's columns of elements and its number of sectors.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace latsch::cli {
 
-/// "columns = [0, 0.1, 1]", as a line of [mesh].
+/// Returns "columns = [0, 0.1, 1]", a line of [mesh].
 std::string columns_line(const std::vector<double>& columns);
 
-/// The tire file `text` with that line in place of what told its columns, and so many sectors.
-/// Throws InputError with the lines to write by hand where the file is written in another way than
-/// expected.
+/// Returns the tire file `text` with that line instead of its description of columns, and with that
+/// number of sectors. Throws InputError with the lines to write by hand if the file is written in
+/// another way than expected.
 std::string placed_tire(std::string_view text, const std::vector<double>& columns, int sectors);
 
 }  // namespace latsch::cli

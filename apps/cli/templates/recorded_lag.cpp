@@ -13,10 +13,11 @@ namespace {
 
 using correlation::Measurement;
 
-constexpr std::size_t kReach = 2;      // samples to each side over which a slope in time is taken
+constexpr std::size_t kReach = 2;      // samples to each side from which a derivative by time is
+                                       // computed
 constexpr std::size_t kFewest = 30;    // samples of small slip
-constexpr double kNoOtherSlip = 0.02;  // rad or 1
-constexpr double kLightest = 0.5;      // of the median load: less is a wheel that is lifted
+constexpr double kNoOtherSlip = 0.02;  // rad or 1; greatest other slip
+constexpr double kLightest = 0.5;      // share of the median load; below it the wheel is lifted
 
 std::vector<double> values_of(const Measurement& measured, const std::string& channel) {
   if (!measured.has(channel)) return {};
@@ -29,7 +30,7 @@ double quantile(std::vector<double> values, double share) {
   return *at;
 }
 
-/// By what a force over its load is told: s, ds/dt / |V|, 1, s^3, then load, s load, camber.
+/// Regressors of a force over its load: s, ds/dt / |V|, 1, s^3, then load, s load, camber.
 constexpr int kAlways = 4, kAll = 7;
 using Regressors = Eigen::Matrix<double, kAll, 1>;
 
@@ -70,9 +71,10 @@ Rows rows_of(const Measurement& measured,
   return rows;
 }
 
-/// Those that vary, each of length 1; `scale`: their lengths before.
+/// Returns the regressors that vary, each normalized to length 1; `scale` has their lengths before.
 Eigen::MatrixXd columns_of(const Rows& rows, Eigen::VectorXd& scale) {
-  constexpr double kVaries = 0.02;  // root mean square of load over its median, rad of camber
+  constexpr double kVaries = 0.02;  // root mean square of the load over its median, or rad of
+                                    // camber
   const Eigen::Index n = std::ssize(rows.y);
   Eigen::MatrixXd X(n, kAll);
   for (Eigen::Index i = 0; i < n; ++i) X.row(i) = rows.X[static_cast<std::size_t>(i)];
@@ -88,7 +90,7 @@ Eigen::MatrixXd columns_of(const Rows& rows, Eigen::VectorXd& scale) {
   return kept * scale.cwiseMax(1e-300).cwiseInverse().asDiagonal();
 }
 
-/// How many times the variance of a mean grows because neighbors share noise.
+/// Factor by which the variance of a mean grows because neighbors share noise.
 double shared_noise(const Eigen::VectorXd& r, const std::vector<std::size_t>& samples) {
   double products = 0.0, squares = 0.0;
   for (Eigen::Index i = 1; i < r.size(); ++i) {
@@ -104,7 +106,8 @@ double shared_noise(const Eigen::VectorXd& r, const std::vector<std::size_t>& sa
 }  // namespace
 
 bool RecordedLag::is_seen() const {
-  constexpr double kDeviations = 4.0, kLeast = 0.01;  // m
+  constexpr double kDeviations = 4.0, kLeast = 0.01;  // deviations and m; smaller lags count as
+                                                      // unseen
   return sigma > kLeast && sigma > kDeviations * deviation;
 }
 
@@ -126,7 +129,7 @@ std::optional<RecordedLag> recorded_lag(const Measurement& measured,
   const double slope = b[0] / scale[0], lag = b[1] / scale[1];
   RecordedLag found;
   found.sigma = -lag / slope;
-  // sigma = -b1/b0: its slopes in the two, and their covariance
+  // sigma = -b1/b0; `by` are its derivatives by both, for its variance.
   Eigen::VectorXd by = Eigen::VectorXd::Zero(columns);
   by[0] = -found.sigma / slope / scale[0];
   by[1] = -1.0 / slope / scale[1];

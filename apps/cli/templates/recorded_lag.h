@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether forces of a recording lag behind their slip, as those of a tire do that rolls on while
-// its slip goes on: by the loop between a sweep up and a sweep down.
+// Detects whether forces of a recording lag behind their slip, as those of a tire do that rolls
+// while its slip changes: from the loop between a sweep up and a sweep down.
 //
-// A force that lags by a relaxation length sigma answers, in a slow sweep, to the slip it had sigma
-// before:  F/Fz = c (s - sigma/|V| ds/dt) + c0.  That is fitted to small slips by least squares in
-// s, ds/dt / |V| and 1, with s^3, and with what load and camber change in c and c0 where they vary;
-// sigma is the ratio of the first two slopes. Its deviation takes into account that neighbors share
-// noise (autocorrelation of the residuals at one sample, as of a process of order 1). What pressure
-// and a tire that warms up change counts as noise.
+// A force with relaxation length sigma depends, in a slow sweep, on the slip at a distance sigma
+// before:  F/Fz = c (s - sigma/|V| ds/dt) + c0.  This is fitted to small slips by least squares in
+// s, ds/dt / |V| and 1, with s^3, and with the effects of load and camber on c and c0 if these
+// vary; sigma is the ratio of the first two slopes. Its deviation includes that neighbors share
+// noise (autocorrelation of the residuals at a lag of one sample, as for a process of order 1). The
+// effects of pressure and of a warming tire count as noise.
 #pragma once
 
 #include <optional>
@@ -19,15 +19,15 @@ namespace latsch::cli {
 
 struct RecordedLag {
   double sigma = 0.0, deviation = 0.0;  // m
-  double rate = 0.0;                    // 1/s or rad/s, nearly the fastest of the sweep
+  double rate = 0.0;                    // 1/s or rad/s, close to the fastest of the sweep
   double speed = 0.0;                   // m/s
 
-  /// Four deviations, and more than a contact patch may hide: 1 cm.
+  /// True if sigma exceeds four deviations, and 1 cm, which a contact patch may hide.
   bool is_seen() const;
 };
 
-/// Of a force by its slip, of slips up to `most` where `other` slips are small. nullopt without
-/// time or speed, or with too few samples.
+/// Determines the lag of a force behind its slip, from slips up to `most` at which the `other` slip
+/// is small. Returns nullopt without time or speed, or with too few samples.
 std::optional<RecordedLag> recorded_lag(const correlation::Measurement& measured,
                                         const std::string& force,
                                         const std::string& slip,

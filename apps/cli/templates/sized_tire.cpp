@@ -31,7 +31,7 @@ SizeDesignation size_of(const std::string& text) {
     throw InputError("--size is " + in_quotes(text) +
                      ", expected a size such as \"275/35R19\" or \"16x7.5-10\"");
   }
-  // What tires are made in; beyond, a template would be stretched out of its kind.
+  // These are the usual sizes; beyond them a template would be stretched too far.
   const double height = 0.5 * (size->outer_diameter - size->rim_diameter);
   const bool usual = size->metric
                          ? height > 0.06 && height < 0.18 && size->width > 0.12 &&
@@ -53,7 +53,7 @@ SizeDesignation size_of(const std::string& text) {
   return *size;
 }
 
-/// Half the width of the rim a tire of that size is measured on, m.
+/// Half the width of the measuring rim of a tire of that size, m.
 double half_rim(const SizeDesignation& size) {
   if (!size.metric) return 0.5 * (size.width - 0.5 * kInch);
   const double aspect = 0.5 * (size.outer_diameter - size.rim_diameter) / size.width;
@@ -65,7 +65,7 @@ double half_rim(const SizeDesignation& size) {
   return 0.5 * std::round(2.0 * share * size.width / kInch) / 2.0 * kInch;
 }
 
-/// Takes points of the contour of one tire to those of another size.
+/// Maps points of the contour of one tire to those of another size.
 class Stretch {
  public:
   Stretch(const TireDescription& from, const SizeDesignation& to)
@@ -87,7 +87,7 @@ class Stretch {
     return {p.y * (rim_ + up * (width_ - rim_)), bead_r_ + high * (crown_r_ - bead_r_)};
   }
 
-  /// The position along the wall of the same point.
+  /// Position along the wall of the same point.
   double position(double old) const {
     const double k = std::clamp(old, 0.0, 1.0) * static_cast<double>(arc_.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(k), arc_.size() - 2);
@@ -114,10 +114,10 @@ class Stretch {
   std::vector<double> arc_;  // m, at equal steps of the old position
 };
 
-/// To so many parts of 1: the number nearest to the decimal one, which is then written short.
+/// Rounds to 1/`parts`: the nearest number, which then has a short decimal form.
 double rounded(double value, double parts) { return std::round(value * parts) / parts; }
 
-/// Whether the number at a path of a tire file is a position along the wall.
+/// True if the number at a path of a tire file is a position along the wall.
 bool is_position(const std::string& path) {
   if (path == "section.tread_to") return true;
   const bool placed = path.starts_with("region.") || path.starts_with("layer.");
@@ -127,14 +127,14 @@ bool is_position(const std::string& path) {
   return profile && path.ends_with(".0");
 }
 
-/// The text with another line of a key.
+/// Returns the text with the line of a key replaced.
 std::string with_line(std::string_view text, const std::string& key, const std::string& value) {
   return by_lines(text, [&](std::string line) {
     return line.starts_with(key + " =") ? fmt::format("{} = {}\n", key, value) : line;
   });
 }
 
-/// The template's own opening words are about another tire.
+/// Replaces the template's own opening comment, which describes another tire.
 std::string with_head(std::string_view text, const std::string& head) {
   while (text.starts_with('#')) text.remove_prefix(text.find('\n') + 1);
   return head + std::string(text);
@@ -149,7 +149,7 @@ std::string template_of(const std::string& size) {
   return height >= 0.495 * wanted.width ? "passenger_205_55R16" : "passenger_235_45R20";
 }
 
-/// One and a half times those of the meshes of tires B and A in [Hempel & Oertel 2016].
+/// The limit is one and a half times the unknowns of tires B and A in [Hempel & Oertel 2016].
 int most_unknowns(const std::string& size) {
   return template_of(size) == "passenger_235_45R20" ? 40500 : 23220;
 }
@@ -184,12 +184,12 @@ std::string stretched_tire(std::string_view text, const std::string& size) {
   for (const std::string& path : tire.paths()) {
     if (is_position(path)) tire.set(path, rounded(stretch.position(tire.get(path)), 1e3));
   }
-  if (old.section.columns.empty()) return tire.text();  // a coarse mesh, columns all alike
+  if (old.section.columns.empty()) return tire.text();  // a coarse mesh with equal columns
   std::vector<double> columns = old.section.columns;
   for (double& q : columns) q = rounded(stretch.position(q), 1e4);
   std::string stretched = placed_tire(tire.text(), columns, old.section.sectors);
-  // Walls higher than the template's bend more in the crown, which wants columns more than the
-  // contact wants its narrowest sectors: wider ones move the vertical force by 0.1 %.
+  // Walls higher than the template's bend more in the crown, where columns are then more useful
+  // than the narrowest sectors in the contact: wider sectors change the vertical force by 0.1 %.
   if (template_of(size) == "passenger_205_55R16") {
     stretched = with_line(stretched, "sector_zones", "[[4, \"3.2 deg\"], [2, \"5 deg\"]]");
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/study_reference.md, built into the program; tools/study_reference.py makes it from the
+// docs/study_reference.md, contained in the program; tools/study_reference.py makes it from the
 // readers.
 #pragma once
 

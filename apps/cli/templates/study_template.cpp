@@ -14,7 +14,7 @@ namespace latsch::cli {
 namespace {
 
 constexpr double kWithin =
-    4.0;  // bounds are so many times the tire's own value, and as small a part
+    4.0;  // ratio of the upper bound to the tire's own value, and of that value to the lower
 
 constexpr std::string_view kHead =
     R"(# A study: which numbers of tire.toml may vary, what was measured, how the two are compared.
@@ -100,7 +100,7 @@ std::string text_of(const StarterVariable& variable) {
                     modulus(variable.initial));
 }
 
-/// mm, up to a quarter of the section's height: where a tire is used.
+/// Deflections in mm, up to a quarter of the section's height, the range of use of a tire.
 std::string deflections_of(const fe_tire::TireDescription& tire) {
   const double height = tire.section.contour.front().r - tire.section.contour.back().r;
   std::string list;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The study `latsch new` writes for a tire: which of its numbers vary, and between which bounds.
-// Tires are those of studies/tires, built into the program.
+// The study that `latsch new` writes for a tire: which of its numbers vary, and in which ranges.
+// The tires are those of studies/tires, contained in the program.
 #pragma once
 
 #include <string>
@@ -13,25 +13,26 @@ namespace latsch::cli {
 
 struct TireTemplate {
   std::string_view name;  // "passenger_205_55R16"
-  std::string_view text;  // the tire file
+  std::string_view text;  // content of the tire file
 };
 
 /// Generated from studies/tires/*.toml when the program is built.
 const std::vector<TireTemplate>& tire_templates();
 
-/// One number of the study, which may stand for several of the tire.
+/// One variable of the study, which may stand for several numbers of the tire.
 struct StarterVariable {
   std::string name;
   std::vector<std::string> paths;
-  double initial = 0.0;  // Pa; the geometric mean of those the tire has
-  double example = 0.0;  // of that value the example's measurements are made of it
+  double initial = 0.0;  // Pa; the geometric mean of the tire's numbers
+  double example = 0.0;  // factor of that value with which the example's measurements are computed
 };
 
-/// The moduli that decide how stiff a tire is, as far as it has them: of the sidewalls' rubber, of
-/// the carcass with its turnups, of the belts. Throws InputError where it has none of them.
+/// Returns the moduli that determine the stiffness of a tire, as far as it has them: of the
+/// sidewalls' rubber, of the carcass with its turnups, of the belts. Throws InputError if it has
+/// none of them.
 std::vector<StarterVariable> starter_variables(const Document& tire);
 
-/// The study file of that tire.
+/// Returns the study file of that tire.
 std::string study_template(const Document& tire);
 
 }  // namespace latsch::cli

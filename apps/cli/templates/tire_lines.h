@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tire files edited line by line, so that comments and order stay.
+// Edits tire files line by line, so that comments and order stay.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace latsch::cli {
 
-/// `text` with each line, its end included, as `replaced` gives it.
+/// Returns `text` with each line, including its end, replaced by the result of `replaced`.
 template <class Replaced>
 std::string by_lines(std::string_view text, Replaced replaced) {
   std::string result;

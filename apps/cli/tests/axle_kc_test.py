@@ -31,7 +31,7 @@ class AxleKc(unittest.TestCase):
         for name in ("camber", "toe", "caster"):
             start = linkage[name][2]
             for i in range(5):
-                # 10^10 N/m in each joint leaves less than a thousandth of a degree.
+                # The compliance of 10^10 N/m in each joint causes less than a thousandth of a degree.
                 self.assertAlmostEqual(rig[name + "_L"][i] - rig[name + "_L"][2], linkage[name][i] - start, delta=2e-5,
                                        msg=f"{name} {i}")
                 self.assertAlmostEqual(rig[name + "_L"][i], rig[name + "_R"][i], delta=1e-8)
@@ -75,7 +75,7 @@ class AxleKc(unittest.TestCase):
             rig = run(model, test)
             subprocess.run([LATSCH, "test", str(STUDIES / model), test, "--html", str(folder / "loops.html")], check=True,
                            capture_output=True)
-            # Friction: the way back is another one than the way there.
+            # Because of friction the curve of unloading differs from that of loading.
             self.assertGreater(abs(rig["toe_L"][5] - rig["toe_L"][1]), 0.02 * abs(rig["toe_L"][1]))
             page = (folder / "loops.html").read_text()
             self.assertIn("toe_R_by_Fy_L", page)
@@ -84,7 +84,7 @@ class AxleKc(unittest.TestCase):
             mean = sum(x) / len(x)
             slope = sum((a - mean) * b for a, b in zip(x, y)) / sum((a - mean) ** 2 for a in x)
             self.assertAlmostEqual(rig["toe_R_by_Fy_L"][0] / slope, 1.0, delta=1e-9)
-            # Of a rig whose specimen is in the model class the stiffness is found, from five times too soft.
+            # If the specimen belongs to the model class, its stiffness is found, from a start five times too soft.
             rig = run("compliance/rear_axle/car.toml", test)
             with open(folder / "rig.csv", "w", newline="") as file:
                 table = csv.writer(file)

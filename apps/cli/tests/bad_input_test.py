@@ -121,7 +121,7 @@ class BadInput(Coarse):
 
         text = self.latsch("run", self.study, code=FAILED, preexec_fn=small_files)
         self.assert_says(text, "study.latsch")
-        resumed = self.latsch("resume", self.study)  # nothing that was finished is lost or spoiled
+        resumed = self.latsch("resume", self.study)  # no finished trial is lost or spoiled
         self.assert_says(resumed, "Best of")
 
 

@@ -52,8 +52,8 @@ class OnRoads(Cars):
     def filed(self, name, **keys):
         return f'[road]\nfile = "{name}"\n' + "".join(f"{key} = {value}\n" for key, value in keys.items())
 
-    # Of plane faces, which triangles are, and below all wheels: the same kerb, in words and from its file. What is left is
-    # the mean height below a piece of tread, in closed form or by samples.
+    # The kerb in words and the kerb from a file have plane faces, as triangles do, and lie below all wheels. The
+    # remaining difference is that of the mean height below a piece of tread, in closed form or by samples.
     def test_a_kerb_from_a_file_is_that_in_words(self):
         (self.folder / "kerb.toml").write_text(self.KERB)
         self.latsch("road", self.folder / "kerb.toml", "--triangles", self.folder / "kerb.rdf")
@@ -75,7 +75,7 @@ class OnRoads(Cars):
         self.write_grid("round.crg", "$ROAD_CRG_OPTS\nborder_mode_u = 3\n$\n")
         self.run_on(self.filed("round.crg", start='["18.5 m", "0 m"]'))
 
-    # Below the left wheels alone: the right ones roll on the ground beside it, which the file has too.
+    # The kerb lies below the left wheels alone: the right ones roll on the ground beside it, which the file contains too.
     def test_a_kerb_from_a_file_has_ground_beside_it(self):
         kerb = 'kind = "kerb"\nshape = "triangle"\npitch = "800 mm"\nwidth = "800 mm"\nheight = "10 mm"\ncount = 2\nstart = ["0 m", "0.2 m"]\n'
         (self.folder / "kerb.toml").write_text(kerb)
@@ -86,7 +86,7 @@ class OnRoads(Cars):
             size = math.sqrt(sum(x * x for x in a) / len(a))
             self.assertLess(math.sqrt(sum((x - y) ** 2 for x, y in zip(a, b)) / len(a)), 0.001 * size)
 
-    # The axle that pulls has its place in the file; drag shifts the same load whichever it is.
+    # The driven axle is stated in the file; drag transfers the same load for either axle.
     def test_drag_starts_in_balance_and_keeps_the_speed(self):
         text = self.car.read_text()
         for drives in ("", 'drives = "front"\n', 'drives = "both"\n'):
@@ -98,7 +98,7 @@ class OnRoads(Cars):
         self.car.write_text(text + '\n[driver]\ndrives = "left"\n')
         self.assertIn("driver.drives", self.run_on("", code=WRONG_INPUT))
 
-    # 60 m/s, maps of several weights on rigid joints: what found no rest.
+    # Regression for 60 m/s and maps of several weights on rigid joints: the equilibrium was not found.
     def test_downforce_on_rigid_joints_finds_rest(self):
         text = self.car.read_text()
         for times in (1.0, 2.0, 3.0):
@@ -108,7 +108,7 @@ class OnRoads(Cars):
             down = 9.80665 * (220.0 + 2.0 * 2.0 * (0.8 + 1.0 + 0.4 + 0.3 + 0.4 + 4.0 + 8.2)) + 0.5 * 1.2 * 3600.0 * 1.2 * 2.2 * times
             self.assertAlmostEqual(sum(record[f"Fz_{c}"][0] for c in CORNERS), down, delta=1e-6 * down)
 
-    # On a level road: q A (C_f + C_r) more than the weight, of constant coefficients.
+    # The additional load on a level road is q A (C_f + C_r), with constant coefficients.
     def test_air_presses_it_down(self):
         still = self.run_on("", code=None)
         with open(self.car, "a") as file:
@@ -148,7 +148,8 @@ class OnPosts(Cars):
         self.assertEqual(record["frequency"], [0.5 * f for f in range(2, 21)])
         self.assertTrue(all(0.0 <= c <= 1.0 + 1e-12 for c in record["coherence_hub_RR"]))
         self.assertTrue(all(abs(p) <= math.pi for p in record["phase_body_z"]))
-        # Far below its resonance of 6 Hz it rises with its posts, a little more: acceleration by height is (2 pi f)^2.
+        # Far below its resonance of 6 Hz the body rises slightly more than its posts: acceleration over height is (2 pi
+        # f)^2.
         line = record["frequency"].index(2.0)
         self.assertAlmostEqual(record["tf_body_z"][line] / (4.0 * math.pi) ** 2, 1.0 / (1.0 - (2.0 / 6.0) ** 2), delta=0.1)
 
@@ -271,7 +272,7 @@ class Refused(Cars):
             self.assertIn(words, self.latsch("test", self.car, SHORT, code=WRONG_INPUT))
             self.car.write_text(original)
 
-    # Every model file of the studies by itself: cars, suspensions, rings, .tir.
+    # Every model file of the studies is checked by itself: cars, suspensions, rings, .tir.
     def test_check_takes_every_model_file(self):
         for file in ("kerb/baseline.toml", "kerb/front_rigid.toml", "kerb/slick_ring.toml", "kerb/slick.tir", "tires/passenger_205_55R16.toml"):
             path = STUDIES / file
@@ -283,7 +284,7 @@ class Refused(Cars):
         broken.write_text(self.car.read_text().replace("[front]\n", "[front]\ncambr = \"1 deg\"\n", 1))
         self.assertIn("front.cambr", self.latsch("check", broken, code=WRONG_INPUT))
 
-    # A tire that says no side is told of where it is used, and taken for a left one.
+    # A tire that states no side is reported where it is used, and assumed to be a left one.
     def test_a_tire_without_a_side_is_told_of(self):
         tire = self.folder / "kerb" / "slick.tir"
         for arguments in (("check", self.car), ("check", tire), ("test", self.car, SHORT)):

@@ -42,11 +42,11 @@ class Coarse(unittest.TestCase):
         folder = cls.base / "template"
         subprocess.run([LATSCH, "new", folder, "--coarse"], check=True, stdout=subprocess.DEVNULL)
         edit(folder / "tire.toml", (r"\n(meridional|columns) = .*", "\nmeridional = 14"), ("sectors = .*", "sectors = 18"),
-             ('young_modulus = "4 MPa"', 'young_modulus = "5 MPa"'))  # both sidewalls alike, as the variable has them
+             ('young_modulus = "4 MPa"', 'young_modulus = "5 MPa"'))  # both sidewalls, as in the variable
         edit(folder / "study.toml",
              (r"values = \[.*\]}", "values = [6, 12]}"),
              ("measured_modes = 10", "measured_modes = 6"),
-             ('method = "auto"', 'method = "gss"'),  # slow enough to be stopped on the way
+             ('method = "auto"', 'method = "gss"'),  # slow enough to be stopped during the run
              ("step_tolerance = .*", "step_tolerance = 0.05"),
              (r"\[variable.belt\]\n(.+\n)*", ""))
         for name in ("stiffness.csv", "modes.csv"):

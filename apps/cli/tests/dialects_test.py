@@ -185,14 +185,14 @@ class Pac2002(InFolder):
             moved = max(moved, abs(expected[4] - nominal[4]))
             for name, value in zip(("Fx", "Fy", "Mx", "My", "Mz"), expected, strict=True):
                 self.assertAlmostEqual(found[name][k], value, delta=2e-5 + 1e-7 * abs(value), msg=f"{name} {state}")
-        self.assertGreater(moved, 10.0)  # N m: the pressure acts
+        self.assertGreater(moved, 10.0)  # N m: the pressure has an effect
 
     def test_check_and_show_say_what_each_key_was_taken_for(self):
         self.write("tire.tir", tir_of(PAC2002) + "[VERTICAL]\nQFZ3 = 5\nQFZI = 3\n[MODEL]\nFE_METHOD = 'NO'\n")
         said = self.latsch("check", "tire.tir")
         self.assert_says(said, "no FITTYP; Pac2002 is evaluated with the equations of MF 5.2", "QFZ3 = 5 has no effect",
                          "[VERTICAL] QFZI is not known here", 'did you mean "QFZ1"')
-        self.assertNotIn("FE_METHOD =", said)  # 'NO' asks for nothing
+        self.assertNotIn("FE_METHOD =", said)  # 'NO' requests nothing
         self.assert_says(self.latsch("show", "tire.tir"), "PPMX1", "multiplies NOMPRES", "friction ellipse")
 
     def test_names_and_versions(self):
@@ -244,7 +244,7 @@ class OpenCrg(InFolder):
 
     def test_statements_of_the_standard_leave_the_surface_and_are_shown(self):
         self.write("points.csv", "x,y\n0,-1\n1,0\n2,1\n2.5,-0.5\n3,0\n4,1\n")
-        right = [0, 0.02, 0.01, 0.0225, 0.04, 0.01]  # by hand
+        right = [0, 0.02, 0.01, 0.0225, 0.04, 0.01]  # computed by hand
         globe = "".join(f"REFERENCE_LINE_{end}_{axis} = {value}\n" for end in ("START", "END")
                         for axis, value in (("LON", 11.1234567), ("LAT", 48.1), ("ALT", 512.3)))
         for name, road, shown in (
@@ -272,8 +272,8 @@ class DeckWithEquations(Coarse):
         self.latsch("export", tire, "--ccx", deck, "--deflection", "12 mm", "--modes", "6")
         self.assertIn("*EQUATION", deck.read_text())
         self.assert_says(self.latsch("check", deck), "18 equal sectors")
-        # Written again it is the same mesh with the same answers. (That they are those of the tire it was written
-        # from is tested beside the reader, where cords can be smeared on such a mesh.)
+        # Written again, the mesh and its results are the same. (A test beside the reader, which can smear cords on such a
+        # mesh, compares them with those of the original tire.)
         again = self.folder / "again.inp"
         self.latsch("export", deck, "--ccx", again, "--deflection", "12 mm", "--modes", "6")
         self.assertEqual(again.read_text().count("*EQUATION"), deck.read_text().count("*EQUATION"))

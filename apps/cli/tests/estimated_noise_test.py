@@ -22,7 +22,7 @@ TRUTH = {"PCY1": 1.5, "PDY1": 1.25, "PDY2": -0.12, "PEY1": -0.8, "PKY1": -32.0, 
          "QBZ1": 9.0, "QCZ1": 1.15, "QDZ1": 0.11, "QEZ1": -1.5}
 START = {"PCY1": 1.4, "PDY1": 1.1, "PDY2": 0.0, "PEY1": -0.5, "PKY1": -25.0, "PKY2": 1.6,
          "QBZ1": 8.0, "QCZ1": 1.2, "QDZ1": 0.1, "QEZ1": -1.0}
-NOISE = {"Fy": 0.01, "Mz": 0.06}  # of the largest
+NOISE = {"Fy": 0.01, "Mz": 0.06}  # shares of the largest value
 TIR = """[UNITS]
 LENGTH = 'meter'
 FORCE = 'newton'
@@ -83,7 +83,7 @@ class EstimatedNoise(unittest.TestCase):
     def variables(self, *arguments):
         answer, _ = json.JSONDecoder().raw_decode(self.latsch(*arguments, "--json"))
         found = {v["name"]: v for v in answer["result"]["variables"]}
-        for one in found.values():  # an open end
+        for one in found.values():  # null for an open end
             lower, upper = one["interval"]
             one["interval"] = (-math.inf if lower is None else lower, math.inf if upper is None else upper)
         return found
@@ -91,15 +91,17 @@ class EstimatedNoise(unittest.TestCase):
     def test_deviations_and_variables_are_found_together(self):
         text = self.latsch("run", self.study)
         noise = re.findall(r"Noise, as the stage before leaves it: Fy ([\d.]+) %, Mz ([\d.]+) %", text)
-        self.assertEqual(len(noise), 2, text)  # two rounds behind that in which both count alike
+        self.assertEqual(len(noise), 2, text)  # two further rounds after the one with equal weights
         for found, (channel, true) in zip(noise[-1], NOISE.items()):
-            # of 180 values: a standard deviation of 1 / sqrt(360) = 5 % of it; the largest measured is not the largest
+            # The estimate from 180 values has a standard deviation of 1 / sqrt(360) = 5 %; the largest measured value
+            # includes noise.
             self.assertAlmostEqual(float(found) / 100, true, delta=0.15 * true, msg=channel)
         found = self.variables("resume", self.study)
         inside = sum(v["interval"][0] <= TRUTH[k] <= v["interval"][1] for k, v in found.items())
         self.assertGreaterEqual(inside, len(TRUTH) - 1)  # 95 % each
 
-        # The same numbers, stated: the same fit and, but for the spread that is now known, the same intervals.
+        # If these numbers are stated, the fit is the same, and so are the intervals except for the spread, which is now
+        # known.
         stated = self.base / "stated.toml"
         stated.write_text(self.study.read_text())
         for channel, share in zip(NOISE, noise[-1]):
@@ -111,7 +113,7 @@ class EstimatedNoise(unittest.TestCase):
             self.assertAlmostEqual(one["value"], found[name]["value"], delta=0.05 * width, msg=name)
             self.assertAlmostEqual(one["interval"][1] - one["interval"][0], width, delta=0.25 * width, msg=name)
 
-        # Where both count alike, the force bends to the noise of the moment.
+        # With equal weights the fitted force follows the noise of the moment.
         alike = self.base / "alike.toml"
         alike.write_text(self.study.read_text().replace(', noise = "estimated"', ""))
         wide = self.variables("run", alike)["PKY1"]["interval"]
@@ -128,7 +130,7 @@ class EstimatedNoise(unittest.TestCase):
         for name, one in first.items():
             self.assertEqual(one["value"], identified[name]["value"], name)
             for a, b in zip(one["interval"], identified[name]["interval"]):
-                # by slopes there, by differences here; some values are hardly determined
+                # Slopes are used in one run, differences in the other; some values are hardly determined.
                 self.assertTrue(a == b or abs(a - b) < 0.01 * abs(a - one["value"]), name)
             self.assertAlmostEqual(float(re.search(rf"^{name} *= *(\S+)", fitted, re.M)[1]), one["value"], places=12)
 

@@ -137,13 +137,13 @@ class ExactFit(unittest.TestCase):
             return run.stdout
 
     def test_held_at_its_bound_names_the_bound_and_only_there(self):
-        # The least squares lie at 0.2, drawn down by one outlier; by its own exponent the target is least at the start.
+        # The least-squares solution is 0.2, pulled down by one outlier; with exponent 1 the target is least at the start.
         words, _ = self.fit({"a": (0.2, 1.2, 0.286)}, formula='v["a"] * t',
                             measured=lambda t: 0.286 * t if t < 3.9 else -12.0, more="exponent = 1")
         found = re.search(r"(?m)^  a .*$", words).group()
         self.assertNotIn("bound 0.286", found)
         self.assertRegex(found, r"its (bound|least squares at its bound) 0\.2\b")
-        # And where the variable itself lies there.
+        # Also if the variable itself starts at the bound.
         words, _ = self.fit({"a": (0.2, 1.2, 0.7)}, formula='v["a"] * t', measured=lambda t: 0.1 * t)
         self.assertRegex(words, r"(?m)^  a .*held at its bound 0\.2\b")
 

@@ -82,7 +82,7 @@ class Exchange(unittest.TestCase):
             self.assertEqual(description.count('causality="output"'), 55)
             units = set(re.findall(r'<Unit name="([^"]+)"', description))
             self.assertLessEqual(set(re.findall(r' unit="([^"]+)"', description)), units)
-        # What is written is a car again, and makes the same package.
+        # The written model is a car again and makes the same package.
         written = self.folder / "model.toml"
         written.write_text(model)
         again = self.folder / "again" / "car.fmu"
@@ -136,7 +136,7 @@ class Exchange(unittest.TestCase):
                 ask(f"count({variables}[{value}@unit][not({value}@unit = {head}/UnitDefinitions/Unit/@name)])"), "0")
             references = re.findall('valueReference="([0-9]+)"', ask(f"{variables}/@valueReference"))
             self.assertEqual([int(one) for one in references], list(range(len(references))))
-            # The structure names the outputs and nothing else.
+            # The structure lists the outputs and nothing else.
             if version == "2.0":
                 listed = re.findall('index="([0-9]+)"', ask(f"{head}/ModelStructure/Outputs/Unknown/@index"))
                 self.assertEqual(len(listed), outputs)

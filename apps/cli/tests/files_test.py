@@ -52,7 +52,7 @@ class Files(unittest.TestCase):
         self.assertAlmostEqual(x / stiffness, 1.0, delta=1e-3)
         self.assertAlmostEqual(damping / (1e-4 * stiffness), 1.0, delta=1e-3)
         self.assertEqual((self.folder / "page.html").read_text().count("<svg"), 6)
-        # The same corner with its bushings from these files.
+        # Here the corner reads its bushings from these files.
         joints = sorted(file.stem for file in (self.folder / "bushings").glob("*.bus"))
         text = front.read_text()
         own = "".join(f'[bushing.{joint}]\nfile = "bushings/{joint}.bus"\n' for joint in joints)
@@ -81,7 +81,7 @@ class Files(unittest.TestCase):
         self.assertRegex(page.read_text(), r"<b>2000 N</b><svg(.|\n)*<b>4000 N</b><svg")
         self.assertIn("Deflection ", page.read_text())
         self.latsch("test", tire, '{kind = "footprint", loads = ["4 kN"]}', "--html", page)
-        self.assertEqual(page.read_text().count("<svg"), 1)  # single values are no curves
+        self.assertEqual(page.read_text().count("<svg"), 1)  # single values are not drawn
         pressed = [line.split(",") for line in blocks.read_text().splitlines()[1:]]
         self.assertEqual({float(row[0]) for row in pressed}, {1.0, 2.0})
         test = self.write("test.toml", keys.replace(", loads", "\nloads"))
@@ -100,7 +100,7 @@ class Files(unittest.TestCase):
         self.assertEqual(rows[1][2:], ["0", "0", "0", "1", "1"])
         self.assertEqual(rows[2][1:3] + rows[2][6:], ["0.25", "0.02", "0.8"])
         self.assertAlmostEqual(float(rows[3][2]), 0.015)
-        self.assertAlmostEqual(float(rows[3][3]), -(0.5 ** 0.5))  # 45 deg, rising ahead
+        self.assertAlmostEqual(float(rows[3][3]), -(0.5 ** 0.5))  # 45 deg, rising in the forward direction
 
     def test_a_kerb_becomes_a_file_of_triangles(self):
         kerb = self.write("kerb.toml", 'kind = "kerb"\nshape = "saw_tooth"\npitch = "800 mm"\nwidth = "800 mm"\n'
@@ -241,7 +241,7 @@ class Drum(unittest.TestCase):
         self.assertLess(abs(f - true_f), 0.005 * true_f)
         time, psd = zip(*((int(a), int(b)) for a, b in re.findall(r"([+-]\d+)%.*?([+-]\d+)%", text)))
         self.assertEqual(len(time), 6)
-        self.assertLess(max(time + psd), -50)  # the filter helps on every case, fitted or not
+        self.assertLess(max(time + psd), -50)  # the filter improves every case, fitted or not
         page = pathlib.Path(re.search(r"Report: (.*)", text)[1])
         self.assertIn("<svg", page.read_text())
         self.assertIn("frequency [Hz]", (page.parent / "psd_light_real_60kph.csv").read_text())

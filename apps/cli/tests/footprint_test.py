@@ -58,7 +58,8 @@ class Footprint(Coarse):
             self.assertAlmostEqual(at_x, x * 1e-3, delta=1e-9)
             self.assertAlmostEqual(at_y, y * 1e-3, delta=1e-9)
         peak, = found["peak_pressure"]
-        self.assertGreaterEqual(peak, max(found["pressure"]) * (1 - 1e-4))  # it is looked for to a thousandth of a sensor
+        self.assertGreaterEqual(peak, max(found["pressure"]) * (1 - 1e-4))  # the peak is searched to a thousandth of a
+                                                                            # sensor
         self.assertGreater(peak, found["mean_pressure"][0])
 
     def test_a_larger_sensor_sees_a_lower_peak(self):

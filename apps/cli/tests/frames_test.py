@@ -91,7 +91,7 @@ class Wheel:
     def frame(self, name, i):
         """Axes and origin in space; the wheel's top leans to the right."""
         forward, left, up = [1, 0, 0], [0, 1, 0], [0, 0, 1]
-        along_wheel = [0, -math.sin(self.gamma[i]), math.cos(self.gamma[i])]  # upward in its plane
+        along_wheel = [0, -math.sin(self.gamma[i]), math.cos(self.gamma[i])]  # upward in the wheel plane
         if name == "C":
             return [forward, cross(along_wheel, forward), along_wheel], [0, 0, 0]
         return [forward, left, up], [0, 0, 0] if name == "H" else [-self.R_l[i] * x for x in along_wheel]
@@ -236,12 +236,13 @@ class Frames(unittest.TestCase):
                 with open(self.base / "rig.csv") as file:
                     self.assertTrue(next(file).startswith("# Not measured"))
                     rows = list(csv.DictReader(file))
-                # The wheel of the test stands upright at another radius: what the file has is turned by its own.
+                # The wheel of the test is upright and has another radius: forces of the file are converted with their
+                # own.
                 answer = json.loads(self.latsch("simulate", study, "--json").stdout)["result"]["experiments"]
                 simulated = {e["name"]: e["curve"]["simulated"] for e in answer}
                 for i, row in enumerate(rows):
                     signed = [float(row[f"{name}{suffix} [{'N' if name[0] == 'F' else 'N m'}]"]) for name in FORCES]
-                    wrench = written([signed], convention)[0]  # its own inverse
+                    wrench = written([signed], convention)[0]  # the conversion is its own inverse
                     axes, origin = wheel.frame(frame, i)
                     force = [sum(axis[k] * F for axis, F in zip(axes, wrench)) for k in range(3)]
                     moment = [sum(axis[k] * M for axis, M in zip(axes, wrench[3:])) for k in range(3)]

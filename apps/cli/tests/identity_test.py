@@ -197,7 +197,7 @@ class ReadOnly(SpringStudy):
         self.own = pathlib.Path(tempfile.mkdtemp(prefix="latsch_reader_"))
         self.addCleanup(shutil.rmtree, self.own)
         self.reader = []
-        if os.geteuid() == 0:  # to whom no permission matters
+        if os.geteuid() == 0:  # root ignores permissions
             os.chmod(self.own, 0o777)
             if not shutil.which("setpriv"):
                 self.skipTest("run by root, and setpriv is not here to be somebody else")
@@ -245,7 +245,7 @@ class ReadOnly(SpringStudy):
         rows = sqlite3.connect(there)
         rows.execute("pragma journal_mode = wal").fetchone()
         rows.execute("pragma wal_autocheckpoint = 0")
-        for change in (1, -1):  # pages that do not change are not written
+        for change in (1, -1):  # unchanged pages are not written
             rows.execute(f"update tally set trials = trials + {change}")
             rows.commit()
         shutil.copy(there, self.journal)

@@ -74,7 +74,7 @@ class Inflation(Coarse):
         self.assertEqual(found["pressure"], [100.0, 1e5, 3e5])
         growth, radius = found["growth"], found["outer_radius"]
         self.assertTrue(0 < growth[0] < 1e-5 < growth[1] < growth[2] < 0.02, growth)
-        # Of the same node, or of others on a crown that is hardly round.
+        # Both refer to the same node, or to different nodes on a nearly flat crown.
         self.assertAlmostEqual(radius[2] - radius[0], growth[2] - growth[0], delta=0.3 * growth[2])
         self.assertTrue(0.15 < found["section_width"][2] < 0.4)
 

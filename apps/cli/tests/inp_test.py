@@ -36,7 +36,7 @@ workers = 1
 
 
 def channels_of(output):
-    answer, _ = json.JSONDecoder().raw_decode(output)  # what is to be minded stands behind it
+    answer, _ = json.JSONDecoder().raw_decode(output)  # warnings follow the answer
     return {channel["name"]: channel["values"] for channel in answer["result"]["channels"]}
 
 
@@ -89,7 +89,7 @@ class Deck(Coarse):
         before, after = self.deck.read_text().splitlines(), found.read_text().splitlines()
         self.assertEqual(len(before), len(after))
         changed = [(a, b) for a, b in zip(before, after) if a != b]
-        self.assertEqual(len(changed), 1, changed)  # all but C10 as it was
+        self.assertEqual(len(changed), 1, changed)  # all but C10 are unchanged
         (a, b), = changed
         self.assertEqual(a.split(",")[1:], b.split(",")[1:])
         self.assertAlmostEqual(float(b.split(",")[0]) / (float(value) * 1e-6), 1.0, delta=1e-4)

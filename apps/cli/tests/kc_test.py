@@ -51,8 +51,8 @@ class Kc(unittest.TestCase):
         dz = [row["dz"] for row in rows]
         self.assertAlmostEqual(rows[0]["dz_by_Fz"] / ((dz[3] - dz[1]) / 2000.0), 1.0, delta=1e-9)
 
-    # Forces times travel are work, whatever the axes: signs change in pairs. Sae and adams: the force -4 kN along y, to the
-    # right, is +4 kN; toe, camber, caster are told alike.
+    # Forces times travel are work in all axes: signs change in pairs. In sae and adams the force -4 kN along y, to the
+    # right, is +4 kN; toe, camber and caster are the same.
     def test_signs_of_others_are_those_of_their_axes(self):
         test = '{kind = "kc", Fx = "1 kN", Fy = "-4 kN", Fz = "2 kN", Mz = "100 N m"}'
         iso = self.rows(test)[0]
@@ -112,7 +112,8 @@ class Kc(unittest.TestCase):
             self.assertGreater(high, stiffness)
         for end in ("pushrod_inner", "pushrod_outer", "trackrod_inner", "trackrod_outer"):
             self.assertRegex(text, rf"{end} .*anywhere between the bounds")
-        # Of a rod the two ends in series are measured: either has at least the sum's stiffness, whatever the other's.
+        # Only the series of both ends of a rod is measured: each end has at least the stiffness of the series, for any
+        # stiffness of the other end.
         profiles = self.latsch("identify", self.folder / "study.toml").split("Profiles:")[1].split("Cross-validation")[0]
         self.assertNotIn("several minima", profiles)
         for rod in ("pushrod", "trackrod"):
@@ -130,14 +131,14 @@ class Kc(unittest.TestCase):
         text = self.latsch("identify", study)
         self.assertIn("from 16 measured values and 30 priors", text)
         truth = tomllib.loads((self.folder / "specimen.toml").read_text())["bushing"]
-        for joint, axis in ((j, a) for j in truth if j != "all" for a in "xyz"):  # all drawn within two deviations
+        for joint, axis in ((j, a) for j in truth if j != "all" for a in "xyz"):  # all are within two deviations
             found = re.search(rf"{joint}_{axis} +[\d.]+ kN/mm +95 %: ([\d.]+) \.\. ([\d.]+)", text)
             self.assertTrue(found, f"{joint}_{axis}: {text}")
             self.assertLess(float(found[1]), float(truth[joint][axis].split()[0]), f"{joint}_{axis}")
             self.assertGreater(float(found[2]), float(truth[joint][axis].split()[0]), f"{joint}_{axis}")
         gains = text.split("experiments that are only predicted, were they measured")[1].split("Computed values")[0]
         self.assertRegex(gains, r"test G, all of it +1 / [\d.]+")
-        # A load case tells no less than a number of it.
+        # A load case gives at least as much information as one of its numbers.
         gain = {name: float(value) for name, value in re.findall(r"\n  (\S.*?) +1 / ([\d.]+)", gains)}
         self.assertGreaterEqual(gain["test G, all of it"], gain["G_caster"])
 
@@ -151,7 +152,7 @@ class Kc(unittest.TestCase):
             row = values.split(f"<tr><td>{name}<")[1].split("</tr>")[0]
             self.assertEqual("weight near zero" in row, flagged, row)
         self.assertIn("The fit hardly sees", values)
-        self.assertNotIn('id="curves"', page)  # a single value is no curve
+        self.assertNotIn('id="curves"', page)  # a single value is not drawn
 
     def test_a_recording_of_a_rig_drives_the_test(self):
         (self.folder / "rig.csv").write_text("Fz [kN],Fx [N],dz [mm]\n0,0,0\n2,-100,0.5\n4,-200,1.0\n")

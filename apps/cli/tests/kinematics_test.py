@@ -115,7 +115,7 @@ class Kinematics(unittest.TestCase):
         edit(self.front, (r'\[hardpoint\]', 'hardpoints = "points.csv"\n[hardpoint]'))
         self.assertIn("stands beside [hardpoint]", self.latsch("test", self.front, TRAVEL, code=WRONG_INPUT))
 
-    # What stands behind the table in the file keeps its line there.
+    # Text behind the table keeps its line number in the file.
     def test_lines_behind_a_table_of_hardpoints_are_those_of_the_file(self):
         filed = self.table_of_points()
         edit(filed, (r"\[spring\]", "[spring]\nstifness = 3"))
@@ -128,7 +128,7 @@ class Kinematics(unittest.TestCase):
             self.assertAlmostEqual(row["steer"], -image["other_steer"], delta=1e-12)
             self.assertAlmostEqual(row["ackermann"], image["ackermann"], delta=1e-6)
         self.assertGreater(abs(rows[0]["steer"]), 0.2)
-        # The limit at straight ahead continues the curve: a parabola through its neighbors.
+        # The limit at straight ahead continues the curve, as a parabola through its neighbors shows.
         near = self.rows('{kind = "kinematics", rack = ["-2 mm", "0 mm", "2 mm"], wheelbase = "1.55 m"}')
         self.assertAlmostEqual(near[1]["ackermann"], near[0]["ackermann"], delta=0.02 * abs(near[0]["ackermann"]))
         turn = (rows[2]["steer"] - rows[0]["steer"] + rows[2]["other_steer"] - rows[0]["other_steer"]) / 2
@@ -140,7 +140,8 @@ class Kinematics(unittest.TestCase):
         for title in ("Toe and camber", "Height of the roll center", "Motion ratio", "Rates"):
             self.assertIn(title, page.read_text())
 
-    # Steer by rack is a turn about z by a way along y, and caster a slant that all tell alike.
+    # Steer by rack is a rotation about z over a displacement along y, and caster is an angle that has the same sign in
+    # all conventions.
     def test_signs_of_others(self):
         test = '{kind = "kinematics", travel = "10 mm", rack = "5 mm", anti_roll_bar = true}'
         iso, sae, adams = (self.rows(test, signs=view)[0] for view in ("iso", "sae", "adams"))
@@ -157,7 +158,7 @@ class Kinematics(unittest.TestCase):
         self.latsch("test", self.front, '{kind = "kinematics", rack = ["-5 mm", "0 mm", "5 mm"]}', "--html", page, "--signs", "sae")
         self.assertIn("rack to the right [mm]", page.read_text())
 
-    # The height of the track-rod's inner end is found again from the bump steer that it makes.
+    # The height of the track-rod's inner end is identified from the resulting bump steer.
     def test_hardpoints_are_variables_of_a_study(self):
         specimen = self.folder / "specimen.toml"
         shutil.copy(self.front, specimen)

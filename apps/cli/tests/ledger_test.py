@@ -173,7 +173,7 @@ class AxesOfARig(unittest.TestCase):
             written = run("test", folder / "front_left.toml", "{kind = \"kc\", " + loads + "}", "--signs", "sae",
                           "-o", folder / "rig.csv")
             self.assertEqual(written.returncode, 0, written.stderr)
-            if axes == "adapted_sae":  # which keeps loads positive
+            if axes == "adapted_sae":  # adapted_sae keeps loads positive
                 lines = (folder / "rig.csv").read_text().splitlines()
                 place = [name.split(" [")[0] for name in lines[0].split(",")].index("Fz")
                 rows = [line.split(",") for line in lines[1:]]

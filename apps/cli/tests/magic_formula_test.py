@@ -125,9 +125,9 @@ class MagicFormula(unittest.TestCase):
         self.latsch("new", folder, "--magic-formula", self.base / "cornering.dat", self.base / "driving.dat")
         study = (folder / "study.toml").read_text()
         self.assertLessEqual(len([line for line in study.splitlines() if line and not line.startswith("#")]), 25)
-        self.assertIn('axes = "sae"', study)  # by the sign of Fz
+        self.assertIn('axes = "sae"', study)  # determined by the sign of Fz
         tire = (folder / "tire.tir").read_text()
-        for name, value in (("FNOMIN", 1600), ("NOMPRES", 83000)):  # of which the coefficients are
+        for name, value in (("FNOMIN", 1600), ("NOMPRES", 83000)):  # reference values of the coefficients
             self.assertRegex(tire, rf"{name} += {value}\b")
         run = json.loads(self.latsch("run", folder / "study.toml", "--json").stdout)
         found = {v["name"]: v["interval"] for v in run["result"]["variables"]}

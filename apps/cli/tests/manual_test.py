@@ -53,7 +53,7 @@ class Completion(unittest.TestCase):
         self.assertEqual(completed("run", "--wor"), ["--workers"])
         self.assertEqual(set(completed("run", "--")), set(re.findall(r"--[a-z-]+", said("help", "run").split("[run]")[0])))
         self.assertEqual(set(completed("test", "--signs", "a")), {"adams"})
-        self.assertEqual(completed("run", "stud"), [])  # bash goes on with files
+        self.assertEqual(completed("run", "stud"), [])  # bash then completes file names
 
 
 if __name__ == "__main__":

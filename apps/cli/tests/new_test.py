@@ -18,7 +18,7 @@ TIRES = sorted(p.stem for p in (pathlib.Path(__file__).resolve().parents[3] / "s
 SHIPPED = [name for name in TIRES if not name.startswith("comparison_")]
 
 WIDTHS, ASPECTS, RIMS = range(145, 326, 10), range(30, 81, 5), range(13, 22)  # mm, %, inches
-HEIGHTS = (62, 150)  # mm: a 325/30 and a 185/80 there are, a 325/80 there is not
+HEIGHTS = (62, 150)  # mm: sizes 325/30 and 185/80 exist, a 325/80 does not
 
 
 def drawn_sizes(count, seed=2024):
@@ -72,7 +72,7 @@ class New(unittest.TestCase):
                 bounds = {v["name"]: v for v in json.loads(subprocess.run(
                     [LATSCH, "check", study, "--json"], capture_output=True, text=True).stdout)["result"]["variables"]}
                 self.assertLess(found["target"], 0.01)
-                self.assertLessEqual(found["trials"], 10)  # slopes travel with every trial
+                self.assertLessEqual(found["trials"], 10)  # slopes come with every trial
                 for variable in found["variables"]:
                     limits = bounds[variable["name"]]
                     self.assertEqual(variable["unit"], limits["unit"])
@@ -122,7 +122,8 @@ class New(unittest.TestCase):
         self.latsch("test", study.parent / "corner.toml", '{kind = "kinematics", from = "-30 mm", to = "30 mm", points = 5}')
         self.assertIn("exists already", self.latsch("new", self.folder / "corner", "--suspension", code=WRONG_INPUT))
 
-    # Values in N/mm and kN s/m. 3 N of scatter are next to nothing beside the forces of a sweep: what the recording was made of is found again.
+    # Values are in N/mm and kN s/m. A scatter of 3 N is small beside the forces of a sweep: the values of the recording
+    # are identified.
     def test_a_car_is_found_at_once_and_drives(self):
         self.latsch("new", self.folder / "car", "--car")
         study = self.folder / "car" / "study.toml"

@@ -60,7 +60,7 @@ class OldJournals(unittest.TestCase):
         self.study_with(STUDIES / "magic_formula/format4.journal")
         self.assert_taken_over(self.latsch("resume", "study.toml", "--adopt"))
         self.assertEqual(trials_of(self.journal), self.trials)
-        self.assertEqual(self.latsch("run", "study.toml").returncode, DONE)  # adopted once is enough
+        self.assertEqual(self.latsch("run", "study.toml").returncode, DONE)  # it has to be adopted only once
         self.assertEqual(trials_of(self.journal), self.trials)
 
     def test_one_of_another_model_cannot_be_adopted(self):

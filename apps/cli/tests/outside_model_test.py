@@ -98,7 +98,7 @@ class Simulators(Outside):
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX (ccx) is not installed")
     def test_calculix_is_fitted(self):
         text = self.latsch("run", self.study("cantilever_calculix"))
-        self.assertAlmostEqual(self.found(text, "modulus"), 2.1e5, delta=2e3)  # mesh: 0.1 %; two digits are asked for
+        self.assertAlmostEqual(self.found(text, "modulus"), 2.1e5, delta=2e3)  # mesh error 0.1 %; two digits are required
 
     def test_a_program_that_hangs_crashes_or_prints_nonsense_is_told_in_words(self):
         study = self.study("quarter_car")
@@ -109,7 +109,7 @@ class Simulators(Outside):
                            ("open('response.csv', 'wb').write(bytes(range(256)))", "response.csv"),
                            ("open('response.csv', 'w').write('time [s],body [mm]\\n0,0\\n')", "reaches from 0 to 0 s")):
             script.write_text(text)
-            # The others end by themselves, however long a loaded machine takes to start them.
+            # The others end by themselves, even if a loaded machine starts them slowly.
             edit(study, ("timeout = .*", f'timeout = "{"0.5 s" if "1000" in text else "60 s"}"'))
             (study.parent / "study.latsch").unlink(missing_ok=True)
             edit(study, (r"\[optimizer\](\n.*)*?\n\n", '[optimizer]\nmax_steps = 1\n\n'))
@@ -183,7 +183,7 @@ class Simulators(Outside):
         text = self.latsch("run", study, code=FAILED)
         self.assert_says(text, "no trial succeeded", "no license", "nothing to do with the point", "--retry-failed")
         self.assertLess(trials_of(journal), 30)
-        licensed.write_text(whole)  # another program: its trials are not those of the old one
+        licensed.write_text(whole)  # another program: trials of the old one are not reused
         self.assert_says(self.latsch("resume", study, code=WRONG_INPUT), "program files", "licensed.py", "--adopt", "--anew")
         self.assert_says(self.latsch("report", study, code=FAILED), "succeeded")  # reading is not refused
         text = self.latsch("resume", study, "--adopt", "--retry-failed")
@@ -219,7 +219,7 @@ step_tolerance = 0.002
 
 """), (r"\[run\]", "[run]\nintervals = false"))
         self.assert_says(self.latsch("check", study), "wide", "bounds 0.2 as wide", "the 2 lowest minima of the design")
-        def found(text):  # in every stage, but for how many trials the journal had
+        def found(text):  # in every stage, except for the number of trials in the journal
             return re.sub(r"\d+ (finished trials are reused|trials in )", "", text[text.index("Best of"):text.index("Report")])
 
         journal = study.parent / "study.latsch"

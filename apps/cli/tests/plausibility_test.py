@@ -29,6 +29,7 @@ class Magnitudes(Coarse):
         edit(self.study, ('pressure = "2.4 bar"', 'pressure = "240 bar"'))
         self.said(self.study, '"240 bar"', 'experiment.stiffness.pressure is "240 bar"', "0.3 to 16 bar", '"240 kPa" would be usual')
         self.assert_says(self.latsch("run", self.study, code=WRONG_INPUT), '"240 kPa" would be usual')  # before any trial
+                                                                                                        # runs
         self.assertFalse((self.folder / "study.latsch").exists())
 
     def test_unusual_may_be_meant(self):
@@ -56,7 +57,8 @@ class Magnitudes(Coarse):
         forces = self.folder / "stiffness.csv"
         forces.write_text("deflection [cm], force [N]\n6, 9000\n12, 21000\n")
         self.said(forces, "12, 21000", "deflection is 120 mm", "deeper than the section", code=WRONG_INPUT)
-        forces.write_text("deflection [cm], force [N]\n7, 9000\n12, 21000\n")  # behind one that is near
+        forces.write_text("deflection [cm], force [N]\n7, 9000\n12, 21000\n")  # the impossible value follows one that is
+                                                                               # nearly plausible
         self.said(forces, "12, 21000", "deflection is 120 mm", "deeper than the section", code=WRONG_INPUT)
         forces.write_text("deflection [mm], force [N]\n70, 15000\n")
         self.said(forces, "70, 15000", "warning: ", "close to the section", code=DONE)
@@ -73,7 +75,7 @@ class Magnitudes(Coarse):
         modes.write_text("frequency [Hz], n, type\n46, 0, lateral\n46, 0, lateral\n50, 2, lateral\n50, 2, lateral\n")
         text = self.latsch("check", self.study)
         self.assert_says(text, "modes.csv:3: ", "stands in the table twice", "warning")
-        self.assertNotIn("modes.csv:5", text)  # a pair
+        self.assertNotIn("modes.csv:5", text)  # a pair of modes
         modes.write_text("frequency [Hz], n, type\n" + 3 * "46, 1, lateral\n")
         self.assert_says(self.latsch("check", self.study, code=WRONG_INPUT), "modes.csv:4: ", "three times")
         modes.write_text("frequency [kHz], n, type\n46, 1, lateral\n")

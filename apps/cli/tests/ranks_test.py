@@ -81,7 +81,7 @@ class Ranks(Outside):
 
     def test_stages_are_served_one_after_the_other(self):
         edit(self.quarter_car, (r"\[optimizer\]", '[stage.wide]\nstep_tolerance = 0.05\n[stage.narrow]\nbounds = 0.3\n[optimizer]'))
-        # How many trials the second stage finds depends on how many workers looked ahead in the first.
+        # The number of reused trials in the second stage depends on how many workers worked ahead in the first.
         result = lambda text: re.sub(r"\d+ finished trials are reused\n", "", self.RESULT.search(text)[0])
         alone = result(self.latsch("run", self.quarter_car))
         self.journal.unlink()

@@ -69,7 +69,7 @@ class RingData(unittest.TestCase):
         self.assertEqual(len(asked), 6)
         for name, value in [*zip(loads, study["load"]["values"]), *((frequencies[n], v) for n, v in asked.items())]:
             self.assertAlmostEqual(float(value.split()[0]) / name, 1.0, delta=1e-5)
-        # What a ring of nine numbers cannot follow is the curvature of the load.
+        # A ring of nine numbers cannot follow the curvature of the load.
         ring_loads, ring_frequencies = self.shown(ring / "fitted.toml")
         for own, shown in zip(loads, ring_loads):
             self.assertAlmostEqual(shown / own, 1.0, delta=0.04)
@@ -87,7 +87,7 @@ class RingData(unittest.TestCase):
         text = text.replace("\n[sidewall]\n", '\n[sidewall]\npressure_share = 0.62\nreference_pressure = "2.4 bar"\n')
         (self.folder / "truth.toml").write_text(text)
         found = tomllib.loads((self.fitted(self.folder / "truth.toml") / "fitted.toml").read_text())
-        for path, factor in FACTORS.items():  # the data hold bending and torsion the least
+        for path, factor in FACTORS.items():  # the data determine bending and torsion least
             self.assertAlmostEqual(number(found, path) / (factor * number(known, path)), 1.0, delta=0.02, msg=path)
         self.assertAlmostEqual(found["sidewall"]["pressure_share"], 0.62, delta=0.02)
 
@@ -98,7 +98,7 @@ class RingData(unittest.TestCase):
         self.latsch("new", self.folder / "ring", "--ring-data", RING, "--known", own)
         variables = tomllib.loads((self.folder / "ring" / "study.toml").read_text())["variable"]
         self.assertEqual(variables["mass"]["initial"], "5 kg")
-        self.assertNotIn("progressivity", variables)  # it has none
+        self.assertNotIn("progressivity", variables)  # the ring has none
 
     def test_a_second_pressure_is_that_of_a_tire_with_one(self):
         for text, words in (("[sidewall]  # per meter", True), ("[sidewall]", True), ('pressure = "0 bar"', False)):

@@ -121,14 +121,14 @@ class Serve(Coarse):
         last = datetime.datetime.fromisoformat(finished[trial_events - 1].replace("Z", "+00:00"))
         if last.tzinfo is None:
             last = last.replace(tzinfo=datetime.timezone.utc)
-        self.assertLess((arrived - last).total_seconds(), 3.0)  # 1 s is the row of a bench, on an idle machine
+        self.assertLess((arrived - last).total_seconds(), 3.0)  # the benchmark requires 1 s on an idle machine
         events.close()
         self.assertEqual(page.status("/api/run", {"study": "study.toml", "verb": "run"}), 400)
         page.post("/api/stop", {"study": "study.toml"})
         stopped = page.wait(STUDY, lambda view: view["state"] != "running", seconds=5)
         self.assertEqual(stopped["state"], "stopped")
         ended = page.wait(STUDY, lambda view: view["run"]["exit_code"] is not None, seconds=5)
-        self.assertTrue(ended["run"]["was_stopped"])  # what the page calls no failure
+        self.assertTrue(ended["run"]["was_stopped"])  # the page does not call this a failure
         self.assertIn("resume", " ".join(stopped["run"]["log"]))
         before = stopped["trials"]
         self.start("resume")
@@ -144,7 +144,7 @@ class Serve(Coarse):
         running = page.wait(STUDY, lambda view: view["state"] == "running", seconds=20)
         self.assertIn("process", running["run"]["message"])
         self.assertFalse(running["run"]["is_ours"])
-        page.post("/api/stop", {"study": "study.toml"})  # one that somebody else started
+        page.post("/api/stop", {"study": "study.toml"})  # a run that somebody else started
         page.wait(STUDY, lambda view: view["state"] != "running", seconds=10)
 
     def test_the_file_is_changed_in_its_place(self):

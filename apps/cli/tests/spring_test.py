@@ -137,7 +137,7 @@ class SpringAlone(unittest.TestCase):
 
     def test_intervals_reach_to_the_numbers_of_the_refined_model(self):
         self.write_twin()
-        # Pulled at 0.41 m/s the same forces ask for 0.4/0.41 of the damping: 2.5 % of it less, to first order.
+        # Pulled at 0.41 m/s the same forces require 0.4/0.41 of the damping: 2.5 % less, to first order.
         (self.folder / "fine.toml").write_text((self.folder / "fast.toml").read_text().replace("0.4 m/s", "0.41 m/s"))
         self.study.write_text(STUDY + '[refined.test.fast]\nfile = "fine.toml"\n')
         self.assertIn("tests fast", self.spring("check", self.study))

@@ -119,13 +119,14 @@ bounds = 0.4
         self.assert_says(self.latsch("run", self.study), "9 finished trials are reused")
 
     def test_a_fit_ends_with_intervals_and_identify_adds_verdicts_and_resumes(self):
-        # A search that ends farther from the minimum finds a better trial beside its end, and identify goes there.
+        # A search that ends farther from the minimum finds a better trial near its end, and identify starts from that
+        # trial.
         text = self.latsch("run", self.study)
         self.assertRegex(text, r"carcass +[0-9.]+ GPa +95 %: .*GPa")
         trials = trials_of(self.folder / "study.latsch")
         text = self.latsch("identify", self.study, "--short")
         self.assert_says(text, "singular value", "Values and their confidence intervals, from 8 measured values")
-        self.assertEqual(trials_of(self.folder / "study.latsch"), trials)  # the fit left them in the journal
+        self.assertEqual(trials_of(self.folder / "study.latsch"), trials)  # the fit has left them in the journal
         verdict = r"(sidewall|carcass) +(identifiable|one-sided|flat|several minima)"
         self.assertRegex(self.latsch("identify", self.study), verdict)
         self.assertIn("What the data determine", (self.folder / "study.html").read_text())
@@ -153,7 +154,7 @@ bounds = 0.4
         self.assert_says(self.latsch("doe", self.study, "--levels", "2"), "3 finished trials")
 
     def test_a_failed_trial_ends_the_run_where_that_is_asked_for(self):
-        # No mesh of this tire has been pressed until it failed: a trial that may take no time is the one that does.
+        # Pressing a mesh of this tire never fails, so the failure is produced by a time limit that is too short.
         edit(self.study, (r"\[run\]", '[run]\non_failure = "abort"'), ("timeout = .*", 'timeout = "1 ms"'))
         self.assert_says(self.latsch("run", self.study, code=FAILED), "Aborted", "0.001 s allowed", "It failed at")
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch check: reads a study, its model and its measurements, and says what it understood.
+// latsch check: reads a study, its model and its measurements, and reports how it understood them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ void print_tests(const Study& study) {
   }
 }
 
-/// What an experiment does or compares: its own test, or channels of others.
+/// Describes what an experiment runs or compares: its own test, or channels of others.
 std::string what(const Study& study, const StudyExperiment& experiment) {
   for (const correlation::StudyTest& test : study.tests)
     if (test.name == experiment.name) return test.test->in_words();
@@ -111,8 +111,8 @@ void answer_check(const Study& study) {
   }
 }
 
-/// What earlier trials tell: how many failed, why most of them did, and whether the measurements
-/// can be compared with those that succeeded.
+/// Reports on earlier trials: how many failed, why most of them did, and whether the measurements
+/// can be compared with the successful ones.
 void print_trials_so_far(const Study& study) {
   if (!std::filesystem::exists(study.run.journal)) return;
   const Journal journal = Journal::read(study.run.journal);
@@ -154,7 +154,8 @@ void print_stages(const Study& study) {
   if (!start.empty()) say("\nThe search starts at {}\n", start);
 }
 
-/// Whether the slopes of the model are those of its values, variable by variable.
+/// Checks variable by variable whether the slopes of the model agree with differences of its
+/// values.
 int check_derivatives(const std::string& file, const experiment::Language& language) {
   const Study study = correlation::read_study(file, language);
   const auto slopes = correlation::check_slopes(study, study.space.initial());
@@ -191,8 +192,8 @@ int check_derivatives(const std::string& file, const experiment::Language& langu
   return all_agree ? kDone : kFailed;
 }
 
-/// The numbers of one thing, as of material.RUBBER, in one line: by unit, the first and last name,
-/// how many, the smallest and largest.
+/// Describes the numbers of one table, such as material.RUBBER, in one line: by unit, the first and
+/// last name, their count, the smallest and largest.
 std::string many_in_words(const std::vector<std::string>& paths, const Document& numbers) {
   std::vector<std::pair<std::string, std::vector<std::string>>> by_unit;
   for (const std::string& path : paths) {
@@ -220,7 +221,7 @@ std::string many_in_words(const std::vector<std::string>& paths, const Document&
   return text;
 }
 
-/// Each number in its line, those of one thing that has many of them in one line.
+/// Prints each number in a line of its own, those of a table with many of them in one line.
 void print_numbers(const Document& numbers, const std::string& file) {
   constexpr std::size_t kFew = 6;
   std::vector<std::pair<std::string, std::vector<std::string>>> things;
@@ -248,8 +249,8 @@ void print_numbers(const Document& numbers, const std::string& file) {
   if (shortened) say("  {:<40} each by itself: latsch show {}\n", "", file);
 }
 
-/// A model alone, in a file of another program: what it is, what was assumed for it, the numbers a
-/// study may vary.
+/// Checks a model alone, in a file of another program: what it is, what was assumed for it, and the
+/// numbers that a study may vary.
 void check_model(const std::string& file, const experiment::Language& language) {
   const experiment::SpecimenKind& kind = language.kind_of_file(file);
   const Document numbers = kind.read(file);
@@ -273,7 +274,7 @@ void check_model(const std::string& file, const experiment::Language& language) 
       std::filesystem::path(file).filename().string());
 }
 
-/// Whether a file is a model of some kind: a car, a suspension, a tire; what else is read as a
+/// True if a file is a model of some kind: a car, a suspension, a tire; any other file is read as a
 /// study and refused as one.
 bool is_model(const std::string& file, const experiment::Language& language) {
   if (!experiment::is_document(file)) return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch compare: tires of several kinds through the same drum tests, or models of any kind
-// through the same tests, beside what was measured.
+// latsch compare: runs tires of several kinds through the same drum tests, or models of any kind
+// through the same tests, beside measurements.
 
 #include <cmath>
 #include <filesystem>
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using correlation::ComparisonFile;
 using correlation::TireComparison;
 
-/// What the specimen shows, as tables a study can be fitted to.
+/// Writes the results of the specimen as tables to which a study can be fitted.
 void write_measurements(const ComparisonFile& file, const fs::path& folder) {
   if (!file.specimen)
     throw InputError({file.file.string(), 0}, "has no [specimen] to write measurements from");
@@ -32,7 +32,7 @@ void write_measurements(const ComparisonFile& file, const fs::path& folder) {
     Channels kept;
     kept.add({"time", "s", all["time"]});
     for (const std::string& channel : file.channels) {
-      std::vector<double> rounded = all[channel];  // to a tenth: what a rig resolves
+      std::vector<double> rounded = all[channel];  // rounded to a tenth, the resolution of a rig
       for (double& value : rounded) value = std::round(10.0 * value) / 10.0;
       kept.add({channel, all.find(channel)->unit, std::move(rounded)});
     }

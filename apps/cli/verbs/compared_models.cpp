@@ -27,7 +27,7 @@ void write_recordings(const ModelComparisonFile& file,
     const Channels all =
         correlation::kept_of(file, correlation::record_reference(file, i, language));
     for (Channel channel : all.all()) {
-      const double digits = channel.unit == "N" ? 1.0 : 1e4;  // what its sensors resolve
+      const double digits = channel.unit == "N" ? 1.0 : 1e4;  // resolution of the sensors
       for (double& value : channel.values) value = std::round(value * digits) / digits;
       rounded.add(std::move(channel));
     }

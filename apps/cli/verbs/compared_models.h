@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch compare of models through grids of tests (correlation/comparison/model_comparison.h).
+// latsch compare for models, over grids of tests (correlation/comparison/model_comparison.h).
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,8 @@
 
 namespace latsch::cli {
 
-/// With a folder for measurements: writes what the reference shows, a file a case, and ends.
+/// If `measurements` names a folder, writes the results of the reference, one file for each case,
+/// and ends.
 void compare_models(const std::string& name,
                     const experiment::Language& language,
                     const std::filesystem::path& measurements,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch doctor: is this journal as it was written, what is damaged, what can be saved.
+// latsch doctor: examines whether a journal is as it was written, what is damaged and what can be
+// saved.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -29,7 +30,7 @@ void print_findings(const std::string& file, const JournalReport& report) {
   if (report.healthy()) say("Every page and every hash is in order.\n");
 }
 
-/// The journal itself, or that of a study.
+/// Returns the journal itself, or that of a study.
 std::string journal_of(const std::string& file) {
   if (std::filesystem::path(file).extension() != ".toml") return file;
   const Document study = Document::read(file);

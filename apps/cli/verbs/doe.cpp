@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch doe: a design of experiments over the worker processes, all channels kept in the journal.
+// latsch doe: runs a design of experiments on the worker processes and keeps all channels in the
+// journal.
 
 #include <algorithm>
 #include <map>
@@ -29,10 +30,11 @@ using correlation::Study;
 using correlation::StudyDesign;
 
 constexpr size_t kShownPoints = 5;
-constexpr double kNear = 2.0;     // targets up to so many times the least, unless a level is given
-constexpr double kWhole = 0.999;  // share of a variable's range that counts as all of it
+constexpr double kNear = 2.0;     // largest ratio of targets to the least one, unless a level is
+                                  // given
+constexpr double kWhole = 0.999;  // share of a variable's range that counts as the whole range
 
-/// The study's design, or a grid of so many levels of every variable.
+/// Returns the study's design, or a grid with that number of levels for every variable.
 StudyDesign design_of(const Study& study, int levels) {
   if (levels > 0) return {.levels = std::vector<int>(study.space.size(), levels)};
   if (study.doe) return *study.doe;
@@ -41,7 +43,8 @@ StudyDesign design_of(const Study& study, int levels) {
                    "--levels 5");
 }
 
-using Targets = std::map<std::string, double>;  // by the bits of the point, where it succeeded
+using Targets = std::map<std::string, double>;  // targets of successful trials by the bits of the
+                                                // point
 
 Targets targets_of(const Study& study, const Journal& journal) {
   Targets targets;
@@ -51,7 +54,7 @@ Targets targets_of(const Study& study, const Journal& journal) {
   return targets;
 }
 
-/// The points of the plan that gave a target, least first.
+/// Returns the points of the plan that have a target, the least first.
 std::vector<RatedTrial> rated(const SamplingPlan& plan, const Targets& targets) {
   std::vector<RatedTrial> points;
   for (const DesignPoint& point : plan.points) {
@@ -84,7 +87,7 @@ void print_basins(const Study& study, const StudyDesign& design, const Journal& 
   if (!found->doubt.empty()) say("Too coarse to trust: {}.\n", found->doubt);
 }
 
-/// How long a valley is: the box around the points whose target is at most the level.
+/// Prints the extent of a valley: the box around the points whose target is at most the level.
 void print_extent(const DesignSpace& space, const std::vector<RatedTrial>& points, double level) {
   const auto found = correlation::doe_extent(space, points, level);
   if (!found) {
@@ -142,7 +145,7 @@ std::optional<Trial> first_failure(const Journal& journal) {
   return first;
 }
 
-/// What answers an optimizer in the place of a failure has no meaning here.
+/// The value that replaces a failure for an optimizer has no meaning here.
 void print_policy_of_designs(const FailurePolicy& policy) {
   using Then = FailurePolicy::Then;
   if (policy.then != Then::recover && policy.then != Then::continuation) return;
@@ -158,7 +161,7 @@ int doe(const std::string& file,
         double level,
         bool retries_failed) {
   Study study = correlation::read_study(file, language);
-  study.asks_slopes = false;  // no search goes by them
+  study.asks_slopes = false;  // no search uses them
   if (workers > 0) study.run.workers = workers;
   const StudyDesign design = design_of(study, levels);
   const SamplingPlan plan = correlation::plan(design, study.space);

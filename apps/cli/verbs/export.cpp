@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch export: the identified model, measurements written from the model itself, a tire of finite
-// elements for other programs, a tire that rolls for programs that simulate a car on it, a car.
+// latsch export: writes the identified model, measurements computed by the model itself, a
+// finite-element tire for other programs, a rolling tire for programs that simulate a car, or a
+// car.
 #include <fmt/format.h>
 
 #include "base/file.h"
@@ -33,7 +34,7 @@ struct ExportOptions {
 
 struct State {
   double pressure = 0.0;
-  double deflection = 0.0;  // 0: not on the ground
+  double deflection = 0.0;  // 0: off the ground
 };
 
 State state_of(const ExportOptions& options, const MeshedTire& tire) {
@@ -46,7 +47,7 @@ State state_of(const ExportOptions& options, const MeshedTire& tire) {
   return state;
 }
 
-/// The value, or the end of the verb with the reason.
+/// Returns the value, or ends the verb with the reason.
 template <class T>
 T required(Result<T> result) {
   if (!result) throw std::runtime_error(result.failure().reason);
@@ -61,7 +62,8 @@ void add_modes(std::vector<formats::VtuField>& fields, const std::vector<fe_tire
   }
 }
 
-/// Beside the tire's file, where that is one: a device has no place beside it.
+/// Writes the patch beside the tire's file, if that is a regular file: there is no place beside a
+/// device.
 void write_patch(const fs::path& tire, const fe_tire::Standing& standing) {
   if (fs::exists(tire) && !fs::is_regular_file(tire)) return;
   const fs::path patch = fs::path(tire).replace_extension(".patch.vtu");

@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside the program: ../lib/latsch, where it is built as where it is installed.
+/// Finds a library relative to the program, ../lib/latsch, in the build folder as in an
+/// installation.
 fs::path library(const std::string& name) {
   const fs::path program = fs::read_symlink("/proc/self/exe");
   const fs::path file = program.parent_path().parent_path() / "lib" / "latsch" / name;

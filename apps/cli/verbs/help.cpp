@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch help: what the program can do, what a verb takes, what may stand in a study.
+// latsch help: describes the program, the options of a verb, and the keys of a study.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,7 +13,7 @@
 namespace latsch::cli {
 namespace {
 
-/// The sections of the page but those of tests this program does not have.
+/// Returns the sections of the page without those of tests that this program does not have.
 std::string sections(std::string_view page, const std::vector<std::string>& tests) {
   constexpr std::string_view kSection = "\n## ", kTest = "\n## Test \"";
   std::string kept;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch identify: what the measurements determine around the best trial of a journal.
+// latsch identify: reports what the measurements determine around the best trial of a journal.
 
 #include <fmt/format.h>
 
@@ -26,10 +26,10 @@ namespace {
 
 using correlation::Study;
 
-/// The best point, or the one close to it around which an earlier analysis began: its own trials
-/// may have found a slightly better one since.
+/// Returns the best point, or the point close to it at which an earlier analysis began, because the
+/// trials of that analysis may include a slightly better one.
 DesignPoint start(const Study& study, const Journal& journal, const DesignPoint& best) {
-  constexpr double kClose = 0.02;  // of the range of every variable
+  constexpr double kClose = 0.02;  // share of the range of every variable
   const auto recorded = correlation::recorded_identifiability(study, journal);
   if (!recorded) return best;
   const auto u = study.space.to_unit(best), v = study.space.to_unit(recorded->point);
@@ -37,8 +37,9 @@ DesignPoint start(const Study& study, const Journal& journal, const DesignPoint&
   return std::equal(u.begin(), u.end(), v.begin(), close) ? recorded->point : best;
 }
 
-/// What an experiment that is only predicted so far would tell, were it measured; false where that
-/// was interrupted. Workers of this machine, also below mpirun: it is a trial a variable.
+/// Ranks the information that predicted experiments would give if they were measured; returns false
+/// if that was interrupted. Uses workers of this machine, also under mpirun: one trial for each
+/// variable.
 bool rank_predictions(const Study& study, const correlation::Identifiability& what) {
   if (!correlation::has_predictions(study)) return true;
   const auto points = correlation::prediction_points(study, what);
@@ -60,7 +61,7 @@ bool rank_predictions(const Study& study, const correlation::Identifiability& wh
   return true;
 }
 
-/// As far as a journal goes that may not be written: no trial can be added to it.
+/// Reports as far as a journal without write permission allows: no trial can be added to it.
 int identify_as_recorded(const Study& as_written,
                          const experiment::Language& language,
                          const std::string& output) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch mesh: what the finite-element mesh of a tire looks like, and how far it is from the
-// converged tire.
+// latsch mesh: shows the finite-element mesh of a tire and its distance from the converged tire.
 #include <fmt/format.h>
 
 #include <map>
@@ -66,7 +65,7 @@ void print_counts(const MeshedTire& tire, const fe_tire::Mesh& mesh, double mass
   }
 }
 
-/// m; 0 where none is given.
+/// Returns m; 0 if none is given.
 double deflection_of(const MeshOptions& options) {
   return options.deflection.empty() ? 0.0 : parse_option("--deflection", options.deflection, "m");
 }
@@ -137,7 +136,7 @@ int print_convergence(const TireDescription& tire, const MeshOptions& options) {
   return kDone;
 }
 
-/// Writes the tire with its columns of elements where they matter.
+/// Writes the tire with columns of elements placed where they reduce the error.
 int place(const TireDescription& tire, const MeshOptions& options) {
   RunningNote note;
   long done = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch new: writes a study to start from. Its measurements are an example, computed from the tire
-// itself with other moduli than the study starts at, rounded and with the scatter of a rig, so that
-// the first run ends as a good one does.
+// itself with moduli different from the study's start, rounded and with the scatter of a rig, so
+// that the first run ends well.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 struct NewOptions {
   std::string folder, tire = "passenger_205_55R16", size;
   bool coarse = false;
-  std::vector<std::string> recordings, columns;  // of a tire test
+  std::vector<std::string> recordings, columns;  // a tire test and names of its columns
   std::string axes, radius;
   std::string ring_data, known;  // a model, or kExample; a flexible ring
   bool suspension = false, car = false;
@@ -47,7 +47,7 @@ std::string_view text_of(const std::string& name) {
   for (const TireTemplate& tire : tire_templates()) {
     if (tire.name == name) return tire.text;
   }
-  throw InputError("no tire " + name);  // the command line has checked the name
+  throw InputError("no tire " + name);  // cannot happen: the command line has checked the name
 }
 
 std::string tire_of(const NewOptions& options) {
@@ -57,7 +57,7 @@ std::string tire_of(const NewOptions& options) {
   return options.size.empty() ? tire : stretched_tire(tire, options.size);
 }
 
-/// With the mesh for its size.
+/// Returns the tire with the mesh for its size.
 std::string meshed(const std::string& tire, const NewOptions& options) {
   if (options.size.empty()) return tire;
   RunningNote note;
@@ -71,7 +71,8 @@ void write(const fs::path& file, std::string_view text) {
   say_written(file.string());
 }
 
-/// "sidewall 6.25 N/mm^2, carcass 4.5 GPa": what the example's measurements are made of.
+/// Returns "sidewall 6.25 N/mm^2, carcass 4.5 GPa": the values with which the example's
+/// measurements are computed.
 std::string truth_in_words(const correlation::Study& study, const DesignPoint& truth) {
   std::string text;
   for (int i = 0; i < study.space.size(); ++i) {
@@ -84,9 +85,9 @@ std::string truth_in_words(const correlation::Study& study, const DesignPoint& t
   return text;
 }
 
-/// As a rig gives them: with scatter, and no more digits than it resolves.
+/// Gives values the scatter and the resolution of a rig.
 void make_measured(const correlation::Study& study, const std::string& comment) {
-  constexpr double kScatter = 0.003;  // of a value
+  constexpr double kScatter = 0.003;  // share of a value
   RandomStream chance(1, 0);
   const auto measured = [&](double value, double parts) {
     return std::round(value * (1.0 + kScatter * chance.normal()) * parts) / parts;
@@ -118,7 +119,7 @@ void write_example(const fs::path& file, const experiment::Language& language) {
   for (const fs::path& table : *written) say_written(table.string());
 }
 
-/// The study of a folder that has none yet.
+/// Returns the study's file in a folder that contains none yet.
 fs::path new_study(const fs::path& folder) {
   const fs::path study = folder / "study.toml";
   if (fs::exists(study))
@@ -249,7 +250,7 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
 void start_study(const NewOptions& options, const experiment::Language& language) {
   const fs::path folder = options.folder, study = new_study(folder);
   const std::string shape = tire_of(options);
-  fs::create_directories(folder);  // before the mesh, which takes seconds
+  fs::create_directories(folder);  // fails before the mesh is computed, which takes seconds
   const Document tire = Document::parse(meshed(shape, options), (folder / "tire.toml").string());
   const std::string text = study_template(tire);
   write(folder / "tire.toml", tire.text());

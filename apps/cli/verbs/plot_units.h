@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Units of the axes of a page's plots, where people do not read SI: lengths below a meter in mm,
-// angles in deg, forces of a kilonewton or more in kN, and what is made of them. Tables stay SI.
+// Units of the axes of a page's plots that people do not read in SI: lengths below a meter in mm,
+// angles in deg, forces of a kilonewton or more in kN, and quantities derived from these. Tables
+// stay in SI.
 #pragma once
 
 #include <string>
@@ -10,12 +11,12 @@ namespace latsch::cli {
 
 struct PlotUnit {
   std::string unit;
-  double factor = 1.0;  // from SI
+  double factor = 1.0;  // converts from SI
 };
 
-/// Of values in this SI unit; the unit itself where it is as good as any.
+/// Chooses the unit for values in this SI unit; the SI unit itself if it is suitable.
 PlotUnit plot_unit(const std::string& si, const std::vector<double>& values);
-/// The values in it; not finite ones stay.
+/// Returns the values in that unit; values that are not finite stay.
 std::vector<double> in_plot_unit(std::vector<double> values, const PlotUnit& unit);
 
 }  // namespace latsch::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch process: recordings of a drum rig to passages, averages, spectra and the rig's filter.
+// latsch process: processes recordings of a drum rig into passages, averages, spectra and the rig's
+// filter.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -41,7 +42,7 @@ void print_passages(const RigResults& results) {
   }
 }
 
-/// As far as the hits drawn again leave it known, where they were.
+/// Returns the digits that the bootstrap deviation leaves known, if there is one.
 std::string known(double value, double deviation, int decimals) {
   return deviation > 0.0 ? format_known(value, deviation) : fmt::format("{:.{}f}", value, decimals);
 }
@@ -49,7 +50,7 @@ std::string known(double value, double deviation, int decimals) {
 void print_response(const char* name,
                     const RigResponse& r,
                     const correlation::ResponseDeviation& d = {}) {
-  const double Hz = 2.0 * std::numbers::pi;  // rad/s
+  const double Hz = 2.0 * std::numbers::pi;  // rad/s per Hz
   answer()["responses"].push_back(
       {{"name", name}, {"f_Hz", r.f / Hz}, {"zeta", r.zeta}, {"gain", r.gain()}, {"c", r.c}});
   say("{:<28} f = {} Hz, zeta = {}, A/f^2 = {}, c = {}\n",

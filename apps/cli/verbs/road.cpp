@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch road: what a tire finds on a road at given points.
+// latsch road: reports the surface that a tire meets on a road at given points.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,7 +25,7 @@ struct RoadOptions {
   std::string road, points, output, time, triangles;
 };
 
-/// One row a point: height, normal, friction; u and v where the road has them.
+/// Returns one row for each point: height, normal, friction; u and v if the road has them.
 Channels ask(const formats::RoadFile& file,
              const std::vector<double>& x,
              const std::vector<double>& y,
@@ -36,7 +36,7 @@ Channels ask(const formats::RoadFile& file,
   std::vector<double> z, nx, ny, nz, friction, u, v;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const road::GroundPoint ground = file.road->at(x[i], y[i], time[i]);
-    z.push_back(ground.height + 0.0);  // no minus before a zero
+    z.push_back(ground.height + 0.0);  // + 0.0 removes the sign of -0
     nx.push_back(ground.normal.x() + 0.0);
     ny.push_back(ground.normal.y() + 0.0);
     nz.push_back(ground.normal.z());
@@ -58,9 +58,9 @@ Channels ask(const formats::RoadFile& file,
   return answers;
 }
 
-/// A kerb in words as a road file of triangles.
+/// Writes a kerb in words as a road file of triangles.
 void write_triangles(const RoadOptions& options) {
-  // m: a car runs in on it, at 60 m/s for 0.2 s; its other wheels are beside the kerb.
+  // m: distance in which a car runs in, at 60 m/s for 0.2 s; its other wheels are beside the kerb.
   constexpr double kApproach = 20.0, kBeside = 4.0;
   const Node root = Document::read(options.road).root();
   const auto mesh = road::kerb_triangles(road::read_kerb(root), kApproach, kBeside);
@@ -79,7 +79,7 @@ int road(const RoadOptions& options) {
   for (const std::string& warning : file.warnings) warn(warning);
   if (!file.unused.empty())
     warn(fmt::format("not used: {}", fmt::join(file.unused, ", ")), {options.road, 0});
-  // The table may be piped on; what is kept must not stand in it.
+  // The table may be piped on, so it must not contain the kept statements.
   if (!options.output.empty() || answers_in_json())
     for (const std::string& key : file.kept) {
       say("not of the surface: {}\n", key);

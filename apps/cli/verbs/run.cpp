@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch run, latsch resume: the optimizer over the worker processes. To resume is to run the same
-// optimizer again on the journal it left.
+// latsch run, latsch resume: run the optimizer on the worker processes. To resume is to run the
+// same optimizer again on its journal.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -59,7 +59,7 @@ void print_result(const Study& study, const Run& run, const Journal& journal) {
   }
 }
 
-/// How modes were compared with the best trial, where that is not plain.
+/// Explains how modes were compared with the best trial, if that is not obvious.
 void print_remarks(const Study& study, const DesignPoint& best, const Journal& journal) {
   const Channels recording = correlation::recording_at(best, journal);
   for (const correlation::StudyExperiment& experiment : study.experiments) {
@@ -71,8 +71,8 @@ void print_remarks(const Study& study, const DesignPoint& best, const Journal& j
   }
 }
 
-/// The values found, with their intervals where these are wanted and can be had; false where that
-/// was interrupted.
+/// Prints the identified values, with their intervals if these are requested and available; returns
+/// false if that was interrupted.
 bool print_values(const Study& study,
                   const DesignPoint& point,
                   correlation::Depth depth,
@@ -118,7 +118,8 @@ bool print_values(const Study& study,
   return true;
 }
 
-/// The one best point of all readers, said where another command has found it.
+/// Returns the best point of the journal, which all commands use, and says so if another command
+/// has found it.
 DesignPoint best_of_journal(const Study& study, const DesignPoint& of_run, const Journal& journal) {
   const auto best = correlation::best_trial(study, journal);
   if (!best || best->point == of_run) return of_run;
@@ -130,10 +131,10 @@ DesignPoint best_of_journal(const Study& study, const DesignPoint& of_run, const
   return best->point;
 }
 
-/// What a person asks of run and resume beyond the study.
+/// Options of run and resume beyond the study.
 struct Asked {
   std::string file;
-  int workers = 0;  // 0: as the study says
+  int workers = 0;  // 0: number of the study
   bool resuming = false;
   bool retries_failed = false;
   bool adopts = false;
@@ -141,7 +142,7 @@ struct Asked {
   bool watch = false;
 };
 
-/// "study.latsch" becomes "study.1.latsch", the first number that is free.
+/// Renames "study.latsch" to "study.1.latsch", with the first free number.
 void set_aside(const std::filesystem::path& journal) {
   if (!std::filesystem::exists(journal)) return;
   for (int number = 1;; ++number) {
@@ -149,7 +150,8 @@ void set_aside(const std::filesystem::path& journal) {
     aside.replace_extension(fmt::format(".{}{}", number, journal.extension().string()));
     if (std::filesystem::exists(aside)) continue;
     const JournalLock nobody_writes(journal);
-    for (const char* part : {"", "-wal", "-shm", "-journal"}) {  // SQLite's, after a kill
+    for (const char* part : {"", "-wal", "-shm", "-journal"}) {  // files that SQLite leaves after a
+                                                                 // kill
       if (!std::filesystem::exists(journal.string() + part)) continue;
       move_file(journal.string() + part, aside.string() + part);
     }
@@ -208,7 +210,7 @@ void print_hopeless(const Study& study, const Journal& journal, const std::strin
       study.file.string()));
 }
 
-/// Whether a fit ended with a best point, after saying why where not.
+/// Returns true if a fit ended with a best point; reports the reason if it did not.
 bool has_found(const Study& stage, const correlation::Fit& fit, const Journal& journal) {
   const Run& run = fit.run;
   if (run.end == RunEnd::stopped) {
@@ -274,14 +276,15 @@ int fit(const Asked& asked, const experiment::Language& language) {
         fitted.run.ending);
     print_point(study.space, best);
     before = correlation::end_of_stage(study, k, best, journal, before);
-    // Stages that share a journal: what was set aside or tried again stays so.
+    // Stages that share a journal: it is set aside, or its failures retried, only in the first
+    // stage.
     const bool shares = correlation::stage(study, k + 1).run.journal == stage.run.journal;
     once.anew = asked.anew && !shares;
     once.retries_failed = asked.retries_failed && !shares;
   }
 }
 
-/// The same beside its page, which stays until it is ended.
+/// Fits beside its page, which stays until it is ended.
 int fit_watched(const Asked& asked, const experiment::Language& language) {
   if (!asked.watch || launch().task > 0) return fit(asked, language);
   catch_interrupts();

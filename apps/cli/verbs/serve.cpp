@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch serve: the studio, a page over the studies of a folder.
+// latsch serve: starts the studio, a page over the studies of a folder.
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -34,7 +34,7 @@ void serve(const AskedToServe& asked, const experiment::Language& language) {
   say("Studies below {}\n{}\nCtrl-C ends the page; runs it has started go on\n",
       std::filesystem::canonical(asked.folder).string(),
       served.address());
-  std::fflush(stdout);  // who reads it from a pipe waits for the address
+  std::fflush(stdout);  // a program that reads the output from a pipe waits for the address
   if (!asked.no_browser) served.open_browser();
   while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   say("\n");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch show: what was read from a file, with units, on the terminal or as a page.
+// latsch show: shows the content of a file, with units, on the terminal or as a page.
 
 #include <algorithm>
 #include <filesystem>
@@ -18,13 +18,13 @@ namespace latsch::cli {
 namespace {
 
 constexpr std::size_t kWidest = 40;    // characters of a column on the terminal
-constexpr std::size_t kLongest = 400;  // of a sentence
+constexpr std::size_t kLongest = 400;  // characters of a sentence
 
 std::size_t characters(const std::string& text) {
   return std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; });
 }
 
-/// Cut to the widest column, and without what a terminal would obey.
+/// Returns the text cut to the widest column and without control characters for terminals.
 std::string plain(const std::string& text, std::size_t widest = kWidest) {
   std::string result;
   std::size_t count = 0;
@@ -63,14 +63,14 @@ bool is_recording(const std::string& file) {
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
-/// Where the whole study can be read, it is known who uses a column.
+/// If the whole study can be read, the users of a column are known.
 void name_users(const std::string& file, const experiment::Language& language, ShownFile& shown) {
   if (shown.ledgers.empty()) return;
   std::vector<Ledger> known;
   try {
     known = correlation::ledgers_of(correlation::read_study(file, language));
   } catch (const InputError&) {
-    return;  // what the measurement alone says stays
+    return;  // the statements of the measurement alone remain
   }
   std::erase_if(shown.tables,
                 [](const ShownTable& table) { return table.heads == ledger_heads(); });
@@ -101,7 +101,8 @@ int show(const std::string& file,
         file, axes.empty() ? std::nullopt : std::optional(axis_convention_of(axes)), shown);
   else
     name_users(file, language, shown);
-  // First the page: `latsch show FILE --html PAGE | head` ends the program at the tenth line.
+  // The page is written first, because `latsch show FILE --html PAGE | head` ends the program at
+  // the tenth line.
   if (!html.empty()) write_text_file(html, shown_page(file, shown));
   answer()["kind"] = shown.kind;
   answer()["facts"] = shown.facts;

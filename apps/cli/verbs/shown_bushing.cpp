@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bushing property file to look at: its stiffnesses and dampings, its forces over the deflection.
+// Shows a bushing property file: its stiffnesses and dampings, its forces over the deflection.
 #include <array>
 #include <cmath>
 
@@ -15,7 +15,8 @@ using multibody::BushingParameters;
 constexpr std::array<const char*, 6> kBushingAxes = {
     "x", "y", "z", "about x", "about y", "about z"};
 constexpr int kBushingDigits = 6, kCurvePoints = 200;
-constexpr double kBushingReach = 1e-3, kTurn = 0.1;  // m, rad: what is drawn of a straight line
+constexpr double kBushingReach = 1e-3, kTurn = 0.1;  // m, rad: range in which a straight line is
+                                                     // drawn
 
 const multibody::ForceCurve* curve_of(const BushingParameters& bushing, int axis) {
   for (const BushingParameters::Part& part : bushing.parts)

@@ -25,7 +25,7 @@ namespace {
 using formats::TydexFile;
 
 constexpr int kDigits = 6;
-constexpr int kMostRows = 100;  // of a table that is no channels
+constexpr int kMostRows = 100;  // rows shown of a table without channels
 
 std::string titled(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, unit);
@@ -78,7 +78,7 @@ ShownFile show_csv(const std::filesystem::path& path, AxisConvention axes) {
   shown.facts.push_back(fmt::format("{} rows", table.rows()));
   try {
     show_channels(to_iso(table.channels(), axes), false, shown);
-  } catch (const InputError& error) {  // texts, or a unit that is none: shown as it stands
+  } catch (const InputError& error) {  // texts or an unknown unit: shown unchanged
     shown.facts.push_back(std::string("no channels: ") + error.what());
     ShownTable rows{"As written", table.columns(), {}};
     for (int row = 0; row < std::min(table.rows(), kMostRows); ++row) {
@@ -113,7 +113,7 @@ ShownFile show_mat(const std::filesystem::path& path, AxisConvention axes) {
   return shown;
 }
 
-/// Of a test consortium: the recording alone.
+/// Shows a file of a test consortium: the recording alone.
 ShownFile show_dat(const std::filesystem::path& path, AxisConvention axes) {
   const auto measurement = correlation::read_measurement(path, axes);
   ShownFile shown;
@@ -138,7 +138,7 @@ ShownFile show_document(const std::filesystem::path& path) {
   return shown;
 }
 
-/// The deck, and where it is a tire the numbers a study may vary.
+/// Shows the deck, and if it is a tire the numbers that a study may vary.
 ShownFile show_inp(const std::filesystem::path& path) {
   const formats::InpDeck deck = formats::read_inp(path);
   ShownFile shown;
@@ -156,7 +156,7 @@ ShownFile show_inp(const std::filesystem::path& path) {
                             format_number(numbers.get(number.path), kDigits),
                             numbers.unit(number.path),
                             format_number(number.value, kDigits)});
-  } catch (const InputError& error) {  // a deck of something else
+  } catch (const InputError& error) {  // the deck is no tire
     shown.facts.push_back(std::string("no tire: ") + error.what());
     for (const formats::InpNumber& number : deck.numbers)
       table.rows.push_back({number.path, "", "", format_number(number.value, kDigits)});
@@ -169,7 +169,7 @@ ShownFile show_inp(const std::filesystem::path& path) {
 
 namespace {
 
-/// Over what the others are drawn; where none varies the first.
+/// Returns the channel over which others are drawn: the first that varies, or the first.
 const Channel* first_that_varies(const Channels& channels) {
   for (const Channel& channel : channels.all())
     if (std::any_of(channel.values.begin(), channel.values.end(), [&](double value) {
@@ -191,12 +191,12 @@ void show_channels(const Channels& channels, bool over_first, ShownFile& shown) 
   }
   if (!over && over_first) over = first_that_varies(channels);
   shown.tables.push_back(std::move(table));
-  // A file is drawn in its own units, a test in those in which people read it.
+  // A file is drawn in its own units, a test in units that people read.
   const auto unit_of = [&](const Channel& channel) {
     return over_first ? plot_unit(channel.unit, channel.values) : PlotUnit{channel.unit};
   };
   for (const Channel& channel : channels.all()) {
-    if (&channel == over || channel.values.size() < 2) continue;  // one value: the table has it
+    if (&channel == over || channel.values.size() < 2) continue;  // the table has single values
     const PlotUnit y = unit_of(channel), x = over ? unit_of(*over) : PlotUnit{};
     report::PlotLine line{"",
                           over ? in_plot_unit(over->values, x) : std::vector<double>(),

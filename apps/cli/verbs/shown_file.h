@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was read from a file, for a person to look at: facts, tables, plots.
+// The content of a file for a person to look at: facts, tables, plots.
 #pragma once
 
 #include <filesystem>
@@ -30,17 +30,17 @@ struct ShownFile {
   std::vector<report::LinePlot> plots;
 };
 
-/// By the ending of the name: .tdx, .tydex, .csv, .mat, .tir, .bus, .crg, .rdf, .toml, .inp.
-/// Channels come out in iso, from the signs `axes` says the file has. Throws InputError.
+/// Decides by the extension: .tdx, .tydex, .csv, .mat, .tir, .bus, .crg, .rdf, .toml, .inp.
+/// Channels are returned in iso, converted from the signs `axes` of the file. Throws InputError.
 ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes);
 
-/// Every [measurement.NAME] of a study, or `only` one of them.
+/// Shows every [measurement.NAME] of a study, or `only` one of them.
 ShownFile shown_measurements(const std::filesystem::path& study, const std::string& only = "");
-/// Adds the ledger of what was read: a table, its doubts as facts. `with_users`: of a study, where
-/// it is known who uses a column.
+/// Adds the ledger of what was read: a table, with its doubts as facts. `with_users` is true for a
+/// study, where the users of a column are known.
 void show_ledger(const Ledger& ledger, bool with_users, ShownFile& shown);
-/// The same of a table or recording alone, with the axes it is said to have; a file that is none
-/// says so in a fact.
+/// Adds the ledger of a table or recording alone, with its stated axes; a file that is none says so
+/// in a fact.
 void show_ledger_of(const std::filesystem::path& file,
                     std::optional<AxisConvention> axes,
                     ShownFile& shown);
@@ -48,11 +48,11 @@ ShownFile shown_tire(const std::filesystem::path& tir);
 ShownFile shown_bushing(const std::filesystem::path& bus);
 ShownFile shown_road(const std::filesystem::path& road);
 
-/// Channels as table and plots: over the one that is the time; else over the first or, where none
-/// is, over the number of the sample.
+/// Shows channels as table and plots, over the time if there is one; else over the first channel if
+/// `over_first`, or over the sample number.
 void show_channels(const Channels& channels, bool over_first, ShownFile& shown);
 
-/// name, unit, samples, gaps, smallest, mean, largest
+/// Returns name, unit, samples, gaps, smallest, mean, largest.
 std::vector<std::string> statistics(const Channel& channel);
 
 }  // namespace latsch::cli

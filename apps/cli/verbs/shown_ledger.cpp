@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ledger of a file to look at: what each column was taken for.
+// Shows the ledger of a file: how each column was interpreted.
 #include <fmt/format.h>
 
 #include "base/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A road to look at: heights along lines of equal y, or of equal v where it is a curved grid.
+// Shows a road: heights along lines of equal y, or of equal v for a curved grid.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,11 +11,11 @@
 namespace latsch::cli {
 namespace {
 
-constexpr int kPoints = 2000;  // of a line
+constexpr int kPoints = 2000;  // points of a line
 constexpr int kLines = 5;
 constexpr double kWide = 1040.0, kHigh = 340.0;  // pixels
 
-/// m, along and aside; of a road without bounds the part around its origin.
+/// m, along the road and to the sides; for a road without bounds the part around its origin.
 struct Extent {
   double from = -5.0, to = 5.0, right = -0.5, left = 0.5;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Magic Formula tire to look at: its file as written, and what the tire does.
+// Shows a Magic Formula tire: its file as written, and the forces of the tire.
 #include <map>
 
 #include "cli/verbs/shown_file.h"
@@ -14,7 +14,7 @@ ShownFile shown_tire(const std::filesystem::path& tir) {
   ShownFile shown;
   shown.kind = "Magic Formula tire (.tir)";
   shown.facts = file.notes;
-  std::map<int, const formats::TirKey*> taken;  // by line
+  std::map<int, const formats::TirKey*> taken;  // keys are line numbers
   for (const formats::TirKey& key : file.keys) taken[key.line] = &key;
   ShownTable table{"As written, and what it is taken for",
                    {"section", "key", "value", "taken as", "remark", "comment"},

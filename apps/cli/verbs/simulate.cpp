@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch simulate: one trial, every experiment beside its measurement.
+// latsch simulate: runs one trial and prints every experiment beside its measurement.
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch test: any model through any test it can do, as channels.
+// latsch test: runs any model through any test it supports and prints the channels.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -32,7 +32,7 @@ struct TestOptions {
   bool convergence = false, list = false;
 };
 
-/// What step and segments change, beside what there is to see.
+/// Reports the effects of step and segments, beside the results.
 int say_convergence(const experiment::SpecimenKind& kind,
                     const Document& numbers,
                     const experiment::Test& test) {
@@ -69,7 +69,7 @@ int say_convergence(const experiment::SpecimenKind& kind,
   return kDone;
 }
 
-/// Which kinds of models can do which kinds of tests, by what both say of themselves.
+/// Reports which kinds of models can run which kinds of tests, as both declare.
 int say_matrix(const experiment::Language& language) {
   Json& rows = answer()["tests"] = Json::array();
   for (const experiment::TestKind* test : language.tests) {
@@ -80,7 +80,7 @@ int say_matrix(const experiment::Language& language) {
   return kDone;
 }
 
-/// A file, or its keys in braces.
+/// Reads a test from a file, or from its keys in braces.
 std::unique_ptr<experiment::Test> test_of(const std::string& text,
                                           const experiment::Language& language) {
   if (!text.starts_with('{')) return language.read_test(text);
@@ -88,7 +88,7 @@ std::unique_ptr<experiment::Test> test_of(const std::string& text,
       Document::parse("test = " + text, "the test in braces").root().table("test"), {});
 }
 
-/// What beside the channels was asked for.
+/// Writes the requested output besides the channels.
 void write_details(const TestOptions& options,
                    const experiment::Test& test,
                    const Channels& channels,
@@ -109,7 +109,7 @@ void write_details(const TestOptions& options,
   say_written(options.html);
 }
 
-/// CSV, its header before the first block.
+/// Writes CSV, the header before the first block.
 class CsvBlocks {
  public:
   explicit CsvBlocks(std::function<void(const std::string&)> to) : to_(std::move(to)) {}
@@ -134,12 +134,12 @@ void append(const Channels& block, Json& all) {
     for (const Json& value : more[i]["values"]) all[i]["values"].push_back(value);
 }
 
-/// A test that did not succeed, on its way out of a file that is then not written.
+/// A test that did not succeed, thrown so that its file is not written.
 struct Unsuccessful {
   Failure failure;
 };
 
-/// Block by block, so that a recording of any length takes the same memory.
+/// Works block by block, so that a recording of any length needs the same memory.
 int run_and_give(const TestOptions& options,
                  const experiment::Language& language,
                  const ModelSource& model,
@@ -174,7 +174,7 @@ int run_and_give(const TestOptions& options,
   return kDone;
 }
 
-/// Signs of others for a test that has only those of its own.
+/// Rejects other signs for a test that has only its own.
 void refuse_signs(const std::string& signs, const experiment::Test& test) {
   if (signs == "iso" || experiment::has_sign_views(test)) return;
   throw InputError("--signs " + signs + ": this test (" + test.in_words() +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch validate: a model through the checks of a suite, each with its limit and its source.
+// latsch validate: runs a model through the checks of a suite, each with its limit and its source.
 
 #include <algorithm>
 #include <filesystem>

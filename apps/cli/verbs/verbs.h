@@ -9,14 +9,14 @@
 namespace latsch::cli {
 
 /// Exit codes of the program.
-inline constexpr int kDone = 0;        // it did what was asked
+inline constexpr int kDone = 0;        // the request was carried out
 inline constexpr int kFailed = 1;      // the run failed: no trial succeeded, the journal cannot be
                                        // written, interrupted; or a model is not accepted
 inline constexpr int kWrongInput = 2;  // wrong arguments or wrong files
 
-/// What a verb knows of the program it belongs to.
+/// Knowledge of a verb about its program.
 struct Program {
-  const experiment::Language& language;  // the models and tests there are
+  const experiment::Language& language;  // available models and tests
   int exit_code = kDone;
 };
 
@@ -39,6 +39,6 @@ void add_test(CommandLine& app, Program& program);
 void add_show(CommandLine& app, Program& program);
 void add_help(CommandLine& app, Program& program);
 void add_process(CommandLine& app, Program& program);
-void add_worker(CommandLine& app, Program& program);  // hidden: what run and doe start
+void add_worker(CommandLine& app, Program& program);  // hidden: started by run and doe
 
 }  // namespace latsch::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// NumPy arrays and what the libraries have in their place. Arrays are copied: a turn of an
+// Converts between NumPy arrays and the types of the libraries. Arrays are copied: a turn of an
 // optimizer copies some dozen numbers.
 #pragma once
 
@@ -20,7 +20,7 @@ namespace latsch::python {
 
 namespace py = pybind11;
 
-/// Anything NumPy makes a C-ordered array of doubles of.
+/// Accepts anything that NumPy can convert into a C-ordered array of doubles.
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 inline Array array(const std::vector<double>& values) {
@@ -36,7 +36,7 @@ inline Array array(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
-/// A row a point; (0, variables) where there is none.
+/// Returns one row for each point; (0, variables) if there is none.
 inline Array array(const std::vector<DesignPoint>& points, int variables) {
   Array rows({static_cast<py::ssize_t>(points.size()), static_cast<py::ssize_t>(variables)});
   double* to = rows.mutable_data();
@@ -49,7 +49,7 @@ inline std::vector<double> vector(const Array& values) {
   return {values.data(), values.data() + values.size()};
 }
 
-/// One value a variable; InputError for another shape.
+/// Reads one value for each variable; throws InputError for another shape.
 inline DesignPoint point(const Array& values, int variables) {
   if (values.ndim() != 1 || values.shape(0) != variables)
     throw InputError("a point has one value a variable, expected an array of the shape (" +
@@ -58,7 +58,7 @@ inline DesignPoint point(const Array& values, int variables) {
   return {vector(values)};
 }
 
-/// m x n, of `rows` x `columns`; InputError naming it for another shape.
+/// Reads an m x n matrix of `rows` x `columns`; throws InputError naming it for another shape.
 inline Eigen::MatrixXd matrix(const Array& values,
                               py::ssize_t rows,
                               py::ssize_t columns,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the extension module is made of, a function a file.
+// Parts of the extension module, one function in each file.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,7 +7,7 @@
 namespace latsch::python {
 
 void bind_spaces(pybind11::module_& module);           // variables, bounds, constraints
-void bind_designs(pybind11::module_& module);          // of experiments
+void bind_designs(pybind11::module_& module);          // designs of experiments
 void bind_optimizers(pybind11::module_& module);       // ask and tell
 void bind_identifiability(pybind11::module_& module);  // confidence, profiles
 void bind_models(pybind11::module_& module);           // models and their tests

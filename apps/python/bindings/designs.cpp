@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Designs of experiments as arrays, a row a point.
+// Designs of experiments as arrays, one row for each point.
 #include <cmath>
 
 #include "bindings/arrays.h"
@@ -13,7 +13,7 @@
 namespace latsch::python {
 namespace {
 
-/// A design with the space that its effects need.
+/// A design with the space that its effects require.
 struct Screening {
   DesignSpace space;
   MorrisDesign design;
@@ -30,7 +30,7 @@ Array trajectories_of(const Screening& of) {
   return all;
 }
 
-/// mu, mu_star, sigma, effects: an array each.
+/// Returns mu, mu_star, sigma, effects: one array each.
 py::dict effects_of(const Screening& of, const Array& values) {
   const int n = of.space.size();
   const Eigen::MatrixXd given = matrix(values, of.trajectories(), n + 1, "values of trajectories");
@@ -53,7 +53,7 @@ py::dict effects_of(const Screening& of, const Array& values) {
   return found;
 }
 
-/// Rows of (place of the minimum, points that lead there, value), and what is to be doubted.
+/// Returns rows of (position of the minimum, points that lead to it, value), and the doubtful ones.
 py::tuple basins_of(const Array& values, const std::vector<int>& levels) {
   const std::vector<double> known = vector(values);
   std::size_t points = 1;

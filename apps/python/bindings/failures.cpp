@@ -14,7 +14,7 @@ namespace py = pybind11;
 namespace {
 
 constexpr std::array<std::string_view, 5> kCauses{
-    "point", "timeout", "bad_output", "transient", "not_begun"};  // in the order of Cause
+    "point", "timeout", "bad_output", "transient", "not_begun"};  // ordered like Cause
 
 py::object failure_class() { return py::module_::import("latsch._errors").attr("Failure"); }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Failures on their way between the languages: latsch.Failure is an exception that may stand in a
-// list as a value.
+// Converts failures between the languages: latsch.Failure is an exception that may also be a value
+// in a list.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -9,12 +9,12 @@
 
 namespace latsch::python {
 
-/// An instance of latsch.Failure.
+/// Returns an instance of latsch.Failure.
 pybind11::object failure_value(const Failure& failure);
-/// Raises it.
+/// Raises the failure.
 [[noreturn]] void raise(const Failure& failure);
 bool is_failure(const pybind11::handle& value);
-/// Of an instance of latsch.Failure.
+/// Converts an instance of latsch.Failure.
 Failure failure_of(const pybind11::handle& value);
 
 }  // namespace latsch::python

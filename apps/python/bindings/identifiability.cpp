@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Identifiability: what residuals and their derivatives say of the variables, as arrays. Ends of
-// intervals are in the units of the variables, also beyond their bounds.
+// Identifiability: what residuals and their Jacobian determine about the variables, as arrays. Ends
+// of intervals are in the units of the variables, also beyond their ranges.
 #include <cmath>
 #include <memory>
 
@@ -12,10 +12,10 @@
 namespace latsch::python {
 namespace {
 
-/// The value at u of the range, without from_unit's bounds.
+/// Returns the value at u of the range without limiting it to the range, unlike from_unit.
 double beyond_bounds(const DesignVariable& v, double u) {
   if (v.scale == Scale::linear) return v.lower + u * (v.upper - v.lower);
-  return v.lower * std::pow(v.upper / v.lower, u);  // 0 and infinite at the ends of the line
+  return v.lower * std::pow(v.upper / v.lower, u);  // 0 and infinity at the ends of the line
 }
 
 Array intervals(const DesignSpace& space, const std::vector<Interval>& of) {
@@ -91,7 +91,7 @@ SpacedConfidence confidence_at(const DesignSpace& space,
   return {space, confidence(linear, asked)};
 }
 
-/// Residuals, (residuals, jacobian) or a Failure.
+/// Reads residuals, (residuals, jacobian) or a Failure.
 Result<Evaluated> evaluated(const DesignSpace& space,
                             const DesignPoint& at,
                             const py::handle& told) {

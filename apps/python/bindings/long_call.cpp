@@ -17,7 +17,7 @@ namespace py = pybind11;
 
 constexpr std::chrono::milliseconds kBetweenLooks{50};
 
-std::atomic<int> leftovers{0};  // abandoned and still computing
+std::atomic<int> leftovers{0};  // abandoned calls that are still computing
 
 void end_beside_leftovers(int status, void*) {
   if (leftovers == 0) return;
@@ -63,7 +63,7 @@ void run_long(std::function<void(const Abandonment&)> work) {
   const auto job = std::make_shared<Job>();
   std::thread thread([job, work = std::move(work)]() mutable {
     work(job->abandonment);
-    work = nullptr;  // what it holds goes here, not in the thread that waits
+    work = nullptr;  // its captures are destroyed here, not in the waiting thread
     finish(*job);
   });
   thread.detach();

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A call that may take minutes: it runs in a thread of its own, without the interpreter's lock,
-// while the calling thread looks for signals. So other threads of Python go on, and Ctrl-C is
-// answered at once although a simulation knows no way to stop: it is left to its end, and its
-// result is dropped. A recording that comes in blocks ends with the next of them. What `work`
-// touches has to be its own (captured by value), and no object of Python.
+// while the calling thread looks for signals. So other threads of Python continue, and Ctrl-C has
+// an immediate effect although a simulation cannot be stopped: the simulation runs to its end, and
+// its result is dropped. A recording in blocks ends with the next block. The data that `work` uses
+// must be its own (captured by value) and no Python objects.
 //
-// A process that ends while such a leftover still computes does so by _exit, once Python is closed:
-// no destructor pulls memory away from under it.
+// A process that ends while such a call still computes does so by _exit, once Python is closed: no
+// destructor then frees memory that the call uses.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -19,12 +19,12 @@
 
 namespace latsch::python {
 
-/// Thrown by a call that finds out that nobody waits for it any more.
+/// Thrown by a call that detects that nobody waits for it any more.
 struct Abandoned {};
 
 class Abandonment {
  public:
-  /// Throws Abandoned where that is so.
+  /// Throws Abandoned if the call was abandoned.
   void check() const {
     if (abandoned_) throw Abandoned{};
   }
@@ -35,7 +35,8 @@ class Abandonment {
 };
 
 namespace detail {
-/// With the interpreter's lock held: returns when `work` has, or raises KeyboardInterrupt.
+/// Called with the interpreter's lock held: returns when `work` has returned, or raises
+/// KeyboardInterrupt.
 void run_long(std::function<void(const Abandonment&)> work);
 }  // namespace detail
 

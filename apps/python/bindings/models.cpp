@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Models and tests: numbers by their paths, recordings as arrays.
 //
-// A model keeps its last specimen: what does not depend on a changed number is not computed again,
-// and the recording is that of a fresh specimen to the last bit (SpecimenKind::build).
+// A model keeps its last specimen: results that do not depend on a changed number are not computed
+// again, and the recording equals that of a fresh specimen to the last bit (SpecimenKind::build).
 #include "bindings/models.h"
 
 #include <pybind11/stl/filesystem.h>
@@ -37,7 +37,7 @@ Model read_model(const std::filesystem::path& file, const std::optional<std::str
   return {of, of.read(file)};
 }
 
-/// Keys of a test in braces, or its file.
+/// Reads a test from its keys in braces, or from a file.
 std::shared_ptr<const Test> test_of(const std::string& text) {
   if (!text.starts_with('{')) return language().read_test(std::filesystem::path(text));
   return language().read_test(Document::parse("test = " + text, "the test").root().table("test"),
@@ -58,13 +58,13 @@ void check_slopes(const Model& model, const Test& test, const std::vector<std::s
       }))
     throw InputError("slopes: this test (" + test.in_words() + ") tells none");
   for (const std::string& path : paths) {
-    model.numbers().get(path);  // InputError where it leads to no number
+    model.numbers().get(path);  // throws InputError if the path leads to no number
     if (!model.kind().knows_slopes_in(path))
       throw InputError("slopes: a " + model.kind().in_words() + " knows none in \"" + path + "\"");
   }
 }
 
-/// Block by block into one, so that an abandoned recording ends with a block.
+/// Collects blocks into one recording, so that an abandoned recording ends with a block.
 struct Recorded {
   std::vector<Channel> channels;
   std::vector<std::string> notes;
@@ -114,7 +114,7 @@ py::tuple arrays_of(const std::vector<Channel>& channels, std::size_t paths) {
     values[name] = array(channel.values);
     units[name] = channel.unit;
     if (channel.slopes.empty() || paths == 0) continue;
-    // All values for the first path, then for the next: as columns.
+    // The slopes contain all values for the first path, then for the next, which are columns here.
     const auto samples = static_cast<Eigen::Index>(channel.values.size());
     slopes[name] = array(Eigen::MatrixXd(Eigen::Map<const Eigen::MatrixXd>(
         channel.slopes.data(), samples, static_cast<Eigen::Index>(paths))));
@@ -124,7 +124,7 @@ py::tuple arrays_of(const std::vector<Channel>& channels, std::size_t paths) {
 
 namespace {
 
-/// (values, units, slopes, notes)
+/// Returns (values, units, slopes, notes).
 py::tuple run_test(const Model& model,
                    const std::string& text,
                    const std::vector<std::string>& paths) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model of any kind with its numbers, as Python has it.
+// A model of any kind with its numbers, for Python.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -14,7 +14,7 @@
 
 namespace latsch::python {
 
-/// The specimen of the last test, for the next one to take over what it can.
+/// The specimen of the last test, from which the next one reuses what is still valid.
 struct Kept {
   std::mutex mutex;
   std::unique_ptr<experiment::Specimen> specimen;
@@ -35,7 +35,7 @@ class Model {
   std::shared_ptr<Kept> kept_;
 };
 
-/// (values, units, slopes): dicts by the names of channels; slopes are (samples, paths).
+/// Returns (values, units, slopes): dicts by the names of channels; slopes are (samples, paths).
 pybind11::tuple arrays_of(const std::vector<Channel>& channels, std::size_t paths);
 
 }  // namespace latsch::python

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extension module latsch._latsch: the libraries below the program, as they are. What is more
-// comfortable stands in Python (apps/python/latsch).
+// The extension module latsch._latsch: the libraries of the program, unchanged. Convenience is
+// added in Python (apps/python/latsch).
 #include <pybind11/pybind11.h>
 
 #include "base/error.h"
@@ -16,7 +16,7 @@ py::object class_of_errors(const char* name) {
   return py::module_::import("latsch._errors").attr(name);
 }
 
-/// InputError with its place, and JournalError.
+/// Translates InputError with its place, and JournalError.
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);

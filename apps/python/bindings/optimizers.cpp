@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ask and tell. An optimizer is called by one thread at a time and lets others run meanwhile: its
-// own lock, not the interpreter's.
+// Ask and tell. Only one thread at a time calls an optimizer, and others run meanwhile: the
+// optimizer has a lock of its own besides the interpreter's.
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -56,7 +56,7 @@ class AskTell {
   std::mutex mutex_;
 };
 
-/// As a study has it: the same keys, the same complaints.
+/// The choice of a method as in a study: the same keys, the same error messages.
 struct Chosen {
   Method method;
   OptimizerSettings settings;
@@ -73,7 +73,7 @@ Chosen chosen(const DesignSpace& space,
   OptimizerSettings named;
   named.method = method;
   if (method != "ensemble") {
-    const MethodChoice choice = method_of(named, traits);  // InputError for a name that is none
+    const MethodChoice choice = method_of(named, traits);  // throws InputError for an unknown name
     named.method = name(choice.method);
     const Node table =
         Document::parse("method = \"" + named.method + "\"\n" + options, kOptions).root();
@@ -147,7 +147,7 @@ bool is_finite(const Score& score) {
          all(score.equations);
 }
 
-/// A number, a Score or a Failure. What is not finite is a failure, as in a study.
+/// Reads a number, a Score or a Failure. A value that is not finite is a failure, as in a study.
 Result<Score> outcome_of(const py::handle& told, int variables) {
   const auto checked = [](Score score) -> Result<Score> {
     if (is_finite(score)) return score;
@@ -206,7 +206,7 @@ void bind_score(py::module_& module) {
           "is_better_than",
           [](const Score& a, const Score& b) { return is_better(a, b); },
           py::arg("other"))
-      .def(py::pickle(  // of processes that evaluate
+      .def(py::pickle(  // for processes that evaluate
           [](const Score& s) {
             return py::make_tuple(
                 s.value, s.residuals, s.jacobian, s.stand_ins, s.constraints, s.equations);

@@ -33,7 +33,7 @@ DesignVariable variable(const std::string& name,
           .unit = unit};
 }
 
-/// The same of every row of a (k, n) array, or of one (n,).
+/// Applies a function to every row of a (k, n) array, or to one point of (n,).
 template <class Of>
 Array of_rows(const Array& values, int variables, const Of& of) {
   if (values.ndim() == 1) return array(of(point(values, variables)));

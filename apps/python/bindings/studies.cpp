@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Studies: what they vary and compare, the target at channels, trials of a journal as arrays. Runs
-// are the program's own (apps/python/latsch/_study.py).
+// Studies: their variables and comparisons, the target at channels, trials of a journal as arrays.
+// Runs are those of the program (apps/python/latsch/_study.py).
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
@@ -34,14 +34,14 @@ using correlation::StudyExperiment;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A study and its journal, which need not be there yet.
+/// A study and its journal, which need not exist yet.
 using SharedStudy = std::shared_ptr<const Study>;
 
-// A run that has just begun holds a journal that is none yet, for some milliseconds.
+// A run that has just begun holds an incomplete journal for some milliseconds.
 constexpr int kMostReads = 10;
 constexpr std::chrono::milliseconds kBetweenReads{50};
 
-/// nullopt before the first run.
+/// Returns nullopt before the first run.
 std::optional<Journal> journal_of(const Study& study) {
   const std::filesystem::path& file = study.run.journal;
   for (int read = 1;; ++read) {
@@ -55,13 +55,13 @@ std::optional<Journal> journal_of(const Study& study) {
   }
 }
 
-/// The columns of a journal, a row a trial.
+/// The columns of a journal, one row for each trial.
 struct Trials {
   std::vector<DesignPoint> points;
   std::vector<double> targets, violations, seconds;
   std::vector<bool> asked;
   std::vector<std::optional<Failure>> failures;
-  std::vector<std::string> channels;                             // in the order they were met
+  std::vector<std::string> channels;                             // in order of appearance
   std::map<std::string, std::vector<std::vector<double>>> rows;  // empty: failed
   std::map<std::string, std::string> units;
 
@@ -104,7 +104,7 @@ Trials trials_of(const Study& as_written, const std::vector<std::string>& names,
   return trials;
 }
 
-/// (N, samples), NaN where failed; a list where trials differ in their number of samples.
+/// Returns (N, samples), NaN for failed trials; a list if trials differ in their number of samples.
 py::object column(const std::vector<std::vector<double>>& rows) {
   std::size_t samples = 0;
   for (const auto& row : rows) samples = std::max(samples, row.size());
@@ -163,7 +163,7 @@ Score target_of(const Study& study, const DesignPoint& at, const Channels& chann
   return *score;
 }
 
-/// What a trial of a run tells a search, with slopes where the model knows them.
+/// Returns the result of a trial for a search, with slopes if the model knows them.
 Result<Score> score_at(const Study& study, const DesignPoint& at, bool slopes) {
   Study asking = study;
   asking.asks_slopes = slopes;
@@ -199,7 +199,7 @@ Model model_at(const Study& study, const py::object& at) {
   return {*kind, correlation::at(study.model, study.space, p)};
 }
 
-/// (point, target, violation) or None.
+/// Returns (point, target, violation) or None.
 py::object best_of(const Study& as_written) {
   std::optional<correlation::RatedTrial> best;
   {

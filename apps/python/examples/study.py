@@ -16,7 +16,7 @@ shutil.copytree(pathlib.Path(__file__).resolve().parents[3] / "studies/complianc
 study = latsch.read_study(folder / "study.toml")
 print(f"{study.title}: {len(study.variables)} variables, {len(study.experiments)} experiments, by {study.method}")
 
-result = study.run(workers=1, progress=False)  # run() goes on where an interrupted one was
+result = study.run(workers=1, progress=False)  # run() continues an interrupted run
 print(f"{result['trials']} trials, target {result['target']:.2e}")
 
 trials = study.trials(channels=["B/toe_by_Fy"])
@@ -25,7 +25,7 @@ print(f"B/toe_by_Fy of {good.sum()} trials, {trials.channels['B/toe_by_Fy'].shap
       f"from {trials.channels['B/toe_by_Fy'][good].min():.2e} to {trials.channels['B/toe_by_Fy'][good].max():.2e} "
       f"{trials.units['B/toe_by_Fy']}")
 
-# The same search, evaluated here: study.score() is a trial with its residuals and their slopes.
+# This is the same search with evaluation here: study.score() is a trial with its residuals and their slopes.
 optimizer = latsch.optimizer(study.space, "levenberg_marquardt")
 least = np.inf
 while not optimizer.converged:

@@ -13,7 +13,7 @@ class InputError(ValueError):
         self.file = file
         self.line = line
 
-    def __reduce__(self):  # from one process to another
+    def __reduce__(self):  # for passing it between processes
         return type(self), (str(self), self.file, self.line)
 
 

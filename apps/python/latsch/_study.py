@@ -24,7 +24,7 @@ from latsch._tests import Recording
 Best = collections.namedtuple("Best", "point target violation")
 Best.__doc__ = "The best trial: its point (n,), its target, by how much it violates constraints (0 where it does not)."
 
-_PATIENCE = 10  # s that a run is given to end after Ctrl-C; it asks for three
+_PATIENCE = 10  # s in which a run may end after Ctrl-C; it needs three
 
 
 def program():
@@ -128,7 +128,7 @@ def _listener(progress, said):
         said.append(line)
         del said[:-20]
         if line.startswith("latsch: "):
-            return  # a warning or what is raised: it stands in the answer as well
+            return  # a warning or an error, which is also in the answer
         if callable(progress):
             progress(line)
         elif progress:
@@ -138,7 +138,7 @@ def _listener(progress, said):
 
 def _followed(command, listen):
     """Standard output of the process, to the end; lines of its standard error are listened to as they come."""
-    # A session of its own: the terminal's Ctrl-C comes to this process alone, which hands it on once.
+    # The process has a session of its own: the terminal's Ctrl-C reaches this process alone, which passes it on once.
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                text=True, encoding="utf-8", errors="replace", start_new_session=True)
     output = []
@@ -148,7 +148,7 @@ def _followed(command, listen):
         for line in process.stderr:
             listen(line.rstrip("\n"))
         process.wait()
-    except BaseException:  # Ctrl-C, or what a listener raises
+    except BaseException:  # Ctrl-C, or an exception of a listener
         _end(process)
         raise
     finally:
@@ -161,7 +161,7 @@ def _followed(command, listen):
 def _end(process):
     process.send_signal(signal.SIGINT)
     try:
-        threading.Thread(target=process.stderr.read, daemon=True).start()  # it may have more to say
+        threading.Thread(target=process.stderr.read, daemon=True).start()  # further output is read and dropped
         process.wait(_PATIENCE)
     except BaseException:
         os.killpg(process.pid, signal.SIGKILL)

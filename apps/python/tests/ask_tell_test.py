@@ -41,7 +41,7 @@ def search(optimizer, evaluate, look_ahead=1, most=5000):
 class AskTell(unittest.TestCase):
     def test_least_squares_end_where_scipys_do(self):
         found = scipy.optimize.least_squares(residuals, [1, 2, 0], jac=jacobian, xtol=1e-15, ftol=1e-15, gtol=1e-15).x
-        for with_jacobian, tolerance in ((True, 1e-5), (False, 2e-3)):  # of their own step tolerances, 1e-6 and 1e-3
+        for with_jacobian, tolerance in ((True, 1e-5), (False, 2e-3)):  # tolerances of both step lengths, 1e-6 and 1e-3
             optimizer = latsch.optimizer(space(), residuals=True, jacobian=with_jacobian)
             self.assertEqual(optimizer.method, "levenberg_marquardt" if with_jacobian else "residual_trust_region")
             _, best = search(optimizer, lambda x: latsch.Score(
@@ -97,7 +97,7 @@ class AskTell(unittest.TestCase):
         _, best = search(latsch.optimizer(box, "gss"), fails_above)
         self.assertLess(abs(best[0] - 0.5), 0.05)
         optimizer = latsch.optimizer(box, "gss")
-        optimizer.observe(optimizer.propose()[0], float("nan"))  # as a failure
+        optimizer.observe(optimizer.propose()[0], float("nan"))  # counts as a failure
         self.assertFalse(optimizer.converged)
 
     def test_outcomes_go_from_process_to_process(self):

@@ -43,7 +43,7 @@ class Designs(unittest.TestCase):
         self.assertEqual(screening.trajectories.shape, (6, 4, 3))
         coefficients = np.array([3.0, -1.0, 0.0])
         values = screening.trajectories @ coefficients
-        values[2, 1] = np.nan  # a failed point takes two effects along
+        values[2, 1] = np.nan  # a failed point removes two effects
         effects = screening.effects(values)
         np.testing.assert_allclose(effects["mu"], coefficients, atol=1e-12)
         np.testing.assert_allclose(effects["mu_star"], abs(coefficients), atol=1e-12)

@@ -30,7 +30,7 @@ class Identifiability(unittest.TestCase):
     def intervals_of_scipy(self, sigma=None):
         J, r = self.fit.jac, self.fit.fun
         variance = sigma ** 2 if sigma else r @ r / (len(r) - 2)
-        # A stated sigma has no degrees of freedom to estimate.
+        # A stated sigma has no degrees of freedom that are estimated.
         t = scipy.stats.norm.ppf(0.975) if sigma else scipy.stats.t.ppf(0.975, len(r) - 2)
         half = t * np.sqrt(np.diag(np.linalg.inv(J.T @ J) * variance))
         return np.stack([self.fit.x - half, self.fit.x + half], axis=1)
@@ -47,7 +47,7 @@ class Identifiability(unittest.TestCase):
         space = latsch.DesignSpace([SPACE[0], latsch.Variable("k", lower=0.01, upper=5, initial=1, scale="logarithmic")])
         found = latsch.confidence(space, self.fit.x, residuals(self.fit.x), jacobian(self.fit.x))
         lower, upper = self.intervals_of_scipy()[1]
-        half = (upper - lower) / 2 / self.fit.x[1]  # of ln k
+        half = (upper - lower) / 2 / self.fit.x[1]  # relative, for ln k
         np.testing.assert_allclose(np.log(found.intervals[1] / self.fit.x[1]), [-half, half], rtol=1e-6)
 
     def test_profiles_of_a_nearly_linear_model_are_its_intervals(self):
@@ -68,7 +68,7 @@ class Identifiability(unittest.TestCase):
             what.observe([residuals(x) for x in what.wanted])
         self.assertEqual(what.profiles[2].verdict, "flat")
         lower, upper = what.confidence.intervals[2]
-        self.assertGreater(upper - lower, 1000)  # ranges: rounding alone holds it
+        self.assertGreater(upper - lower, 1000)  # in units of the range: only rounding limits it
 
     def test_failures_and_wrong_shapes(self):
         what = latsch.Identification(SPACE, self.fit.x)

@@ -60,7 +60,7 @@ class Models(unittest.TestCase):
             changed = latsch.test(model, SIDE_FORCE)
             self.assert_same_bits(latsch.test(latsch.read_model(file), SIDE_FORCE), (dict(changed), changed.units))
         self.assertNotEqual(changed["toe"][0], before["toe"][0])
-        # The specimen kept from test to test leaves nothing behind, and copies are independent.
+        # The specimen kept between tests leaves nothing behind, and copies are independent.
         model[path] = copy[path]
         self.assert_same_bits(latsch.test(model, SIDE_FORCE), (dict(before), before.units))
         self.assert_same_bits(latsch.test(copy, SIDE_FORCE), (dict(before), before.units))
@@ -146,7 +146,8 @@ class Models(unittest.TestCase):
 
     def test_ctrl_c_is_answered_at_once(self):
         self.assertLess(self.interrupted(RING, OVER_A_CLEAT), 2)
-        # Seconds in one computation that knows no end: the process goes, with its exit code, and leaves it alone.
+        # Ctrl-C works within seconds although the computation cannot be stopped: the process ends with its exit code and
+        # abandons the computation.
         self.assertLess(self.interrupted(ROOT / "studies/tires/passenger_225_50R16.toml",
                                          {"kind": "modes", "pressure": "2.6 bar", "deflection": "25 mm"}), 2)
 

@@ -40,7 +40,7 @@ class Stubs(unittest.TestCase):
             own = {one for base in thing.__mro__ if base.__module__.startswith("latsch") for one in vars(base)
                    if not one.startswith("_")}
             told = {one for one in stubbed(names[name].body) if not one.startswith("_")}
-            if name not in ("InputError", "Failure", "Recording", "Trials"):  # these have them in instances
+            if name not in ("InputError", "Failure", "Recording", "Trials"):  # the others have them in instances
                 self.assertEqual(told, own, name)
 
     def test_they_have_the_arguments(self):
@@ -59,7 +59,7 @@ class Stubs(unittest.TestCase):
             names = [one.name for one in there if one.kind != one.VAR_KEYWORD and one.name != "self"]
             if names and names != ["args"]:
                 self.assertEqual(arguments(stub), names, name)
-        except ValueError:  # of the extension module: its docstring begins with the signature
+        except ValueError:  # a function of the extension module: its docstring begins with the signature
             signature = thing.__doc__.splitlines()[0]
             for argument in arguments(stub):
                 self.assertRegex(signature, rf"\b{argument}\b", name)

@@ -94,7 +94,7 @@ class Studies(unittest.TestCase):
         np.testing.assert_array_equal(trials.points[row], best.point)
         self.assertEqual(trials.failures, [None] * len(trials))
         self.assertTrue(trials.asked.all())
-        # The same bits as a trial here, and the target of its channels.
+        # A trial here has the same bits, and the same target of its channels.
         recording = study.simulate(best.point)
         channels = {name: column[row] for name, column in trials.channels.items()}
         for name, values in channels.items():

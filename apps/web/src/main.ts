@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of the server. The address that `latsch serve` prints holds its token, which the server changes for a cookie;
-// what is left of it leaves the address bar.
+// The page of the server. The address that `latsch serve` prints contains its token, which the server replaces by a
+// cookie; the token is then removed from the address bar.
 
 import 'uplot/dist/uPlot.min.css';
 import './app.css';

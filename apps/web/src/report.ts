@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page as a report: one script for a file that holds the answers of all views (answers.ts) and
-// <div id="studio"></div>.
+// The page as a report: one script for a file that contains the answers of all views (answers.ts) and <div
+// id="studio"></div>.
 
 import 'uplot/dist/uPlot.min.css';
 import './app.css';

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page costs beside the real program: node tests/bench.mjs LATSCH FOLDER, where FOLDER holds the studies
+// Measures the page on the real program: node tests/bench.mjs LATSCH FOLDER, where FOLDER holds the studies
 //   many/study.toml   with a journal of 50 000 trials
-//   some/study.toml   with one of 5 000 and its report, some/study.html
+//   some/study.toml   with a journal of 5 000 trials and its report, some/study.html
 //   live/study.toml   that was never run, and whose trials take some tenths of a second
-// With --smoke behind them the journals are as short as they are, few views are looked at and no tire is fitted.
-// Prints a line a figure: its name, a tab, the number. What fails ends it.
+// With --smoke behind them the existing journals are used whatever their length, few views are measured and no tire is
+// fitted. Prints one line for each figure: its name, a tab, the number. A failure ends the program.
 
 import { execFileSync, spawn } from 'node:child_process';
 import { statSync } from 'node:fs';
@@ -18,7 +18,7 @@ const smoke = process.argv[4] === '--smoke';
 const tell = (name, value) => console.log(`${name}\t${value}`);
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 
-/** The program until it has printed its address. */
+/** Starts the program; resolves when it has printed its address. */
 function serve(...words) {
   const child = spawn(latsch, words, { stdio: ['ignore', 'pipe', 'inherit'] });
   process.on('exit', () => child.kill('SIGINT'));
@@ -34,7 +34,7 @@ function serve(...words) {
   return { address, end: () => new Promise((ended) => { child.removeAllListeners('exit'); child.on('exit', ended); child.kill('SIGINT'); }) };
 }
 
-/** Asks the server as a script does. */
+/** Requests data of the server as a script does. */
 function asking(address) {
   const { origin, searchParams } = new URL(address);
   const headers = { Authorization: `Bearer ${searchParams.get('token')}`, 'Content-Type': 'application/json' };
@@ -53,7 +53,7 @@ async function until(holds, seconds = 120) {
   throw new Error(`it did not come in ${seconds} s: ${holds}`);
 }
 
-/** When the journal was last written, ms; 0 where there is none. */
+/** Time of the last write to the journal, ms; 0 if there is none. */
 function written(study) {
   const time = (file) => statSync(file, { throwIfNoEntry: false })?.mtimeMs ?? 0;
   const journal = join(folder, study.replace('.toml', '.latsch'));
@@ -72,7 +72,7 @@ async function livePoints(page, ask, study) {
     let last = written(study);
     const count = async () => (await ask(`/api/study?study=${study}`)).trials;
     const committed = (async () => {
-      // The write-ahead log grows with every commit; the last time it did so before the count has changed is that of the trial.
+      // The write-ahead log grows with every commit; its last growth before the count changes is that of the trial.
       while ((await count()) < trial) { last = written(study); await pause(2); }
       return Math.max(last, written(study));
     })();
@@ -86,7 +86,7 @@ async function livePoints(page, ask, study) {
 const views = smoke ? ['convergence', 'comparison']
   : ['study', 'setup', 'model', 'convergence', 'target', 'comparison', 'kpis', 'identifiability'];
 
-/** What axe finds and the console calls an error in every view of a study. */
+/** Violations found by axe and errors of the console in every view of a study. */
 async function faults(browser, address, studies) {
   const found = { axe: 0, console: 0 };
   for (const scheme of smoke ? ['dark'] : ['light', 'dark']) {
@@ -122,7 +122,7 @@ tell('many_load_ms', await loadTime(browser, address, 'many/study.toml'));
 tell('many_redraw_ms', await redrawTime(browser, address, 'many/study.toml'));
 
 if (!smoke) {
-  const fresh = Date.now(); // as after an installation: a tire, its study, the run, the first point
+  const fresh = Date.now(); // timed like an installation: a tire, its study, the run, the first point
   execFileSync(latsch, ['new', join(folder, 'fresh')], { stdio: 'ignore' });
   await until(async () => (await ask('/api/home')).studies.some((one) => one.study === 'fresh/study.toml' && one.state === 'new'));
   await ask('/api/run', { study: 'fresh/study.toml', verb: 'run', workers: 2 });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A browser for the tests: Debian's chromium, or what CHROMIUM names. Every page of it collects what its console calls an
-// error, for a page has to have none.
+// A browser for the tests: Debian's chromium, or the one that CHROMIUM names. Every page collects the errors of its
+// console, because a page must have none.
 
 import { existsSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -25,13 +25,13 @@ export async function newPage(browser, { scheme = 'light', width = 1440, height 
   return page;
 }
 
-/** What is loading has come, and what is drawn is drawn. */
+/** Waits until everything is loaded and drawn. */
 export async function settled(page) {
   await page.waitForFunction(() => !document.querySelector('.loading, footer .waiting, [aria-busy=true]') && !document.body.innerText.includes('Loading the'), null, { timeout: 30000 });
   await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
 }
 
-/** Violations that axe finds, in words. */
+/** Returns violations found by axe, in words. */
 export async function violations(page) {
   await page.evaluate(`(() => { const module = undefined, exports = undefined, define = undefined; ${axeScript}\n})()`);
   const { violations: found } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a journal of 50 000 trials costs the page: until its convergence is drawn, and each time it is drawn again. For a
-// page at any address, so that a benchmark measures the real server with it.
+// Measures the page with a journal of 50 000 trials: the time until its convergence is drawn, and for each redraw.
+// Works for a page at any address, so that a benchmark measures the real server with it.
 
 import { newPage, settled } from './browser.mjs';
 
-/** After the first drawing is on the screen: a browser without a graphics processor holds one of the next frames for it. */
+/** Waits until the first drawing is on the screen: without a graphics processor a browser uses a later frame for it. */
 const shown = (page) =>
   page.evaluate(async () => {
     for (let k = 0; k < 3; ++k) await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 0)));
@@ -45,14 +45,14 @@ export async function redrawTime(browser, address, study) {
   return longest;
 }
 
-/** What the page has worked so far, ms of the processor: what a busy machine does not change. */
+/** Processor time of the page so far, ms, which does not depend on the load of the machine. */
 async function meter(page) {
   const tools = await page.context().newCDPSession(page);
   await tools.send('Performance.enable', { timeDomain: 'threadTicks' });
   return async () => 1000 * (await tools.send('Performance.getMetrics')).metrics.find(({ name }) => name === 'TaskDuration').value;
 }
 
-/** Milliseconds of the processor until the convergence is drawn, and for one drawing more. */
+/** Milliseconds of processor time until the convergence is drawn, and for one further drawing. */
 export async function work(browser, address, study) {
   const page = await newPage(browser);
   const worked = await meter(page);
@@ -73,7 +73,7 @@ export async function work(browser, address, study) {
   return { load, redraw };
 }
 
-/** Milliseconds from `act`, which makes a trial end, to the point that is counted on the page. */
+/** Milliseconds from `act`, which ends a trial, to the point's appearance on the page. */
 export async function firstPointTime(page, act) {
   const count = () => page.evaluate(() => document.querySelector('.panel header .small-print')?.textContent ?? '');
   const before = await count();

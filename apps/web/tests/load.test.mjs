@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// 50 000 trials: loaded in less than 2 s, drawn again in less than 100 ms, of the processor, for the machine may be busy;
-// ./bench.sh studio has the times of the clock.
+// 50 000 trials are loaded in less than 2 s and redrawn in less than 100 ms of processor time, because the machine may
+// be busy; ./bench.sh studio measures clock times.
 
 import assert from 'node:assert/strict';
 

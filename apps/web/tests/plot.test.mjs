@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a plot draws is what the page tells: after a click on its key, after trials that came, after another width of the window.
+// A plot draws the data of the page: after a click on its key, after new trials, after a change of the window's width.
 
 import assert from 'node:assert/strict';
 
@@ -17,7 +17,7 @@ async function open(browser, address) {
   return page;
 }
 
-/** The pixels of the first plot, as a text that differs where they do. */
+/** The pixels of the first plot as a text, which differs if they do. */
 const pixels = (page) => page.locator('.u-wrap canvas').first().evaluate((canvas) => canvas.toDataURL());
 
 const drawnAnew = (page, before) =>

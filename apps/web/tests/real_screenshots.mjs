@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of every view of studies that a real server serves, to be looked at:
+// Takes pictures of every view of studies on a real server, to be looked at:
 //   node tests/real_screenshots.mjs ADDRESS_WITH_TOKEN FOLDER STUDY [VIEW ...]
-// Says what the console called an error and what axe found.
+// Reports errors of the console and violations found by axe.
 
 import { mkdirSync } from 'node:fs';
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tests of the page in a browser, against answers in the shapes of docs/studio.md: node tests/run.mjs [NAME]
-// Each file x.test.mjs exports what it claims; a claim that does not hold throws. A page is built already.
+// Runs the tests of the page in a browser, against answers in the shapes of docs/studio.md: node tests/run.mjs [NAME]
+// Each file x.test.mjs exports its claims; a claim that does not hold throws. The page must be built already.
 
 import { existsSync, readdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';

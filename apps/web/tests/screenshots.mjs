@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of every view, light and dark, to be looked at: node tests/screenshots.mjs [FOLDER [VIEW ...]]; FOLDER is
-// screenshots unless given. Says what the console called an error and what axe found.
+// Takes pictures of every view, light and dark, to be looked at: node tests/screenshots.mjs [FOLDER [VIEW ...]]; FOLDER
+// is screenshots by default. Reports errors of the console and violations found by axe.
 
 import { mkdirSync } from 'node:fs';
 
@@ -21,7 +21,8 @@ for (const scheme of ['light', 'dark']) {
     await settled(page);
     await page.waitForTimeout(300);
     const height = await page.evaluate(() => document.documentElement.scrollHeight);
-    await page.setViewportSize({ width: 1440, height: Math.max(height, 900) }); // what is sticky stays at its end
+    await page.setViewportSize({ width: 1440, height: Math.max(height, 900) }); // sticky elements stay at the end of
+                                                                                // the page
     await page.waitForTimeout(200);
     await page.screenshot({ path: `${folder}/${name}_${scheme}.png` });
     await page.setViewportSize({ width: 1440, height: 900 });

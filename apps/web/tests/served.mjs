@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page on a real `latsch serve`: a study is set up, run, watched by a second page, weighed anew, and looked at in every
-// view: node tests/served.mjs LATSCH STUDIES, where STUDIES is the folder studies of the sources.
+// The page on a real `latsch serve`: a study is set up, run, watched by a second page, weighted anew, and looked at in
+// every view: node tests/served.mjs LATSCH STUDIES, where STUDIES is the folder studies of the sources.
 
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';

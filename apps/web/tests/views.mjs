@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The views and their addresses, for what goes through all of them.
+// The views and their addresses, for tests of all of them.
 
 export const kViews = [
   ['home', '#/home'],

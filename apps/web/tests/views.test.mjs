@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every view, light and dark: what axe calls a violation and what the console calls an error is none of theirs.
+// Every view, light and dark, is free of violations by axe and of errors in the console.
 
 import assert from 'node:assert/strict';
 
@@ -13,7 +13,7 @@ const allOf = (scheme) => async ({ browser, address }) => {
     await page.goto(address + hash);
     await page.reload();
     await settled(page);
-    const missing = name === 'missing'; // its 404 is the browser's own word
+    const missing = name === 'missing'; // the browser itself reports its 404
     const errors = page.errors.splice(0).filter((words) => !missing || !words.includes('404'));
     faults.push(...[...(await violations(page)), ...errors].map((words) => `${name}: ${words}`));
   }

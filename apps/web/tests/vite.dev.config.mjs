@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `npm run dev`: Vite's server with the page as it is written, /api and /events answered from the fixtures of the tests.
+// `npm run dev`: Vite's server with the sources of the page; /api and /events are answered from the fixtures of the
+// tests.
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { defineConfig } from 'vite';
 

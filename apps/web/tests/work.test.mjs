@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person does with the page ends in requests of the contract, and in what is shown afterwards.
+// Actions of a person on the page result in requests of the contract, and in the display afterwards.
 
 import assert from 'node:assert/strict';
 
@@ -85,7 +85,7 @@ export const claims = {
     const slider = page.getByLabel('State of the rig');
     await slider.waitFor();
     await page.getByText('Of 28 tests the first 2 are shown step by step.').waitFor();
-    assert.equal(await slider.inputValue(), '9'); // where forces are largest
+    assert.equal(await slider.inputValue(), '9'); // largest forces
     await slider.press('ArrowLeft');
     await page.getByText('Fy 3200 N, state 9 of 10').waitFor();
     await page.getByText('Forces as numbers').click();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// uPlot asks for the context of its canvas in a way that lets a browser draw on the graphics processor. The first drawing of a
-// page then waits until every kind of mark has a program there, some hundred milliseconds where that processor is a piece
-// of software. A few thousand rectangles and lines take the processor itself less than ten; what is drawn goes over as one picture.
+// uPlot requests the context of its canvas in a way that lets a browser draw on the graphics processor. The first
+// drawing of a page then waits until every kind of mark has a program there, some hundred milliseconds if that
+// processor is emulated by software. A few thousand rectangles and lines take the main processor less than ten
+// milliseconds; the drawing is transferred as one picture.
 
 const kAsked = 'can.getContext("2d")';
 const kInstead = 'can.getContext("2d", { willReadFrequently: true })';

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of a folder, gzipped, as a C++ source that includes their bytes: node tools/embed.mjs DIST web_assets.cpp
+// Writes the files of a folder, gzipped, as a C++ source that includes their bytes: node tools/embed.mjs DIST
+// web_assets.cpp
 
 import { createHash } from 'node:crypto';
 import { mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -25,7 +26,8 @@ const assets = filesOf(folder).map((file, k) => {
   if (!type) throw new Error(`embed.mjs: ${file}: of what type is it? Name it in kTypes.`);
   const bytes = gzipSync(readFileSync(file), { level: 9 });
   const etag = createHash('sha256').update(bytes).digest('hex').slice(0, 16);
-  const stored = join(packed, `${etag}_${basename(file)}.gz`); // its name changes with its bytes: then this source does
+  const stored = join(packed, `${etag}_${basename(file)}.gz`); // the name depends on the bytes, so that this source
+                                                               // changes with them
   writeFileSync(stored, bytes);
   return { symbol: `latsch_web_asset_${k}`, path: `/${relative(folder, file).split(sep).join('/')}`, type, etag, stored };
 });

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of three.js what the page draws: meshes and lines with MeshLambertMaterial, MeshBasicMaterial and LineBasicMaterial. Its renderer
-// imports the shaders of every material, virtual reality, textures and maps of an environment; a bundler cannot know that
-// they are never reached. Here shaders that the three materials do not include become empty texts, those modules empty classes,
-// and the other shaders lose comments and blanks: a fifth of its size. A material beyond the three needs a word in
-// kMaterials; without it its program does not compile, which the browser's console says.
+// Reduces three.js to what the page draws: meshes and lines with MeshLambertMaterial, MeshBasicMaterial and
+// LineBasicMaterial. Its renderer imports the shaders of every material, virtual reality, textures and maps of an
+// environment; a bundler cannot know that they are never used. Here shaders that the three materials do not include
+// become empty texts, those modules become empty classes, and the other shaders lose comments and blanks: a fifth of
+// its size remains. A further material needs an entry in kMaterials; without it its program does not compile, which the
+// browser's console reports.
 
 import { readFileSync, readdirSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -11,7 +12,7 @@ import { dirname, join } from 'node:path';
 
 const kMaterials = ['meshbasic', 'meshlambert'];
 
-// Chunks that the renderer puts before the shader of every material.
+// Chunks that the renderer prepends to the shader of every material.
 const kOfEvery = ['colorspace_pars_fragment', 'tonemapping_pars_fragment'];
 
 const kEmpty = {
@@ -44,7 +45,7 @@ const shaders = join(source, 'renderers', 'shaders');
 
 const textOf = (file) => readFileSync(file, 'utf8');
 
-/** Names of the chunks that the materials' shaders include, and what those include. */
+/** Names of the chunks that the materials' shaders include, directly or through other chunks. */
 function reached() {
   const found = new Set(kOfEvery);
   const visit = (text) => {

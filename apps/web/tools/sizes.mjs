@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints what the page weighs, gzipped, and fails where it weighs more than it may: a first script of 60 KB without what
-// is loaded later, 200 KB of scripts in all.
+// Prints the gzipped size of the page, and fails if it exceeds the limits: a first script of 60 KB without what is
+// loaded later, 200 KB of scripts in all.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -71,7 +71,7 @@ const std::vector<std::string>& pieces() {
   return kPieces;
 }
 
-/// Everything a study may do with a file.
+/// Does everything a study may do with a file.
 void use(const std::string& text, RandomStream& random) {
   Document document = Document::parse(text, "spoiled.toml");
   const Node root = document.root();
@@ -91,7 +91,7 @@ void use(const std::string& text, RandomStream& random) {
     }
   }
   if (!paths.empty()) {
-    EXPECT_THROW(root.close(), InputError);  // most keys were never asked for
+    EXPECT_THROW(root.close(), InputError);  // most keys were never read
   }
 }
 
@@ -110,7 +110,7 @@ TEST(DocumentFuzz, TwentyThousandSpoiledTireFilesEndInADocumentOrAnInputError) {
       ASSERT_NE(std::string(error.what()).find(".toml"), std::string::npos) << error.what();
     }
   }
-  // Both ends are met often.
+  // Both outcomes are frequent.
   EXPECT_GT(rejected, kMutations / 4);
   EXPECT_LT(rejected, 9 * kMutations / 10);
 }

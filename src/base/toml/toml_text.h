@@ -7,10 +7,10 @@
 
 namespace latsch {
 
-/// The text in quotes, with quotes, backslashes, line ends and tabs escaped.
+/// Returns the text in quotes, with quotes, backslashes, line ends and tabs escaped.
 std::string toml_text(std::string_view text);
 
-/// A key as it stands before "=": bare if it may be, else in quotes.
+/// Returns a key as written before "=": bare if TOML allows it, else in quotes.
 std::string toml_key(std::string_view key);
 
 }  // namespace latsch

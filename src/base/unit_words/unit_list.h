@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The list behind unit_words.h: one word of a unit a row, its meaning in the language of UDUNITS-2.
+// The list behind unit_words.h: each row holds a word for a unit and its meaning in the language of
+// UDUNITS-2.
 //
-// Factors that UDUNITS has rounded or does not have are written here: the pound, ounce, slug and
-// foot-pound units from the international pound of 0.45359237 kg and the inch of 25.4 mm [NIST SP
-// 811 (2008), B.8], kilopond and technical atmosphere from 9.80665 m/s^2 [DIN 1301-3], the metric
-// horsepower as 75 kp m/s [DIN 66036], the conventional millimeter of mercury and of water [ISO
-// 80000-4:2019].
+// Factors that UDUNITS has rounded or lacks are written here: the pound, ounce, slug and foot-pound
+// units from the international pound of 0.45359237 kg and the inch of 25.4 mm [NIST SP 811 (2008),
+// B.8], kilopond and technical atmosphere from 9.80665 m/s^2 [DIN 1301-3], the metric horsepower as
+// 75 kp m/s [DIN 66036], the conventional millimeter of mercury and of water [ISO 80000-4:2019].
 #pragma once
 
 #include <string_view>
@@ -19,7 +19,7 @@ struct Row {
 // clang-format off
 /// Known also in other cases: "KPA", "Newton".
 inline constexpr Row kWords[] = {
-    // length
+    // Length.
     {"m", "m"}, {"meter", "m"}, {"meters", "m"}, {"metre", "m"}, {"metres", "m"}, {"mm", "mm"},
     {"millimeter", "mm"}, {"millimeters", "mm"}, {"millimetre", "mm"}, {"millimetres", "mm"},
     {"cm", "cm"}, {"centimeter", "cm"}, {"centimeters", "cm"}, {"centimetre", "cm"},
@@ -28,17 +28,17 @@ inline constexpr Row kWords[] = {
     {"in", "in"}, {"inch", "in"}, {"inches", "in"}, {"zoll", "in"}, {"ft", "ft"}, {"foot", "ft"},
     {"feet", "ft"}, {"yd", "yd"}, {"yard", "yd"}, {"mi", "mile"}, {"mile", "mile"},
     {"miles", "mile"}, {"thou", "2.54e-5 m"},
-    // volume
+    // Volume.
     {"l", "l"}, {"liter", "l"}, {"liters", "l"}, {"litre", "l"}, {"ml", "ml"}, {"cc", "cm^3"},
     {"ccm", "cm^3"},
-    // mass
+    // Mass.
     {"kg", "kg"}, {"kilogram", "kg"}, {"kilograms", "kg"}, {"kilogramm", "kg"}, {"gram", "gram"},
     {"grams", "gram"}, {"gramm", "gram"}, {"milligram", "mg"}, {"tonne", "t"}, {"tonnes", "t"},
     {"megagram", "t"}, {"lbm", "lb"}, {"lb_m", "lb"}, {"pound_mass", "lb"},
     {"kpound_mass", "453.59237 kg"}, {"ounce_mass", "0.028349523125 kg"},
     {"slug", "14.593902937206364 kg"}, {"slugs", "14.593902937206364 kg"}, {"tex", "tex"},
     {"dtex", "dtex"},
-    // force
+    // Force.
     {"N", "N"}, {"newton", "N"}, {"newtons", "N"}, {"kN", "kN"}, {"kilonewton", "kN"},
     {"kilonewtons", "kN"}, {"knewton", "kN"}, {"daN", "daN"}, {"decanewton", "daN"},
     {"meganewton", "MN"}, {"millinewton", "mN"}, {"kgf", "kgf"}, {"kilogram_force", "kgf"},
@@ -47,14 +47,14 @@ inline constexpr Row kWords[] = {
     {"klbf", "kip"}, {"kip", "kip"}, {"kips", "kip"}, {"kpound_force", "kip"},
     {"ozf", "0.27801385095378125 N"}, {"ounce_force", "0.27801385095378125 N"}, {"dyn", "dyne"},
     {"dyne", "dyne"},
-    // moment, impulse, damping in one word
+    // Moment, impulse, damping in one word.
     {"Nm", "N m"}, {"kNm", "kN m"}, {"daNm", "daN m"}, {"Ncm", "N cm"}, {"Nmm", "N mm"},
     {"kNmm", "kN mm"}, {"Nms", "N m s"}, {"Ns", "N s"}, {"kNs", "kN s"}, {"kgfm", "kgf m"},
     {"kgfcm", "kgf cm"}, {"kgfmm", "kgf mm"}, {"kpm", "kgf m"}, {"ftlb", "ft lbf"},
     {"ftlbs", "ft lbf"}, {"ftlbf", "ft lbf"}, {"lbft", "lbf ft"}, {"lbfft", "lbf ft"},
     {"inlb", "in lbf"}, {"inlbs", "in lbf"}, {"inlbf", "in lbf"}, {"lbin", "lbf in"},
     {"lbfin", "lbf in"},
-    // time and frequency
+    // Time and frequency.
     {"s", "s"}, {"sec", "s"}, {"secs", "s"}, {"second", "s"}, {"seconds", "s"}, {"sek", "s"},
     {"sekunde", "s"}, {"sekunden", "s"}, {"ms", "ms"}, {"msec", "ms"}, {"millisecond", "ms"},
     {"milliseconds", "ms"}, {"us", "us"}, {"usec", "us"}, {"microsecond", "us"},
@@ -62,7 +62,7 @@ inline constexpr Row kWords[] = {
     {"minuten", "min"}, {"h", "h"}, {"hr", "h"}, {"hrs", "h"}, {"hour", "h"}, {"hours", "h"},
     {"day", "day"}, {"days", "day"}, {"Hz", "Hz"}, {"hertz", "Hz"}, {"kHz", "kHz"},
     {"GHz", "GHz"}, {"cpm", "1/min"},
-    // angle and speed of rotation
+    // Angle and speed of rotation.
     {"deg", "deg"}, {"degs", "deg"}, {"degree", "deg"}, {"degrees", "deg"}, {"°", "deg"},
     {"rad", "rad"}, {"rads", "rad"}, {"radian", "rad"}, {"radians", "rad"}, {"radiant", "rad"},
     {"mrad", "mrad"}, {"milliradian", "mrad"}, {"milliradians", "mrad"}, {"urad", "urad"},
@@ -70,34 +70,35 @@ inline constexpr Row kWords[] = {
     {"revs", "rev"}, {"revolution", "rev"}, {"revolutions", "rev"}, {"turn", "rev"},
     {"turns", "rev"}, {"umdr", "rev"}, {"umdrehung", "rev"}, {"umdrehungen", "rev"},
     {"rpm", "rpm"}, {"upm", "rpm"}, {"rps", "rev/s"},
-    // velocity and acceleration
+    // Velocity and acceleration.
     {"kmh", "km/h"}, {"kph", "km/h"}, {"kmph", "km/h"}, {"mph", "mile/h"}, {"mps", "m/s"},
     {"fps", "ft/s"}, {"ips", "in/s"}, {"knot", "knot"}, {"knots", "knot"}, {"kts", "knot"},
     {"gn", "9.80665 m/s^2"}, {"gee", "9.80665 m/s^2"}, {"milli_gn", "9.80665e-3 m/s^2"},
     {"standard_gravity", "9.80665 m/s^2"},
-    // pressure, over that of the air around: "psig" is "psi"
+    // Pressure, over that of the air around: "psig" is "psi".
     {"Pa", "Pa"}, {"pascal", "Pa"}, {"hPa", "hPa"}, {"kPa", "kPa"}, {"kilopascal", "kPa"},
     {"kpascal", "kPa"}, {"megapascal", "MPa"}, {"mpascal", "MPa"}, {"GPa", "GPa"},
     {"gigapascal", "GPa"}, {"bar", "bar"}, {"bars", "bar"}, {"mbar", "mbar"},
     {"millibar", "mbar"}, {"psi", "psi"}, {"psig", "psi"}, {"barg", "bar"}, {"kPag", "kPa"},
     {"ksi", "ksi"}, {"psf", "lbf/ft^2"}, {"atm", "atm"}, {"at", "98066.5 Pa"},
     {"torr", "133.32236842105263 Pa"}, {"mmHg", "mmHg"}, {"inHg", "inHg"},
-    // temperature
+    // Temperature.
     {"degC", "degC"}, {"deg_C", "degC"}, {"celsius", "degC"}, {"°C", "degC"}, {"degF", "degF"},
     {"deg_F", "degF"}, {"fahrenheit", "degF"}, {"°F", "degF"}, {"degK", "K"}, {"kelvin", "K"},
     {"°K", "K"}, {"degR", "degR"}, {"rankine", "degR"},
-    // energy, power, electricity, light, amount
+    // Energy, power, electricity, light, amount.
     {"J", "J"}, {"joule", "J"}, {"kJ", "kJ"}, {"watt", "W"}, {"kW", "kW"}, {"kilowatt", "kW"},
     {"Wh", "W h"}, {"kWh", "kW h"}, {"hp", "745.69987158227022 W"},
     {"bhp", "745.69987158227022 W"}, {"volt", "V"}, {"volts", "V"}, {"kV", "kV"}, {"ampere", "A"},
     {"amp", "A"}, {"ohm", "ohm"}, {"Ω", "ohm"}, {"mol", "mol"}, {"cd", "cd"},
-    // plain numbers
+    // Plain numbers.
     {"%", "%"}, {"percent", "%"}, {"pct", "%"}, {"prozent", "%"}, {"‰", "1e-3"},
     {"permil", "1e-3"}, {"permille", "1e-3"}, {"promille", "1e-3"}, {"ppm", "1e-6"},
     {"count", "1"}, {"counts", "1"},
 };
 
-/// Known in this case alone: another one means, or may mean, something else.
+/// These words are known in this case alone: in another case they mean, or may mean, something
+/// else.
 inline constexpr Row kExact[] = {
     {"M", "m"},      {"S", "s"},        {"MS", "ms"},      {"H", "h"},
     {"Min", "min"},  {"MN", "MN"},      {"mN", "mN"},      {"mNm", "mN m"},
@@ -112,7 +113,7 @@ inline constexpr Row kExact[] = {
     {"A", "A"},      {"mA", "mA"},      {"L", "l"}, {"d", "day"}, {"kt", "knot"},
 };
 
-/// Whole texts, blanks and case aside.
+/// Whole texts, compared without blanks and case.
 inline constexpr Row kWhole[] = {
     {"", "1"}, {"1", "1"}, {"-", "1"}, {"--", "1"}, {"—", "1"}, {"none", "1"}, {"n/a", "1"},
     {"unitless", "1"}, {"dimensionless", "1"}, {"deg.c", "degC"}, {"deg c", "degC"},
@@ -127,16 +128,16 @@ inline constexpr Row kWhole[] = {
     {"inh2o", "249.08891 Pa"}, {"m/s/s", "m/s^2"},
 };
 
-/// Whole texts as they are after all words have their meaning.
+/// Whole texts, compared after every word has been replaced by its meaning.
 inline constexpr Row kTogether[] = {{"rev/min", "rpm"}, {"rev min^-1", "rpm"}};
 
-/// Texts with more than one meaning, as words of the lists above, the usual one first.
-/// `only_by_dimension`: none is usual enough to be taken without knowing what is measured.
+/// Texts with more than one meaning, in words of the lists above, the usual one first.
+/// `only_by_dimension`: no meaning is usual enough to be assumed if the dimension is not known.
 struct Ambiguous {
   std::string_view written;
   std::string_view meanings[2];
   bool any_case, only_by_dimension;
-  std::string_view way_out;  // behind the name of the text
+  std::string_view way_out;  // to follow the text in a message
 };
 inline constexpr Ambiguous kAmbiguousWords[] = {
     {"lb", {"lbf", "lbm"}, true, false, "which may be a force or a mass: write \"lbf\" or \"lbm\""},
@@ -190,14 +191,14 @@ inline constexpr Ambiguous kAmbiguousWords[] = {
     {"''", {"in", "arcsec"}, false, true, "which may be an inch or an arc second: write \"in\""},
     {"'", {"ft", "arcmin"}, false, true, "which may be a foot or an arc minute: write \"ft\""},
 };
-/// The same of whole texts, as they are after all words have their meaning.
+/// Ambiguous whole texts, compared after every word has been replaced by its meaning.
 inline constexpr Ambiguous kAmbiguousTexts[] = {
     {"1/min", {"rpm", "cpm"}, false, false, ""},
     {"min^-1", {"rpm", "cpm"}, false, false, ""},
     {"kg/cm^2", {"at", "kg/(cm cm)"}, false, false, ""},
 };
 
-/// Refused, with what to write instead, behind the name of the text.
+/// Refused texts, each with advice that follows the text in the message.
 inline constexpr Row kRefused[] = {
     {"grad", "which is a degree in German and 0.9 degrees in English: write \"deg\" or \"gon\""},
     {"GRAD", "which is a degree in German and 0.9 degrees in English: write \"deg\" or \"gon\""},
@@ -216,7 +217,7 @@ inline constexpr Row kRefused[] = {
     {"dBA", "which is a level, no quantity: give the quantity itself"},
 };
 
-/// Characters that stand for others.
+/// Characters and the characters they stand for.
 inline constexpr Row kCharacters[] = {
     {"µ", "u"},      {"μ", "u"},       {"º", "°"},          {"˚", "°"},      {"²", "2"},
     {"³", "3"},      {"¹", "1"},       {"⁴", "4"},          {"⁻", "-"},      {"−", "-"},

@@ -13,7 +13,8 @@
 namespace latsch {
 namespace {
 
-constexpr double kRounding = 1e-12;  // relative; UDUNITS computes the offset units in differences
+constexpr double kRounding = 1e-12;  // relative; UDUNITS computes units with an offset by
+                                     // differences
 
 // Every spelling of the table has the factor written there by hand, or is refused.
 TEST(UnitReading, EverySpellingOfTheTableIsReadAsByHand) {
@@ -33,7 +34,7 @@ TEST(UnitReading, EverySpellingOfTheTableIsReadAsByHand) {
   }
 }
 
-// What a reader keeps of a unit is read again as the same.
+// The text that a reader keeps for a unit is read again as the same unit.
 TEST(UnitReading, TheTextOfAUnitIsReadAgainAsThatUnit) {
   for (const UnitSpelling& spelling : unit_spellings::kAll) {
     const auto unit = find_unit(spelling.written, Unit::of(spelling.si));

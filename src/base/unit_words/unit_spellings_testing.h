@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Units as files of tires, vehicles and rigs write them, in German, English, American and Japanese
-// habits, with factor and offset by hand: SI value = number * factor + offset. The tests of all
-// readers go through this table. Each family names the source of its factors.
+// custom, each with factor and offset by hand: SI value = number * factor + offset. The tests of
+// all readers use this table. Each family names the source of its factors.
 #pragma once
 
 #include <limits>
@@ -11,8 +11,8 @@ namespace latsch {
 
 struct UnitSpelling {
   const char* written;
-  const char* si;  // the dimension of what is measured
-  double factor;   // kRefused: a reader has to refuse the text
+  const char* si;  // unit of the measured quantity
+  double factor;   // kRefused: a reader must refuse the text
   double offset = 0.0;
 };
 
@@ -28,7 +28,7 @@ inline constexpr double kPsi = kPoundForce / (0.0254 * 0.0254);
 
 // clang-format off
 inline constexpr UnitSpelling kAll[] = {
-    // length [BIPM SI brochure, 9th ed.; international inch of 25.4 mm: NIST SP 811, B.8]
+    // Length [BIPM SI brochure, 9th ed.; international inch of 25.4 mm: NIST SP 811, B.8].
     {"m", "m", 1.0}, {"M", "m", 1.0}, {"meter", "m", 1.0}, {"Meter", "m", 1.0},
     {"METER", "m", 1.0}, {"metre", "m", 1.0}, {"meters", "m", 1.0}, {"mm", "m", 1e-3},
     {"MM", "m", 1e-3}, {"[mm]", "m", 1e-3}, {"(mm)", "m", 1e-3}, {"millimeter", "m", 1e-3},
@@ -42,7 +42,7 @@ inline constexpr UnitSpelling kAll[] = {
     {"mile", "m", 1609.344}, {"miles", "m", 1609.344}, {"mi", "m", 1609.344},
     {"Mm", "m", kRefused}, {"pt", "m", kRefused}, {"mil", "m", kRefused}, {"ua", "m", kRefused},
     {"furlong", "m", kRefused}, {"N/A m", "m", kRefused},
-    // mass [international pound of 0.45359237 kg: NIST SP 811, B.8; slug = lbf s^2/ft]
+    // Mass [international pound of 0.45359237 kg: NIST SP 811, B.8; slug = lbf s^2/ft].
     {"kg", "kg", 1.0}, {"KG", "kg", 1.0}, {"Kg", "kg", 1.0}, {"kilogram", "kg", 1.0},
     {"Kilogramm", "kg", 1.0}, {"ｋｇ", "kg", 1.0}, {"㎏", "kg", 1.0}, {"g", "kg", 1e-3},
     {"gram", "kg", 1e-3}, {"Gramm", "kg", 1e-3}, {"G", "kg", 1e-3}, {"mg", "kg", 1e-6},
@@ -54,7 +54,7 @@ inline constexpr UnitSpelling kAll[] = {
     {"slug", "kg", 14.593902937206364}, {"Slug", "kg", 14.593902937206364},
     {"slugs", "kg", 14.593902937206364}, {"ton", "kg", kRefused}, {"tons", "kg", kRefused},
     {"gr", "kg", kRefused}, {"u", "kg", kRefused},
-    // force [newton; kilopond of 9.80665 N: DIN 1301-3; pound-force: NIST SP 811, B.8]
+    // Force [newton; kilopond of 9.80665 N: DIN 1301-3; pound-force: NIST SP 811, B.8].
     {"N", "N", 1.0}, {"n", "N", 1.0}, {"[N]", "N", 1.0}, {"newton", "N", 1.0},
     {"Newton", "N", 1.0}, {"NEWTON", "N", 1.0}, {"newtons", "N", 1.0}, {"Ｎ", "N", 1.0},
     {"kN", "N", 1e3}, {"KN", "N", 1e3}, {"kn", "N", 1e3}, {"Kn", "N", 1e3}, {"[kN]", "N", 1e3},
@@ -70,7 +70,7 @@ inline constexpr UnitSpelling kAll[] = {
     {"ozf", "N", kPoundForce / 16}, {"dyn", "N", 1e-5}, {"dyne", "N", 1e-5},
     {"tonf", "N", kRefused}, {"mn", "N", kRefused}, {"Mn", "N", kRefused}, {"ns", "N", kRefused},
     {"p", "N", kRefused}, {"T", "N", kRefused},
-    // moment
+    // Moment.
     {"Nm", "N m", 1.0}, {"NM", "N m", 1.0}, {"nm", "N m", 1.0}, {"N m", "N m", 1.0},
     {"N*m", "N m", 1.0}, {"N·m", "N m", 1.0}, {"N.m", "N m", 1.0}, {"N-m", "N m", 1.0},
     {"N⋅m", "N m", 1.0}, {"Newton meter", "N m", 1.0}, {"Ｎ・ｍ", "N m", 1.0}, {"kNm", "N m", 1e3},
@@ -91,7 +91,7 @@ inline constexpr UnitSpelling kAll[] = {
     {"lb-in", "N m", 0.0254 * kPoundForce}, {"LB-IN", "N m", 0.0254 * kPoundForce},
     {"lbf·in", "N m", 0.0254 * kPoundForce}, {"in-lbs", "N m", 0.0254 * kPoundForce},
     {"mnm", "N m", kRefused},
-    // pressure [bar, mmHg, mmH2O: ISO 80000-4; at = kgf/cm^2, atm, torr: NIST SP 811, B.8]
+    // Pressure [bar, mmHg, mmH2O: ISO 80000-4; at = kgf/cm^2, atm, torr: NIST SP 811, B.8].
     {"Pa", "Pa", 1.0}, {"PA", "Pa", 1.0}, {"pa", "Pa", 1.0}, {"pascal", "Pa", 1.0},
     {"Pascal", "Pa", 1.0}, {"N/m^2", "Pa", 1.0}, {"N/m2", "Pa", 1.0}, {"N/m²", "Pa", 1.0},
     {"N/M2", "Pa", 1.0}, {"kPa", "Pa", 1e3}, {"KPA", "Pa", 1e3}, {"KPa", "Pa", 1e3},
@@ -116,7 +116,7 @@ inline constexpr UnitSpelling kAll[] = {
     {"inHg", "Pa", 13595.1 * 9.80665 * 0.0254}, {"mmH2O", "Pa", 9.80665}, {"mpa", "Pa", kRefused},
     {"Mbar", "Pa", kRefused}, {"psia", "Pa", kRefused}, {"bara", "Pa", kRefused},
     {"kPaa", "Pa", kRefused}, {"ata", "Pa", kRefused}, {"PSI abs", "Pa", kRefused},
-    // angle; gon of 400 to the turn [DIN 1315]; Grad is German for degree [DIN 1315]
+    // Angle; gon of 400 to the turn [DIN 1315]; Grad is German for degree [DIN 1315].
     {"deg", "rad", kDegree}, {"Deg", "rad", kDegree}, {"DEG", "rad", kDegree},
     {"[deg]", "rad", kDegree}, {"(deg)", "rad", kDegree}, {"degree", "rad", kDegree},
     {"Degree", "rad", kDegree}, {"DEGREE", "rad", kDegree}, {"degrees", "rad", kDegree},
@@ -129,7 +129,7 @@ inline constexpr UnitSpelling kAll[] = {
     {"'", "rad", kDegree / 60}, {"arcsec", "rad", kDegree / 3600}, {"\"", "rad", kDegree / 3600},
     {"grad", "rad", kRefused}, {"GRAD", "rad", kRefused}, {"Mrad", "rad", kRefused},
     {"degg", "rad", kRefused}, {"d°", "rad", kRefused},
-    // speed of rotation
+    // Speed of rotation.
     {"rad/s", "rad/s", 1.0}, {"RAD/S", "rad/s", 1.0}, {"rad/sec", "rad/s", 1.0},
     {"rad s^-1", "rad/s", 1.0}, {"rad·s⁻¹", "rad/s", 1.0}, {"deg/s", "rad/s", kDegree},
     {"Deg/s", "rad/s", kDegree}, {"DEG/S", "rad/s", kDegree}, {"deg/sec", "rad/s", kDegree},
@@ -140,7 +140,7 @@ inline constexpr UnitSpelling kAll[] = {
     {"r/min", "rad/s", kPi / 30}, {"Upm", "rad/s", kPi / 30}, {"1/Min", "rad/s", kPi / 30},
     {"rev/s", "rad/s", 2 * kPi}, {"rps", "rad/s", 2 * kPi}, {"U/s", "rad/s", 2 * kPi},
     {"cps", "rad/s", kRefused}, {"1/s", "rad/s", kRefused}, {"Hz", "rad/s", kRefused},
-    // velocity; knot of 1852 m/h [NIST SP 811, B.8]
+    // Velocity; knot of 1852 m/h [NIST SP 811, B.8].
     {"m/s", "m/s", 1.0}, {"M/S", "m/s", 1.0}, {"m/sec", "m/s", 1.0}, {"m s^-1", "m/s", 1.0},
     {"m·s⁻¹", "m/s", 1.0}, {"m s-1", "m/s", 1.0}, {"mps", "m/s", 1.0}, {"km/h", "m/s", 1.0 / 3.6},
     {"KM/H", "m/s", 1.0 / 3.6}, {"Km/h", "m/s", 1.0 / 3.6}, {"KMH", "m/s", 1.0 / 3.6},
@@ -153,7 +153,7 @@ inline constexpr UnitSpelling kAll[] = {
     {"mm/s", "m/s", 1e-3}, {"knot", "m/s", 1852.0 / 3600}, {"knots", "m/s", 1852.0 / 3600},
     {"kts", "m/s", 1852.0 / 3600}, {"kn", "m/s", 1852.0 / 3600}, {"ms/", "m/s", kRefused},
     {"kmph/s", "m/s", kRefused},
-    // acceleration; standard gravity 9.80665 m/s^2 [NIST SP 811, B.8]
+    // Acceleration; standard gravity 9.80665 m/s^2 [NIST SP 811, B.8].
     {"m/s^2", "m/s^2", 1.0}, {"m/s2", "m/s^2", 1.0}, {"m/s²", "m/s^2", 1.0},
     {"m/s**2", "m/s^2", 1.0}, {"m/s/s", "m/s^2", 1.0}, {"m/sec^2", "m/s^2", 1.0},
     {"M/S2", "m/s^2", 1.0}, {"m s^-2", "m/s^2", 1.0}, {"m·s⁻²", "m/s^2", 1.0},
@@ -161,7 +161,7 @@ inline constexpr UnitSpelling kAll[] = {
     {"g0", "m/s^2", 9.80665}, {"mg", "m/s^2", 9.80665e-3}, {"ft/s^2", "m/s^2", 0.3048},
     {"ft/s2", "m/s^2", 0.3048}, {"deg/s^2", "rad/s^2", kDegree}, {"°/s²", "rad/s^2", kDegree},
     {"Gal", "m/s^2", kRefused}, {"gs", "m/s^2", kRefused},
-    // time and frequency
+    // Time and frequency.
     {"s", "s", 1.0}, {"S", "s", 1.0}, {"sec", "s", 1.0}, {"SEC", "s", 1.0}, {"Sec", "s", 1.0},
     {"second", "s", 1.0}, {"seconds", "s", 1.0}, {"Sek", "s", 1.0}, {"ms", "s", 1e-3},
     {"MS", "s", 1e-3}, {"msec", "s", 1e-3}, {"MSEC", "s", 1e-3}, {"millisecond", "s", 1e-3},
@@ -172,7 +172,7 @@ inline constexpr UnitSpelling kAll[] = {
     {"s^-1", "Hz", 1.0}, {"s-1", "Hz", 1.0}, {"kHz", "Hz", 1e3}, {"KHZ", "Hz", 1e3},
     {"Ms", "s", kRefused}, {"as", "s", kRefused}, {"Std", "s", kRefused},
     {"samples", "s", kRefused},
-    // temperature [ITS-90; degree Fahrenheit: NIST SP 811, B.8]
+    // Temperature [ITS-90; degree Fahrenheit: NIST SP 811, B.8].
     {"°C", "K", 1.0, 273.15}, {"degC", "K", 1.0, 273.15}, {"DegC", "K", 1.0, 273.15},
     {"DEGC", "K", 1.0, 273.15}, {"deg C", "K", 1.0, 273.15}, {"Deg C", "K", 1.0, 273.15},
     {"DEG C", "K", 1.0, 273.15}, {"C", "K", 1.0, 273.15}, {"[C]", "K", 1.0, 273.15},
@@ -183,13 +183,13 @@ inline constexpr UnitSpelling kAll[] = {
     {"Fahrenheit", "K", 5.0 / 9, 459.67 * 5 / 9}, {"K", "K", 1.0}, {"Kelvin", "K", 1.0},
     {"degK", "K", 1.0}, {"degR", "K", 5.0 / 9}, {"Rankine", "K", 5.0 / 9}, {"k", "K", kRefused},
     {"f", "K", kRefused}, {"R", "K", kRefused},
-    // plain numbers
+    // Plain numbers.
     {"-", "1", 1.0}, {"--", "1", 1.0}, {"[-]", "1", 1.0}, {"(-)", "1", 1.0}, {"1", "1", 1.0},
     {"none", "1", 1.0}, {"N/A", "1", 1.0}, {"n/a", "1", 1.0}, {"—", "1", 1.0}, {"%", "1", 1e-2},
     {"percent", "1", 1e-2}, {"Prozent", "1", 1e-2}, {"pct", "1", 1e-2}, {"％", "1", 1e-2},
     {"permil", "1", 1e-3}, {"‰", "1", 1e-3}, {"Promille", "1", 1e-3}, {"ppm", "1", 1e-6},
     {"dB", "1", kRefused}, {"pi", "1", kRefused}, {"dozen", "1", kRefused},
-    // stiffness, compliance, damping, slopes
+    // Stiffness, compliance, damping, slopes.
     {"N/mm", "N/m", 1e3}, {"N/MM", "N/m", 1e3}, {"N mm^-1", "N/m", 1e3}, {"N·mm⁻¹", "N/m", 1e3},
     {"N per mm", "N/m", 1e3}, {"kN/m", "N/m", 1e3}, {"N/m", "N/m", 1.0}, {"kN/mm", "N/m", 1e6},
     {"KN/MM", "N/m", 1e6}, {"kgf/mm", "N/m", 9806.65}, {"KGF/MM", "N/m", 9806.65},
@@ -215,8 +215,8 @@ inline constexpr UnitSpelling kAll[] = {
     {"deg/(N m)", "rad/(N m)", kDegree}, {"deg/Nm", "rad/(N m)", kDegree}, {"1/m", "1/m", 1.0},
     {"m^-1", "1/m", 1.0}, {"m-1", "1/m", 1.0}, {"1/mm", "1/m", 1e3}, {"mm/min", "m/s", 1e-3 / 60},
     {"N/Mm", "N/m", kRefused}, {"nN/um", "N/m", kRefused}, {"PS/m", "N/m", kRefused},
-    // density, inertia, energy, power [metric horsepower of 75 kp m/s: DIN 66036; hp of
-    // 550 ft lbf/s], yarns
+    // Density, inertia, energy, power [metric horsepower of 75 kp m/s: DIN 66036; hp of
+    // 550 ft lbf/s], yarns.
     {"kg/m^3", "kg/m^3", 1.0}, {"kg/m3", "kg/m^3", 1.0}, {"kg/m³", "kg/m^3", 1.0},
     {"KG/M3", "kg/m^3", 1.0}, {"g/cm^3", "kg/m^3", 1e3}, {"g/cm3", "kg/m^3", 1e3},
     {"g/cm³", "kg/m^3", 1e3}, {"kg/l", "kg/m^3", 1e3}, {"t/m^3", "kg/m^3", 1e3},

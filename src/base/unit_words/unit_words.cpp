@@ -16,7 +16,7 @@ namespace {
 using unit_list::Ambiguous;
 using IsForeign = std::function<bool(std::string_view, const std::string&)>;
 
-constexpr std::size_t kMostAmbiguous = 4;  // words of one text
+constexpr std::size_t kMostAmbiguous = 4;  // words in one text; limits the number of combinations
 
 std::string_view without_outer_blanks(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -40,7 +40,7 @@ std::optional<char> of_full_width(std::string_view at) {
   return static_cast<char>('!' + offset);
 }
 
-/// The text with the letters and signs its characters stand for.
+/// Returns the text with every character replaced by the letters or signs it stands for.
 std::string plain_characters(std::string_view text) {
   std::string plain;
   while (!text.empty()) {
@@ -84,13 +84,13 @@ bool belongs_to_word(char c) {
          c == '"' || (static_cast<unsigned char>(c) & 0x80);
 }
 
-/// A word's meaning: one text, or one of several that the dimension tells.
+/// Meaning of a word: one text, or several among which the dimension decides.
 struct WordMeaning {
   std::string text;
   const Ambiguous* ambiguous = nullptr;
 };
 
-/// The meaning of a word as the lists write it; nothing where they do not have it.
+/// Returns the meaning of a word as the lists give it; nothing if they lack the word.
 std::optional<std::string> listed_meaning(std::string_view word) {
   for (const auto& row : unit_list::kWords)
     if (row.written == word) return std::string(row.meaning);
@@ -113,7 +113,7 @@ class Reading {
   Reading(std::string_view text, const IsForeign& is_foreign)
       : text_(text), is_foreign_(is_foreign) {}
 
-  /// False where the text is no product of known words.
+  /// Returns false if the text is no product of known words.
   bool run() {
     bool factor_expected = true;
     int open = 0;
@@ -171,9 +171,9 @@ class Reading {
 
  private:
   struct Piece {
-    std::string before;     // operator, bracket, exponent
-    std::string word = {};  // as written
-    std::string text = {};  // its meaning
+    std::string before;     // operator, bracket, exponent before the word
+    std::string word = {};  // the word in the file
+    std::string text = {};  // meaning
     const Ambiguous* ambiguous = nullptr;
   };
 
@@ -182,8 +182,8 @@ class Reading {
         pieces_.begin(), pieces_.end(), [](const Piece& piece) { return !piece.before.empty(); });
   }
 
-  /// Meanings of more than a word stand in brackets beside others; of temperatures, differences
-  /// count there.
+  /// A meaning of several words is put in brackets if it has neighbors; a temperature then counts
+  /// as a temperature difference.
   std::string in_place(const std::string& meaning) const {
     if (is_alone() || meaning.empty()) return meaning;
     if (meaning == "degC") return "K";
@@ -209,7 +209,7 @@ class Reading {
     return at_ > 0 && (text_[at_ - 1] == ' ' || text_[at_ - 1] == ')');
   }
 
-  /// "1" at the front, or a word and its exponent.
+  /// Reads "1" at the front, or a word and its exponent.
   bool take_factor() {
     if (pieces_.empty() && text_[at_] == '1') {
       const std::size_t behind = text_.find_first_not_of(' ', at_ + 1);
@@ -231,7 +231,7 @@ class Reading {
     return !is_wrong_;
   }
 
-  /// "^2", "**2", "2", "-2", "^(-2)": one digit.
+  /// Reads an exponent of one digit: "^2", "**2", "2", "-2", "^(-2)".
   std::string take_exponent() {
     std::size_t at = at_;
     const bool power = text_.substr(at).starts_with("^") || text_.substr(at).starts_with("**");
@@ -296,7 +296,7 @@ class Reading {
   std::vector<Piece> pieces_;
 };
 
-/// Texts that mean something else than the product of their words.
+/// Some texts mean something else than the product of their words.
 void read_together(UnitMeanings& result) {
   for (const auto& row : unit_list::kTogether)
     for (std::string& text : result.texts)

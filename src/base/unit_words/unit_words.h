@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The spellings of units that files of tires, vehicles and rigs have, and their meanings.
+// The spellings of units in files of tires, vehicles and rigs, and their meanings.
 //
-// UDUNITS-2 knows 1,300 words and makes more by prefixes: "Grad" is a giga-radian there, "PS" a
-// picosiemens, "H" a henry, "Ms" a megasecond. So every word of a unit has to stand in the list of
-// this file, which gives its meaning in the language of UDUNITS; that library does the arithmetic.
-// A word in another case counts where UDUNITS does not know it as something else.
+// UDUNITS-2 knows 1,300 words and makes more by prefixes: it reads "Grad" as a giga-radian, "PS" as
+// a picosiemens, "H" as a henry, "Ms" as a megasecond. So every word of a unit has to be in the
+// list of unit_list.h, which gives its meaning in the language of UDUNITS; UDUNITS does the
+// arithmetic. A word in another case counts unless UDUNITS knows it as something else.
 //
-// Between words stand blanks, `*`, `.`, `·`, `-` (products), `/` or `per`; exponents are `^2`,
+// Words are separated by blanks, `*`, `.`, `·`, `-` (products), `/` or `per`; exponents are `^2`,
 // `**2`, `2`, `²`, `-1`. Full-width letters, the squared units of Japanese (㎜) and both code points
 // of µ are read as the letters they stand for.
 //
@@ -22,13 +22,14 @@
 namespace latsch {
 
 struct UnitMeanings {
-  /// In the language of UDUNITS; empty where the text is no unit.
+  /// Meanings in the language of UDUNITS; empty if the text is no unit.
   std::vector<std::string> texts;
-  /// The same in words of the list, each with one meaning.
+  /// The meanings spelled with words of the list, each of which has a single meaning.
   std::vector<std::string> spellings;
-  /// The first of the `texts` is not usual enough: the dimension has to tell.
+  /// True if the first of the `texts` is not usual enough, so that the dimension has to decide.
   bool dimension_decides = false;
-  /// For a refused text, behind its name: `which is ...; write "deg"`. Empty: the text is unknown.
+  /// Explanation for a refused text, to follow its name: `which is ...; write "deg"`. Empty if the
+  /// text is unknown.
   std::string refusal;
 };
 

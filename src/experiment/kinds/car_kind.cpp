@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car as a kind of specimen: its file names those of its suspensions and tires, which are tables
-// of its numbers, "front_suspension.bushing.ubj.y", "front_tire.sidewall.radial.stiffness". A file
-// in which they are tables already, as it is written, is read as it stands.
+// A car as a kind of specimen: its file names those of its suspensions and tires, which become
+// tables of its numbers, "front_suspension.bushing.ubj.y", "front_tire.sidewall.radial.stiffness".
+// A file that contains them as tables already, as latsch writes it, is read unchanged.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -31,15 +31,16 @@ namespace {
 
 constexpr std::array<const char*, 2> kAxles = {"front", "rear"};
 
-/// The keys of a car's tires; those of the right side are for what is no mirror image of the left.
+/// The keys of a car's tires; those of the right side are needed only if the right tire is not the
+/// mirror image of the left.
 constexpr std::array<const char*, 2> kOfSides = {"_tire", "_tire_right"};
 
 std::string tire_key(std::size_t axle, std::size_t side) {
   return std::string(kAxles[axle]) + kOfSides[side];
 }
 
-/// The kind of a tire that rolls, by what its numbers say of themselves; of a .tir, which say
-/// nothing, by what the car says.
+/// Returns the kind of a rolling tire as its numbers state it; a .tir states none, so that the
+/// car's file decides.
 const SpecimenKind& tire_kind(const Node& car, const Document& tire, const std::string& part) {
   const std::vector<const SpecimenKind*> kinds = {
       &ring_tire_kind(), &rigid_ring_kind(), &magic_formula_kind()};
@@ -58,13 +59,14 @@ const SpecimenKind& tire_kind(const Node& car, const Document& tire, const std::
                        ", which does not roll: expected a flexible ring, a rigid ring or a .tir");
 }
 
-/// As a tire was measured; what has no side of its own is of the left.
+/// Returns the side for which a tire was measured; the left if the tire states no side.
 TireSide side_of(const Document& tire) {
   const Node root = tire.root();
   return root.has("side") && root.text("side") == "right" ? TireSide::right : TireSide::left;
 }
 
-/// What no reader asks for is a mistyped key: a car without the air that its file was to have.
+/// A key that no reader reads is probably mistyped and would be ignored, such as a misspelled
+/// [aero].
 void refuse_unknown(const Node& car) {
   std::set<std::string> known = {"kind", "title", "gravity", "chassis", "aero", "driver"};
   for (const char* axle : kAxles)
@@ -133,14 +135,16 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles {
   }
 
  private:
-  /// With the preloads that carry it where pads take them over; without, they are nothing.
+  /// Returns the car for the rig. Its springs have the preloads that carry its weight if pads stand
+  /// below the wheels; without pads the rig needs no preloads.
   Result<car::CarMechanism> on_rig(const AxleKcTest& test) const {
     if (!test.travel) return car::build(file_.parameters);
     const auto stands = car({});
     if (!stands) return stands.failure();
     return car::CarMechanism{(*stands)->mechanism(), (*stands)->parts()};
   }
-  /// What a number moves of the axle on the rig: joints of both sides; nothing of the other axle.
+  /// Returns the stiffnesses that a number changes in the axle on the rig: joints of both sides,
+  /// none of the other axle.
   Stiffnesses of_axle(const car::CarMechanism& car,
                       const AxleKcTest& test,
                       const std::string& path) const {
@@ -191,7 +195,7 @@ class CarKind : public SpecimenKind {
     CarSpecimen{document};
     return document;
   }
-  /// Those of its tires; and which of them stand as mirror images.
+  /// Returns the notes of its tires, and says which of them are mirror images.
   std::vector<std::string> notes(const std::filesystem::path& file) const override {
     const Document written = Document::read(file);
     std::vector<std::string> notes;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The car's tires as its file says them: each side its own or its mirror image, of any kind.
+// A car's tires follow its file: each side has a tire of its own or the mirror image of the other
+// side's, of any kind.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ class CarFile : public testing::Test {
     EXPECT_TRUE(std::regex_search(text, std::regex(pattern))) << pattern;
     return std::regex_replace(text, std::regex(pattern), by);
   }
-  /// A tire that pulls to one side; empty: states no side.
+  /// Writes a tire that pulls to one side; with an empty `side` the file states none.
   void write_slick(const std::string& name, const std::string& side) {
     std::string text = read_text_file(kShipped / "kerb/slick.tir");
     text = with(text, "PHY1 = 0", "PHY1 = 0.004");
@@ -44,7 +45,7 @@ class CarFile : public testing::Test {
     text = with(text, "TYRESIDE = 'LEFT'\n", side.empty() ? "" : "TYRESIDE = '" + side + "'\n");
     write_text_file(folder_ / name, text);
   }
-  /// The slick's ring, with ply steer and conicity.
+  /// Writes the slick as a flexible ring, with ply steer and conicity.
   void write_ring(const std::string& name, const std::string& side) {
     std::string text = read_text_file(kShipped / "kerb/slick_ring.toml");
     text = with(
@@ -52,7 +53,7 @@ class CarFile : public testing::Test {
     if (!side.empty()) text = "side = \"" + side + "\"\n" + text;
     write_text_file(folder_ / name, text);
   }
-  /// A rigid ring of the slick's size.
+  /// Writes a rigid ring of the slick's size.
   void write_rigid_ring(const std::string& name, const std::string& side) {
     std::string text = read_text_file(kShipped / "tire_model_comparison/rigid_ring.tir");
     text = with(text, "UNLOADED_RADIUS *= *[0-9.]+", "UNLOADED_RADIUS = 0.235");
@@ -76,9 +77,10 @@ class CarFile : public testing::Test {
   }
 
   struct Straight {
-    double side = 0.0, mean = 0.0, drift = 0.0;  // N at the start, sum and mean of |Fy|; m
+    double side = 0.0, mean = 0.0, drift = 0.0;  // N, side force at the start, sum and mean of
+                                                 // |Fy|; m
   };
-  /// Half a second straight on.
+  /// Drives straight on for half a second.
   static Straight run(car::Car& car, double speed, double lasts = 0.5) {
     const road::PlaneRoad flat;
     auto state = car.settle(flat, speed, {});
@@ -109,7 +111,8 @@ TEST_F(CarFile, OneTireOnBothSidesIsItsMirrorImageOnTheOther) {
     const auto car = car_of("front_tire = \"tire.tir\"\nrear_tire = \"tire.tir\"\n");
     const Straight found = run(*car, 30.0);
     EXPECT_GT(found.mean, 1.0) << side;
-    // Statics end at what rounding leaves of rigid joints, 1e-5 N: 1e-9 of the tires' forces.
+    // The error of the equilibrium is the rounding in rigid joints, 1e-5 N: 1e-9 of the tires'
+    // forces.
     EXPECT_NEAR(found.side, 0.0, 1e-9 * found.mean) << side;
     EXPECT_LT(found.drift, 1e-9) << side;
   }
@@ -125,10 +128,10 @@ TEST_F(CarFile, ALeftTireOnTheRightPullsAsItsRightTwinDoesTheOtherWay) {
           fmt::format("{0}_tire = \"{1}.tir\"\n{0}_tire_right = \"{2}.tir\"\n", axle, left, right);
     return run(*car_of(tires), 30.0, 0.05);
   };
-  // Neither is on its other side: the same numbers pull the same way.
+  // Both tires are on their own side: equal numbers pull in equal directions.
   const Straight alike = pull("left", "right");
   EXPECT_GT(std::abs(alike.side), 3.9 * alike.mean);
-  // Both are: mirror images of these.
+  // Both tires are on the other side: each is a mirror image.
   const Straight swapped = pull("right", "left");
   EXPECT_NEAR(swapped.side, -alike.side, 1e-6 * std::abs(alike.side));
   EXPECT_NEAR(pull("left", "left").side, 0.0, 1e-9 * alike.mean);
@@ -151,7 +154,7 @@ TEST_F(CarFile, ARigidRingRollsOnACarWhereTheCarSaysSo) {
   const Straight found = run(*car, 20.0, 0.1);
   EXPECT_NEAR(found.side, 0.0, 1e-6);
   EXPECT_LT(found.drift, 1e-6);
-  // It is a rigid ring, whose belt vibrates, and no Magic Formula with the same numbers.
+  // The tire is a rigid ring, whose belt vibrates, not a Magic Formula with the same numbers.
   const auto formula = car_of("front_tire = \"tire.tir\"\nrear_tire = \"tire.tir\"\n");
   const auto a = car->settle(road::PlaneRoad{}, 20.0, {}),
              b = formula->settle(road::PlaneRoad{}, 20.0, {});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A suspension's file with what it names by files of its own in their places: a table of hardpoints
-// (hardpoints = "hardpoints.csv"), bushings ([bushing.ubj] file = "rubber.bus"). Their numbers are
-// numbers of the suspension then: hardpoint.ubj.2, bushing.ubj.x, bushing.ubj.curve.x.
+// A suspension's file with the contents of the files it names inserted: a table of hardpoints
+// (hardpoints = "hardpoints.csv"), bushings ([bushing.ubj] file = "rubber.bus"). Their numbers
+// become numbers of the suspension: hardpoint.ubj.2, bushing.ubj.x, bushing.ubj.curve.x.
 #pragma once
 
 #include <filesystem>
@@ -14,19 +14,19 @@ namespace latsch::experiment {
 
 struct ComposedSuspension {
   Document document;
-  /// Lines that have come in the place of one.
+  /// Lines that replace one line of the file.
   struct Added {
-    int line, count;                    // behind this line of the file, so many
-    std::filesystem::path file = {};    // whose lines these are, where they have some
-    std::vector<int> lines_there = {};  // of each, from `line` on
+    int line, count;                    // `count` lines behind line `line` of the file
+    std::filesystem::path file = {};    // file that the lines come from, if any
+    std::vector<int> lines_there = {};  // line number of each in that file, from `line` on
   };
-  std::vector<Added> added;  // one after the other
+  std::vector<Added> added;  // in the order of insertion
 
-  /// Where a line of the document has come from.
+  /// Returns the original place of a line of the document.
   Place origin(const Place& place) const;
 };
 
-/// InputError.
+/// Throws InputError if a named file is wrong.
 ComposedSuspension composed_suspension(const Document& written,
                                        const std::filesystem::path& folder);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds of a rig and a road whatever the tire on it.
+// Properties of rigs and roads that hold for every tire.
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
@@ -43,8 +43,8 @@ class EveryTire : public testing::TestWithParam<std::string> {
   Document numbers_;
 };
 
-// A wheel that rolls over a standing cleat, and a belt that carries the cleat under a standing
-// wheel, are one and the same to the tire.
+// A wheel that rolls over a fixed cleat, and a belt that carries the cleat under a stationary
+// wheel, are the same to the tire.
 TEST_P(EveryTire, DoesNotKnowWhetherItOrTheRoadMoves) {
   constexpr double kSpeed = 40.0, kStep = 5e-4, kFrom = -0.6;
   constexpr int kSteps = 60;
@@ -88,11 +88,11 @@ double geometric_mean(const std::vector<double>& values) {
   return std::exp(sum / static_cast<double>(values.size()));
 }
 
-// A free wheel over a cleat; a tire that touches in a point rolls on the drum alone, from the speed
-// it is let go with. Two halvings of the step make the change sixteen times smaller at order 2 and
-// four times at order 1; corners of the cleat and blocks that come and go in the midst of a step
-// scatter the ratio from one halving and one channel to the next: it is their mean that tells. A
-// block of the ring comes down in 0.3 ms: longer steps do not see how.
+// A free wheel rolls over a cleat; a tire with point contact rolls on the bare drum, starting at a
+// speed that it then changes. Halving the step twice reduces the change sixteen times at order 2
+// and four times at order 1. Corners of the cleat, and blocks that gain or lose contact within a
+// step, scatter the ratio from one halving and one channel to the next, so the mean is tested. A
+// block of the ring comes down within 0.3 ms: longer steps do not resolve it.
 TEST_P(EveryTire, TheDrumIsOfOrderTwo) {
   DrumTest test{.speed = 30.0 / 3.6,
                 .load = 3500.0,
@@ -115,7 +115,7 @@ TEST_P(EveryTire, TheDrumIsOfOrderTwo) {
   }
   std::vector<double> ratios;
   for (const char* name : {"Fx", "Fz", "wheel_speed"}) {
-    if (has_point_contact() && std::string(name) == "Fz") continue;  // the same in all
+    if (has_point_contact() && std::string(name) == "Fz") continue;  // equal in all runs
     const double coarse = rms_of_difference(runs[0][name], runs[1][name]);
     const double fine = rms_of_difference(runs[2][name], runs[3][name]);
     EXPECT_GT(coarse, 4.5 * fine) << name << " " << coarse << " " << fine;
@@ -124,8 +124,8 @@ TEST_P(EveryTire, TheDrumIsOfOrderTwo) {
   EXPECT_GT(geometric_mean(ratios), 7.0);
 }
 
-// Under an axle that follows the load the road carries it, whatever speed, camber and slip do; at a
-// fixed height they show.
+// Under an axle that controls the load the road carries that load at any speed, camber and slip; at
+// a fixed height the load depends on them.
 TEST_P(EveryTire, OnTheFlatTrackCarriesTheLoadOfTheTest) {
   SlipSweep sweep{.speed = 25.0, .load = 3500.0, .camber = 0.05, .alpha_to = 0.12, .duration = 0.5};
   double most[2] = {};
@@ -142,8 +142,8 @@ TEST_P(EveryTire, OnTheFlatTrackCarriesTheLoadOfTheTest) {
   }
 }
 
-// One test, three frames: C is the axes of the hub; H is C turned back by the camber; W has H's
-// forces, and moments about the contact point a loaded radius down the wheel plane.
+// One test in three frames: C has the axes of the hub; H is C rotated back by the camber; W has H's
+// forces, and moments about the contact point, a loaded radius down the wheel plane.
 TEST_P(EveryTire, ForcesAreThoseOfTheFrameThatIsAskedFor) {
   constexpr double camber = 0.06;
   SlipSweep sweep{.load = 3500.0, .camber = camber, .alpha_to = 0.05, .duration = 0.1};
@@ -164,8 +164,8 @@ TEST_P(EveryTire, ForcesAreThoseOfTheFrameThatIsAskedFor) {
     EXPECT_NEAR(W["My"][i], H["My"][i] + R * c * H["Fx"][i], 1e-9);
     EXPECT_NEAR(W["Mz"][i], H["Mz"][i] + R * s * H["Fx"][i], 1e-9);
   }
-  // The tire's own forces at the contact point: a Magic Formula without a coefficient of
-  // overturning has no Mx in W, whatever its camber.
+  // The tire's own moments at the contact point: a Magic Formula without an overturning coefficient
+  // has no Mx in W at any camber.
   if (has_point_contact()) {
     EXPECT_NEAR(W["Mx"][199], 0.0, 1e-6 * 3500.0);
   }

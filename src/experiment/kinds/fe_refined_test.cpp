@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tire that stands firm does so on finer meshes: inflated, every circumferential number holds, up
-// to one element's wave, and so does the way onto the ground. Columns alone are refined, which
-// leaves elements up to ten times longer around than along the wall; below belts that narrow as
-// they grow the carcass is in compression (hex8_rebar.cpp, (3)).
+// A tire that is stable stays so on finer meshes: inflated, every circumferential number is stable
+// up to a wave of one element, and so is the path onto the ground. Only columns are refined, which
+// leaves elements up to ten times longer around the circumference than along the wall; below belts
+// that narrow as they grow the carcass is in compression (hex8_rebar.cpp, (3)).
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -24,14 +24,15 @@ TireDescription shipped(const char* name) {
 class RefinedTires : public testing::TestWithParam<const char*> {};
 
 TEST_P(RefinedTires, AnInflatedTireHoldsInEveryCircumferentialNumber) {
-  constexpr int kOfEach = 3;  // modes of a number that are found at first; all but two are pairs
+  constexpr int kOfEach = 3;  // modes of each number in the first search; all but two of them are
+                              // pairs
   const TireDescription description = shipped(GetParam());
   for (const int along : {2, 4}) {
     const Refinement refinement(1, along, 1);
     FeTire tire(build_mesh(description, refinement), build_materials(description, refinement));
     const auto inflated = tire.inflate(description.pressure);
     ASSERT_TRUE(inflated) << inflated.failure().reason;
-    // So many that the search asks all of them.
+    // This count makes the search consider all circumferential numbers.
     const auto modes = tire.modes(*inflated, kOfEach * tire.mesh().sectors);
     EXPECT_TRUE(modes) << along << " times as many columns: " << modes.failure().reason;
   }

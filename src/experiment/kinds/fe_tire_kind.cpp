@@ -25,8 +25,8 @@ class DescribedTire : public FeTireSpecimen, public HasTreadElements {
       : FeTireSpecimen(FeTire(description), description.pressure, numbers, described_tires()),
         description_(description) {}
 
-  /// The same with other materials: the symbolic work on the mesh is kept. False where the mesh is
-  /// another one.
+  /// Changes the materials and keeps the symbolic work on the mesh. Returns false if the mesh
+  /// differs.
   bool becomes(const TireDescription& description, const Document& numbers) {
     if (!fe_tire::same_mesh(description_, description)) return false;
     set(fe_tire::build_materials(description), description.pressure, numbers);
@@ -38,7 +38,7 @@ class DescribedTire : public FeTireSpecimen, public HasTreadElements {
   }
 
  protected:
-  /// Comparison elements stay on the mesh that others have computed.
+  /// Comparison elements keep the mesh of other tests.
   SlopedTire& for_footprint(const FootprintTest& test) override {
     if (description_.element != fe_tire::ElementKind::solid_shell)
       return FeTireSpecimen::for_footprint(test);
@@ -63,7 +63,7 @@ class DescribedTire : public FeTireSpecimen, public HasTreadElements {
   };
 
   TireDescription description_;
-  std::list<FineTire> fine_;  // that footprints have asked for
+  std::list<FineTire> fine_;  // finer meshes requested by footprints
 };
 
 class FeTireKind : public SpecimenKind {
@@ -79,7 +79,7 @@ class FeTireKind : public SpecimenKind {
   }
   Document read(const std::filesystem::path& file) const override {
     Document document = Document::read(file);
-    fe_tire::read_tire(document.root());  // what is wrong is said of the file as it stands
+    fe_tire::read_tire(document.root());  // errors are reported for the file as written
     return document;
   }
   std::unique_ptr<Specimen> build(const Document& numbers,
@@ -89,7 +89,8 @@ class FeTireKind : public SpecimenKind {
     if (before && before->becomes(description, numbers)) return reuse;
     return std::make_unique<DescribedTire>(description, numbers);
   }
-  /// All but where things begin and end, which makes another mesh of it.
+  /// True for pressure, rubbers, layers, contour and thicknesses, except the positions at which
+  /// parts begin and end, because these change the mesh.
   bool knows_slopes_in(const std::string& path) const override {
     const auto begins = [&path](const char* with) { return path.starts_with(with); };
     if (path.ends_with(".from") || path.ends_with(".to")) return false;

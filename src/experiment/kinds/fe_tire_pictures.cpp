@@ -15,9 +15,9 @@ namespace {
 constexpr int kShownModes = 12;
 constexpr int kPressSteps = 5;
 constexpr double kGuessedStiffness =
-    2.0e5;  // N/m, to begin the search for a deflection under a load
+    2.0e5;  // N/m, start of the search for the deflection under a load
 
-/// The deepest deflection of a load-deflection test.
+/// Greatest deflection of a load-deflection test, m.
 double depth(const LoadDeflection& test, double inflated_radius) {
   double deepest = 0.0;
   for (double deflection : test.deflections) deepest = std::max(deepest, deflection);
@@ -80,7 +80,7 @@ void add_load(fe_tire::FeTire& tire,
   pictures.inflated = std::move(*inflated);
 }
 
-/// The ply of every cord layer of the mesh, with its angle at the crown.
+/// Ply of every cord layer of the mesh, with its angle at the crown.
 std::vector<report::Layer> cord_layers(const fe_tire::TireDescription& description) {
   const fe_tire::SectionPlan plan(description);
   std::vector<report::Layer> layers(plan.layers());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a page shows of a finite-element tire: the tire in the states its tests put it in, and how
-// far its mesh is from the converged tire, an error the found values absorb without a word.
+// Pictures of a finite-element tire on a page: the tire in the states of its tests, and the
+// distance of its mesh from the converged tire, an error that identified values absorb unnoticed.
 #pragma once
 
 #include <vector>
@@ -12,23 +12,24 @@
 
 namespace latsch::experiment {
 
-/// Adds the tire's name and its pictures: inflated, pressed as deep as the first test on the ground
-/// goes, modes as the first modal test sees them. What does not converge is left out.
+/// Adds the tire's name and its pictures: inflated, pressed to the depth of the first test on the
+/// ground, and its modes under the conditions of the first modal test. States that do not converge
+/// are left out.
 void add_pictures(const fe_tire::TireDescription& tire,
                   const std::vector<const Test*>& tests,
                   report::StudyReport& page);
 
-/// The same of any mesh, its layers already in `pictures`; `own_pressure`, Pa: of tests that state
-/// none.
+/// Adds the pictures of a tire on any mesh, whose layers are already in `pictures`; `own_pressure`,
+/// Pa, applies to tests that state none.
 void add_pictures(fe_tire::FeTire& tire,
                   double own_pressure,
                   const std::vector<const Test*>& tests,
                   report::TirePictures pictures,
                   report::StudyReport& page);
 
-/// Adds growth and frequencies of the unloaded tire; where minutes are given, also force and
-/// frequencies on the ground, as deep as the page's pictures go. Pressure and ground are those of
-/// the first test. What does not converge is left out.
+/// Adds the mesh error of growth and frequencies of the unloaded tire; if thoroughness is `minutes`
+/// also those of force and frequencies on the ground, at the depth of the page's pictures. Pressure
+/// and ground are those of the first test. States that do not converge are left out.
 void add_mesh_error(const fe_tire::TireDescription& tire,
                     const std::vector<const Test*>& tests,
                     Thoroughness thoroughness,

@@ -17,8 +17,8 @@ bool states_pressure(const Test& test) {
   return test.pressure.has_value();
 }
 
-/// The tire's own pressure moves nothing that is done at one of the test's: columns in the order
-/// of the paths.
+/// Returns the channels with zero slopes in the tire's own pressure, which has no effect on a test
+/// that states a pressure. Columns follow the order of the paths.
 Channels held_at_pressure(const Channels& channels, const std::vector<std::string>& paths) {
   Channels held;
   for (Channel channel : channels.all()) {
@@ -125,7 +125,8 @@ Result<Channels> FeTireSpecimen::print(const FootprintTest& test, const Asked& a
 }
 
 std::string far_points(const fe_tire::Mesh& mesh, const Test& test) {
-  constexpr double kFar = 0.02;  // m between a measured point and the nearest of the model
+  constexpr double kFar = 0.02;  // m; greatest distance between a measured point and the nearest
+                                 // point of the model that passes without a remark
   const auto* modes = dynamic_cast<const ModesTest*>(&test);
   if (!modes || modes->settings().points.cols() == 0) return "";
   const double distance = nearest_sensors(mesh, modes->settings().points).largest_distance;

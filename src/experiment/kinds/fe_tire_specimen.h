@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The finite-element tire as a specimen, wherever its mesh is from.
+// The finite-element tire as a specimen, for meshes of any origin.
 #pragma once
 
 #include <functional>
@@ -17,25 +17,25 @@
 
 namespace latsch::experiment {
 
-/// A tire with its slopes, which are made once for all tests of a trial.
+/// A tire with its slopes, which are computed once for all tests of a trial.
 class SlopedTire {
  public:
-  /// What a file of such numbers describes, on this mesh.
+  /// Returns the tire described by a file with these numbers, on this mesh.
   using Varied = std::function<fe_tire::VariedTire(const Document&)>;
 
   SlopedTire(fe_tire::FeTire tire, Varied varied)
       : tire_(std::make_unique<fe_tire::FeTire>(std::move(tire))), varied_(std::move(varied)) {}
 
   fe_tire::FeTire& tire() const { return *tire_; }
-  /// The same mesh with other numbers: the symbolic work on it is kept.
+  /// Sets other materials on the same mesh and keeps the symbolic work on it.
   void set(fe_tire::Materials materials);
   Result<fe_tire::TireSlopes*> slopes_in(const std::vector<std::string>& paths,
                                          const Document& numbers);
 
  private:
-  std::unique_ptr<fe_tire::FeTire> tire_;  // its slopes refer to it
+  std::unique_ptr<fe_tire::FeTire> tire_;  // referred to by slopes_
   Varied varied_;
-  std::vector<std::string> paths_;  // of slopes_
+  std::vector<std::string> paths_;  // paths of slopes_
   std::unique_ptr<fe_tire::TireSlopes> slopes_;
 };
 
@@ -50,7 +50,7 @@ class FeTireSpecimen : public Specimen,
  public:
   using Varied = SlopedTire::Varied;
 
-  /// `pressure`, Pa: of tests that state none.
+  /// `pressure`, Pa, applies to tests that state none.
   FeTireSpecimen(fe_tire::FeTire tire, double pressure, Document numbers, Varied varied);
 
   Result<Channels> press(const LoadDeflection& test, const Asked& asked) override;
@@ -63,9 +63,9 @@ class FeTireSpecimen : public Specimen,
   Result<Channels> print(const FootprintTest& test, const Asked& asked) override;
 
  protected:
-  /// The tire on the mesh that a footprint asks for.
+  /// Returns the tire on the mesh that a footprint needs.
   virtual SlopedTire& for_footprint(const FootprintTest&) { return own_; }
-  /// The same mesh with other numbers: the symbolic work on it is kept.
+  /// Sets other numbers on the same mesh and keeps the symbolic work on it.
   void set(fe_tire::Materials materials, double pressure, Document numbers);
 
  private:
@@ -79,7 +79,7 @@ class FeTireSpecimen : public Specimen,
   std::unique_ptr<TireRig> rig_;
 };
 
-/// What to mind where a modal test asks for points that are not on this mesh; empty: nothing.
+/// Returns a remark if a modal test has sensor points that are not on this mesh; else "".
 std::string far_points(const fe_tire::Mesh& mesh, const Test& test);
 
 }  // namespace latsch::experiment

@@ -11,9 +11,9 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kStep = 1e-5;  // of the number: tire_slopes.h
+constexpr double kStep = 1e-5;  // share of the number: tire_slopes.h
 
-/// What a step is a share of: the number, and where it is zero a usual one of its unit.
+/// Reference of a step: the number, or a usual value of its unit if the number is zero.
 double size_of(double value, const std::string& unit) {
   if (value != 0.0) return std::abs(value);
   if (unit == "m") return 1e-3;

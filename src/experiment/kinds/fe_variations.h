@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of a tire's file moved a little, one at a time: what its slopes are taken of
+// Varies the numbers of a tire's file slightly, one at a time, for its slopes
 // (models/fe_tire/slopes/tire_slopes.h).
 #pragma once
 
@@ -14,13 +14,13 @@
 
 namespace latsch::experiment {
 
-/// What makes the tire of a file of sections and plies, its tread split; a mesh is built once for
-/// all that have it.
+/// Returns a function that makes the tire of a file of sections and plies, its tread split; a mesh
+/// is built once for all tires that share it.
 std::function<fe_tire::VariedTire(const Document&)> described_tires(
     const fe_tire::TreadSplit& split = {});
 
-/// Of the numbers at these paths, each by a small share of itself; `tire` makes the tire of a file.
-/// A Failure names the path by which the mesh becomes another one.
+/// Returns a variation for each number at these paths by a small share of itself; `tire` makes the
+/// tire of a file. A Failure names a path that changes the mesh.
 Result<std::vector<fe_tire::Variation>> fe_variations(
     const Document& numbers,
     const std::vector<std::string>& paths,

@@ -10,7 +10,8 @@
 namespace latsch::experiment {
 
 void add_films(const std::vector<const Test*>& tests, Specimen& specimen, report::Scene& scene) {
-  // A step of a car on its road takes some 7 kB: 1.6 megabytes for all, of a report 0.9.
+  // Most steps of all films together, most and fewest of one film. More steps make a page larger: a
+  // step of a car on its road needs some 7 kB, all of them 1.6 MB, which are 0.9 MB in a report.
   constexpr int kSteps = 240, kMostSteps = 120, kFewestSteps = 9;
   std::vector<const Test*> shown;
   for (const Test* test : tests)
@@ -29,9 +30,9 @@ void add_films(const std::vector<const Test*>& tests, Specimen& specimen, report
   const int steps = std::clamp(kSteps / static_cast<int>(shown.size()), kFewestSteps, kMostSteps);
   for (const Test* test : shown) {
     try {
-      // A failure is told where the trial is; the body is shown all the same.
+      // The trial reports a failure; the body is shown nevertheless.
       (void)test->film(specimen, steps, scene);
-    } catch (const InputError&) {  // not with these numbers: a corner without bushings
+    } catch (const InputError&) {  // impossible with these numbers: a corner without bushings
     }
   }
 }

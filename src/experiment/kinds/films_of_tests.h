@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a specimen moves in the tests of a study, for a page.
+// Motion of a specimen in the tests of a study, for a page.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace latsch::experiment {
 
-/// Of the first tests that have a film, in so many steps that a report stays small; the scene's
-/// remarks say how many others there are. A test in which the specimen fails, or which it cannot
-/// do, has none.
+/// Adds films of the first tests that have one, in a number of steps that keeps a report small; the
+/// scene's remarks count the other films. A test in which the specimen fails, or which it cannot
+/// run, has no film.
 void add_films(const std::vector<const Test*>& tests, Specimen& specimen, report::Scene& scene);
 
 }  // namespace latsch::experiment

@@ -16,9 +16,10 @@ using formats::InpDeck;
 using formats::InpNumber;
 
 constexpr std::size_t kLargestDeck = 256u << 20;
-constexpr double kLightest = 300.0, kHeaviest = 2.0e4;  // kg/m^3, of what tires are made of
+constexpr double kLightest = 300.0, kHeaviest = 2.0e4;  // kg/m^3, range of densities of tire
+                                                        // materials
 
-/// FNV-1a, 64 bits: tells texts apart, protects against nobody. [Fowler, Noll, Vo,
+/// FNV-1a, 64 bits: distinguishes texts but protects against no intent. [Fowler, Noll, Vo,
 /// draft-eastlake-fnv]
 std::string fingerprint(std::string_view text) {
   std::uint64_t state = 0xcbf29ce484222325u;
@@ -26,7 +27,7 @@ std::string fingerprint(std::string_view text) {
   return fmt::format("{:016x}", state);
 }
 
-/// A path as tables of TOML.
+/// Returns a path as TOML keys of nested tables.
 std::string key_of(const std::string& path) {
   std::string key;
   for (std::size_t begin = 0; begin <= path.size();) {
@@ -45,7 +46,7 @@ std::string quantity_text(const InpNumber& number, const formats::InpUnits& unit
   return fmt::format("\"{} {}\"", value, unit_of(number.quantity));
 }
 
-/// In wrong units a tire is much too heavy or too light.
+/// A tire in wrong units is much too heavy or too light.
 void check_densities(const InpDeck& deck, const InpModel& model) {
   for (const formats::InpSolid& solid : model.tire.solids) {
     const formats::InpMaterial& material = deck.materials.at(solid.material);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// An .inp file of a tire as numbers by path, "material.RUBBER.C10", and back.
+// Converts an .inp file of a tire into numbers by path, "material.RUBBER.C10", and back.
 //
 // The numbers are those of materials, layers of rebars and orientations, and the pressure; the mesh
-// stays in the file. `deck` is the hash of its text, by which a file that was changed meanwhile is
-// found out.
+// stays in the file. `deck` is the hash of the file's text and reveals whether the file has changed
+// meanwhile.
 #pragma once
 
 #include <filesystem>
@@ -16,26 +16,26 @@
 namespace latsch::experiment {
 
 struct InpModel {
-  formats::InpDeck deck;  // its numbers are those of the document
+  formats::InpDeck deck;  // has the numbers of the document
   formats::InpTire tire;
-  std::string text;  // of the file
+  std::string text;  // text of the file
 };
 
-/// By the ending of the name.
+/// Decides by the extension of the name.
 bool is_inp(const std::filesystem::path& file);
 
-/// InputError where the file is no tire, or where its densities say that its units are others.
+/// Throws InputError if the file is no tire, or if its densities show that its units are wrong.
 Document read_inp_numbers(const std::filesystem::path& file);
-/// What was assumed for the file, a sentence each.
+/// Returns the assumptions made for the file, one sentence each.
 std::vector<std::string> inp_notes(const std::filesystem::path& file);
 
-/// The tire with these numbers. InputError where the file is another than the one they were read
-/// from, or the numbers make no tire.
+/// Returns the tire with these numbers. Throws InputError if the file is not the one that the
+/// numbers were read from, or if the numbers make no tire.
 InpModel inp_model(const Document& numbers);
-/// Whether these are numbers of the same file; the model then has them.
+/// Sets the model's numbers and returns true if they are numbers of the same file.
 bool take_numbers(InpModel& model, const Document& numbers);
 
-/// The file with these numbers.
+/// Returns the file's text with these numbers.
 std::string inp_text_of(const Document& numbers);
 
 }  // namespace latsch::experiment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tire on a mesh of its owner, an .inp file of Abaqus or CalculiX, as a kind of specimen. Its
+// A tire on a mesh of the user, an .inp file of Abaqus or CalculiX, as a kind of specimen. Its
 // numbers have the names of the file: material.RUBBER.C10, layer.BELT.angle, pressure.
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ class InpTireSpecimen : public FeTireSpecimen {
       : FeTireSpecimen(tire_of(model.tire), model.tire.pressure, numbers, varied),
         model_(std::move(model)) {}
 
-  /// The same with other numbers of the same file; false where it is another file.
+  /// Sets other numbers of the same file; returns false if the file is another one.
   bool becomes(const Document& numbers) {
     if (!take_numbers(model_, numbers)) return false;
     set(model_.tire.materials, model_.tire.pressure, numbers);

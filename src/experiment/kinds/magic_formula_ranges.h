@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between which values coefficients of the Magic Formula are looked for unless a study says other
-// bounds: what tires of cars and race cars have, with room to spare. Those of side force and
-// aligning moment have held fits of measured race tires, those of the longitudinal force and of
-// combined slip are wider than the published sets beside which they were chosen (parameter files of
-// formula 5.2, 6.1 and 6.2 that come with multibody programs).
+// Default search ranges of the coefficients of the Magic Formula, used if a study states no bounds:
+// they contain the values of car and race tires with a margin. Those of side force and aligning
+// moment contained fits of measured race tires; those of the longitudinal force and of combined
+// slip are wider than the published sets they were chosen from (parameter files of formula 5.2, 6.1
+// and 6.2 that come with multibody programs).
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace latsch::experiment {
 
-/// nullopt for a parameter that is no coefficient to be fitted: a radius, a nominal load.
+/// Returns nullopt for a parameter that is not fitted, such as a radius or a nominal load.
 std::optional<UsualRange> usual_range_of(std::string_view coefficient);
 
 }  // namespace latsch::experiment

@@ -25,7 +25,7 @@ class RingSpecimen : public RollingSpecimen, public Vibrates {
   }
 
  private:
-  /// As of a file with that pressure.
+  /// Returns the parameters of a file with that pressure.
   ring_tire::RingParameters parameters_at(const Inflation& pressure) const {
     if (!pressure) return parameters_;
     Document numbers = numbers_;
@@ -49,7 +49,7 @@ class RingTireKind : public SpecimenKind {
   std::string describe(const Document& numbers) const override {
     return SpecimenKind::describe(numbers) + ", " + side_in_words(numbers);
   }
-  /// A ring without ply steer and cone is its own mirror image.
+  /// A ring without ply steer and conicity is its own mirror image.
   std::vector<std::string> notes(const std::filesystem::path& file) const override {
     const Document numbers = Document::read(file);
     const auto belt = ring_tire::read_ring_tire(numbers.root()).belt;
@@ -61,7 +61,7 @@ class RingTireKind : public SpecimenKind {
   }
   Document read(const std::filesystem::path& file) const override {
     Document document = Document::read(file);
-    RingSpecimen{document};  // what is wrong is said of the file as it stands
+    RingSpecimen{document};  // errors are reported for the file as written
     return document;
   }
   std::unique_ptr<Specimen> build(const Document& numbers,

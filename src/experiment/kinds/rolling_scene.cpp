@@ -12,7 +12,8 @@ namespace latsch::experiment {
 namespace {
 
 constexpr int kCirclePoints = 72;
-constexpr double kWidthOfRadius = 0.6;  // of a belt whose width nobody tells: as tires are drawn
+constexpr double kWidthOfRadius = 0.6;  // share of the radius; assumed for the drawing if the
+                                        // belt's width is unknown
 
 Eigen::Matrix3Xd circle(double radius) {
   Eigen::Matrix3Xd points(3, kCirclePoints);
@@ -23,7 +24,7 @@ Eigen::Matrix3Xd circle(double radius) {
   return points;
 }
 
-/// Points around the belt, from the wheel center.
+/// Returns points around the belt relative to the wheel center.
 Eigen::Matrix3Xd belt_of(const Tire& tire, const Eigen::Vector3d& center, double radius) {
   Eigen::Matrix3Xd points = tire.outline();
   if (points.cols() == 0) return circle(radius);
@@ -31,7 +32,7 @@ Eigen::Matrix3Xd belt_of(const Tire& tire, const Eigen::Vector3d& center, double
   return points;
 }
 
-/// A ribbon of that width about a closed line.
+/// Returns a ribbon of that width along a closed line.
 Eigen::Matrix3Xd ribbon(const Eigen::Matrix3Xd& line, double width) {
   Eigen::Matrix3Xd points(3, 2 * line.cols());
   const Eigen::Vector3d half(0.0, 0.5 * width, 0.0);
@@ -54,7 +55,7 @@ report::Scene::Mesh ribbon_mesh(const Eigen::Matrix3Xd& points) {
   return mesh;
 }
 
-/// Each element of the footprint as its rectangle on the ground.
+/// Returns each element of the footprint as its rectangle on the ground.
 report::Scene::Mesh footprint_mesh(const Footprint& print, double ground) {
   report::Scene::Mesh mesh{
       "footprint",
@@ -80,7 +81,7 @@ report::Scene::Mesh footprint_mesh(const Footprint& print, double ground) {
 }  // namespace
 
 report::Scene rolling_scene(Tire& tire) {
-  constexpr double kDeepest = 0.1;  // of the radius
+  constexpr double kDeepest = 0.1;  // share of the radius
   constexpr int kDepths = 3;
   const double radius = tire.free_radius();
   const road::PlaneRoad ground;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tire that rolls, in space: its belt free and standing, and the pressure below it.
+// A rolling tire in space: its belt unloaded and on the ground, and the contact pressure below it.
 #pragma once
 
 #include "models/tire/tire.h"
@@ -7,8 +7,8 @@
 
 namespace latsch::experiment {
 
-/// Standing upright on flat ground at three depths, the deepest a tenth of its radius; what finds
-/// no equilibrium is left out. A tire without a belt is its circle.
+/// Shows the tire upright on flat ground at three depths, the deepest a tenth of its radius; depths
+/// without equilibrium are left out. A tire without a belt is drawn as a circle.
 report::Scene rolling_scene(Tire& tire);
 
 }  // namespace latsch::experiment

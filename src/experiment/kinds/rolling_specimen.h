@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every tire that rolls can do: it rolls, and stands on the ground with a footprint.
+// Capabilities of every rolling tire: it rolls, and it stands on the ground with a footprint.
 #pragma once
 
 #include <functional>

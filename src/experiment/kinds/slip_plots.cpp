@@ -22,15 +22,16 @@ constexpr int kPoints = 121;
 constexpr double kDegree = 0.017453292519943295;
 constexpr double kMostAlpha = 15.0 * kDegree, kMostKappa = 0.3;
 constexpr double kBar = 1e5;
-constexpr double kNothing = 1e-6;  // of the nominal load, in N and N m: less is no force
+constexpr double kNothing = 1e-6;  // share of the nominal load, in N and N m; a smaller force
+                                   // counts as none
 
-/// A state besides the slips, and how a legend calls it.
+/// A condition besides the slips, with its name in the legend.
 struct Condition {
   std::string name;
   State state;
 };
 
-/// From -1 to 1.
+/// Returns point i of an even grid from -1 to 1.
 double swept(int i) { return 2.0 * i / (kPoints - 1) - 1.0; }
 
 PlotLine line(const Condition& condition, int color) { return {condition.name, {}, {}, color, {}}; }
@@ -105,8 +106,8 @@ bool exceeds(const std::vector<double>& values, double limit) {
       values.begin(), values.end(), [&](double value) { return std::abs(value) > limit; });
 }
 
-/// Whether the tire has this force at all, and what is varied changes it: a file need not have the
-/// coefficients of every slip, of camber and of pressure.
+/// True if the tire has this force at all and the varied quantity changes it: a file need not have
+/// the coefficients of every slip, of camber and of pressure.
 bool tells_something(const LinePlot& plot, double FNOMIN) {
   const double limit = kNothing * FNOMIN;
   const auto has_force = [&](const PlotLine& line) {

@@ -24,7 +24,7 @@ std::vector<std::string> plots_of(const std::string& coefficients) {
   return names;
 }
 
-// A file of cornering alone has no Fx: an axis from -1 N to 1 N would show nothing.
+// A file of cornering alone has no Fx, so an axis from -1 N to 1 N would show nothing.
 TEST(SlipPlots, ShowNoForceThatTheTireDoesNotHave) {
   using testing::Contains;
   using testing::HasSubstr;
@@ -37,7 +37,7 @@ TEST(SlipPlots, ShowNoForceThatTheTireDoesNotHave) {
   EXPECT_THAT(braking, Not(Contains(HasSubstr("Fy over alpha"))));
 }
 
-// One line upon another under three names says that camber was tried, not that it is not known.
+// Three coinciding lines would wrongly suggest that the effect of camber is known.
 TEST(SlipPlots, ShowNothingVariedThatChangesNothing) {
   using testing::Contains;
   using testing::HasSubstr;

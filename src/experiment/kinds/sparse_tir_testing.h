@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a Magic Formula 6.1 of little else than its radius, load and vertical stiffness.
+// For tests: a Magic Formula 6.1 with little more than its radius, load and vertical stiffness.
 #pragma once
 
 #include <string>
 
 namespace latsch::experiment {
 
-/// The text of a .tir file in SI units. `more` goes on in [VERTICAL]: further keys of it, then
+/// Returns the text of a .tir file in SI units. `more` continues [VERTICAL]: further keys, then
 /// sections of coefficients.
 inline std::string sparse_tir(const std::string& more) {
   return R"([UNITS]
@@ -40,8 +40,8 @@ PDX1 = 1.1
 PKX1 = 22
 )";
 
-/// What a rigid ring needs beside a Magic Formula of little else; frequencies as of section 2 of
-/// Pacejka's chapter 9.
+/// Returns the text of a sparse Magic Formula with the additional data of a rigid ring; its
+/// frequencies are those of section 2 of Pacejka's chapter 9.
 inline std::string tir_with_a_belt() {
   return sparse_tir(std::string(R"([INERTIA]
 BELT_MASS = 7

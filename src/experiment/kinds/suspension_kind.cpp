@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A corner of a suspension as a kind of specimen, with what its file names by files of their own
-// (composed_suspension.h).
+// A corner of a suspension as a kind of specimen, with the contents of the files that its file
+// names (composed_suspension.h).
 #include "base/error.h"
 #include "experiment/kinds/composed_suspension.h"
 #include "experiment/kinds/films_of_tests.h"
@@ -46,7 +46,7 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
   }
 
  private:
-  /// InputError where the file has none.
+  /// Throws InputError if the file has no bushings.
   const suspension::CompliantCorner& statics() const {
     if (corner_.compliant) return *corner_.compliant;
     numbers_.root().reject("bushing", "is not there: loads take the stiffnesses of its joints");
@@ -70,7 +70,7 @@ class SuspensionKind : public SpecimenKind {
     const ComposedSuspension composed = composed_suspension(written, file.parent_path());
     try {
       SuspensionSpecimen{composed.document};
-    } catch (const InputError& error) {  // what is wrong is said of the file as it stands
+    } catch (const InputError& error) {  // errors are reported for the file as written
       const Place there = error.place();
       if (there.file != written.file() || composed.added.empty()) throw;
       const std::string words = error.what();

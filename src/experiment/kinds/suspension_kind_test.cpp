@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A suspension whose bushings stand in files of their own.
+// A suspension whose bushings are in files of their own.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// The front suspension of a study, its upper ball joint with these keys.
+/// The front suspension of a study with these keys at its upper ball joint.
 class BushingsOfFiles : public testing::Test {
  protected:
   BushingsOfFiles() {
@@ -41,7 +41,7 @@ class BushingsOfFiles : public testing::Test {
     }
     return "none";
   }
-  /// Of the line that has this, counted from 1.
+  /// Returns the place of the line that contains `part`, counted from 1.
   std::string place_of(const std::string& part) const {
     const std::string text = read_text_file(folder_ / "front.toml");
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(text.find(part));
@@ -67,7 +67,7 @@ TEST_F(BushingsOfFiles, BecomeNumbersOfTheSuspension) {
   EXPECT_EQ(
       suspension::read_suspension(numbers.root()).bushings[DoubleWishbone::kUbj].stiffness.x(),
       5e6);
-  // As it is written it needs the file no more.
+  // The written file does not need the bushing's file any more.
   std::filesystem::remove(folder_ / "rubber.bus");
   write_text_file(folder_ / "written.toml", numbers.text());
   EXPECT_EQ(language().find_kind("suspension")->read(folder_ / "written.toml").get("bushing.ubj.x"),

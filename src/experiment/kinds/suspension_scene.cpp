@@ -11,8 +11,8 @@ constexpr double kTravel = 0.05;  // m, bump and rebound
 constexpr double kRack = 0.02;    // m, to either side
 constexpr int kRim = 48;          // points of the wheel's circle
 
-/// Its points in one order for all positions: five links from inner to outer end, wheel center,
-/// wheel.
+/// Returns the points of a corner in the same order for all positions: five links from inner to
+/// outer end, wheel center, wheel.
 Eigen::Matrix3Xd points_of(const suspension::MovingLinkage& linkage,
                            const suspension::Linkage& at_rest) {
   constexpr int kLinks = suspension::Linkage::kLinks;
@@ -36,9 +36,9 @@ Eigen::Matrix3Xd points_of(const suspension::MovingLinkage& linkage,
 }
 
 constexpr std::uint32_t kCenter = 2 * suspension::Linkage::kLinks;
-constexpr std::uint32_t kPoints = kCenter + 1 + kRim;  // of a corner
+constexpr std::uint32_t kPoints = kCenter + 1 + kRim;  // points of a corner
 
-/// Lines between the points of so many corners behind each other.
+/// Returns the lines between the points of several corners, which are stored one after the other.
 report::Scene::Mesh mesh_of(const Eigen::Matrix3Xd& points) {
   report::Scene::Mesh mesh{"suspension", points, {}, {}, {}};
   for (std::uint32_t first = 0; first < points.cols(); first += kPoints) {
@@ -57,8 +57,8 @@ struct Position {
   double travel, rack;
 };
 
-/// The corners one behind the other, each with its mirror image where `mirrored`; no columns where
-/// one does not reach the position.
+/// Returns the points of the corners one after the other, each followed by its mirror image if
+/// `mirrored`; no columns if a corner does not reach the position.
 Eigen::Matrix3Xd corners_at(const std::vector<suspension::CornerGeometry>& corners,
                             bool mirrored,
                             const Position& position) {
@@ -68,8 +68,8 @@ Eigen::Matrix3Xd corners_at(const std::vector<suspension::CornerGeometry>& corne
   for (const suspension::CornerGeometry& corner : corners) {
     for (int side = 0; side < sides; ++side) {
       suspension::MovingLinkage moving(corner.linkage, suspension::TravelOf::wheel_center);
-      // The rack is of the front axle and goes to the left of the car on both sides: of the mirror
-      // image to its right.
+      // The rack belongs to the front axle and moves to the left of the car on both sides, which is
+      // to the right of the mirror image.
       const double steered = &corner == &corners.front() ? position.rack : 0.0;
       const double rack = side == 0 ? steered : -steered;
       if ((position.travel != 0.0 || rack != 0.0) && !moving.move_to(position.travel, rack))

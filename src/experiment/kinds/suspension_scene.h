@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A suspension's corner in space: links, upright, spring and wheel, at rest, in bump and rebound,
-// steered.
+// and steered.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace latsch::experiment {
 
-/// Positions its linkage does not reach are left out.
+/// Positions that the linkage does not reach are left out.
 report::Scene suspension_scene(const suspension::CornerGeometry& corner);
-/// Of a car: left corners as their files have them, and their mirror images.
+/// Draws a car: left corners as in their files, and their mirror images.
 report::Scene suspension_scene(const std::vector<suspension::CornerGeometry>& axles);
 
 }  // namespace latsch::experiment

@@ -11,7 +11,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// From where to where values reach, without the outermost half of a percent on either side.
+/// Returns the range of the values without the outermost half of a percent on either side.
 std::pair<double, double> reach_of(std::vector<double> values, double otherwise) {
   std::erase_if(values, [](double x) { return !std::isfinite(x); });
   if (values.empty()) return {otherwise, otherwise};

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be done with a specimen: interfaces of physics, none of a test. One class of tests can
-// drive every specimen that has what it asks for.
+// Capabilities are what can be done with a specimen: interfaces of physics that know no test. One
+// class of tests can drive every specimen with the capabilities that it needs.
 //
-// Conditions a test leaves open (pressure, friction) are the specimen's own. Every specimen has the
-// pressure that a test states; the others are for specimens that take them.
+// Conditions that a test leaves open (pressure, friction) are the specimen's own. Every specimen
+// applies a pressure that the test states; the other conditions apply to specimens that accept
+// them.
 #pragma once
 
 #include <functional>
@@ -29,45 +30,45 @@
 
 namespace latsch::experiment {
 
-/// Is pressed on flat ground, standing still.
+/// The specimen can be pressed on flat ground, standing still.
 struct IsPressed {
   static constexpr const char* kName = "is pressed on the ground";
   virtual ~IsPressed() = default;
-  /// With the slopes asked for, where they are known.
+  /// Returns the channels with the requested slopes as far as they are known.
   virtual Result<Channels> press(const LoadDeflection& test, const Asked& asked) = 0;
 };
 
-/// Vibrates with its rim held, off the ground or standing on it.
+/// The specimen vibrates with its rim fixed, off the ground or standing on it.
 struct Vibrates {
   static constexpr const char* kName = "vibrates";
   virtual ~Vibrates() = default;
-  /// With the slopes asked for, where they are known.
+  /// Returns the channels with the requested slopes as far as they are known.
   virtual Result<Channels> vibrate(const ModalTest& test, const Asked& asked) = 0;
-  /// m, wheel frame: where shapes are recorded when no laboratory prescribes it; none: nowhere.
+  /// Default points at which shapes are recorded, m, wheel frame; none if there are no defaults.
   virtual Eigen::Matrix3Xd sensor_points() const { return {}; }
 };
 
-/// Stands on the ground or on a bar and is moved in every direction there.
+/// The specimen stands on the ground or on a bar and is moved in every direction there.
 struct StandsOnGround {
   static constexpr const char* kName = "stands on the ground";
   virtual ~StandsOnGround() = default;
-  /// With the slopes asked for, where they are known.
+  /// Returns the channels with the requested slopes as far as they are known.
   virtual Result<Channels> stand(const StandingTest& test, const Asked& asked) = 0;
 };
 
-/// Grows under its pressure.
+/// The specimen grows under its pressure.
 struct IsInflated {
   static constexpr const char* kName = "is inflated";
   virtual ~IsInflated() = default;
-  /// With the slopes asked for, where they are known.
+  /// Returns the channels with the requested slopes as far as they are known.
   virtual Result<Channels> inflate(const InflatedSizeTest& test, const Asked& asked) = 0;
 };
 
-/// Has a mass and moments of inertia of its own.
+/// The specimen has a mass and moments of inertia of its own.
 struct IsWeighed {
   static constexpr const char* kName = "is weighed";
   virtual ~IsWeighed() = default;
-  /// With the slopes asked for, where they are known.
+  /// Returns the channels with the requested slopes as far as they are known.
   virtual Result<Channels> weigh(const MassTest& test, const Asked& asked) = 0;
 };
 
@@ -75,7 +76,7 @@ struct HasFootprint {
   static constexpr const char* kName = "leaves a footprint";
   virtual ~HasFootprint() = default;
   virtual Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) = 0;
-  /// What the test records, with the slopes asked for, where they are known.
+  /// Returns the channels of the test with the requested slopes as far as they are known.
   virtual Result<Channels> print(const FootprintTest& test, const Asked&) {
     const auto states = footprints(test);
     if (!states) return states.failure();
@@ -83,51 +84,52 @@ struct HasFootprint {
   }
 };
 
-/// Leaves its footprint with elements of a size that the test states.
+/// The specimen has a footprint of elements whose size the test states.
 struct HasTreadElements {
   static constexpr const char* kName = "has a section to divide into elements";
   virtual ~HasTreadElements() = default;
 };
 
-/// Rolls on a road, a step of time after the other.
+/// The specimen rolls on a road in steps of time.
 struct Rolls {
   static constexpr const char* kName = "rolls";
   virtual ~Rolls() = default;
-  /// A new one at rest, under this pressure. InputError where it is none for this tire.
+  /// Returns a new tire at rest under this pressure. Throws InputError if the pressure does not
+  /// suit this tire.
   virtual std::unique_ptr<Tire> tire(const Inflation& pressure = {}) const = 0;
 };
 
-/// Answers to states of steady rolling, each for itself.
+/// The specimen has forces in states of steady rolling, each independent of the others.
 struct HasSteadyStates {
   static constexpr const char* kName = "has steady states";
   virtual ~HasSteadyStates() = default;
   virtual Channels steady(const formats::CsvTable& states,
                           const magic_formula::Conventions&) const = 0;
-  /// The same block by block. Gives back what is to be minded: Test::run_in_blocks().
+  /// Computes the states block by block. Returns remarks as Test::run_in_blocks() does.
   virtual std::vector<std::string> steady_in_blocks(
       const formats::CsvTable& states,
       const magic_formula::Conventions&,
       const std::function<void(const Channels&)>& tell) const = 0;
-  /// The same with the slopes asked for, where they are known.
+  /// Computes the states with the requested slopes as far as they are known.
   virtual Channels steady_with_slopes(const formats::CsvTable& states,
                                       const magic_formula::Conventions& conventions,
                                       const Asked&) const {
     return steady(states, conventions);
   }
-  /// Through a table of states with their times, slips lagging (rigs/slip/slip_lag.h), with the
-  /// slopes asked for.
+  /// Follows a table of states with their times, with lagging slips (rigs/slip/slip_lag.h) and the
+  /// requested slopes.
   virtual Channels slip_history(const formats::CsvTable& states, const Asked&) const = 0;
 };
 
-/// A corner of a suspension, loaded on a rig that holds the chassis.
+/// A corner of a suspension that can be loaded on a rig which holds the chassis.
 struct IsLoaded {
   static constexpr const char* kName = "is loaded on a K&C rig";
   virtual ~IsLoaded() = default;
-  /// With the slopes asked for, where they are known.
+  /// Returns the channels with the requested slopes as far as they are known.
   virtual Result<Channels> load(const KcTest& test, const Asked& asked) = 0;
-  /// The same with somebody who looks at every state.
+  /// Runs the test; `watcher` is called for every state.
   virtual Result<Channels> watch(const KcTest& test, const RigWatcher& watcher) = 0;
-  /// Its compliance matrices in the states of the test (rigs/suspension/kc_compliance.h).
+  /// Returns its compliance matrices in the states of the test (rigs/suspension/kc_compliance.h).
   virtual Result<Channels> compliance(const KcTest& test) = 0;
 };
 
@@ -135,36 +137,36 @@ struct IsLoaded {
 struct Drives {
   static constexpr const char* kName = "drives";
   virtual ~Drives() = default;
-  /// A new one whose springs carry it as drawn, with these loads on it.
+  /// Returns a new car whose springs carry it in its drawn position under these loads.
   virtual Result<std::unique_ptr<car::Car>> car(const car::CarInputs& at_rest) const = 0;
 };
 
-/// Has axles that a K&C rig loads while it holds the chassis.
+/// The specimen has axles that a K&C rig loads while it holds the chassis.
 struct HasAxles {
   static constexpr const char* kName = "is loaded on a K&C rig by its axles";
   virtual ~HasAxles() = default;
-  /// With the slopes asked for, where they are known.
+  /// Returns the channels with the requested slopes as far as they are known.
   virtual Result<Channels> load(const AxleKcTest& test, const Asked& asked) const = 0;
-  /// The same with somebody who looks at every state.
+  /// Runs the test; `watcher` is called for every state.
   virtual Result<Channels> watch(const AxleKcTest& test, const RigWatcher& watcher) const = 0;
-  /// Its compliance matrices in the states of the test.
+  /// Returns its compliance matrices in the states of the test.
   virtual Result<Channels> compliance(const AxleKcTest& test) const = 0;
 };
 
-/// A corner of a suspension as rigid links, and the axle of it and its mirror image.
+/// A corner of a suspension as rigid links, and the axle of the corner and its mirror image.
 struct MovesAsLinkage {
   static constexpr const char* kName = "moves as a linkage";
   virtual ~MovesAsLinkage() = default;
   virtual Result<Channels> move(const KinematicsTest& test) = 0;
 };
 
-/// Takes from a test what of others stands in their own files.
+/// The specimen accepts conditions from a test that other specimens state in their own files.
 struct TakesConditions {
   static constexpr const char* kName = "takes friction and sensor points from a test";
   virtual ~TakesConditions() = default;
 };
 
-/// Names of the capabilities a class of specimens has.
+/// Returns the names of the capabilities of a class of specimens.
 template <class S>
 std::vector<std::string> abilities_of() {
   std::vector<std::string> names;

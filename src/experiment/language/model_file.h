@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which files of models and studies are tables and keys (TOML), and which another program's.
+// Distinguishes files of models and studies in tables and keys (TOML) from those of other programs.
 #pragma once
 
 #include <filesystem>
 
 namespace latsch::experiment {
 
-/// False for a .tir and an .inp, in any case of letters; every other file is read as TOML.
+/// False for .tir and .inp, in upper or lower case; every other file is read as TOML.
 bool is_document(const std::filesystem::path& file);
 
 }  // namespace latsch::experiment

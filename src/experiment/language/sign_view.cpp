@@ -7,7 +7,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// Without negative zeros.
+/// The result has no negative zeros.
 void reverse(std::vector<double>& values) {
   for (double& value : values) value = 0.0 - value;
 }

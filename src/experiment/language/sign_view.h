@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a test records, in the signs of another convention. Only a view on the way out: recordings,
-// measurements and fits are in ISO 8855's (models/suspension/sign_views.h has the factors). A sign
-// changes, never an axis: dy stays the column dy and is to the right where y is.
+// Converts recordings into the signs of another convention, for output only: recordings,
+// measurements and fits are in the signs of ISO 8855 (models/suspension/sign_views.h has the
+// factors). Signs change, axes do not: dy stays the column dy, and is positive to the right if y
+// is.
 #pragma once
 
 #include <string>
@@ -11,14 +12,14 @@
 
 namespace latsch::experiment {
 
-/// "iso", "sae", "adams"
+/// Returns "iso", "sae", "adams".
 const std::vector<std::string>& sign_view_names();
-/// By one of these names.
+/// Returns the view with one of these names.
 suspension::SignView sign_view(const std::string& name);
 
-/// Whether a test says which way its channels are positive.
+/// True if a test states the positive directions of its channels.
 bool has_sign_views(const Test& test);
-/// With slopes where there are some; a channel of which the test says nothing stays as it is.
+/// Converts values and slopes; a channel whose sense the test does not state is unchanged.
 Channels in_signs(const Channels& recorded, const Test& test, suspension::SignView view);
 
 }  // namespace latsch::experiment

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way out, `latsch test --signs sae`, and the way in, axes = "sae", are inverse: for every
-// channel that a test records and has a sense of.
+// The conversion on output, `latsch test --signs sae`, and that on input, axes = "sae", are inverse
+// for every channel that a test records with a sense.
 #include "experiment/language/sign_view.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(SignView, OutAndInAreInverse) {
       turned += out[channel.name] != channel.values;
     }
   }
-  EXPECT_GT(turned, 20u);  // so the test turns what there is to turn
+  EXPECT_GT(turned, 20u);  // so the test covers the channels that change their sign
 }
 
 }  // namespace

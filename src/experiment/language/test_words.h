@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words that tests share when they say what they are.
+// Phrases that several tests use in their descriptions.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace latsch::experiment {
 
-/// "2 deg"
+/// Returns an angle such as "2 deg".
 std::string degrees(double angle);
-/// ", camber 2 deg"; empty for none.
+/// Returns ", camber 2 deg"; "" for no camber.
 std::string cambered(double camber);
-/// Forces and moments of a test that records them in these frames (rigs/hub_frame.h).
+/// Returns forces and moments for a test that records them in these frames (rigs/hub_frame.h).
 std::vector<ChannelInfo> force_channels(const std::vector<AxisFrame>& frames);
 
 }  // namespace latsch::experiment

@@ -3,7 +3,7 @@
 //
 //   [cleat]
 //   height = "15 mm"
-//   length = "30 mm"                 # along the road where angle is 0
+//   length = "30 mm"                 # along the road if angle is 0
 //   bevel = "5 mm"                   # of its upper edges, default 0
 //   angle = "30 deg"                 # against the axle, default 0
 #pragma once
@@ -19,7 +19,7 @@ struct Cleat {
   double angle = 0.0;                              // rad
 };
 
-/// None where the test has none; `widest`: the largest angle, rad. InputError.
+/// Returns nothing if the test has no cleat; `widest` is the largest angle, rad. Throws InputError.
 std::optional<Cleat> read_cleat(const Node& test, double widest);
 
 }  // namespace latsch::experiment

@@ -14,8 +14,9 @@ namespace latsch::experiment {
 namespace {
 
 constexpr double kFirstStiffness = 2.0e5;  // N/m, for a first guess of the deflection
-constexpr double kFirstShare = 0.25;       // of the radius: no first guess is deeper
-constexpr double kFastest = 200.0;         // m/s; beyond the file means another unit
+constexpr double kFirstShare = 0.25;       // share of the radius; greatest first guess of the
+                                           // deflection
+constexpr double kFastest = 200.0;         // m/s; a greater value means another unit in the file
 
 road::DrumRoad drum_of(const DrumTest& test) {
   road::DrumRoad::Settings settings;
@@ -23,7 +24,8 @@ road::DrumRoad drum_of(const DrumTest& test) {
   settings.surface = test.speed;
   if (test.cleat) {
     const Cleat& cleat = *test.cleat;
-    // Below the axle at time 0; before, as far away as the surface has still to run.
+    // The cleat is below the axle at time 0; before, its distance is the remaining travel of the
+    // surface.
     settings.cleats = {{.profile = road::cleat_profile(cleat.height, cleat.length, cleat.bevel),
                         .starting_angle = 0.0,
                         .angle = cleat.angle}};
@@ -38,16 +40,17 @@ WheelMotion standing(double height, const Eigen::Matrix3d& carrier) {
   return motion;
 }
 
-/// 1/s, of the wheel's speed to that of its start, at `time` before the cleat is below the axle.
-/// The first guess of the speed is a percent off; a wheel let go at once would ring with its tread
-/// for half a second. Held and let go slowly it comes to its own speed quietly.
+/// Returns the rate, 1/s, at which the wheel's speed is held at its initial value, `time` before
+/// the cleat is below the axle. The first guess of the speed has an error of a percent; a wheel
+/// released at once would oscillate with its tread for half a second. If it is held and slowly
+/// released, it settles at its own speed without oscillation.
 double run_in_hold(const DrumTest& test, double time) {
-  constexpr double kFirst = 100.0;  // 1/s, near to critical for 10 to 40 Hz
+  constexpr double kFirst = 100.0;  // 1/s; about critical for 10 to 40 Hz
   const double left = (-time - test.lead) / test.run_in;
   return left > 0.0 && left <= 1.0 ? kFirst * left * left : 0.0;
 }
 
-/// Of records over the same times.
+/// Averages records over the same times.
 Channels mean(const std::vector<Channels>& records) {
   if (records.size() == 1) return records.front();
   Channels mean;
@@ -68,12 +71,12 @@ struct Surfaces {
   road::DrumRoad drum, smooth;
 };
 
-/// A tire on the drum and its wheel, from rest under its load.
+/// A tire on the drum and its wheel, starting at rest under its load.
 class Passage {
  public:
   Passage(Tire& tire, const DrumTest& test, const Surfaces& surfaces, const WheelMotion& start)
       : tire_(tire), test_(test), surfaces_(surfaces), motion_(start) {
-    // A belt of fixed length rolls with nearly its free radius; the wheel finds the rest itself.
+    // A belt of fixed length rolls with nearly its free radius; the wheel settles the rest itself.
     const double deflection = tire.free_radius() - start.center.z();
     motion_.spin_rate = test.speed / (tire.free_radius() - 0.35 * deflection);
   }
@@ -116,7 +119,7 @@ class Passage {
 
  private:
   Result<HubForces> advance(FreeWheel& wheel, double time) {
-    // Far from the axle the cleat cannot touch; the smooth drum answers faster.
+    // Far from the axle the cleat cannot touch the tire; the smooth drum is computed faster.
     const bool away = std::abs(time) * test_.speed > 0.5 * tire_.free_radius() + 0.5;
     return tire_.advance_free(
         motion_, wheel, away ? surfaces_.smooth : surfaces_.drum, time, test_.step);
@@ -158,7 +161,7 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured) {
   const double ratio = test.sample_step / test.step;
   if (std::abs(ratio - std::round(ratio)) > 1e-6 || ratio < 0.5)
     root.reject("sample_step", "is no multiple of step");
-  constexpr double kWidest = 1.4;  // rad: beyond it the bar runs along the drum
+  constexpr double kWidest = 1.4;  // rad: at larger angles the bar lies along the drum
   test.cleat = read_cleat(root, kWidest);
   if (test.cleat && test.duration <= test.lead)
     root.reject(root.has("duration") ? "duration" : "lead",
@@ -176,7 +179,7 @@ Result<double> height_under_load(Tire& tire,
                                  const Eigen::Matrix3d& carrier,
                                  double load) {
   constexpr int kMost = 12;
-  constexpr double kClose = 1e-5;  // of the load
+  constexpr double kClose = 1e-5;  // share of the load
   const double free = tire.free_radius();
   const auto failure = [&](double height, const std::string& why) {
     return Failure{

@@ -38,8 +38,8 @@ TEST(DrumTest, AFreeWheelRollsUnderItsLoadAndFeelsTheCleatWhenItIsBelow) {
   const auto& Fz = (*channels)["Fz"];
   const auto& My = (*channels)["My"];
   ASSERT_EQ(time.size(), 400u);
-  // Before the cleat: the load within what dynamic stiffening and speed add, and no torque to speak
-  // of.
+  // Before the cleat the force is the load, apart from dynamic stiffening and the effect of speed,
+  // and there is nearly no torque.
   double before = 0.0, torque = 0.0;
   for (std::size_t i = 0; i < 60; ++i) {
     before += Fz[i] / 60.0;
@@ -52,7 +52,7 @@ TEST(DrumTest, AFreeWheelRollsUnderItsLoadAndFeelsTheCleatWhenItIsBelow) {
   EXPECT_NEAR(time[static_cast<std::size_t>(most - Fz.begin())], 0.0, 0.04);
 }
 
-// The tire repeats itself from one of its 80 segments to the next, and so do its passages.
+// The tire repeats itself from each of its 80 segments to the next, and so do its passages.
 TEST(DrumTest, ATurnByASegmentChangesNothing) {
   constexpr double kSegment = 2.0 * M_PI / 80.0;
   DrumTest test = quick_test();
@@ -71,10 +71,11 @@ TEST(DrumTest, ATurnByASegmentChangesNothing) {
     return most;
   };
   EXPECT_LT(distance(*same), 0.1);
-  EXPECT_GT(distance(*other), 1.0);  // what averages over the wheel's angle take out
+  EXPECT_GT(distance(*other), 1.0);  // this dependence on the wheel's angle is what averaging
+                                     // removes
 }
 
-// So they may be simulated side by side.
+// Passages may therefore be simulated in parallel.
 TEST(DrumTest, PassagesAreThoseOfWheelsThatStartTurnedOn) {
   DrumTest test = quick_test();
   test.passages = 2;
@@ -93,8 +94,9 @@ TEST(DrumTest, PassagesAreThoseOfWheelsThatStartTurnedOn) {
   }
 }
 
-// A light wheel rings with some 400 Hz against such a belt. Moved first, by what it was driven by a
-// step before, and then answered by the tire, it tears the ring within 12 ms.
+// A light wheel oscillates at some 400 Hz against so stiff a belt. If the wheel moved first, by the
+// force of the previous step, and the tire responded afterwards, the ring would diverge within 12
+// ms.
 TEST(DrumTest, ASidewallTwentyTimesAsStiffRolls) {
   ring_tire::RingParameters stiff = passenger_tire();
   for (ring_tire::SidewallElement* of :
@@ -108,7 +110,7 @@ TEST(DrumTest, ASidewallTwentyTimesAsStiffRolls) {
   const auto& speed = (*channels)["wheel_speed"];
   const double rolling = speed.front();
   EXPECT_NEAR(rolling * tire.free_radius(), test.speed, 0.02 * test.speed);
-  // Back at it after the cleat: nothing keeps on growing.
+  // The wheel returns to its speed after the cleat: no oscillation grows.
   for (std::size_t i = speed.size() - 100; i < speed.size(); ++i)
     EXPECT_NEAR(speed[i], rolling, 0.01 * rolling) << i;
 }

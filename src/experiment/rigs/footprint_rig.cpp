@@ -46,7 +46,7 @@ FootprintTest read_footprint_test(const Node& root, const MeasuredConditions& me
       test.sensors.emplace_back(at[0], at[1]);
   }
   if (root.has("elements")) {
-    constexpr double kShortest = 3e-3, kLongest = 1.0;  // m: of shorter ones memory holds too few
+    constexpr double kShortest = 3e-3, kLongest = 1.0;  // m; shorter ones need too much memory
     const std::vector<double> elements =
         root.quantities("elements", "m", Range::between(kShortest, kLongest));
     if (elements.size() != 2)

@@ -3,24 +3,24 @@
 //
 //   kind = "footprint"
 //   loads = ["2 kN", "4 kN"]         # or deflections = ["10 mm", "20 mm"], from first touch of the
-//                                    # upright tire; of either {from = "measurement.prints"}: its
-//                                    # Fz or deflection
+//                                    # upright tire; either may be {from = "measurement.prints"}:
+//                                    # its Fz or deflection
 //   camber = "2 deg"                 # about x, top to the right; default 0
 //   pressure = "2.6 bar"             # the tire's own unless given (inflation.h)
 //   friction = 0.8                   # of a finite-element tire with the ground, 0 unless given
 //   sensor = "15 mm"                 # side of the squares in which pressure is measured; default
-//   sensors = [["0 mm", "0 mm"]]     # where the middles of some are, x forward, y left of what is
-//                                    # below the wheel center; {from = "measurement.mat"}: its x, y
+//   sensors = [["0 mm", "0 mm"]]     # centers of some squares, x forward, y left of the point
+//                                    # below the wheel center; or {from = "measurement.mat"}: its x, y
 //   elements = ["7 mm", "7 mm"]      # of a finite-element tire: the longest below its tread around
-//                                    # and across, half of that around in the patch of the first
-//                                    # millimeters; default. ["1 m", "1 m"] is its own mesh, four
-//                                    # times as fast, with friction ten, and less exact
+//                                    # and across, around half of that in the patch of the first
+//                                    # millimeters; default. ["1 m", "1 m"] is its own mesh, which
+//                                    # is four times as fast, with friction ten, but less exact
 //
-// Channels, one value a state in their order: "load" (N), "deflection", "length", "width" (m, the
-// longest and the widest), "area" (m^2, grooves included), "mean_pressure" (Pa, load over area),
-// "peak_pressure" (Pa, the most that a sensor measures, wherever it lies) and "grip_level" (1, how
-// much of the friction is used: the shear forces over the largest there can be). Of `sensors`, all
-// of a state and then those of the next: "pressure" (Pa), "sensor_x", "sensor_y" (m).
+// Channels, one value for each state in their order: "load" (N), "deflection", "length", "width"
+// (m, the greatest ones), "area" (m^2, including grooves), "mean_pressure" (Pa, load over area),
+// "peak_pressure" (Pa, the highest reading of a sensor at any place) and "grip_level" (1, the used
+// share of the friction: the shear forces over the largest possible ones). For `sensors`, all of
+// one state and then those of the next: "pressure" (Pa), "sensor_x", "sensor_y" (m).
 #pragma once
 
 #include <Eigen/Core>
@@ -37,20 +37,20 @@
 namespace latsch::experiment {
 
 struct FootprintTest {
-  std::vector<double> loads;        // N; one of the two
+  std::vector<double> loads;        // N; either loads or deflections are given
   std::vector<double> deflections;  // m
   double camber = 0.0;              // rad
   Inflation pressure = {};
-  std::optional<double> friction = {};        // 1; none: the tire's own
-  double sensor = 15e-3;                      // m, side
+  std::optional<double> friction = {};        // none: the tire's own
+  double sensor = 15e-3;                      // m, side of the square
   std::vector<Eigen::Vector2d> sensors = {};  // m
   struct Elements {
     double around, across;  // m
   };
-  std::optional<Elements> elements = {};  // largest; none: the tire's usual ones
+  std::optional<Elements> elements = {};  // largest ones; none: the tire's default
 };
 
-/// Throws InputError naming the place; unknown keys too.
+/// Throws InputError naming the place, also for unknown keys.
 FootprintTest read_footprint_test(const Node& root, const MeasuredConditions& measured = {});
 
 struct StandingFootprint {
@@ -58,10 +58,10 @@ struct StandingFootprint {
   Footprint footprint;
 };
 
-/// A Failure of a kind of tire that does not know its footprint.
+/// Returns a Failure if this kind of tire does not compute its footprint.
 Result<std::vector<StandingFootprint>> footprints(Tire& tire, const FootprintTest& test);
 
-/// What a test records of its states.
+/// Returns the recorded channels of the states of a test.
 Channels to_channels(const FootprintTest& test, const std::vector<StandingFootprint>& states);
 
 }  // namespace latsch::experiment

@@ -20,7 +20,7 @@ using fe_tire::Ground;
 
 constexpr double kFootprintPressure = 2.6e5;
 
-/// Tire B on a mesh of a few hundred elements: coarse, but all its physics.
+/// Tire B on a mesh of a few hundred elements: coarse, but with all its physics.
 fe_tire::TireDescription coarse_tire_b() {
   auto tire = fe_tire::reference_tire_b();
   tire.section.meridional = 14;
@@ -47,15 +47,16 @@ std::vector<StandingFootprint> standing(const fe_tire::TireDescription& descript
   return footprints(tire, *states);
 }
 
-/// What the elements carry together, N.
+/// Total force of the elements, N.
 double carried(const Footprint& print) {
   double sum = 0.0;
   for (const FootprintElement& at : print.elements) sum += at.pressure * at.length * at.width;
   return sum;
 }
 
-/// In equilibrium the ground's force is what rubber, cords and pressure do not balance: their work,
-/// J, when every free node rises by one meter. That sum knows nothing of the contact.
+/// In equilibrium the ground's force balances that of rubber, cords and pressure, which is computed
+/// here: their work, J, if every free node rises by one meter. That sum does not involve the
+/// contact.
 double unbalanced(const fe_tire::TireDescription& description, double deflection) {
   FeTire tire = build(description);
   const auto inflated = tire.inflate(kFootprintPressure);
@@ -87,8 +88,8 @@ TEST(FeFootprint, CarriesWhatTheTireLeavesUnbalanced) {
   EXPECT_NEAR(carried(print), work, 1e-3 * work);
 }
 
-// Asked for a load the rig says a deflection; at that deflection the tire leaves the load
-// unbalanced, whatever the rig did to find it.
+// For a given load the rig returns a deflection; at that deflection the tire leaves exactly that
+// load unbalanced, however the rig found it.
 TEST(FeFootprint, UnderALoadStandsAsDeepAsCarriesIt) {
   const auto description = coarse_tire_b();
   FootprintTest test;
@@ -98,12 +99,11 @@ TEST(FeFootprint, UnderALoadStandsAsDeepAsCarriesIt) {
   EXPECT_NEAR(carried(state.footprint), 3000.0, 1e-3 * 3000.0);
 }
 
-// A ground that gives way long before the tire does shows the inflated contour itself, at the crown
-// a circle of radius R: depth d(x) = δ - R + sqrt(R² - x²), pressure ε d over the area of the
-// tread, of which the ground sees cos θ, sin θ = x/R; chord 2 sqrt(δ (2R - δ)). Sectors of 3° are
-// chords up to 0.11 mm inside the arc; the tread falls by 0.1 mm within 10 mm of the crown;
-// inflation stretches it by less than 1 % of d. The outline ends at the last of eight samples of a
-// sector, 2 mm apart.
+// A ground much softer than the tire shows the inflated contour itself, at the crown a circle of
+// radius R: depth d(x) = δ - R + sqrt(R² - x²), pressure ε d over the area of the tread, of which
+// the ground sees cos θ, sin θ = x/R; chord 2 sqrt(δ (2R - δ)). Sectors of 3° are chords up to 0.11
+// mm inside the arc; the tread falls by 0.1 mm within 10 mm of the crown; inflation stretches it by
+// less than 1 % of d. The outline ends at the last of eight samples of a sector, 2 mm apart.
 TEST(FeFootprint, OnNextToNoGroundIsTheContourItself) {
   auto description = coarse_tire_b();
   description.section.sectors = 120;
@@ -128,8 +128,8 @@ TEST(FeFootprint, OnNextToNoGroundIsTheContourItself) {
   EXPECT_GT(print.length, chord - 2.0 * 2.0e-3);
 }
 
-// Faces in contact lie flat, so the outline moves on by sectors (here 16 mm) and between them may
-// tremble by a sample of a face, 2 mm; the area does not.
+// Faces in contact lie flat, so the outline advances by sectors (here 16 mm) and may vary between
+// them by a sample of a face, 2 mm; the area does not.
 TEST(FeFootprint, PushesOnlyAndGrowsWithTheDeflection) {
   auto description = coarse_tire_b();
   description.section.sector_zones = {{10, 3.0 * std::numbers::pi / 180.0}};

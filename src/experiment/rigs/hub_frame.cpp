@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array kForces = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
 
-/// One frame or a list of them.
+/// Reads one frame or a list of frames.
 std::vector<std::string> stated_frames(const Node& test) {
   try {
     return {test.text("frame")};
@@ -61,7 +61,8 @@ std::vector<std::string> force_names(const std::vector<AxisFrame>& frames) {
 }
 
 Wrench in_frame(const HubForces& hub, const WheelMotion& motion, AxisFrame to) {
-  const double sine = std::clamp(motion.carrier(2, 1), -1.0, 1.0);  // of the spin axis, upward
+  const double sine = std::clamp(motion.carrier(2, 1), -1.0, 1.0);  // sine of the angle of the spin
+                                                                    // axis above the horizontal
   const double gamma = std::asin(sine), loaded_radius = motion.center.z() / std::cos(gamma);
   return latsch::in_frame({hub.force, hub.moment}, AxisFrame::C, to, gamma, loaded_radius);
 }

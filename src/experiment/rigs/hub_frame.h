@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frames in which a rig hands out forces: W, H or C of TYDEX (measurement/axes.h), ISO signs.
+// The frames in which a rig records forces: W, H or C of TYDEX (measurement/axes.h), ISO signs.
 //
-//   frame = "W"                      # in the file of a test: that of the measurement it stands for
-//   frame = ["C", "W"]               # in several, each with its letter behind: "FyC", "FyW"
+//   frame = "W"                      # in the file of a test: that of its measurement
+//   frame = ["C", "W"]               # several, each letter ends the names: "FyC", "FyW"
 #pragma once
 
 #include <array>
@@ -16,18 +16,18 @@
 
 namespace latsch::experiment {
 
-/// Of a test's file; throws InputError naming the place.
+/// Reads the frames of a test's file; throws InputError naming the place.
 std::vector<AxisFrame> read_frames(const Node& test, std::vector<AxisFrame> fallback);
-/// "W", "C W".
+/// Returns the letters: "W", "C W".
 std::string names_of(const std::vector<AxisFrame>& frames);
-/// "Fx" .. "Mz", or "FxC" .. "MzW".
+/// Returns "Fx" .. "Mz", or "FxC" .. "MzW".
 std::vector<std::string> force_names(const std::vector<AxisFrame>& frames);
 
-/// What a tire does to the hub, from C. `motion`: of a wheel on ground that is level at z = 0 under
-/// it; the cleat or kerb on it is no part of the frame.
+/// Converts the load of the tire on the hub from C. `motion` is that of a wheel on ground that is
+/// level at z = 0 below it; a cleat or kerb does not affect the frame.
 Wrench in_frame(const HubForces& hub, const WheelMotion& motion, AxisFrame to);
 
-/// Forces and moments of a run, sample by sample, in each of some frames.
+/// Forces and moments of a run in some frames, sample by sample.
 class ForceRecord {
  public:
   explicit ForceRecord(std::vector<AxisFrame> frames)
@@ -37,7 +37,7 @@ class ForceRecord {
 
  private:
   std::vector<AxisFrame> frames_;
-  std::vector<std::vector<double>> values_;  // as force_names() has them
+  std::vector<std::vector<double>> values_;  // ordered like force_names()
 };
 
 }  // namespace latsch::experiment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// At which pressure a test has its tire.
+// The inflation pressure of the tire in a test.
 //
 //   pressure = "2.6 bar"             # or {from = "measurement.cornering"}: the mean of its channel
 //                                    # pressure; the tire's own unless given
@@ -15,10 +15,10 @@ namespace latsch::experiment {
 
 using Inflation = std::optional<double>;  // Pa, gauge; none: the tire's own
 
-/// InputError.
+/// Reads the key. Throws InputError.
 Inflation read_pressure(const Node& test, const MeasuredConditions& measured = {});
 
-/// Behind what else is said of a test: ", 2.6 bar"; "" at the tire's own.
+/// Returns the end of a test's description: ", 2.6 bar", or "" for the tire's own pressure.
 std::string inflated(const Inflation& pressure);
 
 }  // namespace latsch::experiment

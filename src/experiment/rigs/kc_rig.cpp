@@ -19,8 +19,8 @@ Vector6d as_vector(const suspension::WheelPosition& at) {
 const char* unit_of_moved(int i) { return i < 3 ? "m" : "rad"; }
 const char* unit_of_load(int i) { return i < 3 ? "N" : "N m"; }
 
-/// A bushing that is stretched further than any is, or empty: stiffnesses in another unit, or loads
-/// that no corner bears.
+/// Names a bushing whose stretch is impossible, or returns "": stiffnesses are then in another
+/// unit, or the loads are too large for any corner.
 std::string torn_bushing(const multibody::Mechanism& mechanism, const multibody::Poses& poses) {
   constexpr double kMostStretch = 0.03;  // m
   const auto pose = [&](int body) {
@@ -61,7 +61,7 @@ Result<Channels> run(const suspension::CompliantCorner& corner,
     points.contact = points.center;
     on.point = corner.wheel_center;
   }
-  multibody::Rest stands = statics.unloaded();  // friction remembers the loads before
+  multibody::Rest stands = statics.unloaded();  // friction remembers earlier loads
   const multibody::Poses& poses = stands.poses;
   const Vector6d rest = as_vector(wheel_position(points, poses[upright_body]));
   const Eigen::Index states = test.loads.cols();
@@ -70,7 +70,7 @@ Result<Channels> run(const suspension::CompliantCorner& corner,
     return numbers > 0 &&
            std::find(asked.channels.begin(), asked.channels.end(), channel) != asked.channels.end();
   };
-  std::vector<int> followed;  // what moves whose slopes are wanted
+  std::vector<int> followed;  // indices of the channels whose slopes are requested
   for (int m = 0; m < 6; ++m) {
     const std::string name = KcTest::kMoved[static_cast<std::size_t>(m)];
     if (is_asked(name) || (test.slopes && is_asked(test.slopes->name(name)))) followed.push_back(m);

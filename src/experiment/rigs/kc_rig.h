@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rig for kinematics and compliance of a corner: the chassis is held, the inboard end of the
-// push-rod too, and loads of fixed direction act at the contact patch or at the wheel's center.
-// Axes of the ground, ISO 8855: x forward, y left, z up. Travel and angles are those from the
-// unloaded corner; signs as in models/suspension/wheel_position.h.
+// The rig for kinematics and compliance of a corner: the chassis and the inboard end of the
+// push-rod are held, and loads of fixed direction act at the contact patch or at the wheel's
+// center. Axes of the ground, ISO 8855: x forward, y left, z up. Travel and angles are relative to
+// the unloaded corner; signs as in models/suspension/wheel_position.h.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,38 +28,40 @@ struct KcTest {
       "dx", "dy", "dz", "camber", "toe", "caster"};
 
   bool at_wheel_center = false;
-  Eigen::Matrix<double, 6, Eigen::Dynamic> loads;  // N, N m; a state a column
-  std::array<bool, 6> stated = {};                 // which of the loads are recorded
-  std::optional<SlopesBy> slopes = {};             // of what moves, by a load that is stated
+  Eigen::Matrix<double, 6, Eigen::Dynamic> loads;  // N, N m; one column for each state
+  std::array<bool, 6> stated = {};                 // loads that are recorded
+  std::optional<SlopesBy> slopes = {};             // slopes of the motion by one of the stated
+                                                   // loads
 };
 
-/// Of the stiffnesses, joint and axis, that a number varied stands for.
+/// Stiffnesses, by joint and axis, that depend on a varied number.
 using Stiffnesses = std::vector<std::pair<int, int>>;
 
-/// Slopes in numbers that are varied, of these channels.
+/// Requested slopes of these channels in varied numbers.
 struct KcSlopes {
   std::vector<Stiffnesses> varied;
   std::vector<std::string> channels;
 };
 
-/// A state of a rig: what stands on it, where it rests, what acts on it.
+/// A state of a rig: the mechanism, its equilibrium, the loads on it.
 struct RigState {
   struct Wheel {
-    std::string name;                 // "left"; empty: there is one
+    std::string name;                 // "left"; empty if there is only one
     int upright;                      // body
     Eigen::Vector3d center, contact;  // at rest, m
   };
   const multibody::Mechanism& mechanism;
   const multibody::Assembly& assembly;
   const multibody::Rest& rest;
-  std::span<const multibody::Load> loads;  // one a wheel
+  std::span<const multibody::Load> loads;  // one for each wheel
   std::span<const Wheel> wheels;
   Eigen::Index state;
 };
-/// Looks at every state.
+/// Called for every state.
 using RigWatcher = std::function<void(const RigState&)>;
 
-/// The loads that are stated, what moves and its slopes; with the slopes that are asked for.
+/// Records the stated loads, the motion and its slopes, with the requested slopes in varied
+/// numbers.
 Result<Channels> run(const suspension::CompliantCorner& corner,
                      const KcTest& test,
                      const KcSlopes& asked = {},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a rig does with a standing tire, as numbers.
+// Load cases of a rig with a standing tire, as numbers.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,26 +21,27 @@ struct LoadDeflection {
   std::vector<double> loaded_radii = {};  // m
 };
 
-/// Vibration modes with the rim held, off the ground or standing on it.
+/// Vibration modes with the rim fixed, off the ground or standing on it.
 struct ModalTest {
   Inflation pressure = {};
   fe_tire::Ground ground = {};
-  std::optional<double> deflection = {};  // m from first touch; neither of the two: in the air
+  std::optional<double> deflection = {};  // m from first touch; neither deflection nor load: off
+                                          // the ground
   std::optional<double> load = {};        // N; the rig finds the deflection
   double camber = 0.0;                    // rad, about x, top to the right
-  int count = 10;                         // lowest modes
-  Eigen::Matrix3Xd points = {};  // m, wheel frame, undeformed: where shapes are recorded; none: no
-                                 // shapes
+  int count = 10;                         // number of lowest modes
+  Eigen::Matrix3Xd points = {};  // m, wheel frame, undeformed tire: points at which shapes are
+                                 // recorded; none: no shapes
 
   bool loaded() const { return deflection || load; }
 };
 
-/// Dimensions as inflated, off the ground.
+/// Dimensions of the inflated tire off the ground.
 struct InflatedSizeTest {
   std::vector<double> pressures = {};  // Pa, gauge; none: the tire's own
 };
 
-/// Mass and moments of inertia, off the rim but as inflated on it.
+/// Mass and moments of inertia without the rim, but inflated as on the rim.
 struct MassTest {
   Inflation pressure = {};
 };

@@ -14,7 +14,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// The values of the one channel.
+/// Returns the values of the only channel.
 std::vector<double> samples_of(const Node& table,
                                MeasuredCondition condition,
                                const MeasuredConditions& measured) {
@@ -24,8 +24,8 @@ std::vector<double> samples_of(const Node& table,
   return values;
 }
 
-/// If one channel was asked for, the list that a person might have written in its place; else every
-/// channel by its name.
+/// If one channel was requested, returns the list that a person might have written instead; else
+/// every channel by its name.
 std::string canonical_text(const Channels& channels, std::size_t asked) {
   if (asked == 1 && channels.all().size() == 1)
     return canonical(channels.all()[0].values, channels.all()[0].unit);
@@ -43,7 +43,7 @@ std::optional<Node> find_measured(const Node& test, std::string_view key) {
   try {
     const auto table = test.find_table(key);
     if (table && table->has("from")) return table;
-  } catch (const InputError&) {  // a quantity, a list
+  } catch (const InputError&) {  // the key holds a quantity or a list
   }
   return std::nullopt;
 }
@@ -79,7 +79,8 @@ std::vector<double> measured_values(const Node& table,
 double measured_mean(const Node& table,
                      const MeasuredCondition& condition,
                      const MeasuredConditions& measured) {
-  constexpr double kHeld = 0.05;  // standard deviation over mean: rigs hold speed and load closer
+  constexpr double kHeld = 0.05;  // greatest standard deviation over mean; rigs hold speed and load
+                                  // closer
   const auto values = samples_of(table, condition, measured);
   const auto count = static_cast<double>(values.size());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;

@@ -12,7 +12,7 @@ namespace latsch::experiment {
 namespace {
 
 constexpr double kUnknown = -1.0;
-constexpr const char* kPhases = " sa";  // code 0, 1, 2
+constexpr const char* kPhases = " sa";  // characters of the codes 0, 1, 2
 
 double phase_code(char phase) { return phase == 's' ? 1.0 : phase == 'a' ? 2.0 : 0.0; }
 

@@ -18,8 +18,8 @@ ring_tire::RingTire example_tire() {
   return ring_tire::RingTire(ring_tire::read_ring_tire(Document::read(file).root()));
 }
 
-// Springs in a row, sidewall and tread: the patch holds the tire along x and y, no stiffer than the
-// sidewall alone would be; a passenger tire is stiffer along than across.
+// Sidewall and tread are springs in series: the patch holds the tire along x and y, and the
+// stiffness is at most that of the sidewall alone; a passenger tire is stiffer along than across.
 TEST(StaticStiffness, IsThatOfSidewallAndTreadInSeries) {
   ring_tire::RingTire tire = example_tire();
   const auto& ring = tire.parameters();
@@ -45,7 +45,7 @@ double load_on(ring_tire::RingTire& tire, double deflection, const std::optional
   return load ? *load : 0.0;
 }
 
-// A cleat that is longer than the patch and wider than the tread is ground that stands higher.
+// A cleat longer than the patch and wider than the tread is equivalent to higher ground.
 TEST(StaticStiffness, OnACleatAllAroundIsThatOnTheGround) {
   ring_tire::RingTire tire = example_tire();
   const double flat = load_on(tire, 0.02, {});
@@ -55,10 +55,10 @@ TEST(StaticStiffness, OnACleatAllAroundIsThatOnTheGround) {
   }
 }
 
-// Where it is low the ground beside carries too.
+// A low cleat shares the load with the ground beside it.
 TEST(StaticStiffness, FallsWithTheCleatThatCarries) {
   ring_tire::RingParameters ring = example_tire().parameters();
-  ring.tread.lines = 24;  // a bar along the road is felt by the lines that meet it
+  ring.tread.lines = 24;  // a bar along the road touches only some lines
   ring_tire::RingTire tire(ring);
   const double flat = load_on(tire, 0.02, {});
   for (const double angle : {0.0, M_PI / 2.0}) {

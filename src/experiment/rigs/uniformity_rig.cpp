@@ -20,11 +20,11 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kRunIn = 1.5;             // turns, before what is then averaged over one
-constexpr double kFarthestStep = 0.02;     // m: a block comes down and leaves within some steps
-constexpr double kFollow = 20e-3;          // s, in which the axle follows the load
+constexpr double kRunIn = 1.5;             // turns before the one that is averaged
+constexpr double kFarthestStep = 0.02;     // m: a block gains and loses contact within some steps
+constexpr double kFollow = 20e-3;          // s, time constant with which the axle follows the load
 constexpr double kLeastDeflection = 1e-3;  // m
-constexpr int kAngles = 720;               // of a turn, at which its peaks are looked for
+constexpr int kAngles = 720;               // positions in a turn at which its peaks are searched
 
 std::unique_ptr<road::Road> road_of(const UniformityTest& test, double way) {
   if (test.diameter > 0.0)
@@ -37,12 +37,12 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Of a turn.
+/// Forces and height over a turn.
 struct Turn {
   std::vector<double> Fx, Fy, Fz, height;
 };
 
-/// The wheel on the machine, rolling forward (way 1) or back (-1).
+/// The wheel on the machine, rolling forward (way 1) or backward (-1).
 class Machine {
  public:
   Machine(Tire& tire, const UniformityTest& test, double way, double height)
@@ -52,7 +52,7 @@ class Machine {
     motion_.spin_rate = way * test.speed / (tire.free_radius() - deflection_ / 3.0);
   }
 
-  /// From rest; `follow`: the axle the load.
+  /// Starts at rest; with `follow` the axle follows the load.
   std::optional<Failure> start(bool follow) {
     const auto hub = tire_.settle(motion_, *road_, 0.0);
     if (!hub) return hub.failure();
@@ -70,7 +70,7 @@ class Machine {
     return std::nullopt;
   }
 
-  /// A turn, behind a part of one in which the wheel finds its speed.
+  /// Records a turn after a part of a turn in which the wheel finds its speed.
   Result<Turn> turn() {
     Turn turn;
     if (const auto failure = roll(kRunIn, nullptr)) return *failure;
@@ -105,7 +105,7 @@ class Machine {
   double deflection_ = 0.0, time_ = 0.0;
 };
 
-/// The height at which the rolling tire carries the load, in the mean over a turn.
+/// Height at which the rolling tire carries the load, averaged over a turn.
 Result<double> rolling_height(Tire& tire, const UniformityTest& test) {
   const auto standing =
       height_under_load(tire, *road_of(test, 0.0), Eigen::Matrix3d::Identity(), test.load);

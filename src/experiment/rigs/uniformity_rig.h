@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Virtual uniformity machine: a tire rolls slowly at a constant loaded radius, forward and back,
-// and the force on its spindle varies over the turn. Of any tire.
+// Virtual uniformity machine: a tire rolls slowly at a constant loaded radius, forward and
+// backward, and the force on its spindle varies over the turn. For any tire.
 //
 //   kind = "uniformity"
 //   load = "4 kN"                    # mean over a turn forward, before the axle is held; or
@@ -12,20 +12,20 @@
 //   harmonics = 10                   # of the turn that a variation is made of; default
 //   step = "1 ms"                    # default; less from 72 km/h on: 20 mm of road
 //
-// Channels, N: "load"; RFV, LFV, TFV, peak to peak over a turn forward,
-// "radial_force_variation", "lateral_force_variation", "tangential_force_variation"; of what comes
-// once a turn, peak to peak as well, "radial_first_harmonic", "lateral_first_harmonic",
-// "tangential_first_harmonic"; "conicity" and "ply_steer". A variation is that of the first
-// harmonics, so that segments of a belt and blocks of a tread do not count.
+// Channels, N: "load"; RFV, LFV, TFV, peak to peak over a turn forward, "radial_force_variation",
+// "lateral_force_variation", "tangential_force_variation"; the first harmonic of each, peak to peak
+// as well, "radial_first_harmonic", "lateral_first_harmonic", "tangential_first_harmonic";
+// "conicity" and "ply_steer". A variation is the sum of the first `harmonics` harmonics, so that
+// segments of a belt and blocks of a tread do not count.
 //
 // Forces are those on the wheel in C, whose axes stay with the wheel: x to the front, y to the
-// left, z up (NOTATION.md). Rolling forward the wheel turns clockwise for who looks at its right
-// side. With F the mean of Fy rolling forward, B rolling back,
+// left, z up (NOTATION.md). Rolling forward the wheel turns clockwise if its right side is looked
+// at. With F the mean of Fy rolling forward, B rolling backward,
 //   conicity   (F + B)/2,  keeps its side
-//   ply steer  (F - B)/2,  changes it
-// half the sum and half the difference of what the trade calls lateral shift, clockwise and
+//   ply steer  (F - B)/2,  changes its side
+// they are half the sum and half the difference of the lateral shifts, clockwise and
 // counterclockwise. Such machines are the subject of SAE J332. Beyond some m/s imbalance and modes
-// of the tire are in the variations, as on machines for high speeds.
+// of the tire contribute to the variations, as on machines for high speeds.
 #pragma once
 
 #include <vector>
@@ -45,7 +45,7 @@ struct UniformityTest {
   double wheel_inertia = 1.0;  // kg m^2
   int harmonics = 10;
   double step = 1e-3;       // s
-  Inflation pressure = {};  // of the tire that is given to it
+  Inflation pressure = {};  // pressure of the tire; the tire's own if not given
 };
 
 /// N, peak to peak.
@@ -53,7 +53,7 @@ struct ForceVariation {
   double all = 0.0, first = 0.0;
 };
 
-/// N.
+/// Forces in N.
 struct UniformityRecord {
   double load = 0.0;
   ForceVariation radial, lateral, tangential;
@@ -63,10 +63,10 @@ struct UniformityRecord {
 /// Throws InputError naming the place.
 UniformityTest read_uniformity_test(const Node& root, const MeasuredConditions& measured = {});
 
-/// The tire is left as it stands at the end.
+/// Runs the test; the tire keeps its final state.
 Result<UniformityRecord> run(Tire& tire, const UniformityTest& test);
 
-/// Of values at even distances over a turn: of their harmonics 1 to `harmonics`, of which there are
+/// Variation of values at equal spacing over a turn: the sum of their harmonics 1 to `harmonics`,
 /// at most half as many as values.
 ForceVariation variation_of(const std::vector<double>& values, int harmonics);
 

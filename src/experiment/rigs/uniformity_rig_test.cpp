@@ -14,8 +14,8 @@
 namespace latsch::experiment {
 namespace {
 
-/// A spring on a wheel that runs out, with a force to the side that keeps its side, one that does
-/// not, and one twice a turn; it rolls by a stiff slip.
+/// A spring on a wheel with run-out, a side force that keeps its side, one that changes it, and one
+/// twice a turn; it rolls with a stiff slip.
 class UnevenSpring final : public Tire {
  public:
   double free_radius() const override { return 0.3; }
@@ -53,7 +53,7 @@ class UnevenSpring final : public Tire {
   }
 };
 
-// Radial force varies by 2 a k once a turn, to the side by 2 l twice.
+// The radial force varies by 2 a k once a turn, the lateral force by 2 l twice a turn.
 TEST(Uniformity, OfASpringThatRunsOutIsItsRunOutTimesItsStiffness) {
   for (const double diameter : {0.0, 2.0}) {
     UnevenSpring tire;
@@ -78,7 +78,7 @@ TEST(Uniformity, AVariationIsThatOfItsHarmonics) {
     values.push_back(100.0 + 3.0 * wave(1, i) + 2.0 * wave(2, i) + 7.0 * wave(60, i));
   const ForceVariation found = variation_of(values, 10);
   EXPECT_NEAR(found.first, 6.0, 1e-9);
-  // 3 cos x + 2 cos 2x: from -2 - 9/16 at cos x = -3/8 to 5.
+  // 3 cos x + 2 cos 2x ranges from -2 - 9/16 at cos x = -3/8 to 5.
   EXPECT_NEAR(found.all, 7.0 + 9.0 / 16.0, 1e-4);
   EXPECT_NEAR(variation_of(values, 1).all, 6.0, 1e-4);
 }
@@ -91,7 +91,7 @@ ring_tire::RingParameters coarse_ring() {
   return ring;
 }
 
-/// N/m, of the standing ring.
+/// Stiffness of the standing ring, N/m.
 double standing_stiffness_of(const ring_tire::RingParameters& ring, double load) {
   double height[2];
   const double step = 50.0;  // N
@@ -110,8 +110,8 @@ double standing_stiffness_of(const ring_tire::RingParameters& ring, double load)
   return 2.0 * step / (height[0] - height[1]);
 }
 
-// The stiffness is that of the standing ring, which the rolling one has but for friction in the
-// patch; the patch averages some percent of the wave away.
+// The rolling ring has the stiffness of the standing ring except for friction in the patch; the
+// patch averages some percent of the wave away.
 TEST(Uniformity, OfARingThatRunsOutIsNearItsRunOutTimesItsStiffness) {
   ring_tire::RingParameters ring = coarse_ring();
   const double k = standing_stiffness_of(ring, 3500.0);
@@ -125,7 +125,8 @@ TEST(Uniformity, OfARingThatRunsOutIsNearItsRunOutTimesItsStiffness) {
   EXPECT_LT(found->lateral.all, 1.0);
 }
 
-/// N to the left, mean over 0.2 m of a ring that rolls straight on at a height after 2.8 m.
+/// Side force in N to the left, mean over 0.2 m, of a ring that rolls straight on at a height after
+/// 2.8 m.
 double straight_on(const ring_tire::RingParameters& ring, double height, double way) {
   ring_tire::RingTire tire(ring);
   WheelMotion motion;
@@ -145,8 +146,8 @@ double straight_on(const ring_tire::RingParameters& ring, double height, double 
   return sum;
 }
 
-// Half the sum and half the difference of the forces at straight rolling, forward and back. There
-// the wheel is held at a speed near free rolling, on the machine it is free.
+// Half the sum and half the difference of the forces at straight rolling, forward and backward. In
+// that run the wheel is held at a speed near free rolling, on the machine it is free.
 TEST(Uniformity, ConicityAndPlySteerAreThoseOfStraightRolling) {
   ring_tire::RingParameters ring = coarse_ring();
   ring.belt.bending_twist = 5.0;

@@ -11,7 +11,8 @@
 namespace latsch::experiment {
 namespace {
 
-/// Around the circumference moves the whole belt alone; all else in the plane is called radial.
+/// Only a motion of the whole belt around the circumference is called torsional; all other modes in
+/// the plane are called radial.
 fe_tire::ModeType type_of(const ring_tire::StandingMode& mode) {
   if (mode.lateral) return fe_tire::ModeType::lateral;
   const bool around = mode.shape.row(1).norm() > mode.shape.row(0).norm();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The modes of a flexible ring with its rim held, off the ground or standing on it.
+// The modes of a flexible ring with its rim fixed, off the ground or standing on it.
 //
-// Channels, one value a mode: "frequency" (Hz), "damping" (of critical), and "n", "type", "phase"
-// in the codes of mode_record.h.
+// Channels, one value for each mode: "frequency" (Hz), "damping" (of critical), and "n", "type",
+// "phase" in the codes of mode_record.h.
 #pragma once
 
 #include "base/result.h"

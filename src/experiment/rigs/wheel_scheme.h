@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How rigs find the motion of what the tire moves: a wheel that spins freely, an axle under its
-// load. A part of the identity of tests that roll, so that a journal never mixes recordings of two.
+// Version of the method by which rigs solve the motion of parts that the tire moves: a freely
+// spinning wheel, an axle under its load. It is part of the identity of tests that roll, so that a
+// journal never mixes recordings of two versions.
 #pragma once
 
 namespace latsch::experiment {

@@ -4,28 +4,28 @@
 //
 //   kind = "axle_kc"
 //   axle = "front"                       # or "rear"
-//   mode = "parallel"                    # default; or "opposed", "single": what the right wheel
-//                                        # gets
-//   springs = "free"                     # default; or "locked": bars in their place
+//   mode = "parallel"                    # default; or "opposed", "single": the right wheel's load
+//   springs = "free"                     # default; or "locked": bars replace them
 //   at = "contact_patch"                 # default; or "wheel_center": of loads and of dx, dy, dz
 //   Fx = ["0 N", "1 kN"]                 # of the left wheel: Fx, Fy, Fz, Mx, My, Mz, of every
 //   Mz = "100 N m"                       # state or one for all of them; none: zero
 //   travel = ["-30 mm", "30 mm"]         # of the left wheel center, by a pad; none: free
 //   rack = "5 mm"                        # to the left; default 0
-//   Fz_L = ["1 kN", "2 kN"]              # in the place of mode, Fx ... travel: of each wheel by
+//   Fz_L = ["1 kN", "2 kN"]              # instead of mode, Fx ... travel: of each wheel by
 //   Fz_R = ["1 kN", "0 kN"]              # itself, Fx_L ... Mz_R, travel_L, travel_R
 //   loads = {from = "measurement.rig"}   # or all that a rig recorded, Fx ... Mz or Fx_L ... Mz_R
 //   travel_L = {from = "measurement.rig"}    # or any of these as it was recorded
 //   slopes_by = "Fz"                     # adds dz_L_by_Fz, toe_R_by_Fz ...: slopes of a regression
-//   window = ["1 kN", "4 kN"]            # over the states where Fz is in there
+//   window = ["1 kN", "4 kN"]            # over the states whose Fz is in this range
 //
-// Loads and travels of the right wheel: parallel, the same (of Fy, Mx and Mz the mirror image);
-// opposed, the opposite of that; single: none, and the pad holds it where it was.
+// Loads and travels of the right wheel are equal to those of the left in mode "parallel" (Fy, Mx
+// and Mz mirrored) and opposite in mode "opposed"; in mode "single" there is no load, and the pad
+// holds the wheel at its initial height.
 //
-// Its channels are what is stated, rack, and of both wheels dx, dy, dz, camber, toe, caster
-// (dx_L .. caster_R; signs as in test kc), the springs' extension and the
-// pads' force. `latsch test --details FILE` writes the 12 x 12 compliance matrix of every state and
-// the classical compliances, in phase and out of phase; `--html FILE` draws the loops.
+// The channels are the stated quantities, rack, and for both wheels dx, dy, dz, camber, toe, caster
+// (dx_L .. caster_R; signs as in test kc), the springs' extension and the pads' force.
+// `latsch test --details FILE` writes the 12 x 12 compliance matrix of every state and the
+// classical compliances, in phase and out of phase; `--html FILE` draws the loops.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -126,7 +126,7 @@ class AxleKc : public Test {
   std::string mode_;
 };
 
-/// Fx ... Mz, Fx_L ... Mz_L, Fx_R ... Mz_R
+/// Fx ... Mz, Fx_L ... Mz_L, Fx_R ... Mz_R.
 std::vector<Prescribed> axle_loads() {
   std::vector<Prescribed> loads;
   for (const char* of : {"", "_L", "_R"})
@@ -139,12 +139,12 @@ bool is_of_one_wheel(const std::string& name) {
   return name.ends_with("_L") || name.ends_with("_R");
 }
 
-/// What the right wheel gets of the left one's: +1 or -1 times that of its mirror image, or none.
+/// Factor of the right wheel's loads relative to the mirror image of the left wheel's: +1, -1 or 0.
 double share_of_right(const std::string& mode) {
   return mode == "parallel" ? 1.0 : mode == "opposed" ? -1.0 : 0.0;
 }
 
-/// In words; rejects a mode where each wheel has its own.
+/// Returns the mode in words; rejects a mode if each wheel has its own loads.
 std::string read_mode(const Node& root, const Histories& histories) {
   std::string of_one, of_both;
   for (const Prescribed& one : histories.stated())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every channel of which a test claims slopes has them, of every kind of model that has any:
-// searches that stand on them are chosen by the claim alone.
+// Every channel for which a test claims slopes has them, for every kind of model with slopes: the
+// choice of a search relies on the claim alone.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -44,7 +44,7 @@ std::vector<std::string> DrumCleatTest::needs() const { return kDrumCleat.needs;
 
 std::optional<Reach> DrumCleatTest::reach(const std::string& channel) const {
   if (channel != "time") return std::nullopt;
-  // As drum_rig.cpp records: the first sample one sample step behind the beginning.
+  // The first sample is one sample step after the beginning, as in drum_rig.cpp.
   const auto steps = [&](double time) { return std::lround(time / test_.step); };
   const long every = steps(test_.sample_step), lead = steps(test_.lead);
   const long last = steps(test_.duration - test_.lead);

@@ -22,7 +22,7 @@ class DrumCleatTest : public Test {
   DrumTest test_;
 };
 
-/// Of a file that has to be of this kind. InputError.
+/// Reads a file that must be of this kind. Throws InputError.
 DrumTest read_drum_cleat(const std::filesystem::path& file);
 
 }  // namespace latsch::experiment

@@ -61,7 +61,8 @@ Result<std::vector<ChannelConvergence>> drum_convergence(const SpecimenKind& kin
   Document finer = numbers;
   const double segments = std::round(1.5 * numbers.get(kSegments));
   finer.set(kSegments, segments);
-  // Passages that meet the wheel all over a segment do so with the shorter one, too.
+  // Passages that hit the wheel at positions spread over a segment must do so with shorter segments
+  // too.
   DrumTest closer = test;
   closer.wheel_step *= numbers.get(kSegments) / segments;
   const auto refined = run_on_drum(kind, finer, closer);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What step and mesh change in a run on the drum: the same test with half the step, and with half
-// as many segments again. Numbers that are fitted take in what of it the noise does not hide, and
-// what they took in is wrong in the next test.
+// Effects of step and mesh on a run on the drum: the same test with half the step, and with 3/2 of
+// the segments. Fitted numbers absorb these errors unless the noise hides them, and then are wrong
+// in the next test.
 #pragma once
 
 #include <string>
@@ -12,15 +12,17 @@
 
 namespace latsch::experiment {
 
-/// Root mean squares of a force or moment over the record, N or N m.
+/// Root mean square errors of a force or moment over the record, N or N m.
 struct ChannelConvergence {
   std::string name, unit;
   double about_mean = 0.0;
-  double by_step = 0.0;      // of the difference to half the step
-  double by_segments = 0.0;  // of that to 3/2 of the segments; 0: a tire without any
+  double by_step = 0.0;      // difference to a run with half the step
+  double by_segments = 0.0;  // difference to a run with 3/2 of the segments; 0: a tire without
+                             // segments
 };
 
-/// Of Fx .. Mz in the first of its frames; a Failure where one of the runs has no solution.
+/// Computes them for Fx .. Mz in the first of its frames; a Failure if one of the runs has no
+/// solution.
 Result<std::vector<ChannelConvergence>> drum_convergence(const SpecimenKind& kind,
                                                          const Document& numbers,
                                                          const DrumTest& test);

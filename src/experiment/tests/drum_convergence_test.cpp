@@ -27,8 +27,8 @@ DrumTest test_with(double step) {
           .cleat = Cleat{.height = 0.01, .length = 0.02, .bevel = 0.003}};
 }
 
-// Tire and wheel are integrated with order 2, and over a cleat still: half the step changes a
-// quarter, along the road and upward, of steps shorter than a block takes to come down.
+// Tire and wheel are integrated with order 2, also over a cleat: half the step changes a quarter as
+// much, along the road and upward, if steps are shorter than the time in which a block comes down.
 TEST(DrumConvergence, AStepChangesFourTimesLessWhenHalved) {
   const Document ring = example_ring();
   std::vector<ChannelConvergence> runs[2];

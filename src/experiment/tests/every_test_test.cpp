@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every kind of tire through every kind of test, by one interface.
+// Runs every kind of tire through every kind of test, by one interface.
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
@@ -66,13 +66,14 @@ TEST_F(EveryTest, EveryKindCarriesItsLoadOverTheSameCleat) {
       EXPECT_EQ(channels->find(channel.name)->unit, channel.unit);
     }
     const std::vector<double>& Fz = (*channels)["Fz"];
-    // Before the cleat the load, a little above it as the belt grows with speed; then a blow.
+    // Before the cleat the force is the load, a little more as the belt grows with speed; then a
+    // peak.
     EXPECT_NEAR(Fz.front(), 4000.0, 300.0) << kind->name();
     EXPECT_GT(*std::max_element(Fz.begin(), Fz.end()), 4600.0) << kind->name();
   }
 }
 
-// Whatever rolls; the same all around it has nothing to show.
+// The test runs for every rolling tire; a tire without irregularity has no variation.
 TEST_F(EveryTest, EveryTireThatRollsGoesOnTheUniformityMachine) {
   const auto tir = write("tire.tir", kTir);
   const auto machine =
@@ -123,7 +124,7 @@ TEST_F(EveryTest, AStandingTireHasTheStiffnessOfItsFile) {
   ASSERT_TRUE(curve) << curve.failure().reason;
   // Q_FZ2 = 0: a straight line.
   EXPECT_NEAR((*curve)["force"][1], 190000.0 * 0.02, 1.0);
-  // It touches the road in one point: on a cleat as beside it.
+  // The tire touches the road in one point, so on a cleat it behaves as beside the cleat.
   const auto on_cleat = language().run(
       kind,
       kind.read(tir),
@@ -139,7 +140,7 @@ TEST_F(EveryTest, AStandingTireHasTheStiffnessOfItsFile) {
   EXPECT_NEAR((*under_load)["vertical"][0], 190000.0, 500.0);
 }
 
-// The bristles of a patch that is turned far slide: the twist is part of the test, as is the
+// The bristles of a patch slide if it is twisted far: the twist is part of the test, as is the
 // travel.
 TEST_F(EveryTest, StiffnessIsThatOverTheWayOfTheTest) {
   const SpecimenKind& kind = *language().find_kind("ring_tire");
@@ -160,7 +161,7 @@ TEST_F(EveryTest, StiffnessIsThatOverTheWayOfTheTest) {
   EXPECT_LT(far.second, 0.95 * usual.second);
 }
 
-// The same test of three models: the ring's blocks, the formula's rectangle 2 a x 2 b, here with
+// One test of three models: the ring has blocks, the formula the rectangle 2 a x 2 b, here with
 // Q_RA1 and Q_RB1 alone: a = R0 Q_RA1 sqrt(Fz/(Cz R0)), b = w Q_RB1 (Fz/(Cz R0))^(1/3).
 TEST_F(EveryTest, EveryTireHasAFootprint) {
   const auto tir =
@@ -168,7 +169,7 @@ TEST_F(EveryTest, EveryTireHasAFootprint) {
   const auto footprint = test("kind = \"footprint\"\nloads = [\"2 kN\", \"4 kN\"]\n");
   for (const SpecimenKind* kind : language().kinds) {
     const bool is_meshed = kind->name() == "fe_tire" || kind->name() == "inp_tire";
-    if (is_meshed || !can(*kind, *footprint)) continue;  // they have their own
+    if (is_meshed || !can(*kind, *footprint)) continue;  // they have tests of their own
     const auto channels =
         language().run(*kind, kind->read(kind->name() == "ring_tire" ? kRing : tir), *footprint);
     ASSERT_TRUE(channels) << kind->name() << channels.failure().reason;
@@ -176,7 +177,8 @@ TEST_F(EveryTest, EveryTireHasAFootprint) {
     for (int i : {0, 1}) {
       const auto at = static_cast<std::size_t>(i);
       const double load = (*channels)["load"][at];
-      EXPECT_NEAR(load, 2000.0 * (i + 1), 100.0) << kind->name();  // the belt's weight is its own
+      EXPECT_NEAR(load, 2000.0 * (i + 1), 100.0) << kind->name();  // the belt's weight is
+                                                                   // additional
       EXPECT_NEAR((*channels)["mean_pressure"][at] * (*channels)["area"][at], load, 1e-6)
           << kind->name();
       if (kind->name() == "ring_tire") continue;
@@ -194,7 +196,7 @@ TEST_F(EveryTest, EveryTireHasAFootprint) {
   EXPECT_NE(without.failure().reason.find("contact patch"), std::string::npos);
 }
 
-// Off the ground the pair n = 1 in the plane is one frequency, on it two.
+// Off the ground the in-plane pair n = 1 has one frequency, on the ground two.
 TEST_F(EveryTest, ARingHasModesOnTheGroundAndOffIt) {
   const SpecimenKind& ring = *language().find_kind("ring_tire");
   const auto free = test("kind = \"modes\"\ncount = 8\n");
@@ -214,7 +216,7 @@ TEST_F(EveryTest, ARingHasModesOnTheGroundAndOffIt) {
   EXPECT_THROW((void)language().run(formula, formula.read(tir), *standing), InputError);
 }
 
-// To the bit; and another pressure is another load.
+// The results are equal to the bit; and another pressure gives another load.
 TEST_F(EveryTest, ThePressureOfATestIsThatOfAFileWithIt) {
   const std::vector<std::string> tests = {
       "kind = \"load_deflection\"\ndeflections = [\"15 mm\"]\n",
@@ -261,7 +263,7 @@ TEST_F(EveryTest, ThePressureOfATestIsThatOfAFileWithIt) {
   }
 }
 
-// Friction stands in the files of tires that roll: said before anything runs.
+// Rolling tires have friction in their own files: the error occurs before anything runs.
 TEST_F(EveryTest, AStatedConditionIsForModelsThatTakeIt) {
   const SpecimenKind &ring = *language().find_kind("ring_tire"),
                      &fe = *language().find_kind("fe_tire");
@@ -297,7 +299,7 @@ TEST_F(EveryTest, SteadyStatesAreForTheMagicFormulaAlone) {
 }
 
 // A tire on the other side turns and leans the other way, and so do its forces; without the limit
-// the load is that of the table. What differs has another identity.
+// the load is that of the table. Tests that differ have different identities.
 TEST_F(EveryTest, SteadyStatesAreTakenAsTheTestSays) {
   const auto tir = write("tire.tir", kTir);
   write("states.csv", "Fz [kN],alpha [deg],gamma [deg]\n4,2,1\n4,-2,-1\n");
@@ -320,7 +322,7 @@ TEST_F(EveryTest, SteadyStatesAreTakenAsTheTestSays) {
   EXPECT_EQ(identity(head), identity(head + "limits = \"on\"\n"));
 }
 
-// Slopes are those of the tire as the test takes it.
+// Slopes refer to the tire with the conventions of the test.
 TEST_F(EveryTest, SlopesOfSteadyStatesFollowTheConventionsOfTheTest) {
   const auto tir = write("tire.tir", kTir);
   write("states.csv", "Fz [kN],alpha [deg],gamma [deg]\n4,2,1\n4,-3,-1\n");
@@ -345,7 +347,7 @@ TEST_F(EveryTest, SlopesOfSteadyStatesFollowTheConventionsOfTheTest) {
   }
 }
 
-// What stands in the file is what the tree of numbers gives back, to the last bit.
+// The tree of numbers returns the numbers of the file, to the last bit.
 TEST_F(EveryTest, TheNumbersOfATirAreThoseOfTheFile) {
   const auto tir = write("tire.tir", kTir);
   const auto direct = formats::read_tir(tir).parameters;
@@ -400,7 +402,7 @@ TEST_F(EveryTest, AFileThatDoesNotSayItsKindIsToldHow) {
   }
 }
 
-// As far as a test says where its record begins and ends, it is the record's own.
+// The range that a test states without a run is that of the record.
 TEST(ReachOfATest, IsThatOfItsRecord) {
   char pattern[] = "/tmp/latsch_reach_XXXXXX";
   ASSERT_TRUE(mkdtemp(pattern));

@@ -42,12 +42,13 @@ class StandingFootprintTest : public Test {
   }
 
   std::optional<long> samples() const override {
-    if (!test_.sensors.empty()) return std::nullopt;  // their channels have more
+    if (!test_.sensors.empty()) return std::nullopt;  // their channels have more values
     return std::ssize(test_.loads) + std::ssize(test_.deflections);
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
-  /// Of what is pressed; what rolls tells none. What a sensor measures jumps with its neighbors.
+  /// Only a pressed tire has slopes, a rolling tire has none. The reading of a sensor jumps with
+  /// its neighbors.
   bool tells_slopes(const SpecimenKind& kind, const std::string& channel) const override {
     return test_.friction.value_or(0.0) == 0.0 && test_.camber == 0.0 &&
            kind.has(IsPressed::kName) && channel != "peak_pressure" && channel != "pressure" &&

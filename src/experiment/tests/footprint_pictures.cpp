@@ -14,7 +14,7 @@ namespace {
 
 using report::Axis;
 
-/// All elements, the state they belong to by its number.
+/// Returns all elements, each with the number of its state.
 Channels element_channels(const std::vector<StandingFootprint>& states) {
   Channel state{"state", "1", {}}, x{"x", "m", {}}, y{"y", "m", {}}, pressure{"pressure", "Pa", {}};
   Channel shear_x{"shear_x", "Pa", {}}, shear_y{"shear_y", "Pa", {}};
@@ -33,7 +33,7 @@ Channels element_channels(const std::vector<StandingFootprint>& states) {
   return channels;
 }
 
-/// From above, forward to the right; millimeters and bar.
+/// Draws the pressure seen from above, forward to the right; millimeters and bar.
 std::string pressure_picture(const Footprint& print, double most) {
   constexpr double kLeft = 64.0, kTop = 28.0, kScale = 2.2;  // pixels, pixels a millimeter
   double x = 10.0, y = 10.0;

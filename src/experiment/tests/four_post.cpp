@@ -8,17 +8,17 @@
 //   duration = "20 s"
 //   amplitude = "3 mm"                   # up to the frequency at which the plates move at
 //   velocity = "0.1 m/s"                 # this peak velocity, which holds above it
-//   posts = {from = "measurement.rig"}   # in the place of the sweep: the heights post_FL, post_FR,
-//                                        # post_RL, post_RR that were recorded, evenly in time; or
+//   posts = {from = "measurement.rig"}   # instead of the sweep: the recorded heights post_FL,
+//                                        # post_FR, post_RL, post_RR, evenly in time; or
 //                                        # posts = "heights.csv", a table of them and time
 //   step = "0.2 ms"                      # of the simulation; default
-//   sample_step = "1 ms"                 # of the record, a multiple of it; default
-//   spectra = true                       # adds channels over frequency; in recorded posts to the
-//                                        # signal of the mode that is stated; default false
+//   sample_step = "1 ms"                 # of the record, a multiple of step; default
+//   spectra = true                       # adds channels over frequency; with recorded posts
+//                                        # relative to the signal of `mode`; default false
 //   segment = "4 s"                      # of Welch's method for densities, and 1/segment the
 //                                        # distance of lines; default, or all of a shorter record
 //   band = ["0.5 Hz", "30 Hz"]           # the lines that are kept; those of the sweep unless
-//                                        # given, inside of what the posts' record holds
+//                                        # given, within the posts' record
 //
 // Its channels: time, forces of the push-rods (pushrod_FL ..., compression positive), of the road
 // on the tires (Fz_FL ...), accelerations of hubs and body upward, spring travel, heave, roll and
@@ -44,7 +44,8 @@ namespace latsch::experiment {
 extern const TestKind kFourPost;
 namespace {
 
-/// The mode to whose signal responses are told, and how; with spectra unless only a page asks.
+/// The mode to whose signal responses refer, and their settings; with spectra unless only a page
+/// needs them.
 struct Frequencies {
   PostMode mode = PostMode::heave;
   PostSpectra settings;
@@ -106,7 +107,7 @@ class FourPost : public Test {
     test.still = 3.0;
     return test;
   }
-  /// Without that end.
+  /// Returns the record without the rest at its end.
   Channels as_posts_moved(const Channels& record) const {
     const auto count = static_cast<std::size_t>(
         std::lround((test_.times.back() - test_.times.front()) / test_.sample_step) + 1);
@@ -134,7 +135,7 @@ void read_steps(const Node& root, FourPostTest& test) {
     root.reject("sample_step", "is no multiple of step");
 }
 
-/// Of a measurement of the study, or of a table beside the file.
+/// Reads heights from a measurement of the study, or from a table beside the file.
 Channels heights_of(const Node& root, const TestSource& source) {
   std::vector<MeasuredCondition> conditions = {{.channel = "time", .unit = "s", .is_needed = true}};
   for (const std::string& name : of_corners("post"))
@@ -167,9 +168,11 @@ FourPostTest recorded_posts(const Node& root, const TestSource& source) {
 
 constexpr std::array<const char*, 4> kModes = {"heave", "pitch", "roll", "warp"};
 
-constexpr double kFewestPeriods = 2.0;  // in a record, of what it tells
+constexpr double kFewestPeriods = 2.0;  // periods of the lowest frequency in a record; fewer make
+                                        // the response unreliable
 
-/// Frequencies that the posts' record does not hold: a response there is that of rounding.
+/// Refuses frequencies that the posts' record does not contain: a response there would consist of
+/// rounding errors.
 void refuse_beyond(const Node& root,
                    const FourPostTest& test,
                    const PostSweep* sweep,
@@ -195,7 +198,7 @@ void refuse_beyond(const Node& root,
         sweep->to));
 }
 
-/// `from` and `to`: of the band where nothing is said, Hz; with the sweep that the posts follow.
+/// `from` and `to` are the default band, Hz; `sweep` is what the posts follow, if they do.
 Frequencies read_frequencies(const Node& root,
                              PostMode mode,
                              const FourPostTest& test,
@@ -204,7 +207,7 @@ Frequencies read_frequencies(const Node& root,
                              const PostSweep* sweep = nullptr) {
   Frequencies read{.mode = mode, .settings = {.from = from, .to = to}};
   read.are_recorded = root.flag("spectra", false);
-  // Recorded posts hold what they hold; a sweep states its own.
+  // A record contains limited frequencies; a sweep states its own.
   if (!sweep) read.settings.from = std::max(from, kFewestPeriods / test.times.back());
   read.settings.moving = test.times.back();
   PostSpectra& settings = read.settings;

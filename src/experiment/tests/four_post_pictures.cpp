@@ -10,15 +10,15 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kWide = 1080.0;  // pixels: of a history
+constexpr double kWide = 1080.0;  // pixels; width of a history
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// Sensors that share a frame: one a corner, or the body's.
+/// Sensors that share a plot: one for each corner, or that of the body.
 struct PostFrame {
   const char* title;
-  std::string channel;  // without its corner
+  std::string channel;  // name without the corner
   const char* y_title;
-  double factor;  // from SI
+  double factor;  // converts from SI
   const char* caption;
   bool logarithmic = false;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a page shows of a car on four posts: histories, densities, transfer functions.
+// Draws a car on four posts on a page: histories, densities, transfer functions.
 #pragma once
 
 #include "experiment/language/test.h"
@@ -7,7 +7,7 @@
 
 namespace latsch::experiment {
 
-/// Of what rigs/car/four_post_rig.h records, and the same over frequency (post_spectra.h).
+/// Draws the record of rigs/car/four_post_rig.h and its spectra (post_spectra.h).
 Test::Details four_post_details(const Channels& record, const Channels& over_frequency);
 
 }  // namespace latsch::experiment

@@ -6,12 +6,12 @@
 //   Fz = ["0 N", "2.5 kN", "5 kN"]       # of the ground on the tire: Fx, Fy, Fz, Mx, My, Mz,
 //   Mz = "100 N m"                       # of every state, or one for all of them
 //   loads = {from = "measurement.rig"}   # or all it recorded; Fz = {from = ...}: this one
-//   at = "contact_patch"                 # or "wheel_center": where they act and what dx, dy, dz
-//                                        # are of
+//   at = "contact_patch"                 # or "wheel_center": the point of the loads and of
+//                                        # dx, dy, dz
 //   slopes_by = "Fz"                     # adds dz_by_Fz, toe_by_Fz ...: slopes of a regression
-//   window = ["1 kN", "4 kN"]            # over the states where Fz is in there
+//   window = ["1 kN", "4 kN"]            # over the states whose Fz is in this range
 //
-// Its channels are the loads and dx, dy, dz, camber, toe, caster from the unloaded corner: x
+// Its channels are the loads and dx, dy, dz, camber, toe, caster relative to the unloaded corner: x
 // forward, y left, z up; camber with the top outboard, toe with the front inboard, caster with the
 // top of the kingpin rearward. `latsch test --details FILE` writes the compliance matrix of every
 // state: dx_by_Fx ... about_z_by_Mz; `--html FILE` draws the loops.
@@ -87,7 +87,7 @@ class KcTestOfCorner : public Test {
   }
   bool has_film() const override { return true; }
   Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
-    std::size_t along = 0;  // the first load that varies, or that is stated
+    std::size_t along = 0;  // index of the first load that varies, or that is stated
     for (std::size_t i = 6; i-- > 0;)
       if (test_.stated[i]) along = i;
     for (std::size_t i = 6; i-- > 0;)

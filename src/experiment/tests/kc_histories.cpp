@@ -43,9 +43,10 @@ Histories::Histories(const Node& root,
     }
   for (const auto& [name, values] : values_) states_ = std::max(states_, values.size());
   if (values_.empty()) {
-    // A typo in the only key that states something, unless keys are there that are read later.
+    // The only key that states something may be misspelled, unless there are keys that are read
+    // later.
     if (!root.has("mode") && !root.has("slopes_by") && !root.has("window")) root.close();
-    root.one_or_more(example, loads[0].unit);  // what was probably meant is named
+    root.one_or_more(example, loads[0].unit);  // names the key that was probably meant
   }
   if (states_ == 0)
     root.reject(stated_.front().name, "is empty, expected the loads of one state at least");

@@ -26,7 +26,7 @@ constexpr std::array<LoopFrame, 6> kLoopFrames = {
      {"camber", "Camber", "Positive: top outboard."},
      {"caster", "Caster", "Positive: top of the kingpin rearward."}}};
 
-/// As a person reads it.
+/// Unit for display.
 struct ShownUnit {
   const char* name;
   double factor;
@@ -43,7 +43,7 @@ double range_of(const std::vector<double>& values) {
   return *high - *low;
 }
 
-/// What varies, a force before what else there is.
+/// Returns the prescribed quantity that varies, preferably a force.
 std::string abscissa(const Channels& recorded, const std::vector<std::string>& prescribed) {
   for (const std::string& name : prescribed)
     if (range_of(recorded[name]) > 0.0) return name;
@@ -55,7 +55,7 @@ std::vector<double> in_unit(std::vector<double> values, double factor) {
   return values;
 }
 
-/// The line of the regression from one end of its window to the other.
+/// Returns the regression line from one end of its window to the other.
 report::PlotLine line_of_slope(const SlopesBy& slopes,
                                const Channel& x,
                                const Channel& y,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a page shows of a K&C rig: the loops that travel and angles make over what is prescribed, in
-// the order of the states, with the lines whose slopes are the numbers of the rig.
+// Draws a K&C rig on a page: the loops of travel and angles over a prescribed quantity, in the
+// order of the states, with the regression lines whose slopes are the numbers of the rig.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace latsch::experiment {
 
-/// Channels "dx", "dx_L" ... with these endings, over that of the slopes or, without, over that of
-/// `prescribed` that varies first. Nothing where none does.
+/// Draws channels "dx", "dx_L" ... with these endings over the abscissa of the slopes or, without
+/// slopes, over the first varying channel of `prescribed`. Returns nothing if none varies.
 std::vector<Test::Picture> loop_pictures(const Channels& recorded,
                                          const std::vector<std::string>& prescribed,
                                          const std::vector<std::string>& endings,

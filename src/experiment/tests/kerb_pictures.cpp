@@ -18,13 +18,13 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr std::array<int, 2> kLeft = {car::kFL, car::kRL};
-// What stands for the chassis, m at rest, by the axles: a wedge with a cockpit.
+// Sketch of the chassis relative to the axles, m at rest: a wedge with a cockpit.
 const std::vector<Vector2d> kBody = {{0.45, 0.06}, {0.45, 0.20}, {-0.45, 0.42}, {-0.60, 0.62}};
 const std::vector<Vector2d> kTail = {{0.25, 0.72}, {-0.30, 0.60}, {-0.40, 0.12}};
 
 Vector2d side_of(const Vector3d& point) { return {point.x(), point.z()}; }
 
-/// Tenths of millimeters, which a page has no use to see finer.
+/// Rounds to tenths of millimeters, which is fine enough for a page.
 std::string tenths(const std::vector<Vector2d>& points, const Vector2d& from) {
   std::vector<long> numbers;
   for (const Vector2d& point : points) {
@@ -34,7 +34,7 @@ std::string tenths(const std::vector<Vector2d>& points, const Vector2d& from) {
   return fmt::format("[{}]", fmt::join(numbers, ","));
 }
 
-// Every length in tenths of millimeters; z upward, the picture's y downward.
+// Every length is in tenths of millimeters; z points upward, the picture's y downward.
 constexpr std::string_view kPlayer = R"js(
 (function () {
   const box = document.currentScript.parentElement, svg = box.querySelector("svg");
@@ -128,7 +128,7 @@ std::array<std::complex<double>, KerbFilm::kWaves> KerbFilm::waves(
   };
   double all = 0.0;
   for (std::size_t k = 0; k < count; ++k) {
-    // Half the way to either neighbor, on the circle.
+    // The weight is half the distance between both neighbors on the circle.
     const double weight =
         0.5 * std::abs(std::remainder(angle(k + 1) - angle(k + count - 1), 2.0 * M_PI));
     all += weight;

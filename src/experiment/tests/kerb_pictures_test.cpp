@@ -10,8 +10,8 @@
 namespace latsch::experiment {
 namespace {
 
-// r = R + Σ a_n cos(nφ - ψ_n) has c_n = a_n/2 e^(-iψ_n). Points drift against even ones, as nodes
-// of a belt do; the trapezoidal rule on uneven points is of second order.
+// r = R + Σ a_n cos(nφ - ψ_n) has c_n = a_n/2 e^(-iψ_n). The points deviate from even spacing, as
+// nodes of a belt do; the trapezoidal rule on uneven points is of second order.
 TEST(KerbFilm, FindsTheWavesACurveIsMadeOf) {
   const std::array<double, 6> a = {0.0, 2e-3, 1e-3, 3e-3, 5e-4, 7e-4};
   std::vector<Eigen::Vector2d> points;
@@ -30,8 +30,8 @@ TEST(KerbFilm, FindsTheWavesACurveIsMadeOf) {
   }
 }
 
-// Three sines of amplitude sqrt(2/3) have the variance 1 between them; over a hundred periods the
-// mean and the deviation are those asked for.
+// Three sines of amplitude sqrt(2/3) have together the variance 1; over a hundred periods mean and
+// deviation are the prescribed ones.
 TEST(Wander, HasTheDeviationAskedFor) {
   const History speed = wandering(60.0, 0.5, {.period = 0.5, .seed = 3}, 1, 0.0, 50.0);
   double mean = 0.0, square = 0.0;

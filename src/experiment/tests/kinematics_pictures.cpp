@@ -21,11 +21,11 @@ enum class Shown { always, where_wheels_differ };
 struct CurveFrame {
   const char* title;
   const char* y_title;
-  double factor;  // from SI
+  double factor;  // converts from SI
   std::vector<ShownCurve> lines;
   const char* caption;
   Shown shown = Shown::always;
-  Sense positive = Sense::same;  // the caption goes on with what that is
+  Sense positive = Sense::same;  // positive direction, which the caption names
 };
 
 constexpr double kDegrees = 180.0 / std::numbers::pi, kMillimeters = 1e3;
@@ -142,7 +142,7 @@ bool is_varied(const std::vector<double>& values) {
   return *upper > *lower;
 }
 
-/// Which way is positive: "to the left".
+/// Returns the positive direction: "to the left".
 const char* way(Sense sense, SignView view) {
   const bool as_iso = suspension::sign(view, sense) > 0.0;
   switch (sense) {
@@ -168,7 +168,7 @@ std::string caption_of(const CurveFrame& frame, SignView view) {
   return std::string(frame.caption) + " Positive: " + way(frame.positive, view) + ".";
 }
 
-/// What all frames are drawn over.
+/// Common abscissa of all frames.
 struct Abscissa {
   std::string title;
   std::vector<double> values;

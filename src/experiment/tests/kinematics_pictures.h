@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a page shows of a suspension's kinematics: its curves by travel, roll or rack, in degrees
-// and millimeters.
+// Draws a suspension's kinematics on a page: its curves over travel, roll or rack, in degrees and
+// millimeters.
 #pragma once
 
 #include "experiment/language/test.h"
@@ -8,8 +8,8 @@
 
 namespace latsch::experiment {
 
-/// Of the channels that are there, those that belong together in one frame; they have the signs of
-/// that convention already, captions and axes say them.
+/// Draws the existing channels that belong together in one plot; they are in the signs of that
+/// convention already, which captions and axes name.
 Test::Details kinematics_details(const Channels& channels, suspension::SignView view);
 
 }  // namespace latsch::experiment

@@ -4,13 +4,14 @@
 //   kind = "load_deflection"
 //   pressure = "2.6 bar"               # the tire's own unless given (rigs/inflation.h)
 //   friction = 0.8                     # with the ground; 0 unless given
-//   deflections = ["5 mm", "10 mm"]    # from first touch; or loaded_radii = ["310 mm"]; of either
-//                                      # {from = "measurement.pressed"}: as they were measured
+//   deflections = ["5 mm", "10 mm"]    # from first touch; or loaded_radii = ["310 mm"]; either
+//                                      # may be {from = "measurement.pressed"}: as measured
 //
-// Channels, one value a position in the order asked for: "deflection", "loaded_radius" (m), "force"
-// (N), and of a tire that knows its patch "patch_length", "patch_width" (m), "patch_area" (m^2). A
-// loaded radius larger than that of the tire is no contact: all are 0. The tire is pressed once
-// through all positions, deeper and deeper: with friction the way there is part of the result.
+// Channels, one value for each position in the order of the file: "deflection", "loaded_radius"
+// (m), "force" (N), and for a tire that computes its patch "patch_length", "patch_width" (m),
+// "patch_area" (m^2). A loaded radius larger than that of the tire means no contact: all are 0. The
+// tire is pressed once through all positions, deeper and deeper: with friction the path is part of
+// the result.
 #pragma once
 
 #include "experiment/language/test.h"
@@ -30,7 +31,7 @@ class LoadDeflectionTest : public Test {
   std::optional<Reach> reach(const std::string& channel) const override;
   std::optional<long> samples() const override;
   Result<Channels> run(Specimen& specimen) const override;
-  /// Of what is pressed; what rolls tells none.
+  /// Only a pressed tire has slopes, a rolling tire has none.
   bool tells_slopes(const SpecimenKind& kind, const std::string& channel) const override;
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override;
 
@@ -38,9 +39,9 @@ class LoadDeflectionTest : public Test {
   LoadDeflection test_;
 };
 
-/// `friction` of a test on the ground. InputError.
+/// Reads `friction` of a test on the ground. Throws InputError.
 fe_tire::Ground read_ground(const Node& table);
-/// "2.6 bar, friction 0.8", "" where neither is stated.
+/// Returns "2.6 bar, friction 0.8", "" if neither is stated.
 std::string conditions_in_words(const Inflation& pressure, const fe_tire::Ground& ground);
 
 }  // namespace latsch::experiment

@@ -2,13 +2,13 @@
 // Mass and moments of inertia of a tire: rubber and cords, neither rim nor air.
 //
 //   kind = "mass_properties"
-//   pressure = "2.6 bar"             # as inflated, which widens it by some 0.1 to 1 %: the tire's
-//                                    # own unless given (inflation.h)
+//   pressure = "2.6 bar"             # inflation widens the tire by some 0.1 to 1 %; the tire's own
+//                                    # unless given (inflation.h)
 //
 // Channels of one value: "mass" (kg), "spin_inertia" and "diametral_inertia" (kg m^2), about the
-// spin axis and about a diameter of the wheel's center plane. What a laboratory weighs and swings
-// with a rim counts less that rim. Each is an objective by kind = "values", with slopes in
-// densities, thicknesses, cord areas and all else that a tire knows slopes in.
+// spin axis and about a diameter of the wheel's center plane. The rim has to be subtracted from
+// measurements with a rim. Each channel is an objective by kind = "values", with slopes in
+// densities, thicknesses, cord areas and all other numbers in which a tire knows slopes.
 #include <fmt/format.h>
 
 #include "experiment/language/capabilities.h"

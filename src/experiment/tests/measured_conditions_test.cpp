@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A test that takes numbers from a measurement is the test in which they are typed: in words,
+// A test with numbers from a measurement equals the test in which the numbers are typed, in words,
 // identity and needs.
 #include "experiment/rigs/measured_conditions.h"
 
@@ -12,7 +12,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// What a rig recorded, whatever measurement is named.
+/// Returns the record of a rig for any measurement that is named.
 const Channels& recorded() {
   static const Channels all = [] {
     Channels channels;
@@ -52,7 +52,7 @@ ReadTest read(const std::string& keys, bool in_a_study = true) {
   return language().read_identified_test(document.root(), source);
 }
 
-/// The first keys with a measurement in them, the other ones with its numbers.
+/// The first keys refer to a measurement, the other ones contain its numbers.
 void expect_same(const std::string& common, const std::string& taken, const std::string& typed) {
   const auto one = read(common + taken), other = read(common + typed);
   EXPECT_EQ(one.identity, other.identity);
@@ -92,7 +92,7 @@ TEST(MeasuredConditionsTest, AreTheNumbersThatWereMeasured) {
               "speed = \"10.25 m/s\"\nload = \"4 kN\"\n");
 }
 
-// Eight more modes than were measured, at the points of the first of them.
+// The test has eight more modes than were measured, at the points of the first of them.
 TEST(MeasuredConditionsTest, OfModesAreTheirNumberAndSensors) {
   const std::string from = kTakes;
   expect_same("kind = \"modes\"\n",

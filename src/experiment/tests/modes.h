@@ -8,13 +8,14 @@
 //   camber = "2 deg"                 # about x, top to the right; default 0
 //   count = 12                       # lowest modes; default 10; {from = "measurement.modes"}: 8
 //                                    # more than it has frequencies
-//   points = [["0 mm", "0 mm", "310 mm"]]   # where shapes are recorded, of the undeformed tire in
-//                                    # the wheel frame; {from = "measurement.shapes"}: its x, y, z;
-//                                    # default: no shapes
+//   points = [["0 mm", "0 mm", "310 mm"]]   # at which shapes are recorded, on the undeformed tire
+//                                    # in the wheel frame; {from = "measurement.shapes"}: its
+//                                    # x, y, z; default: no shapes
 //
-// Channels, one value a mode: "frequency" (Hz), "n", "type", "phase", the numbers of
-// rigs/mode_record.h; "shape" at the points; "damping" (of critical) where the model has it; on the
-// ground one value of "deflection", "loaded_radius" (m) and "force" (N) where the model says them.
+// Channels, one value for each mode: "frequency" (Hz), and "n", "type" and "phase" as
+// numbers (rigs/mode_record.h); "shape" at the points; "damping" (of critical) if the model has it;
+// on the ground one value of "deflection", "loaded_radius" (m) and "force" (N) if the model
+// computes them.
 #pragma once
 
 #include "experiment/language/test.h"
@@ -22,7 +23,7 @@
 
 namespace latsch::experiment {
 
-/// Simulated beside measured ones, so that a neighbor in frequency is among them.
+/// Number of additional modes, so that each measured mode finds its neighbors in frequency.
 constexpr long kMoreModesThanMeasured = 8;
 
 class ModesTest : public Test {
@@ -35,7 +36,7 @@ class ModesTest : public Test {
   std::vector<ChannelInfo> channels() const override;
   std::vector<std::string> needs() const override;
   Result<Channels> run(Specimen& specimen) const override;
-  /// What names a mode, and its shape, have none.
+  /// The identifiers of a mode and its shape have no slopes.
   bool tells_slopes(const SpecimenKind&, const std::string& channel) const override {
     return test_.ground.mu == 0.0 && test_.camber == 0.0 && channel != "n" && channel != "type" &&
            channel != "phase" && channel != "shape";
@@ -46,7 +47,7 @@ class ModesTest : public Test {
   ModalTest test_;
 };
 
-/// "unloaded", "pressed 25 mm", "under 4000 N", with the camber.
+/// Returns "unloaded", "pressed 25 mm", "under 4000 N", with the camber.
 std::string state_in_words(const ModalTest& test);
 
 }  // namespace latsch::experiment

@@ -18,7 +18,7 @@ namespace latsch::experiment {
 extern const TestKind kRollingStiffness;
 namespace {
 
-constexpr double kFarthestStep = 0.02;  // m: a block comes down and leaves within some steps
+constexpr double kFarthestStep = 0.02;  // m: a block gains and loses contact within some steps
 const std::vector<std::string> kMeasures = {"slip", "cornering", "camber"};
 
 class RollingStiffness : public Test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// kind = "slip_history": slips as they were recorded, one sample after the other, with the lag of
-// the tire's relaxation lengths (rigs/slip/slip_lag.h).
+// kind = "slip_history": slips as recorded, sample by sample, with the lag of the tire's relaxation
+// lengths (rigs/slip/slip_lag.h).
 //
 //   kind = "slip_history"
 //   states = "sweep.csv"             # beside the file: time and the columns of steady_states; or
@@ -8,7 +8,7 @@
 //   states = {from = "measurement.cornering"}    # of a [measurement.NAME] of the study
 //
 // Channels are those of steady_states, and the lagged slips "kappa" and "alpha". Relaxation lengths
-// are those of the tire: of formula 6 from LATERAL_STIFFNESS and LONGITUDINAL_STIFFNESS, none where
+// are those of the tire: of formula 6 from LATERAL_STIFFNESS and LONGITUDINAL_STIFFNESS, none if
 // these are 0; of 5.2 from PTX1 to PTX3, PTY1 and PTY2.
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ class SlipHistoryTest : public Test {
  public:
   SlipHistoryTest(const std::string& text, const std::string& name, bool is_measured)
       : history_(formats::CsvTable::parse(text, name)), is_measured_(is_measured) {
-    history_.numbers("time", "s");  // said at once where it is not there
+    history_.numbers("time", "s");  // fails at once if it is missing
   }
 
   std::string in_words() const override {
@@ -51,7 +51,7 @@ class SlipHistoryTest : public Test {
   }
   std::vector<std::string> needs() const override { return kSlipHistory.needs; }
   std::vector<Ledger> ledgers(const std::string& by) const override {
-    if (is_measured_) return {};  // the measurement has its own
+    if (is_measured_) return {};  // the measurement has a ledger of its own
     Ledger ledger = ledger_of_states(history_, by);
     if (LedgerRow* time = ledger.find_written("time")) Ledger::use(*time, by);
     return {std::move(ledger)};
@@ -70,7 +70,7 @@ class SlipHistoryTest : public Test {
 
  private:
   formats::CsvTable history_;
-  bool is_measured_;  // by a measurement of the study, not a file
+  bool is_measured_;  // true: from a measurement of the study, not a file
 };
 
 std::unique_ptr<Test> read_slip_history(const Node& root, const TestSource& source) {

@@ -4,11 +4,11 @@
 //
 //   kind = "slip_sweep"              # alpha, kappa: one of the two
 //   speed = "60 km/h"
-//   load = "4 kN"                    # of speed and load also {from = "measurement.rolling"}: the
+//   load = "4 kN"                    # speed and load may be {from = "measurement.rolling"}: the
 //                                    # means of its Vx and Fz
 //   pressure = "2.6 bar"             # the tire's own unless given (rigs/inflation.h)
 //   camber = "2 deg"                 # default 0
-//   axle = "load"                    # what it keeps; "height": the axle's
+//   axle = "load"                    # the quantity it keeps; or "height": that of the axle
 //   frame = "W"                      # of the forces recorded (hub_frame.h); "W", "H", "C" or
 //                                    # several: ["C", "W"] records "FyC" and "FyW"
 //   alpha = ["-10 deg", "10 deg"]    # from, to
@@ -33,7 +33,7 @@ namespace latsch::experiment {
 extern const TestKind kSlipSweep;
 namespace {
 
-/// [from, to]; both 0 where the key is missing.
+/// Reads [from, to]; both are 0 if the key is missing.
 std::array<double, 2> ends(const Node& root, const char* key, const char* unit, Range range) {
   if (!root.has(key)) return {0.0, 0.0};
   const std::vector<double> values = root.quantities(key, unit, range);
@@ -41,7 +41,7 @@ std::array<double, 2> ends(const Node& root, const char* key, const char* unit, 
   return {values[0], values[1]};
 }
 
-/// Every n-th sample from the n-th on.
+/// Returns every n-th sample, beginning with the n-th.
 Channels thinned(const Channels& all, long every) {
   Channels kept;
   for (Channel channel : all.all()) {

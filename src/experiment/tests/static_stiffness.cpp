@@ -65,11 +65,11 @@ class StaticStiffnessTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
-  /// Of what stands; what rolls tells none.
+  /// Only a standing tire has slopes, a rolling tire has none.
   bool tells_slopes(const SpecimenKind& kind, const std::string&) const override {
     return has_slopes() && kind.has(StandsOnGround::kName);
   }
-  /// Upright on flat ground without friction.
+  /// True if the tire is upright on flat ground without friction.
   bool has_slopes() const {
     const auto is_vertical = [](Direction direction) { return direction == Direction::vertical; };
     return !test_.cleat && test_.camber == 0.0 && test_.friction.value_or(0.0) == 0.0 &&
@@ -117,7 +117,7 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
   test.twist = root.quantity("twist", "rad", Range::positive(), test.twist);
   if (test.deflections.empty() == test.directions.empty())
     root.reject("deflections", "or load with directions has to be there, one of the two");
-  constexpr double kAlong = 0.5 * std::numbers::pi;  // a bar as the road runs
+  constexpr double kAlong = 0.5 * std::numbers::pi;  // a bar in the direction of the road
   test.cleat = read_cleat(root, kAlong);
   if (test.cleat && test.deflections.empty())
     root.reject("cleat", "is for deflections: stiffnesses under a load are those on flat ground");

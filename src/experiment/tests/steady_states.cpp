@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// kind = "steady_states": what a tire answers to a table of states (rigs/slip/slip_states.h has its
-// columns).
+// kind = "steady_states": forces of a tire in a table of states (rigs/slip/slip_states.h).
 //
 //   kind = "steady_states"
 //   states = "cornering.csv"         # beside the file; or as they were measured:
 //   states = {from = "measurement.cornering"}    # of a [measurement.NAME] of the study
 //   limits = "on"                    # inputs limited to the ranges of the tire's file, faded below
 //                                    # its VXLOW; or "off"
-//   angles = "direct"                # or "tangent": tan(alpha), sin(gamma) in their place
+//   angles = "direct"                # or "tangent": tan(alpha), sin(gamma) instead
 //   turn_slip = "off"                # or "on": forces and moments of turning by phit
 //   side = "measured"                # of the vehicle; "other": the tire mirrored
 //
-// What was measured is resolved into numbers when the study is read: Fz has to be there, what was
-// not recorded is left out. A journal depends on these numbers, not on the forces beside them.
+// A measurement is resolved into numbers when the study is read: Fz is required, quantities that
+// were not recorded are left out. A journal depends on these numbers, not on the measured forces.
 //
-// latsch test answers to a table of any length block by block. A file above 16 MB is not copied
-// into memory, and must not be written to while it is read.
+// latsch test computes a table of any length block by block. A file above 16 MB is not copied into
+// memory, and must not be written to while it is read.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -59,7 +58,7 @@ class SteadyStatesTest : public Test {
   }
   std::vector<std::string> needs() const override { return kSteadyStates.needs; }
   std::vector<Ledger> ledgers(const std::string& by) const override {
-    if (is_measured_) return {};  // the measurement has its own
+    if (is_measured_) return {};  // the measurement has a ledger of its own
     return {ledger_of_states(states_, by)};
   }
   std::vector<double> driven_at(const std::string& condition) const override {
@@ -81,15 +80,16 @@ class SteadyStatesTest : public Test {
  private:
   formats::CsvTable states_;
   Conventions conventions_;
-  bool is_measured_;  // by a measurement of the study, not a file
+  bool is_measured_;  // true: from a measurement of the study, not a file
 };
 
 constexpr std::size_t kKept = std::size_t{16} << 20;         // bytes
 constexpr std::size_t kLargestTable = std::size_t{1} << 30;  // bytes
 
-/// In memory unless it is long: a file may be written to while a study runs for hours.
+/// Keeps the table in memory unless it is long: a file may be written to while a study runs for
+/// hours.
 std::shared_ptr<const MappedFile> table_of(const std::filesystem::path& file) {
-  std::error_code unknown;  // a pipe, or not there
+  std::error_code unknown;  // error of a pipe or a missing file
   const auto size = std::filesystem::file_size(file, unknown);
   if (!unknown && size <= kKept) return std::make_shared<MappedFile>(read_text_file(file));
   return std::make_shared<MappedFile>(file, kLargestTable);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// kind = "uniformity" (rigs/uniformity_rig.h): by what a tire's forces vary over a turn.
+// kind = "uniformity" (rigs/uniformity_rig.h): the variation of a tire's forces over a turn.
 #include <fmt/format.h>
 
 #include "experiment/language/capabilities.h"

@@ -20,9 +20,10 @@ using multibody::ForceCurve;
 constexpr std::array<const char*, 6> kBusAxes = {"FX", "FY", "FZ", "TX", "TY", "TZ"};
 constexpr std::array<const char*, 6> kBusAxesInWords = {
     "x", "y", "z", "about x", "about y", "about z"};
-constexpr double kStraight = 1e-9;  // of the largest force: what is left off a straight line
+constexpr double kStraight = 1e-9;  // share of the largest force; smaller deviations from a
+                                    // straight line are ignored
 
-/// What a row's two numbers and a damping are in SI.
+/// SI values of one unit of a row's two numbers and of a damping.
 struct BusScale {
   double deflection, force, damping;
 };
@@ -68,7 +69,7 @@ std::vector<ForceCurve::Point> read_points(const TeimOrbitSection& section, cons
   return points;
 }
 
-/// The stiffness of points on a straight line through the origin.
+/// Returns the stiffness if the points are on a straight line through the origin.
 std::optional<double> straight(const std::vector<ForceCurve::Point>& points) {
   double largest = 0.0;
   ForceCurve::Point far{0.0, 0.0};
@@ -95,16 +96,16 @@ void set_axis(BushingParameters& bushing,
     bushing.parts.push_back({static_cast<int>(axis), multibody::ElasticCurve{ForceCurve(points)}});
 }
 
-/// The curve of an axis, as points. InputError where the axis has more.
+/// Returns the curve of an axis as points. Throws InputError if the axis has further parts.
 std::vector<ForceCurve::Point> points_of(const BushingParameters& bushing,
                                          std::size_t axis,
                                          const std::string& name) {
-  // Powers of two, so that the stiffness comes back to the last bit.
+  // These are powers of two, so that the stiffness is read back to the last bit.
   const double reach = axis < 3 ? 1.0 / 128.0 : 1.0 / 8.0;  // m, rad
   const double k = (axis < 3 ? bushing.stiffness : bushing.rotational)[static_cast<int>(axis % 3)];
-  std::vector<ForceCurve::Point> points;  // five of a straight line: a spline wants some
+  std::vector<ForceCurve::Point> points;  // five on a straight line, as a spline needs several
   for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0})
-    points.emplace_back(share * reach, k * share * reach + 0.0);  // no -0
+    points.emplace_back(share * reach, k * share * reach + 0.0);  // + 0.0 turns -0 into 0
   bool is_curved = false;
   for (const BushingParameters::Part& part : bushing.parts) {
     if (part.axis != static_cast<int>(axis)) continue;

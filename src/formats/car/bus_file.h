@@ -7,10 +7,10 @@
 //   [FX_CURVE]    rows of deflection and force; likewise FY_CURVE, FZ_CURVE
 //   [TX_CURVE]    rows of angle and torque; likewise TY_CURVE, TZ_CURVE
 //
-// Torques are in FORCE times LENGTH. A curve rises: its force is the one that resists. One that is
-// straight through the origin becomes a stiffness, any other a ForceCurve as an elastic part of its
-// axis, which is not Adams' own curve between the points (multibody/force_curve.h against Akima).
-// What a file of this type has beside these sections is left out and named.
+// Torques are in FORCE times LENGTH. A curve rises: its force is the resisting one. A straight
+// curve through the origin becomes a stiffness, any other a ForceCurve as an elastic part of its
+// axis, which differs from Adams' curve between the points (multibody/force_curve.h against Akima).
+// Other sections of such a file are left out and named.
 #pragma once
 
 #include <filesystem>
@@ -25,16 +25,17 @@ namespace latsch::formats {
 
 struct BusFile {
   multibody::BushingParameters bushing;
-  std::vector<std::string> unused;  // "[SECTION] KEY": what has no meaning here
+  std::vector<std::string> unused;  // "[SECTION] KEY" without a meaning here
 };
 
-/// InputError naming file and line: a section that is missing, a unit that is not known, fewer than
-/// two points, a deflection that does not rise, a force that falls on the whole, negative damping.
+/// Throws InputError naming file and line: a missing section, an unknown unit, fewer than two
+/// points, a deflection that does not rise, a force that falls on the whole, negative damping.
 BusFile read_bus_file(const std::filesystem::path& file);
 BusFile bus_file_from(const TeimOrbit& file);
 
-/// The same bushing to the last bit when it is read again; in SI. InputError, that begins with
-/// `name`, for what such a file cannot say: parts that are no curve.
+/// Returns a file in SI that gives the same bushing to the last bit when it is read. Throws
+/// InputError, beginning with `name`, for parts that such a file cannot express because they are no
+/// curve.
 std::string bus_text(const multibody::BushingParameters& bushing, const std::string& name);
 
 }  // namespace latsch::formats

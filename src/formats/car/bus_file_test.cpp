@@ -15,7 +15,7 @@ using multibody::BushingParameters;
 using multibody::ElasticCurve;
 using multibody::ForceCurve;
 
-/// In the units such files have as a rule: mm, degrees, newton.
+/// The units are the usual ones of such files: mm, degrees, newton.
 const char* const kRubber = R"($ a lower arm's rear bushing
 [MDI_HEADER]
  FILE_TYPE     =  'bus'
@@ -124,7 +124,7 @@ TEST(BusFile, WhatIsWrittenIsReadBackToTheLastBit) {
   BushingParameters bushing = bus_of(kRubber).bushing;
   bushing.stiffness.x() = 12345678.9;
   bushing.rotational = {1e10, 0.1 + 0.2, 200.0 / 3.0};
-  bushing.parts.pop_back();  // about y is straight now
+  bushing.parts.pop_back();  // the curve about y is straight now
   EXPECT_TRUE(bus_of(bus_text(bushing, "ubj")).bushing == bushing);
   const BushingParameters curved = bus_of(kRubber).bushing;
   EXPECT_TRUE(bus_of(bus_text(curved, "ubj")).bushing == curved);

@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
-/// A bare key of TOML, which is what it becomes.
+/// True if the text can be a bare key of TOML, which it becomes.
 bool is_name(const std::string& text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   });
 }
 
-/// Of each row, whether it is asked for.
+/// Returns for each row whether it belongs to the chosen corner.
 std::vector<bool> chosen_rows(const CsvTable& table, const std::optional<std::string>& of) {
   std::vector<bool> chosen(static_cast<std::size_t>(table.rows()), true);
   if (!table.has("of")) {
@@ -47,7 +47,7 @@ std::vector<bool> chosen_rows(const CsvTable& table, const std::optional<std::st
   return chosen;
 }
 
-/// Checked as numbers, kept as they are written.
+/// The text is checked to be a number, but kept as written.
 std::string written(const CsvTable& table, const char* axis, int row) {
   std::string text = table.text(axis, row);
   std::replace(text.begin(), text.end(), ',', '.');
@@ -62,7 +62,7 @@ std::vector<Hardpoint> read_hardpoints(const std::filesystem::path& file,
   table.expect_only({"of", "name", "x", "y", "z"});
   const auto chosen = chosen_rows(table, of);
   const auto names = table.texts("name");
-  table.numbers({{"x", "m"}, {"y", "m"}, {"z", "m"}});  // all of them are lengths
+  table.numbers({{"x", "m"}, {"y", "m"}, {"z", "m"}});  // checks that all of them are lengths
   std::vector<Hardpoint> points;
   std::map<std::string, int> lines;
   for (int row = 0; row < table.rows(); ++row) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hardpoints as a table, as drawings and spreadsheets hand them out: one a row, its coordinates in
-// the axes of the suspension (x forward, y left, z up) with the unit of each column. Names are
-// those of a suspension's [hardpoint] (models/suspension/suspension_reader.h). Of several corners
-// in one table a column `of` says which a point belongs to.
+// Hardpoints as a table from drawings and spreadsheets: one in each row, its coordinates in the
+// axes of the suspension (x forward, y left, z up) with the unit of each column. Names are those of
+// a suspension's [hardpoint] (models/suspension/suspension_reader.h). If a table has several
+// corners, a column `of` names the corner of each point.
 //
 //   of, name,         x [mm],   y [mm],  z [mm]
 //   FL, uca_front,    1648.347, 273.206, 303.434
@@ -22,13 +22,13 @@ namespace latsch::formats {
 
 struct Hardpoint {
   std::string name;
-  std::array<std::string, 3> place;  // as written, with units: "1648.347 mm"
-  int line = 0;                      // of the table
+  std::array<std::string, 3> place;  // text with units: "1648.347 mm"
+  int line = 0;                      // line in the table
 };
 
-/// Those of one corner; `of`: nothing where the table has no such column. Throws InputError naming
-/// file and line: a column, name or number that is none, a unit that is no length, a point that
-/// comes twice, a corner that is not there or not asked for.
+/// Reads the points of one corner; `of` is empty if the table has no such column. Throws InputError
+/// naming file and line: an invalid column, name or number, a unit that is no length, a point that
+/// occurs twice, a corner that does not exist or is not chosen.
 std::vector<Hardpoint> read_hardpoints(const std::filesystem::path& file,
                                        const std::optional<std::string>& of);
 

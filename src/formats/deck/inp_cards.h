@@ -6,7 +6,8 @@
 //   1, 1, 91, 94, 4, ...                 data
 //   ** a comment
 //
-// Keywords, options and set names mean the same in any case and come out in capitals.
+// Keywords, options and set names are the same in upper and lower case and are returned in
+// capitals.
 #pragma once
 
 #include <map>
@@ -18,7 +19,7 @@
 
 namespace latsch::formats {
 
-/// The fields of one data line, blanks stripped.
+/// The fields of one data line, without blanks at their ends.
 struct InpLine {
   int number = 0;
   std::vector<std::string> fields;
@@ -32,22 +33,23 @@ struct InpCard {
   Place place;
 
   bool has(const std::string& option) const { return options.count(option) > 0; }
-  /// Throws InputError where the option is missing.
+  /// Throws InputError if the option is missing.
   const std::string& option(const std::string& name) const;
   std::string option(const std::string& name, const std::string& fallback) const;
 
   Place at(const InpLine& line) const { return {place.file, line.number}; }
-  /// Field `index` of a line as a finite number or an integer; throws InputError naming the line.
+  /// Returns field `index` of a line as a finite number or an integer; throws InputError naming the
+  /// line.
   double number(const InpLine& line, std::size_t index) const;
   double number(const InpLine& line, std::size_t index, double fallback) const;
   int integer(const InpLine& line, std::size_t index) const;
   const std::string& text(const InpLine& line, std::size_t index) const;
-  /// All numbers of all lines one after the other.
+  /// Returns all numbers of all lines one after the other.
   std::vector<double> numbers() const;
 };
 
-/// Throws InputError on data before the first keyword, on a line longer than 4,096 characters and
-/// on bytes that are not text.
+/// Throws InputError for data before the first keyword, for a line longer than 4,096 characters and
+/// for bytes that are not text.
 std::vector<InpCard> split_cards(std::string_view text, const std::string& file_name);
 
 }  // namespace latsch::formats

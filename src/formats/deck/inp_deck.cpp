@@ -68,7 +68,7 @@ class DeckReader {
         {"EMBEDDED ELEMENT", &DeckReader::embedded},
         {"END STEP", &DeckReader::end_step},
     };
-    // What a program is asked to print does not change the model.
+    // Output requests do not change the model.
     static const std::set<std::string> kOutput = {"HEADING",
                                                   "NODE PRINT",
                                                   "NODE FILE",
@@ -95,7 +95,7 @@ class DeckReader {
 
   void equation(const InpCard& card) { equations_.add(card); }
 
-  /// What a user can do about a keyword that other decks have.
+  /// Returns advice about an unsupported keyword of other decks.
   static std::string way_out(const std::string& keyword) {
     if (keyword == "PART" || keyword == "ASSEMBLY" || keyword == "INSTANCE")
       return ": expected a deck without parts and assemblies";
@@ -106,7 +106,7 @@ class DeckReader {
     return "";
   }
 
-  // Nodes, elements, sets.
+  // The following functions read nodes, elements and sets.
 
   void node(const InpCard& card) {
     std::vector<int> added;
@@ -149,7 +149,8 @@ class DeckReader {
     std::vector<int> added;
     for (std::size_t i = 0; i < card.lines.size();) {
       Kind element{0, {}, card.at(card.lines[i])};
-      std::vector<int> numbers;  // number and nodes, perhaps on several lines
+      std::vector<int> numbers;  // number of the element and its nodes, which may continue on
+                                 // further lines
       for (; i < card.lines.size() && numbers.size() < kNodes + 1; ++i)
         for (std::size_t k = 0; k < card.lines[i].fields.size(); ++k)
           numbers.push_back(card.integer(card.lines[i], k));
@@ -219,7 +220,7 @@ class DeckReader {
     return found->second;
   }
 
-  /// A number or the name of a set.
+  /// Returns a single number, or the members of a set.
   static std::vector<int> members(const InpCard& card,
                                   const InpLine& line,
                                   const std::map<std::string, std::vector<int>>& sets,
@@ -229,7 +230,7 @@ class DeckReader {
     return find(sets, field, kind, card.at(line));
   }
 
-  // Materials and sections.
+  // The following functions read materials and sections.
 
   void material(const InpCard& card) {
     material_ = &deck_.materials[card.option("NAME")];
@@ -243,7 +244,7 @@ class DeckReader {
     return *material_;
   }
 
-  /// A number that can vary; gives back its place in the deck.
+  /// Adds a number that can vary; returns its index in the deck.
   int note(const std::string& path,
            InpQuantity quantity,
            const InpCard& card,
@@ -254,7 +255,7 @@ class DeckReader {
     return static_cast<int>(deck_.numbers.size()) - 1;
   }
 
-  /// A name of the file as part of a path, in which dots part names.
+  /// Returns a name of the file as part of a path, without dots because they separate names.
   static std::string in_path(std::string name) {
     std::erase(name, '"');
     for (char& c : name)
@@ -267,7 +268,7 @@ class DeckReader {
     InpQuantity quantity;
   };
 
-  /// The constants of the card, at one temperature: one more number is that.
+  /// Reads the constants of the card, for one temperature: one further number is that temperature.
   void law(const InpCard& card, InpMaterial::Law law, const std::vector<Constant>& constants) {
     InpMaterial& material = current_material(card);
     if (material.law != InpMaterial::Law::none)
@@ -385,7 +386,7 @@ class DeckReader {
     deck_.orientations[name] = orientation;
   }
 
-  // Layers of rebars.
+  // The following functions read layers of rebars.
 
   void surface_section(const InpCard& card) {
     if (card.has("DENSITY"))
@@ -432,7 +433,7 @@ class DeckReader {
                               card.place});
   }
 
-  // Surfaces and contact.
+  // The following functions read surfaces and contact.
 
   InpFaces faces(const InpCard& card, const InpLine& line, char letter) {
     const std::string& face = card.text(line, 1);
@@ -486,7 +487,7 @@ class DeckReader {
           {card.option("INTERACTION"), card.text(line, 0), card.text(line, 1), card.at(line)});
   }
 
-  // Supports, loads, steps.
+  // The following functions read supports, loads and steps.
 
   void boundary(const InpCard& card) {
     for (const InpLine& line : card.lines) {
@@ -550,7 +551,7 @@ class DeckReader {
     }
   }
 
-  /// One number for all pressures: that of the last static step, the others in proportion.
+  /// Makes one number of all pressures: that of the last static step; the others are proportional.
   void note_pressure() {
     const InpPressure* last = nullptr;
     for (const InpStep& step : deck_.steps)
@@ -558,7 +559,7 @@ class DeckReader {
         last = &step.pressures.front();
     if (!last || last->value == 0.0) return;
     InpNumber number{"pressure", InpQuantity::stress, last->value, {}};
-    std::set<int> lines;  // a surface of several sets has one line
+    std::set<int> lines;  // distinct lines, because a surface of several sets has one line
     for (const InpStep& step : deck_.steps)
       for (const InpPressure& pressure : step.pressures)
         if (lines.insert(pressure.where.line).second)

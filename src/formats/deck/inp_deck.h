@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A finite-element model in the .inp language of CalculiX and Abaqus, as written: own numbers, own
-// units.
+// A finite-element model in the .inp language of CalculiX and Abaqus, with the numbering and units
+// of the file.
 //
-// The part of the language a tire needs: nodes, eight-node elements, sets, hyperelastic and linear
-// materials, cylindrical orientations, sections, layers of rebars in embedded surface elements,
-// equations that hold a node on the line between two others, surfaces, one kind of contact,
-// supports, face pressures, static and frequency steps. Everything else is refused by name, for a
-// card skipped in silence is a wrong model: cards that are not known, their options
-// (inp_options.h), values of options that mean another model.
+// The supported part of the language is that of tires: nodes, eight-node elements, sets,
+// hyperelastic and linear materials, cylindrical orientations, sections, layers of rebars in
+// embedded surface elements, equations that hold a node on the line between two others, surfaces,
+// one kind of contact, supports, face pressures, static and frequency steps. Everything else is
+// refused by name, because a card skipped silently gives a wrong model: unknown cards, unknown
+// options (inp_options.h), values of options that mean another model.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,7 +24,7 @@
 
 namespace latsch::formats {
 
-/// A four-node element without stiffness of its own, which holds rebars.
+/// A four-node element without stiffness of its own that holds rebars.
 struct InpSurfaceElement {
   int number = 0;
   std::array<int, 4> node;  // node numbers
@@ -37,24 +37,24 @@ struct InpElement {
   Place place;
 };
 
-/// A node that equations hold on the straight line between two others, where it lies: x = (1 - at)
-/// x_lower + at x_upper, and its displacement likewise.
+/// A node that equations hold on the straight line between two others at its initial position: x =
+/// (1 - at) x_lower + at x_upper, and its displacement likewise.
 struct InpTie {
   int lower = 0, upper = 0;  // node numbers
   double at = 0.0;           // 0 at the lower, 1 at the upper node
   Place place;
 };
 
-/// A number that can vary: a constant of a material, of a layer of rebars, an angle, the pressure.
-/// What is made of it refers to it by its place in InpDeck::numbers.
+/// A number that can vary: a constant of a material or of a layer of rebars, an angle, the
+/// pressure. Objects refer to it by its index in InpDeck::numbers.
 struct InpNumber {
   std::string path;  // "material.RUBBER1.C10"
   InpQuantity quantity = InpQuantity::ratio;
-  double value = 0.0;  // as written, own units
+  double value = 0.0;  // in the units of the file
   struct Where {
     int line = 0;
     std::size_t field = 0;
-    double times = 1.0;  // what stands there, in terms of the value
+    double times = 1.0;  // factor of the value that gives the number at this place
   };
   std::vector<Where> where;
 };
@@ -71,8 +71,8 @@ struct InpMaterial {
   };
   std::string name;
   Law law = Law::none;
-  std::vector<int> constants;  // numbers
-  int density = -1;            // number; -1: none
+  std::vector<int> constants;  // indices of numbers
+  int density = -1;            // index of a number; -1: none
   bool no_compression = false;
   Place place;
 };
@@ -80,19 +80,19 @@ struct InpMaterial {
 struct InpOrientation {
   bool cylindrical = false;
   Eigen::Vector3d a, b;  // cylindrical: two points of the axis
-  int axis = 1;          // about which the axes are turned, 1 to 3
-  int angle = -1;        // number, by so much; -1: not turned
+  int axis = 1;          // 1 to 3, about which the axes are turned
+  int angle = -1;        // index of the number of that rotation; -1: not turned
   Place place;
 };
 
 /// Parallel rebars in surface elements.
 struct InpRebars {
   std::string name, elset, material, orientation;
-  int area = -1, spacing = -1, angle = -1;  // numbers
+  int area = -1, spacing = -1, angle = -1;  // indices of numbers
   Place place;
 };
 
-/// Element sets whose elements lie in those of another; no host: in any.
+/// Element sets whose elements lie in those of a host set; no host: in any elements.
 struct InpEmbedding {
   std::string host;
   std::vector<std::string> elsets;
@@ -104,7 +104,7 @@ struct InpSection {
   Place place;
 };
 
-/// Face 1 to 6 of every element of a set.
+/// A face, 1 to 6, of every element of a set.
 struct InpFaces {
   std::vector<int> elements;
   int face = 0;
@@ -117,7 +117,7 @@ struct InpPressure {
   InpNumber::Where where = {};
 };
 
-/// Degrees of freedom first..last (1 to 3) of nodes held at a value.
+/// Degrees of freedom first..last (1 to 3) of nodes fixed at a value.
 struct InpSupport {
   std::vector<int> nodes;
   int first = 1, last = 3;
@@ -149,7 +149,7 @@ struct InpDeck {
   std::map<int, Eigen::Vector3d> nodes;
   std::map<int, InpElement> elements;
   std::map<int, InpSurfaceElement> surface_elements;
-  std::string element_type;  // "C3D8", of all; "" where there are none
+  std::string element_type;  // "C3D8", common to all elements; "" if there are none
   std::map<std::string, std::vector<int>> node_sets, element_sets;
   std::map<std::string, InpMaterial> materials;
   std::map<std::string, InpOrientation> orientations;
@@ -161,10 +161,10 @@ struct InpDeck {
   std::vector<InpStep> steps;
   std::vector<InpRebars> rebars;
   std::vector<InpEmbedding> embeddings;
-  std::map<int, InpTie> ties;  // by the number of the tied node
+  std::map<int, InpTie> ties;  // keys are numbers of tied nodes
   std::vector<InpNumber> numbers;
-  int pressure = -1;  // number, of the last static step; -1: none
-  InpUnits units;     // stated, else by the size of the mesh, else mm, N, tonne
+  int pressure = -1;  // index of the number of the last static step; -1: none
+  InpUnits units;     // stated units, else those that suit the size of the mesh, else mm, N, tonne
   bool are_units_stated = false;
 
   double value(int number) const { return numbers[static_cast<std::size_t>(number)].value; }
@@ -174,12 +174,12 @@ struct InpDeck {
 InpDeck read_inp(const std::filesystem::path& file);
 InpDeck parse_inp(std::string_view text, const std::string& file_name);
 
-/// Those a mesh of this size is written in: units_of_size(), mm, N, tonne where that is none of a
-/// tire.
+/// Returns the units in which a mesh of this size is probably written: units_of_size(), or mm, N,
+/// tonne if no unit gives the size of a tire.
 InpUnits units_by_size(const InpDeck& deck);
 
-/// The text of that deck with its numbers as they are in `deck`: where one is another than in the
-/// text, its field is, in as many digits as it takes to be read back as it is; all else stays,
+/// Returns the text of the deck with its numbers as they are in `deck`: a number that differs from
+/// the text is written with as many digits as reading it back exactly needs; everything else stays,
 /// byte by byte.
 std::string with_numbers_of(const InpDeck& deck, std::string_view text);
 

@@ -8,8 +8,8 @@
 namespace latsch::formats {
 namespace {
 
-constexpr double kSameWeight = 1e-6;  // decks carry seven digits or more
-constexpr double kOnTheLine = 1e-4;   // of the length of the line
+constexpr double kSameWeight = 1e-6;  // tolerance of weights; decks have seven digits or more
+constexpr double kOnTheLine = 1e-4;   // tolerance as a share of the length of the line
 constexpr int kTerms = 3;
 
 constexpr const char* kExpected =

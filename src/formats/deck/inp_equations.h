@@ -5,10 +5,10 @@
 //   3                                   terms
 //   901,1,1., 17,1,-0.5, 23,1,-0.5      sum of coefficient x displacement = 0
 //
-// Where many rows of elements meet few, a corner of the many is held on the edge of the few; that
-// is how formats/mesh/ccx_deck.h writes it. Three equations say so of a node, one for each
-// direction, with the same two nodes and weights that add up to one and place the node where it
-// lies. All other equations are refused.
+// If many rows of elements meet few rows, a corner of the many is held on the edge of the few;
+// formats/mesh/ccx_deck.h writes such equations. A node has three of them, one for each direction,
+// with the same two nodes and with weights that add up to one and give the node's own position. All
+// other equations are refused.
 #pragma once
 
 #include <array>
@@ -21,11 +21,12 @@ namespace latsch::formats {
 
 class InpEquations {
  public:
-  /// All equations of a card; InputError with the line for one that ties no node to a line.
+  /// Reads all equations of a card; throws InputError with the line of one that does not tie a node
+  /// to a line.
   void add(const InpCard& card);
 
-  /// The ties they make; InputError for a node tied in some directions only, to a line it does not
-  /// lie on, to a node that is not defined or is tied itself.
+  /// Returns the ties; throws InputError for a node that is tied in some directions only, to a line
+  /// on which it does not lie, or to a node that is not defined or is tied itself.
   std::map<int, InpTie> ties(const std::map<int, Eigen::Vector3d>& nodes) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of a deck: in which units they are, and written back into their fields.
+// Determines the units of the numbers of a deck, and writes numbers back into their fields.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -11,9 +11,9 @@
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kLongestField = 20;  // characters CalculiX reads of a field
+constexpr std::size_t kLongestField = 20;  // characters of a field that CalculiX reads
 
-/// With as many digits as bring the number back, as far as a field has room.
+/// Returns as many digits as reading the number back exactly needs, if a field has the room.
 std::string field_text(double value) {
   std::string text = fmt::format("{}", value);
   for (int digits = 16; text.size() > kLongestField; --digits)
@@ -21,7 +21,7 @@ std::string field_text(double value) {
   return text;
 }
 
-/// A data line with other numbers in these fields; blanks around them stay.
+/// Returns a data line with other numbers in these fields; blanks around them stay.
 std::string with_fields(std::string_view line, const std::map<std::size_t, double>& changes) {
   std::string result;
   std::size_t field = 0;
@@ -62,7 +62,7 @@ InpUnits units_by_size(const InpDeck& deck) {
 
 std::string with_numbers_of(const InpDeck& deck, std::string_view text) {
   const InpDeck before = parse_inp(text, deck.file);
-  std::map<int, std::map<std::size_t, double>> changes;  // line, field
+  std::map<int, std::map<std::size_t, double>> changes;  // keys are line and field
   for (std::size_t i = 0; i < before.numbers.size(); ++i) {
     const double value = deck.numbers.at(i).value;
     if (value == before.numbers[i].value) continue;

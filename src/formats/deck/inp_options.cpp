@@ -12,15 +12,15 @@
 namespace latsch::formats {
 namespace {
 
-/// An option with the values that mean what is read here, and what others would mean.
+/// An option with the values that mean the supported model, and the meaning of others.
 struct Limited {
   std::vector<std::string> values;
   const char* otherwise;
 };
 
 struct CardOptions {
-  std::vector<std::string> read;  // by the reader of the card
-  std::vector<std::string> idle;  // how to solve or to name: no other model
+  std::vector<std::string> read;  // options read by the reader of the card
+  std::vector<std::string> idle;  // options of solution or naming, which do not change the model
   std::map<std::string, Limited> limited;
 };
 
@@ -36,7 +36,7 @@ const std::map<std::string, CardOptions>& known_options() {
       {"MATERIAL", {{"NAME"}, {"DESCRIPTION"}, {}}},
       {"HYPERELASTIC",
        {{"NEO HOOKE", "MOONEY-RIVLIN"},
-        // Other laws are refused by name where the law is read.
+        // Other laws are refused by name when the law is read.
         {"MODULI",
          "OGDEN",
          "YEOH",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which options of a card of an .inp deck are read, which change nothing here and which mean
+// Says which options of a card of an .inp deck are read, which have no effect here and which mean
 // another model.
 #pragma once
 
@@ -7,9 +7,9 @@
 
 namespace latsch::formats {
 
-/// InputError naming card, line and option for one that is not known here, and for a value that
-/// means another model: *NODE, SYSTEM=C; *STEP without NLGEOM; *BOUNDARY, OP=NEW. Options that say
-/// how to solve, or what is the default anyway, pass.
+/// Throws InputError naming card, line and option for an unknown option, and for a value that means
+/// another model: *NODE, SYSTEM=C; *STEP without NLGEOM; *BOUNDARY, OP=NEW. Options of the solution
+/// method, and options with their default value, are accepted.
 void check_options(const InpCard& card);
 
 }  // namespace latsch::formats

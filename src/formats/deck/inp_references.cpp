@@ -32,7 +32,7 @@ void check_rebars(const InpDeck& deck) {
   }
 }
 
-/// Names that differ in the characters a path cannot hold would be one number.
+/// Names that differ only in characters that a path cannot contain would become the same number.
 void check_paths(const InpDeck& deck) {
   std::set<std::string> paths;
   for (const InpNumber& number : deck.numbers)

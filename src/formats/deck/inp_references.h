@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a deck names has to be in it.
+// Checks that everything a deck refers to exists in it.
 #pragma once
 
 #include "formats/deck/inp_deck.h"

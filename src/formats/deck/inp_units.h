@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The units of an .inp file. The language has none: a file is consistent in units of its own, and
-// what they are is known to its author alone.
+// The units of an .inp file. The language has none: a file is consistent in units of its own, which
+// only its author knows.
 //
-// A comment may say them, which other programs pass over:
+// A comment, which other programs ignore, may state them:
 //   ** units: mm, N, tonne                 of length, force, mass
-// Without it the size of the tire tells: a radius of 0.1 to 2 is one in meters (m, N, kg), of 100
-// to 2000 one in millimeters (mm, N, tonne).
+// Without such a comment the size of the tire decides: a radius of 0.1 to 2 is in meters (m, N,
+// kg), one of 100 to 2000 in millimeters (mm, N, tonne).
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace latsch::formats {
 
-/// What one unit of the file is in SI. Decks of tires are usually written in mm, N, tonne, s.
+/// SI values of one unit of the file. Decks of tires are usually in mm, N, tonne, s.
 struct InpUnits {
   double length = 1e-3;  // m
   double force = 1.0;    // N
@@ -22,23 +22,24 @@ struct InpUnits {
   bool operator==(const InpUnits&) const = default;
 };
 
-/// What a number of a deck is.
+/// Quantity of a number of a deck.
 enum class InpQuantity { ratio, stress, compliance, density, length, area, angle };
 
-/// One unit of the file in `unit_of()`.
+/// Returns one unit of the file in unit_of().
 double factor_of(InpQuantity quantity, const InpUnits& units);
-/// "Pa", "1/Pa", "deg", ...
+/// Returns "Pa", "1/Pa", "deg", ...
 const char* unit_of(InpQuantity quantity);
-/// The number of the file in SI: an angle in rad.
+/// Converts a number of the file to SI: an angle to rad.
 double to_si(double value, InpQuantity quantity, const InpUnits& units);
-/// And back.
+/// Converts a number from SI to the units of the file.
 double from_si(double value, InpQuantity quantity, const InpUnits& units);
 
-/// The units a comment of the file states. Throws InputError where they are none.
+/// Returns the units that a comment of the file states. Throws InputError if they are invalid.
 std::optional<InpUnits> stated_units(std::string_view text, const std::string& file_name);
-/// Those of a tire whose outermost node lies that far from the axis, in units of the file.
+/// Returns the units of a tire whose outermost node has that distance from the axis, in units of
+/// the file.
 std::optional<InpUnits> units_of_size(double radius);
-/// "mm, N, tonne"
+/// Returns "mm, N, tonne".
 std::string in_words(const InpUnits& units);
 
 }  // namespace latsch::formats

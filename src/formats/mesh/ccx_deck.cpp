@@ -16,10 +16,14 @@ namespace {
 
 using fe_tire::Element;
 
-constexpr double kMillimeters = 1e3;                                              // of a meter
-constexpr double kMegapascals = 1e-6;                                             // of a pascal
-constexpr double kTonnesPerCubicMm = 1e-12;                                       // of a kg/m^3
-constexpr double kMegapascalsPerMm = 1e-9;                                        // of a Pa/m
+constexpr double kMillimeters = 1e3;                                              // millimeters per
+                                                                                  // meter
+constexpr double kMegapascals = 1e-6;                                             // megapascals per
+                                                                                  // pascal
+constexpr double kTonnesPerCubicMm = 1e-12;                                       // tonnes per mm^3
+                                                                                  // for 1 kg/m^3
+constexpr double kMegapascalsPerMm = 1e-9;                                        // MPa/mm for 1
+                                                                                  // Pa/m
 constexpr double kGroundLength = 0.16, kGroundWidth = 0.17, kGroundDepth = 0.02;  // m, half sizes
 
 class DeckWriter {
@@ -60,7 +64,7 @@ class DeckWriter {
   int tied_number(int plane, int corner) const {
     return 1 + mesh_.nodes() + plane % mesh_.sectors * tied() + corner;
   }
-  /// Of a corner of an element of the sector.
+  /// Node number of a corner of an element of the sector.
   int corner_number(int sector, int corner) const {
     const int n = mesh_.nodes_per_sector(), plane = sector + corner / (n + tied());
     const int own = corner % (n + tied());
@@ -91,7 +95,7 @@ class DeckWriter {
         node(++number, {sx * x, sy * y, z});
   }
 
-  /// Deck frame: x forward, y up, z = -y of the wheel frame along the spin axis.
+  /// Axes of the deck: x forward, y up, z = -y of the wheel frame along the spin axis.
   void node(int number, const Eigen::Vector3d& x) {
     const Eigen::Vector3d mm = kMillimeters * x;
     print("{},{:.12g},{:.12g},{:.12g}\n", number, mm.x(), mm.z(), -mm.y());
@@ -111,7 +115,7 @@ class DeckWriter {
     print("\n");
   }
 
-  /// Corners between two nodes stay on the straight line between them.
+  /// Corners between two nodes stay on the straight line between these.
   void ties() {
     for (int s = 0; s < mesh_.sectors; ++s)
       for (int i = 0; i < tied(); ++i) {
@@ -147,7 +151,7 @@ class DeckWriter {
       element_set("TREAD", [this](int s, const Element& e) { return e.tread && lower_half(s); });
   }
 
-  /// What can meet the ground; leaving out the rest saves CalculiX half of its search.
+  /// True for sectors that can touch the ground; leaving out the others halves CalculiX's search.
   bool lower_half(int sector) const {
     return mesh_.sectors == 1 || std::cos(mesh_.angle(sector)) > 0.0 ||
            std::cos(mesh_.angle(sector + 1)) > 0.0;
@@ -206,7 +210,7 @@ class DeckWriter {
     return false;
   }
 
-  /// Upper triangle column by column in CalculiX' order 11 22 33 12 13 23.
+  /// Upper triangle column by column in CalculiX's order 11 22 33 12 13 23.
   bool write_law(const fe_tire::StVenantKirchhoff& law) {
     print("*ELASTIC,TYPE=ANISO\n");
     int count = 0;

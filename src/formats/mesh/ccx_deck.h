@@ -2,9 +2,9 @@
 // Writes a tire as a CalculiX deck (mm, N, tonne, s): inflation, load against flat ground,
 // frequencies.
 //
-// The same mesh, laws and loads in an independent program. Two things CalculiX 2.20 wants to know:
-// it has no rebars, so the cords must be smeared; and it counts the load stiffness of the pressure
-// twice in a prestressed frequency step, so that step carries half the pressure.
+// The deck has the same mesh, laws and loads for an independent program. CalculiX 2.20 differs in
+// two points: it has no rebars, so the cords must be smeared; and it counts the load stiffness of
+// the pressure twice in a prestressed frequency step, so that step has half the pressure.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ namespace latsch::formats {
 
 struct CcxGround {
   double radius = 0.0;        // m, from wheel center to ground before it moves
-  double travel = 0.0;        // m, toward the wheel center
+  double travel = 0.0;        // m, of the ground toward the wheel center
   double stiffness = 2.0e10;  // Pa/m
   double mu = 0.0;
 };
@@ -28,12 +28,12 @@ struct CcxRun {
   std::string title;
   double pressure = 0.0;            // Pa
   std::optional<CcxGround> ground;  // none: no load step
-  int load_increments = 5;          // of the travel
+  int load_increments = 5;          // number of increments of the travel
   int modes = 20;                   // 0: no frequency step
-  bool loaded_modes = true;         // else those of the inflated tire, before the load step
+  bool loaded_modes = true;         // false: modes of the inflated tire, before the load step
 };
 
-/// Throws InputError where the mesh holds rebars.
+/// Throws InputError if the mesh has rebars.
 void write_ccx_deck(std::ostream& out,
                     const fe_tire::Mesh& mesh,
                     const fe_tire::Materials& materials,

@@ -12,7 +12,7 @@
 namespace latsch::formats {
 namespace {
 
-/// The numbers of a line; nothing where it holds anything else.
+/// Returns the numbers of a line; nothing if it contains anything else.
 std::optional<std::vector<double>> numbers(const std::string& line) {
   std::istringstream fields(line);
   fields.imbue(std::locale::classic());
@@ -23,7 +23,7 @@ std::optional<std::vector<double>> numbers(const std::string& line) {
   return values;
 }
 
-/// "RIM" of " total force (fx,fy,fz) for set RIM and time  0.1E+01".
+/// Returns "RIM" from " total force (fx,fy,fz) for set RIM and time  0.1E+01".
 std::string set_name(const std::string& title) {
   const auto from = title.find("for set ") + 8, to = title.find(" and time", from);
   return title.substr(from, to - from);
@@ -60,7 +60,7 @@ CcxResults parse_ccx_results(std::string_view text, const std::string& file_name
       continue;
     }
     const auto row = numbers(line);
-    if (!row) {  // column headings stand above the first row; any other text ends the table
+    if (!row) {  // column heads may precede the first row; any other text ends the table
       if (rows > 0 && line.find_first_not_of(" \t\r") != std::string::npos) table = Table::none;
       continue;
     }

@@ -42,7 +42,7 @@ class Aligner {
   std::optional<LocalDirection> zeta(int e) const { return zeta_[e]; }
   int buried() const { return buried_; }
 
-  /// The direction nearest to increasing angle.
+  /// Direction of an element nearest to increasing angle.
   LocalDirection xi(int e) const {
     const Hex x = coordinates(e);
     const Eigen::Vector3d middle = x.rowwise().mean();
@@ -87,7 +87,8 @@ class Aligner {
     stacks_.push_back(e);
   }
 
-  /// To the element behind the face an outward direction points through, if it lies along zeta.
+  /// Continues to the element behind the face in an outward direction, if the direction is along
+  /// zeta.
   void spread_through(int e, LocalDirection outward) {
     for (const Face& other : faces_.at(face_key(e, outward)))
       if (other.element != e)
@@ -104,7 +105,7 @@ class Aligner {
       }
   }
 
-  /// The direction of an element nearest to a vector, leaving out the axis through a shared face.
+  /// Direction of an element nearest to a vector, except the axis through the shared face.
   LocalDirection nearest(const Face& shared, const Eigen::Vector3d& along) const {
     const Hex x = coordinates(shared.element);
     LocalDirection best;

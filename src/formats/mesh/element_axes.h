@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gives the elements of a foreign mesh the local axes of models/fe_tire/element/mesh.h.
 //
-// zeta starts at faces known to be inner (pressure) or outer (contact), goes on through opposite
-// faces to the element stacked there, and from stack to stack sideways. xi is the axis nearest to
+// zeta starts at faces known to be inner (pressure) or outer (contact), continues through opposite
+// faces to the elements stacked there, and from stack to stack sideways. xi is the axis nearest to
 // the circumference.
 #pragma once
 
@@ -13,17 +13,17 @@
 
 namespace latsch::formats {
 
-/// A face of which the side is known.
+/// A face whose side is known.
 struct KnownFace {
   int element = 0;
-  LocalDirection outward;  // of the element
-  bool inner = false;      // else outer
+  LocalDirection outward;  // outward direction of the face
+  bool inner = false;      // false: outer face
 };
 
-/// What became of the elements.
+/// Result of the alignment.
 struct Alignment {
-  std::vector<char> reached;  // from a known face; the others keep their numbering
-  int buried = -1;            // one of which a known face lies against another element; -1: none
+  std::vector<char> reached;  // elements reached from a known face; the others keep their numbering
+  int buried = -1;            // an element with a known face against another element; -1: none
 };
 
 /// Renumbers the elements in place; X is in the tire's frame, spin axis y.

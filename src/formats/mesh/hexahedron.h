@@ -10,8 +10,8 @@ namespace latsch::formats {
 using HexNodes = std::array<int, 8>;
 using Hex = Eigen::Matrix<double, 3, 8>;
 
-/// Where the stress components 11 22 33 12 13 23 of CalculiX and Abaqus stand in the Voigt order of
-/// models/fe_tire.
+/// Positions of the stress components 11 22 33 12 13 23 of CalculiX and Abaqus in the Voigt order
+/// of models/fe_tire.
 inline constexpr int kVoigtOfCalculix[6] = {0, 1, 2, 3, 5, 4};
 
 /// A direction along a local axis of an element: axis 0, 1, 2 and sign.
@@ -22,20 +22,20 @@ struct LocalDirection {
   bool operator==(const LocalDirection&) const = default;
 };
 
-/// The outward direction of face 1 to 6.
+/// Outward direction of face 1 to 6.
 LocalDirection face_direction(int face);
 
-/// The four node positions (0 to 7) of the face an outward direction points through.
+/// The four node positions (0 to 7) of the face in an outward direction.
 std::array<int, 4> face_corners(LocalDirection outward);
 
-/// From the middle of the opposite face to the middle of the face.
+/// Vector from the middle of the opposite face to the middle of the face.
 Eigen::Vector3d span(const Hex& X, LocalDirection direction);
 
-/// Least volume spanned by the three edges at a corner; not positive where the element is inverted.
+/// Least volume spanned by the three edges at a corner; not positive if the element is inverted.
 double smallest_corner_volume(const Hex& X);
 
-/// For each node of an element whose local axes are xi, xi's right-handed partner eta and zeta: its
-/// position in the present numbering. xi and zeta belong to different axes.
+/// Returns for each node of an element with local axes xi, eta (right-handed) and zeta its position
+/// in the present numbering. xi and zeta belong to different axes.
 std::array<int, 8> renumbering(LocalDirection xi, LocalDirection zeta);
 
 }  // namespace latsch::formats

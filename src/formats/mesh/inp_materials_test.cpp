@@ -12,7 +12,7 @@ namespace {
 
 using fe_tire::Matrix6;
 
-/// The stiffness of a material M with this law in an orientation turned about an axis (0: none).
+/// Stiffness of a material M with this law in an orientation rotated about an axis (0: none).
 Matrix6 stiffness_of(const std::string& law, int axis = 0, double angle = 0.0) {
   const std::string turned = axis == 0 ? "" : fmt::format("{},{}\n", axis, angle);
   const InpDeck deck = parse_inp("** units: m, N, kg\n*MATERIAL,NAME=M\n" + law +
@@ -39,23 +39,23 @@ TEST(InpMaterials, IsotropicConstantsAreTheSameInEveryForm) {
              D)
                 .norm(),
             1e-12 * D.norm());
-  // An isotropic law has no directions to turn.
+  // An isotropic law does not change by rotation.
   EXPECT_LT((stiffness_of(engineering(E, E, nu, G), 2, 33.0) - D).norm(), 1e-12 * D.norm());
 }
 
-// [Jones, Mechanics of Composite Materials, 2nd ed. 1999, eq. 2.97]: the modulus of a lamina at an
-// angle to its fibers.
+// Modulus of a lamina at an angle to its fibers [Jones, Mechanics of Composite Materials, 2nd ed.
+// 1999, eq. 2.97]:
 //   1/E_x = cos^4/E1 + (1/G12 - 2 nu12/E1) sin^2 cos^2 + sin^4/E2
 TEST(InpMaterials, ALaminaTurnedByAnAngleHasTheModulusOfTheBooks) {
   const double E1 = 2e9, E2 = 1e7, nu = 0.3, G = 4e6, angle = 24.0;
   const double c = std::cos(angle * M_PI / 180.0), s = std::sin(angle * M_PI / 180.0);
   const double expected =
       1.0 / (std::pow(c, 4) / E1 + (1.0 / G - 2.0 * nu / E1) * s * s * c * c + std::pow(s, 4) / E2);
-  // Fibers along axis 1, radial; turned about axis 3 they go toward axis 2.
+  // The fibers are along axis 1, radial; rotated about axis 3 they turn toward axis 2.
   const Matrix6 compliance = stiffness_of(engineering(E1, E2, nu, G), 3, angle).inverse();
   EXPECT_NEAR(1.0 / compliance(0, 0), expected, 1e-9 * expected);
-  // Radial stress shears it in the plane of the turn: fibers lean toward +2, as tension turns them
-  // back, gamma_12 < 0.
+  // Radial stress shears the lamina in the plane of the rotation: fibers lean toward +2 and tension
+  // turns them back, gamma_12 < 0.
   EXPECT_LT(compliance(3, 0), 0.0);
   EXPECT_NEAR(compliance(4, 0), 0.0, 1e-20);
   EXPECT_NEAR(compliance(5, 0), 0.0, 1e-20);

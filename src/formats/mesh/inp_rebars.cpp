@@ -13,13 +13,13 @@
 namespace latsch::formats {
 namespace {
 
-/// How far a corner of a surface element may be from the side of its host and from one depth, of
-/// half the host's size.
+/// Tolerance for the distance of a surface element's corner from the side of its host and from
+/// constant depth, as a share of half the host's size. A larger value accepts more skewed layers.
 constexpr double kOffSide = 0.02;
 constexpr double kXi[8] = {-1, 1, 1, -1, -1, 1, 1, -1}, kEta[8] = {-1, -1, 1, 1, -1, -1, 1, 1},
                  kZeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
 
-/// The local coordinates of a place, by Newton's method on the trilinear map; none far outside.
+/// Local coordinates of a point, by Newton's method on the trilinear map; none far outside.
 std::optional<Eigen::Vector3d> local_coordinates(const Hex& X, const Eigen::Vector3d& x) {
   constexpr int kMostSteps = 25;
   constexpr double kFar = 4.0, kConverged = 1e-12;
@@ -115,7 +115,7 @@ class Placer {
                                    rebars.name));
   }
 
-  /// Elements that may hold it, ascending.
+  /// Elements that may contain the surface element, ascending.
   std::vector<int> candidates(const InpSurfaceElement& element, const Eigen::Vector3d& middle) {
     const bool shares = std::all_of(element.node.begin(), element.node.end(), [&](int node) {
       return hosts_.of_node.count(node) > 0;
@@ -142,7 +142,8 @@ class Placer {
     return entry->second;
   }
 
-  /// Its depth in that element; none where it does not go through from side to side at one.
+  /// Depth of the surface element in element e; none if it does not extend from side to side at
+  /// constant depth.
   std::optional<double> depth_in(int e, const Eigen::Matrix<double, 3, 4>& x) const {
     const Hex X = corners_of(e);
     double lowest = 2.0, highest = -2.0;
@@ -169,7 +170,7 @@ class Placer {
     double depth = 0.0;
     for (const int e : candidates(element, x.rowwise().mean())) {
       const auto zeta = depth_in(e, x);
-      if (!zeta || (host >= 0 && *zeta <= depth)) continue;  // between two elements: the inner one
+      if (!zeta || (host >= 0 && *zeta <= depth)) continue;  // the inner of two hosts
       host = e;
       depth = *zeta;
     }

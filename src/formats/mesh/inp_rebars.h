@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the layers of rebars of an .inp deck lie in the solid elements of the tire.
+// Finds the layers of rebars of an .inp file in the solid elements of the tire.
 //
-// Abaqus holds cords in surface elements without stiffness of their own, *SURFACE SECTION with
-// *REBAR LAYER below it, which stand on the nodes of the solids or are an *EMBEDDED ELEMENT in
-// them. A layer of models/fe_tire fills an element from side to side at one depth zeta; so every
-// surface element has to span its host so, anything else is refused. Angles count from the
-// circumference, which takes an ORIENTATION about the spin axis, about the normal of the surface
-// element: its order of nodes says which side that is.
+// Abaqus defines cords in surface elements without stiffness of their own, *SURFACE SECTION with
+// *REBAR LAYER below it, which share the nodes of the solids or are an *EMBEDDED ELEMENT in them. A
+// layer of models/fe_tire fills an element from side to side at one depth zeta; so every surface
+// element has to extend from side to side of its host, and anything else is refused. Angles are
+// counted from the circumference, which requires an ORIENTATION about the spin axis, about the
+// normal of the surface element: the order of its nodes determines the normal.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@
 
 namespace latsch::formats {
 
-/// A layer of the tire: rebars of the deck (an index), turned as their surface's normal says.
+/// A layer of the tire: rebars of the deck (an index), with the sign of their surface's normal.
 struct InpLayer {
   int rebars = 0;
   int sign = 1;
@@ -27,19 +27,19 @@ struct InpLayer {
 
 struct InpPlacedRebars {
   std::vector<InpLayer> layers;
-  std::vector<std::vector<fe_tire::RebarPlacement>> of_element;  // of the hosts
+  std::vector<std::vector<fe_tire::RebarPlacement>> of_element;  // layers of each host
 };
 
-/// The solids of the tire, their axes those of models/fe_tire/element/mesh.h.
+/// The solids of the tire, with the axes of models/fe_tire/element/mesh.h.
 struct InpHosts {
-  Eigen::Matrix3Xd X;              // of the nodes, any frame and unit
+  Eigen::Matrix3Xd X;              // node positions, in any frame and unit
   std::vector<HexNodes> elements;  // indices into X
-  std::map<int, int> of_number;    // place in `elements` of a number of the deck
-  std::map<int, int> of_node;      // column of X of a node of the deck
+  std::map<int, int> of_number;    // index in `elements` by element number of the deck
+  std::map<int, int> of_node;      // column of X by node number of the deck
 };
 
-/// `place` gives a node of the deck in the frame of X. Throws InputError naming the surface element
-/// and what is wrong with it.
+/// `place` returns a node of the deck in the frame of X. Throws InputError naming the surface
+/// element and its fault.
 InpPlacedRebars place_rebars(const InpDeck& deck,
                              const InpHosts& hosts,
                              const std::function<Eigen::Vector3d(int node)>& place);

@@ -18,7 +18,7 @@ struct RebarTire {
   Materials materials;
 };
 
-/// Tire B with its plies as rebars, coarse, and with what a rebar of Abaqus can say.
+/// Tire B on a coarse mesh with its plies as rebars, limited to the properties of Abaqus' rebars.
 RebarTire rebar_tire() {
   TireDescription tire = reference_tire_b();
   tire.section.meridional = 9;
@@ -39,7 +39,8 @@ std::string deck_of(const RebarTire& tire) {
   return rebar_deck(tire.mesh, tire.materials, run);
 }
 
-/// Thickness position and cord of every layer of an element, whatever the layers' numbers.
+/// Compares thickness position and cord of every layer of an element, for any numbering of the
+/// layers.
 void expect_same_cords(const Element& a,
                        const Materials& ma,
                        const Element& b,
@@ -133,7 +134,7 @@ TEST(InpRebars, WhatALayerCannotBeIsRefused) {
        "\"GONE\" is not defined");
   says(complaint("*REBAR LAYER,ORIENTATION=WHEEL\nPLY0,", "*REBAR LAYER,ORIENTATION=WHEEL\nPLY0,-"),
        "expected more than 0");
-  // A node moved aside.
+  // One node is moved aside.
   const std::string node = deck.substr(deck.find("\n1000000,"), 12);
   says(complaint(node, "\n1000000,9"), "from side to side");
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spoiled decks end in a deck, a tire or an InputError, never otherwise, and never slowly.
+// Reading a spoiled deck ends in a deck, a tire or an InputError, never otherwise, and never
+// slowly.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ std::string small_deck() {
   return out.str();
 }
 
-/// The same with its cords as layers of rebars in embedded surface elements.
+/// The small deck with its cords as layers of rebars in embedded surface elements.
 std::string rebar_deck() {
   fe_tire::TireDescription tire = fe_tire::reference_tire_b();
   tire.section.meridional = 5;
@@ -39,7 +40,7 @@ std::string rebar_deck() {
   return rebar_deck(build_mesh(tire), materials, run);
 }
 
-/// Whether it is a tire all the same; written back unchanged it is the same text.
+/// True if the text is still a tire; if it is written back unchanged, the text is the same.
 bool read(const std::string& text) {
   try {
     const InpDeck deck = parse_inp(text, "spoiled.inp");
@@ -76,7 +77,7 @@ TEST(InpSpoiled, BytesChangedLinesMovedOrCutAway) { spoil(small_deck(), 2000); }
 
 TEST(InpSpoiled, TheSameOfLayersOfRebars) { spoil(rebar_deck(), 1000); }
 
-// Cut anywhere before the steps, where every card of the model is needed, it is no tire.
+// A deck that ends anywhere before the steps is no tire, because every card of the model is needed.
 TEST(InpSpoiled, ATruncatedDeckIsNoTire) {
   for (const std::string& deck : {small_deck(), rebar_deck()}) {
     const std::size_t steps = deck.find("*STEP");

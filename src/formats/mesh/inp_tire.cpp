@@ -46,7 +46,7 @@ class TireReader {
   }
 
  private:
-  /// Bits of the held directions of every supported node.
+  /// Collects the fixed directions of every supported node as bits.
   void take_held() {
     const auto take = [&](const InpSupport& support) {
       for (int node : support.nodes) {
@@ -60,8 +60,8 @@ class TireReader {
       for (const InpSupport& support : step.supports) take(support);
   }
 
-  /// The ground is every body touched by a master surface; a body of which all nodes are held is
-  /// no part of the tire either.
+  /// The ground is every body with a master surface; a body whose nodes are all fixed is no part of
+  /// the tire either.
   void separate_ground() {
     std::map<int, std::vector<int>> elements_at;
     for (const auto& [number, element] : deck_.elements)
@@ -120,7 +120,7 @@ class TireReader {
     R_.row(0) = (-axis).cross(-down).transpose();
   }
 
-  /// Middle of the master faces, in the file's frame; below the axis where there is no ground.
+  /// Middle of the master faces, in the file's frame; a point below the axis if there is no ground.
   Eigen::Vector3d ground_point() const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     int count = 0;
@@ -181,7 +181,7 @@ class TireReader {
   void take_ties() {
     for (const auto& [number, tie] : deck_.ties) {
       const auto node = node_index_.find(number);
-      if (node == node_index_.end()) continue;  // of no element of the tire
+      if (node == node_index_.end()) continue;  // belongs to no element of the tire
       const auto lower = node_index_.find(tie.lower), upper = node_index_.find(tie.upper);
       if (lower == node_index_.end() || upper == node_index_.end())
         throw InputError(
@@ -200,7 +200,7 @@ class TireReader {
       const InpSolid solid{material.name, has_directions(material) ? section.orientation : ""};
       for (int number : deck_.element_sets.at(section.elset)) {
         const auto element = element_index_.find(number);
-        if (element == element_index_.end()) continue;  // of the ground
+        if (element == element_index_.end()) continue;  // belongs to the ground
         auto at = std::find(tire_.solids.begin(), tire_.solids.end(), solid);
         if (at == tire_.solids.end()) {
           tire_.mesh.region_names.push_back(material.name);
@@ -217,7 +217,7 @@ class TireReader {
       }
   }
 
-  /// Pressure of the last static step, contact surface of the tire.
+  /// Reads the pressure of the last static step and the contact surface of the tire.
   void take_faces() {
     for (const InpStep& step : deck_.steps) {
       if (step.kind != InpStep::Kind::statics || step.pressures.empty()) continue;
@@ -308,9 +308,9 @@ class TireReader {
     tire_.layers = placed_.layers;
   }
 
-  /// Solid, pressure and rebars as one number, the same for elements that are alike.
+  /// Encodes solid, pressure and rebars as one number, equal for equal elements.
   void take_kinds() {
-    constexpr double kDepths = 1e4;  // told apart, of half an element
+    constexpr double kDepths = 1e4;  // steps of depth that are distinguished in half an element
     std::map<std::vector<std::int64_t>, std::int64_t> kinds;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       std::vector<std::int64_t> kind{solid_[e], inner_faces_.count(static_cast<int>(e)) ? 1 : 0};
@@ -381,15 +381,15 @@ class TireReader {
     mesh.sensors = choose_sensors(mesh);
     try {
       fe_tire::check(mesh);
-    } catch (const InputError& error) {  // which knows no files
+    } catch (const InputError& error) {  // the reader does not know the file's name
       throw InputError({deck_.file, 0}, error.what());
     }
   }
 
-  /// The nodes of a sector that are tied to no line, in new numbers; -1: tied.
+  /// The nodes of a sector that are not tied to a line, in new numbers; -1: tied.
   struct SectorNodes {
     std::vector<int> own;
-    std::map<int, int> local;  // from the ring's numbers to those of the sector
+    std::map<int, int> local;  // numbers in the ring -> numbers in the sector
     int count = 0;
   };
 
@@ -402,7 +402,7 @@ class TireReader {
     return nodes;
   }
 
-  /// The corners of an element of the sector: nodes, or places on the line between two of them.
+  /// Corners of an element of the sector: nodes, or positions on the line between two nodes.
   void place_corners(const Sector& sector,
                      const SectorNodes& nodes,
                      int element_of_sector,
@@ -436,7 +436,7 @@ class TireReader {
     element.tie = placed->tie;
   }
 
-  /// Where an element's section is, (y, r) of its middle.
+  /// Position of an element in the section: (y, r) of its middle.
   std::pair<double, double> place(int e) const {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (int node : elements_[e])
@@ -492,11 +492,11 @@ class TireReader {
   const InpUnits units_;
   InpTire tire_;
   Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d R_ = Eigen::Matrix3d::Identity();  // from the file's frame to the wheel's
-  std::map<int, int> held_;                          // node number -> bits of the held directions
+  Eigen::Matrix3d R_ = Eigen::Matrix3d::Identity();  // rotates the file's frame to the wheel's
+  std::map<int, int> held_;                          // node number -> bits of the fixed directions
   std::set<int> ground_elements_, ground_nodes_;
   std::map<int, int> node_index_, element_index_;
-  std::map<int, TiedNode> ties_;  // of node indices
+  std::map<int, TiedNode> ties_;  // keys are node indices
   std::vector<int> element_numbers_;
   std::vector<HexNodes> elements_;
   std::vector<int> solid_;

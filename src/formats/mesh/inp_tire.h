@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tire out of an .inp file: mesh, materials, inflation and ground in the terms of models/fe_tire.
+// Reads a tire from an .inp file: mesh, materials, inflation and ground in the terms of
+// models/fe_tire.
 //
-// The spin axis is that of the cylindrical orientation (z where there is none); the ground lies
-// where the contact's master body is, and that direction becomes down. A mesh made of equal sectors
-// is found out and becomes one sector; a contact surface on part of the circumference is then
-// continued around it. Without contact, the outer faces that look outward are the tread.
+// The spin axis is that of the cylindrical orientation (z if there is none); the ground is the
+// contact's master body, and its direction becomes down. A mesh of equal sectors is recognized and
+// becomes one sector; a contact surface on part of the circumference is then continued around it.
+// Without contact, outer faces that face outward are the tread.
 //
 // A corner that *EQUATION holds on the line between two nodes becomes an edge tie of its element
-// (tied_corners.h), no node.
+// (tied_corners.h), not a node.
 //
-// Elements are computed as the deck says: C3D8 with full integration, as CalculiX does, its
+// Elements are computed as the deck states: C3D8 with full integration, as in CalculiX, its
 // variants against locking (C3D8I, C3D8R, with H or without) by the solid shell.
 #pragma once
 
@@ -23,7 +24,7 @@
 
 namespace latsch::formats {
 
-/// Flat ground as the file moves it.
+/// Flat ground with its motion in the file.
 struct InpGround {
   double radius = 0.0;     // m, from wheel center to ground before it moves
   double travel = 0.0;     // m, toward the wheel center
@@ -31,7 +32,7 @@ struct InpGround {
   double mu = 0.0;
 };
 
-/// What a solid of the tire is made of: names of the deck; no orientation: "".
+/// Names of the deck for a solid of the tire; no orientation: "".
 struct InpSolid {
   std::string material, orientation;
   auto operator<=>(const InpSolid&) const = default;
@@ -40,22 +41,22 @@ struct InpSolid {
 struct InpTire {
   fe_tire::Mesh mesh;
   fe_tire::ElementKind element = fe_tire::ElementKind::solid_shell;
-  std::vector<InpSolid> solids;  // of `materials`
+  std::vector<InpSolid> solids;  // solids of `materials`
   std::vector<InpLayer> layers;
   fe_tire::Materials materials;
   double pressure = 0.0;  // Pa
   std::optional<InpGround> ground;
-  int modes = 0;  // asked for; 0: none
+  int modes = 0;  // number requested; 0: none
 };
 
-/// Throws InputError for what such a tire cannot be, naming the line or the element.
+/// Throws InputError if the file cannot be such a tire, naming the line or the element.
 InpTire read_inp_tire(const std::filesystem::path& file);
 InpTire tire_from(const InpDeck& deck);
 
-/// The materials of that tire with the numbers of the deck as they are now. Throws InputError where
-/// they are none.
+/// Returns the materials of the tire with the present numbers of the deck. Throws InputError if
+/// they are invalid.
 fe_tire::Materials materials_of(const InpTire& tire, const InpDeck& deck);
-/// Pa.
+/// Returns the pressure in Pa.
 double pressure_of(const InpDeck& deck);
 
 }  // namespace latsch::formats

@@ -63,7 +63,7 @@ void expect_same_solids(const Mesh& a, const Materials& ma, const Mesh& b, const
   }
 }
 
-// Written by an independent generator, with nine digits.
+// The deck was written by an independent generator with nine digits.
 TEST(InpTire, TheDeckOfTireBIsOneSectorOfTheSameTire) {
   if (!std::filesystem::exists(kDecks)) GTEST_SKIP() << "no decks in " << kDecks;
   const InpTire deck = read_inp_tire(kDecks / "tire_b_loaded.inp");
@@ -92,7 +92,7 @@ TEST(InpTire, WhatTheDeckWriterWritesComesBack) {
   EXPECT_EQ(deck.mesh.sensors.size(), 5u);
 }
 
-/// Rows that end in the sidewall: corners of the many rows lie on the edges of the few.
+/// A tire with rows that end in the sidewall: corners of the many rows lie on the edges of the few.
 TireDescription tied_tire() {
   TireDescription tire = small_tire();
   tire.section.faces = {{{0.0}, {-0.6e-3}}, {{0.0}, {0.6e-3}}, {{0.0}, {1.7e-3}}};
@@ -117,7 +117,7 @@ TEST(InpTire, CornersTiedByEquationsComeBackAsEdgeTiesWithTheSameResults) {
     EXPECT_NEAR(read.mesh.elements[e].tie.lower, written.elements[e].tie.lower, 1e-11);
     EXPECT_NEAR(read.mesh.elements[e].tie.upper, written.elements[e].tie.upper, 1e-11);
   }
-  // Growth and the force on the ground, in the elements of the deck.
+  // Growth and the force on the ground, with the elements of the deck.
   const auto results = [](const Mesh& mesh, const Materials& materials) {
     fe_tire::FeTire pressed(mesh, materials, {.element = fe_tire::ElementKind::full_integration});
     const auto inflated = pressed.inflate(2.6e5);
@@ -135,9 +135,10 @@ TEST(InpTire, CornersTiedByEquationsComeBackAsEdgeTiesWithTheSameResults) {
 TEST(InpTire, ElementsMayComeInAnyOfTheirTwentyFourNumberings) {
   const TireDescription tire = small_tire();
   InpDeck deck = parse_inp(deck_of(tire), "small.inp");
-  // Turn every third element by an even permutation of its axes, and its loaded faces with it.
+  // Every third element is turned by an even permutation of its axes, and its loaded faces with it.
   static constexpr int kTurned[8] = {0, 3, 7, 4, 1, 2, 6, 5};  // new axes (eta, zeta, xi)
-  static constexpr int kFace[7] = {0, 3, 5, 0, 0, 0, 0};       // their faces of zeta = -1, +1
+  static constexpr int kFace[7] = {0, 3, 5, 0, 0, 0, 0};       // faces of zeta = -1, +1 after
+                                                               // turning
   const Mesh mesh = build_mesh(tire);
   InpDeck original = deck;
   for (auto& [number, element] : deck.elements)
@@ -197,7 +198,8 @@ TEST(InpTire, AHeldBodyWithoutContactIsNoPartOfTheTire) {
   const InpTire read = tire_from(deck);
   EXPECT_EQ(read.mesh.element_count(), build_mesh(tire).element_count());
   EXPECT_FALSE(read.ground);
-  // Without a contact surface the tread is what looks outward: the crown, but not the sidewall.
+  // Without a contact surface the tread consists of faces that face outward: the crown, but not the
+  // sidewall.
   EXPECT_NEAR(read.mesh.outer_radius(), build_mesh(tire).outer_radius(), 1e-9);
   for (const Element& element : read.mesh.elements)
     EXPECT_TRUE(!element.tread || -read.mesh.coordinates(element).row(2).mean() > 0.28);
@@ -216,10 +218,10 @@ TEST(InpTire, UnitsAreThoseACommentStatesElseThoseOfTheSize) {
   EXPECT_THROW(parse_inp("** units: mm, kg, N\n" + deck, "wrong.inp"), InputError);
   EXPECT_THROW(parse_inp("** units: mm, N\n" + deck, "two.inp"), InputError);
   EXPECT_EQ(units_of_size(0.32), (InpUnits{1.0, 1.0, 1.0}));
-  EXPECT_FALSE(units_of_size(13.0));  // inches?
+  EXPECT_FALSE(units_of_size(13.0));  // inches are not recognized
 }
 
-/// The message for a deck in which every `from` is replaced by `to`.
+/// Returns the error message for a deck in which every `from` is replaced by `to`.
 std::string deck_complaint(const std::string& from, const std::string& to) {
   std::string text = deck_of(small_tire());
   EXPECT_NE(text.find(from), std::string::npos) << from;
@@ -234,7 +236,7 @@ std::string deck_complaint(const std::string& from, const std::string& to) {
   return "nothing";
 }
 
-// Its 24 numbers are those of two rubbers, one smeared composite and the pressure.
+// The 24 numbers are those of two rubbers, one smeared composite and the pressure.
 TEST(InpTire, NumbersHaveTheNamesOfTheFile) {
   const InpDeck deck = parse_inp(deck_of(small_tire()), "small.inp");
   const auto find = [&](const std::string& path) -> const InpNumber* {
@@ -244,7 +246,7 @@ TEST(InpTire, NumbersHaveTheNamesOfTheFile) {
   };
   ASSERT_TRUE(find("pressure"));
   EXPECT_EQ(find("pressure")->value, 0.26);
-  // Inflation, load and, as CalculiX wants it, half of it in the frequency step.
+  // The pressure occurs in inflation, in the load and, halved for CalculiX, in the frequency step.
   ASSERT_EQ(find("pressure")->where.size(), 3u);
   EXPECT_EQ(find("pressure")->where[2].times, 0.5);
   EXPECT_TRUE(find("material.SOLID0.density"));
@@ -282,10 +284,10 @@ TEST(InpTire, WrittenBackOnlyChangedNumbersAreOther) {
   std::istringstream a(text), b(changed);
   int other = 0;
   for (std::string one, two; std::getline(a, one) && std::getline(b, two);) other += one != two;
-  EXPECT_EQ(other, 4);  // three of the pressure
+  EXPECT_EQ(other, 4);  // three numbers are those of the pressure
 }
 
-// What stands around a number stays: blanks, ends of lines of another system, lower case.
+// Text around a number stays: blanks, line ends of another system, lower case.
 TEST(InpTire, WrittenBackBlanksAndEndsOfLinesStay) {
   const std::string text =
       "*material, name=Soft\r\n*elastic\r\n  1.50 ,\t0.49\r\n*density\r\n1.1E-9,\r\n";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a foreign mesh does not say of its outer surface: where mode shapes are compared, what may
-// touch the ground.
+// Determines properties of the outer surface that a foreign mesh does not state: the points at
+// which mode shapes are compared, and the surface that may touch the ground.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace latsch::formats {
 
-/// Marks as tread every free outer face that looks outward more than sideways (within 45 degrees of
+/// Marks as tread every free outer face that faces outward more than sideways (within 45 degrees of
 /// the radius): for meshes without a contact surface.
 void mark_tread(fe_tire::Mesh& mesh);
 
-/// Outer nodes at both widest places, at both edges of the tread and at the crown, from left to
-/// right.
+/// Returns outer nodes at both widest positions, at both edges of the tread and at the crown, from
+/// left to right.
 std::vector<int> choose_sensors(const fe_tire::Mesh& mesh);
 
 }  // namespace latsch::formats

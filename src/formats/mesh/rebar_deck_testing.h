@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a tire with rebars as Abaqus takes it, its layers in embedded surface elements.
+// For tests: a tire with rebars in the form of Abaqus, its layers in embedded surface elements.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,8 +12,8 @@
 
 namespace latsch::formats {
 
-/// The cards of layer `layer`: nodes of its own, elements, section. Of every second layer the
-/// elements look inward, and the angle is counted the other way around.
+/// Returns the cards of layer `layer`: nodes of its own, elements, section. In every second layer
+/// the elements face inward, and the angle is counted in the opposite direction.
 inline std::string rebar_cards(const fe_tire::Mesh& mesh,
                                const fe_tire::CordLayer& layer,
                                int index,
@@ -50,12 +50,12 @@ inline std::string rebar_cards(const fe_tire::Mesh& mesh,
       elements,
       layer.E_tension * 1e-6,
       layer.density * 1e-12,
-      layer.thickness * 1e3,  // area of one each millimeter
+      layer.thickness * 1e3,  // area of a rebar with a spacing of one millimeter
       layer.E_compression == 0.0 ? "*NO COMPRESSION\n" : "",
       angle);
 }
 
-/// Compression modulus and pretension are none of a rebar's.
+/// A rebar has neither compression modulus nor pretension.
 inline std::string rebar_deck(const fe_tire::Mesh& mesh,
                               const fe_tire::Materials& materials,
                               const CcxRun& run) {

@@ -12,7 +12,8 @@ namespace latsch::formats {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kTolerance = 2e-6;  // of the tire's radius: decks carry seven digits or more
+constexpr double kTolerance = 2e-6;  // relative to the tire's radius; decks have seven digits or
+                                     // more
 
 /// Node positions as (angle, ring), rings in ascending order of size.
 class Rings {
@@ -39,7 +40,7 @@ class Rings {
     return count;
   }
 
-  /// Where every node goes when turned by 2 pi / S; nothing where some node lands on none.
+  /// Returns the image of every node after a rotation by 2 pi / S; nothing if an image is no node.
   std::optional<std::vector<int>> turned(int S) const {
     std::vector<int> image(angle_.size());
     for (const auto& ring : members_) {
@@ -55,7 +56,7 @@ class Rings {
   }
 
  private:
-  /// Rings are looked up on a grid of tolerance-sized cells, neighbors included.
+  /// Rings are searched on a grid of tolerance-sized cells, including neighbor cells.
   int ring_of(double y, double r) {
     if (members_.empty() || r < smallest_radius_) smallest_radius_ = r;
     const double cell = 4.0 * tolerance_;
@@ -114,7 +115,7 @@ std::vector<int> sector_numbers(const Ring& ring, const Rings& rings, int S) {
   return sector;
 }
 
-/// The sector holding the elements that start in sector 0; nothing where one reaches beyond the
+/// Returns the sector of the elements that start in sector 0; nothing if one extends beyond the
 /// next sector.
 std::optional<Sector> cut(const Ring& ring,
                           const Rings& rings,

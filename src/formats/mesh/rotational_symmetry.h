@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds out of how many equal sectors a mesh consists, and takes one of them out.
+// Finds the number of equal sectors of a mesh and extracts one of them.
 //
-// Candidates are the divisors of what all rings of nodes (same radius, same place along the axis)
-// have in common. A candidate S holds if turning by 2 pi / S maps every node on a node and every
-// element on an element of the same kind.
+// Candidates are the common divisors of the node counts of all rings (equal radius, equal position
+// along the axis). A candidate S is valid if rotation by 2 pi / S maps every node on a node and
+// every element on an element of the same kind.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,16 +18,17 @@ namespace latsch::formats {
 /// bottom toward +x.
 struct Ring {
   Eigen::Matrix3Xd X;              // m
-  std::vector<HexNodes> elements;  // node indices, local axes already those of mesh.h
-  std::vector<std::int64_t> kind;  // of each element: what must agree between sectors
-  std::vector<char> held;          // of each node
+  std::vector<HexNodes> elements;  // node indices; local axes are already those of mesh.h
+  std::vector<std::int64_t> kind;  // for each element; sectors must agree in it
+  std::vector<char> held;          // for each node
 };
 
 /// One sector of a ring.
 struct Sector {
-  int sectors = 1;                     // 1: no symmetry, everything as it was
-  std::vector<int> nodes;              // of the ring, in the order of the sector's own numbering
-  std::vector<int> elements;           // of the ring
+  int sectors = 1;                     // 1: no symmetry, everything unchanged
+  std::vector<int> nodes;              // nodes of the ring, in the order of the sector's own
+                                       // numbering
+  std::vector<int> elements;           // elements of the ring
   std::vector<HexNodes> connectivity;  // a node of the next sector counts nodes.size() higher
 };
 

@@ -7,9 +7,9 @@
 namespace latsch::formats {
 namespace {
 
-constexpr double kSamePlace = 1e-6;  // along the line; decks carry more digits
+constexpr double kSamePlace = 1e-6;  // tolerance along the line; decks have more digits
 
-/// Two corners of one side in one plane as nodes of a line and places on it.
+/// Two corners of one side in one plane, given by the nodes of a line and positions on it.
 struct Edge {
   int lower = 0, upper = 0;
   double from = 0.0, to = 1.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From corners that equations hold on a line to elements with an edge tie (models/fe_tire/element/
-// mesh.h): a tied corner is no node of the tire's mesh.
+// Converts corners that equations hold on a line into elements with an edge tie
+// (models/fe_tire/element/mesh.h): a tied corner is no node of the tire's mesh.
 #pragma once
 
 #include <array>
@@ -13,20 +13,20 @@
 
 namespace latsch::formats {
 
-/// A node that lies on the line between two others of the same plane.
+/// A node on the line between two others of the same plane.
 struct TiedNode {
   int lower = 0, upper = 0;
   double at = 0.0;  // 0 at the lower, 1 at the upper node
 };
 
-/// Corners of an element, in the order of mesh.h, and what of them is tied.
+/// Corners of an element, in the order of mesh.h, and its tie.
 struct TiedElement {
-  HexNodes node;  // the nodes that carry it
+  HexNodes node;  // nodes that carry the element
   fe_tire::EdgeTie tie;
 };
 
-/// `tie_of` gives the tie of a corner, or nothing for a node. Returns nothing where the tied
-/// corners are not those of one side of eta, alike in both planes: no element of this mesh.
+/// `tie_of` returns the tie of a corner, or nothing for a node. Returns nothing if the tied corners
+/// are not those of one side of eta, equal in both planes: this mesh has no such element.
 std::optional<TiedElement> tied_element(const HexNodes& corners,
                                         const std::function<std::optional<TiedNode>(int)>& tie_of);
 

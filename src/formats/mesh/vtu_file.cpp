@@ -90,8 +90,8 @@ class VtuWriter {
   long cells_;
 };
 
-/// Values of all nodes, behind them those of all corners between two of them; what has three
-/// components is a vector and turns into the wheel frame.
+/// Values of all nodes, followed by those of all corners between two nodes; values with three
+/// components are vectors and are rotated into the wheel frame.
 Eigen::MatrixXd on_ring(const Mesh& mesh, const Corners& corners, const Eigen::MatrixXd& values) {
   const int n = mesh.nodes_per_sector();
   assert(values.cols() == n || values.cols() == mesh.nodes());

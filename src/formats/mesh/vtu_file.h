@@ -12,15 +12,15 @@
 
 namespace latsch::formats {
 
-/// A named quantity, one column a node, one or three rows, in sector frames: [c x nodes] of the
-/// whole ring, or [c x nodes_per_sector] for what is the same in every sector.
+/// A named quantity in sector frames, one column for each node, one or three rows: [c x nodes] of
+/// the whole ring, or [c x nodes_per_sector] if it is the same in every sector.
 struct VtuField {
   std::string name;
   Eigen::MatrixXd values;
 };
 
-/// The whole ring in the wheel frame, m, undeformed. Every element carries its region (the names
-/// stand in the file as a comment), "inner" and "tread"; ParaView's "Warp By Vector" applies a
+/// Writes the whole ring in the wheel frame, m, undeformed. Every element has its region (names are
+/// in a comment of the file), "inner" and "tread"; ParaView's "Warp By Vector" applies a
 /// displacement or a mode shape.
 void write_tire_vtu(std::ostream& out,
                     const fe_tire::Mesh& mesh,
@@ -29,8 +29,8 @@ void write_tire_vtu(const std::filesystem::path& file,
                     const fe_tire::Mesh& mesh,
                     const std::vector<VtuField>& fields);
 
-/// The integration points in contact as single vertices on the ground, with pressure, shear, area
-/// and sticking.
+/// Writes the integration points in contact as single vertices on the ground, with pressure, shear,
+/// area and sticking.
 void write_patch_vtu(std::ostream& out, const fe_tire::Standing& standing);
 void write_patch_vtu(const std::filesystem::path& file, const fe_tire::Standing& standing);
 

@@ -16,7 +16,7 @@
 namespace latsch::formats {
 namespace {
 
-/// Without #: the standard takes KRBI; digits are no such data.
+/// Without a format line the standard assumes KRBI; data in digits cannot be that.
 void settle_format(const std::string& bytes, OpenCrgHeader& header) {
   if (!header.format.empty()) return;
   const auto is_text = [](unsigned char c) { return (c >= 32 && c < 127) || c == 10 || c == 13; };
@@ -30,7 +30,7 @@ void settle_format(const std::string& bytes, OpenCrgHeader& header) {
                             "says");
 }
 
-/// The last value of a channel; NaN where there is none.
+/// Returns the last value of a channel; NaN if there is none.
 double last_of(OpenCrgHeader::Channel::Kind kind,
                const OpenCrgHeader& header,
                const OpenCrgRecords& records) {
@@ -40,7 +40,7 @@ double last_of(OpenCrgHeader::Channel::Kind kind,
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// A file with data, and the options and modifiers that count for it.
+/// Builds a road from a file with data and the options and modifiers that apply to it.
 OpenCrg assemble(const std::string& bytes, OpenCrgHeader header) {
   using Kind = OpenCrgHeader::Channel::Kind;
   if (header.data_begin == std::string_view::npos) {

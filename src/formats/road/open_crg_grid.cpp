@@ -14,10 +14,11 @@ using Eigen::Vector2d;
 using road::CrgGrid;
 using Kind = OpenCrgHeader::Channel::Kind;
 
-constexpr double kDefaultIncrement = 0.01;  // m, of OpenCRG, along u and v
-constexpr double kLeastSpacing = 1e-6;      // m, of OpenCRG
-constexpr double kEvenLine = 3e-2;          // relative, of OpenCRG: spacing of points of the line
-constexpr double kLargestPlace = 1e9;       // m: no road is longer, no place further away
+constexpr double kDefaultIncrement = 0.01;  // m, default of OpenCRG along u and v
+constexpr double kLeastSpacing = 1e-6;      // m, least value allowed by OpenCRG
+constexpr double kEvenLine = 3e-2;          // relative, by OpenCRG: tolerance of the spacing of
+                                            // points of the line
+constexpr double kLargestPlace = 1e9;       // m; no road is longer, no position farther away
 constexpr double kMostRows = 1e8;
 
 Vector2d direction(double phi) { return {std::cos(phi), std::sin(phi)}; }
@@ -59,7 +60,8 @@ class GridBuilding {
     return -1;
   }
 
-  /// Empty where the file has no such channel. `first`: in row 0 nothing has to stand.
+  /// Returns the values of a channel, empty if the file has none. `first` is the first row in which
+  /// a value is required.
   std::vector<double> column(Kind kind, const char* name, int first = 0) const {
     const int at = column_of(kind);
     if (at < 0) return {};
@@ -113,7 +115,7 @@ class GridBuilding {
     return scale;
   }
 
-  /// Places of the sections, and which channel each is, both from right to left.
+  /// Reads the positions of the sections and the channel of each, both from right to left.
   void read_v() {
     const auto& channels = header_.channels;
     for (std::size_t i = 0; i < channels.size(); ++i) {
@@ -194,14 +196,14 @@ class GridBuilding {
     sum_headings(phi, begin, bent && has_end && !changed ? &end : nullptr);
   }
 
-  /// Forward sums; with an end, blended with the sums backward from there.
+  /// Sums forward; if there is an end, blends with the sums backward from there.
   void sum_headings(const std::vector<double>& phi, const Vector2d& begin, const Vector2d* end) {
     const double step = grid_.u_increment;
     const int last = records_.rows - 1;
     grid_.line[0] = begin;
     for (int i = 1; i <= last; ++i) grid_.line[i] = grid_.line[i - 1] + step * direction(phi[i]);
     if (!end) return;
-    // What the backward sum is off at a point is the same everywhere: the gap at the end.
+    // The error of the backward sum is the same at all points: the gap at the end.
     const Vector2d gap = *end - grid_.line[last];
     if (gap.norm() > 0.1 * step * last) {
       fail(fmt::format("has a reference line that ends {:.3g} m from where the header says",
@@ -281,7 +283,7 @@ class GridBuilding {
     }
   }
 
-  /// grid_nan_mode: 0 says that there is no road, 1 takes zero, 2 the last height beside.
+  /// Fills gaps by grid_nan_mode: 0 leaves no road, 1 sets zero, 2 the nearest height in the row.
   int fill_gaps() {
     const double mode = modifier("grid_nan_mode", 2.0);
     if (mode != 0.0 && mode != 1.0 && mode != 2.0) {
@@ -296,7 +298,7 @@ class GridBuilding {
       gaps += missing[i] ? 1 : 0;
     }
     if (gaps == 0) return 0;
-    std::vector<double> fallback(columns, 0.0);  // a row without any height is as the one before
+    std::vector<double> fallback(columns, 0.0);  // a row without any height is like the row before
     for (std::size_t row = 0; row < grid_.z.size(); row += columns) {
       fill_row(&grid_.z[row], mode == 1.0 ? &offset : nullptr, offset, fallback);
     }
@@ -373,7 +375,7 @@ class GridBuilding {
               modifier("refline_offset_z", 0.0));
   }
 
-  /// The place (u, v) of the surface comes to (x, y, z), heading phi.
+  /// Moves the point (u, v) of the surface to (x, y, z) with heading phi.
   void move_by_point() {
     const road::CrgRoad unmoved(grid_);
     const auto place = [&](const char* absolute,

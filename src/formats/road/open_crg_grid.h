@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From header and records of an OpenCRG file to the surface: reference line, modifiers, options.
+// Makes the surface from header and records of an OpenCRG file: reference line, modifiers, options.
 #pragma once
 
 #include "formats/road/open_crg_header.h"
@@ -8,10 +8,10 @@
 
 namespace latsch::formats {
 
-/// Records the header's u call for, where it names begin, end and increment.
+/// Number of records that u in the header requires, if begin, end and increment are stated.
 std::optional<long> expected_open_crg_rows(const OpenCrgHeader& header);
 
-/// `gaps`: heights that were missing.
+/// `gaps` becomes the number of missing heights.
 road::CrgGrid open_crg_grid(const OpenCrgHeader& header, const OpenCrgRecords& records, int& gaps);
 
 }  // namespace latsch::formats

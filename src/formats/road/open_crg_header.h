@@ -27,39 +27,40 @@ struct OpenCrgHeader {
   struct Channel {
     enum class Kind { section_number, section_place, u, x, y, phi, slope, banking };
     Kind kind = Kind::section_number;
-    double place = 0.0;  // of a section: number or v
+    double place = 0.0;  // number or v of a section
     int line = 0;
   };
 
   std::string file;
   std::string comment;
-  Values road, options, modifiers;  // by name in lower case
-  /// Whether the file has a section of options or modifiers, be it empty: it takes the place of
-  /// those of a file that it refers to.
+  Values road, options, modifiers;  // keys are names in lower case
+  /// True if the file has a section of options or modifiers, even an empty one: it replaces the
+  /// section of a file that this file refers to.
   bool has_options = false, has_modifiers = false;
   std::vector<std::string> kept;  // "name = value": statements that do not concern the surface
   std::string format;             // "LRFI"
   int format_line = 0;
   std::vector<Channel> channels;
-  std::vector<std::string> warnings;  // file, line and what was read in what way
-  std::vector<Reference> references;  // lines of $ROAD_CRG_FILE, as they stand
-  std::size_t data_begin = 0;         // first byte behind the line $$$$; npos: there is none
+  std::vector<std::string> warnings;  // file, line and interpretation
+  std::vector<Reference> references;  // lines of $ROAD_CRG_FILE, unchanged
+  std::size_t data_begin = 0;         // first byte behind the line $$$$; npos: there is no such
+                                      // line
   int data_line = 0;
 
   std::optional<double> find(const Values& values, std::string_view name) const;
   double value(const Values& values, std::string_view name, double fallback) const;
-  /// InputError at the statement.
+  /// Throws InputError at the statement.
   [[noreturn]] void reject(const Values& values,
                            std::string_view name,
                            const std::string& message) const;
 };
 
-/// Whether a statement acts on the surface; else it is a position on the globe, a map projection or
-/// what a program searches, checks, warns and logs.
+/// True if a statement acts on the surface; otherwise it is a position on the globe, a map
+/// projection or concerns what a program searches, checks, warns and logs.
 bool concerns_surface(std::string_view name);
 
-/// Throws InputError for a statement that is unknown or has no number, and for one of $ROAD_CRG
-/// that comes twice; of options and modifiers the last one counts, with a warning.
+/// Throws InputError for a statement that is unknown or has no number, and for a repeated one of
+/// $ROAD_CRG; if an option or modifier is repeated the last one counts, with a warning.
 OpenCrgHeader read_open_crg_header(std::string_view bytes, const std::string& file);
 
 }  // namespace latsch::formats

@@ -12,14 +12,14 @@ namespace latsch::formats {
 
 struct OpenCrgRecords {
   int rows = 0;
-  std::size_t columns = 0;     // as the header's channels
-  std::vector<double> values;  // row by row; missing ones are NaN
+  std::size_t columns = 0;     // number of the header's channels
+  std::vector<double> values;  // row by row; missing values are NaN
 
   double at(int row, std::size_t column) const { return values[row * columns + column]; }
 };
 
-/// `rows`: as many are expected, where the header says so. Numbers stand in columns of 10 or 20 and
-/// may touch; `*missing*`, `**unused**` and blanks are NaN.
+/// `rows` is the number of rows expected, if the header states it. Numbers have columns of 10 or 20
+/// characters and may touch; `*missing*`, `**unused**` and blanks are NaN.
 OpenCrgRecords read_open_crg_records(std::string_view bytes,
                                      const OpenCrgHeader& header,
                                      std::optional<long> rows);

@@ -23,7 +23,7 @@ struct Block {
   std::string file;
 };
 
-/// What a file and those it refers to say.
+/// The statements of a file and of those it refers to.
 struct Gathered {
   std::optional<Block> options, modifiers;
   std::optional<OpenCrgHeader> data;
@@ -110,7 +110,7 @@ class Resolving {
     return all;
   }
 
-  /// $NAME up to the next / is the value of that variable.
+  /// Replaces $NAME up to the next / by the value of that environment variable.
   static std::string with_environment(std::string text, const Place& place) {
     for (std::size_t at = text.find('$'); at != text.npos; at = text.find('$')) {
       const std::size_t end = std::min(text.find('/', at), text.size());
@@ -127,7 +127,7 @@ class Resolving {
     return text;
   }
 
-  /// Of what both define, `next` counts.
+  /// Merges two sets; for statements that are in both, `next` counts.
   static void merge(Gathered next, Gathered& all) {
     const auto replace = [&](auto& now, auto& then, const char* what) {
       if (!then) return;

@@ -7,11 +7,11 @@
 //   track.crg                         a path on several lines
 //   $roads/track.crg                  an environment variable
 //
-// The standard lets a section name several files and lets a path go over several lines, and does
-// not say which is which. A path ends here with a line that ends in ".crg" or that completes the
-// name of a file that exists. Paths are relative to the folder of the file that names them. Of what
-// several files define, the last one counts; sections of the referring file itself, be they empty,
-// count before those of files that it refers to.
+// The standard allows several files in a section and a path on several lines, and does not say how
+// to distinguish these. A path ends here with a line that ends in ".crg" or that completes the name
+// of an existing file. Paths are relative to the folder of the file that names them. If several
+// files define the same statement, the last one counts; sections of the referring file itself, even
+// empty ones, take precedence over those of files that it refers to.
 #pragma once
 
 #include <filesystem>
@@ -23,18 +23,18 @@
 
 namespace latsch::formats {
 
-/// A file with data and the options and modifiers that count for it.
+/// A file with data, and the options and modifiers that apply to it.
 struct ResolvedCrg {
-  std::string bytes;     // of the file with the data
-  OpenCrgHeader header;  // of the same, with the options and modifiers that count
-  std::vector<std::filesystem::path> files;  // all that were opened, the first one first
+  std::string bytes;     // content of the file with the data
+  OpenCrgHeader header;  // header of that file, with the options and modifiers that apply
+  std::vector<std::filesystem::path> files;  // all files that were opened, in that order
 };
 
-/// Throws InputError: a file that is not there or refers to itself, a variable that is not set, no
-/// data, data beside a reference.
+/// Throws InputError: a file that does not exist or refers to itself, a variable that is not set,
+/// no data, data beside a reference.
 ResolvedCrg resolve_open_crg(const std::filesystem::path& file);
 
-/// "is larger than 256 MB"
+/// Throws InputError, "is larger than 256 MB".
 void check_open_crg_size(std::string_view bytes, const std::string& file);
 
 }  // namespace latsch::formats

@@ -55,8 +55,8 @@ void expect_crg_message(const std::string& text,
   }
 }
 
-/// By central differences, away from the lines of the grid; h² times third derivatives and
-/// rounding over h are below 1e-8.
+/// Compares with central differences, away from the lines of the grid; h² times third derivatives
+/// and rounding over h are below 1e-8.
 void expect_normal_of_surface(const CrgRoad& road, double x, double y) {
   constexpr double h = 1e-5;
   const road::GroundPoint ground = road.at(x, y, 0.0);
@@ -170,7 +170,7 @@ TEST(OpenCrg, ReadsEveryFormatOfNumbers) {
       if (format[0] == 'L' && format[2] == 'F') data += "\r\n";
     }
     const CrgRoad road = road_of(with("....", format, head) + "$$$$\n" + data);
-    // 4 bytes carry 24 bits of mantissa, the shorter texts seven decimals.
+    // 4 bytes have 24 bits of mantissa, the shorter texts seven decimals.
     const double tolerance = format[1] == 'D' ? 1e-13 : 1e-8;
     for (double u = 0.1; u < 4.0; u += 0.37) {
       EXPECT_NEAR(z(road, u, 0.3), z(expected, u, 0.3), tolerance) << format;
@@ -198,7 +198,8 @@ TEST(OpenCrg, ArcIsAnArcAndItsNormalsAreThoseOfTheSurface) {
   for (double u = 0.3; u < 50.0; u += 1.7) {
     for (const double v : {-0.4, 0.1, 0.45}) {
       const Eigen::Vector2d place = road.point({u, v});
-      // The sum of chords is an arc of its circumscribed polygon: sagitta and angle of a step.
+      // The sum of chords is an arc of the circumscribed polygon: tolerance from sagitta and angle
+      // of a step.
       const double r = (place - Eigen::Vector2d(0.0, kRadius)).norm();
       EXPECT_NEAR(r, kRadius - v, kStep * kStep / (4 * kRadius)) << u;
       const auto back = road.locate(place.x(), place.y());
@@ -210,8 +211,8 @@ TEST(OpenCrg, ArcIsAnArcAndItsNormalsAreThoseOfTheSurface) {
 }
 
 TEST(OpenCrg, EveryPlaceHasAHeightAndANormalAlsoInsideATightBend) {
-  // Headings that turn by a radian a meter: the center lies at a meter, well within the places
-  // asked.
+  // Headings turn by a radian per meter: the center of curvature is at a meter, within the
+  // sections.
   std::string text = with("D:long section 1", "D:reference line phi,rad\nD:long section 1");
   text = text.substr(0, text.find("$$$$$$")) + "$$$$\n";
   for (int i = 0; i < 7; ++i) {
@@ -249,9 +250,10 @@ TEST(OpenCrg, ReferenceLineWithAnEndMeetsIt) {
 TEST(OpenCrg, ClosedTrackComesRound) {
   std::string text = with("$KD_", "$ROAD_CRG_OPTS\nrefline_continuation = 1\n$\n$KD_");
   text = with("D:long section 1", "D:reference line phi,rad\nD:long section 1", text);
-  text = with("= 1.0 !", "= 1.0471975512 !", text);  // a sixtieth of a circle of 10 m
+  text = with("= 1.0 !", "= 1.0471975512 !", text);  // a sixtieth of the circumference of a circle
+                                                     // of 10 m
   text = text.substr(0, text.find("$$$$$$")) + "$$$$\n";
-  for (int i = 0; i < 60; ++i) {  // one step is open
+  for (int i = 0; i < 60; ++i) {  // one step is missing, so the line is open
     char line[64];
     std::snprintf(line,
                   sizeof line,
@@ -308,7 +310,7 @@ TEST(OpenCrg, OfAnOptionThatComesTwiceTheLastOneCountsWithAWarning) {
                 "road.crg:11: log_eval comes a second time: 0 counts, 1 of line 9 does not",
                 "road.crg:15: scale_z_grid comes a second time: 2 counts, 3 of line 14 does not"}));
   EXPECT_TRUE(OpenCrg::parse(kPlain, "road.crg").warnings.empty());
-  // Of the surface itself two statements contradict each other.
+  // Two contradicting statements about the surface itself are refused.
   expect_crg_message(with("$ROAD_CRG\n", "$ROAD_CRG\nreference_line_increment = 2\n"),
                      "road.crg:6: ",
                      "comes twice");
@@ -329,7 +331,7 @@ TEST(OpenCrg, FollowsAFileFromTheFolderOfTheOneThatNamesIt) {
   std::filesystem::remove_all(folder);
 }
 
-// ASAM OpenCRG 1.2.0, tables of 3.4.2 to 3.4.5: every statement by the name it has there.
+// Every statement of the tables of ASAM OpenCRG 1.2.0, 3.4.2 to 3.4.5, by its name in the standard.
 TEST(OpenCrg, EveryStatementOfTheStandardsTablesIsTaken) {
   const std::vector<std::string> road = {"REFERENCE_LINE_START_B",
                                          "REFERENCE_LINE_END_B",
@@ -374,7 +376,7 @@ TEST(OpenCrg, EveryStatementOfTheStandardsTablesIsTaken) {
   const OpenCrg file = OpenCrg::parse(with("$ROAD_CRG\n", parameters, text), "road.crg");
   EXPECT_EQ(OpenCrg::parse(kPlain, "road.crg").grid.z, file.grid.z);
   EXPECT_TRUE(file.warnings.empty()) << file.warnings.front();
-  // 10 road parameters, 8 options, 20 of the projection concern no surface.
+  // 10 road parameters, 8 options, 20 statements of the projection do not concern the surface.
   EXPECT_EQ(file.kept.size(), 10u + 8u + 20u);
   EXPECT_NE(std::find(file.kept.begin(), file.kept.end(), "proj_nm = 'UTM_32U' (map projection)"),
             file.kept.end());
@@ -412,7 +414,7 @@ TEST(OpenCrg, StatementsThatContradictOrIdleEachOtherAreTold) {
   expect_crg_message(with_section("$ROAD_CRG_OPTS\nrefline_continuation = 2\n"),
                      "road.crg:9: ",
                      "expected 0 or 1");
-  // An offset of the reference point counts with and without a fraction, and beside a place.
+  // An offset of the reference point counts with and without a fraction, and beside a position.
   const auto origin = [](const std::string& modifiers) {
     return road_of(with_section("$ROAD_CRG_MODS\n" + modifiers)).point({0.0, 0.0});
   };
@@ -422,7 +424,7 @@ TEST(OpenCrg, StatementsThatContradictOrIdleEachOtherAreTold) {
   EXPECT_DOUBLE_EQ(origin("refpoint_v_offset = 0.25\n").y(), -0.25);
 }
 
-// handmade_platform.crg of the standard's samples has it.
+// handmade_platform.crg of the standard's samples contains such an exponent.
 TEST(OpenCrg, AnExponentWrittenTheWrongWayRoundIsReadWhereItIsZero) {
   const OpenCrg file =
       OpenCrg::parse(with_section("$ROAD_CRG_MODS\nscale_z_grid = 2.000000000+e00\n"), "road.crg");
@@ -463,7 +465,7 @@ TEST(OpenCrg, WithoutAFormatDataAreKrbiWithAWarning) {
   EXPECT_NE(file.warnings[0].find("taken as KRBI"), std::string::npos);
 }
 
-/// Files in a folder of their own, removed at the end.
+/// Files in a folder of their own, which is removed at the end.
 class CrgFolder {
  public:
   CrgFolder()
@@ -491,8 +493,9 @@ class CrgFolder {
   std::filesystem::path path_;
 };
 
-// 3.4.6: several files, paths on several lines, environment variables; of what is defined twice the
-// last one counts, and a section of the referring file before those of files it refers to.
+// There may be several files, paths on several lines, environment variables (3.4.6); if a statement
+// is defined twice the last one counts, and a section of the referring file before those of the
+// files it refers to.
 TEST(OpenCrg, SeveralReferencesAreSeveralFiles) {
   const CrgFolder folder;
   folder.write("plain.crg", kPlain);
@@ -511,7 +514,7 @@ TEST(OpenCrg, SeveralReferencesAreSeveralFiles) {
   EXPECT_DOUBLE_EQ(height(folder.refer("d.crg", "roads/f\nar.crg\n")), 5.0);
   EXPECT_DOUBLE_EQ(height(folder.refer("e.crg", "roads/far.crg\ndouble.crg\n")), 2.0);
   EXPECT_DOUBLE_EQ(height(folder.refer("f.crg", "e.crg\n")), 2.0);
-  // An empty section of modifiers takes those of the other file away.
+  // An empty section of modifiers disables those of the other file.
   EXPECT_DOUBLE_EQ(height(folder.refer("g.crg", "roads/far.crg\n$\n$ROAD_CRG_MODS\n")), 1.0);
   ::setenv("latsch_test_roads", "roads", 1);
   EXPECT_DOUBLE_EQ(height(folder.refer("h.crg", "$latsch_test_roads/far.crg\n")), 5.0);
@@ -542,8 +545,8 @@ struct Reference {
   double x, y, u, v, z;
 };
 
-// Numbers by an independent program: the C library of OpenCRG 1.2.0, no modifiers applied, options
-// at their defaults. It keeps heights in single precision.
+// The numbers are from an independent program: the C library of OpenCRG 1.2.0, without modifiers,
+// with default options. It keeps heights in single precision.
 void expect_as(const char* name, const std::vector<Reference>& points) {
   const CrgRoad road(OpenCrg::read(kCrgSamples / name).grid);
   for (const Reference& point : points) {

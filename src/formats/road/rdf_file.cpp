@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reader of Adams road data files; what they mean stands in road_file.h.
+// The reader of Adams road data files; road_file.h says what they mean.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ using road::Profile;
 constexpr double kLargestRoad = 1e7;  // m: no road is longer
 constexpr double kMostCleats = 1e4;
 constexpr double kMostOblique = 80.0 / 180.0 * std::numbers::pi;  // rad, of a bar
-constexpr double kSmoothest = 1e-6;  // m: the least length of an obstacle or wave
+constexpr double kSmoothest = 1e-6;  // m; least length of an obstacle or wave
 
 const std::vector<std::string> kRoadTypes = {"flat",
                                              "plank",
@@ -213,7 +213,8 @@ class RdfReading {
     return *found;
   }
 
-  /// Rows of a table as numbers in m (or s, m/s: `units` of each column), the first one rising.
+  /// Returns rows of a table as numbers in m (or s, m/s: `units` of each column), with a rising
+  /// first column.
   std::vector<std::vector<double>> rows(const char* block, const std::vector<double>& units) {
     std::vector<std::vector<double>> result;
     for (const TeimOrbitRow& row : table(block).rows) {
@@ -335,7 +336,7 @@ class RdfReading {
     result_.road = std::move(surface);
   }
 
-  /// A number of a node or element; reals stand there in files of some programs.
+  /// Reads the number of a node or element; some programs write it as a real number.
   long id(const TeimOrbitSection& section, const TeimOrbitRow& row, double number) const {
     if (number == std::floor(number) && std::abs(number) < 1e15) return static_cast<long>(number);
     throw InputError(section.place(row.line),
@@ -401,7 +402,7 @@ class RdfReading {
                      fmt::format("{} is {}, but {} follow", key, entry->value, found));
   }
 
-  /// Of [OFFSET] or [REFSYS].
+  /// Reads [OFFSET] or [REFSYS].
   Eigen::Vector3d read_offset(Eigen::Matrix3d& turn) const {
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();
     if (const TeimOrbitSection* section = file_.find("OFFSET")) {

@@ -5,14 +5,15 @@
 //   [DATA_POINTS]
 //   { X Y Z WIDTH BANK MU_LEFT MU_RIGHT OBSTACLES }
 //
-// A center line through the points, level across; left and right of it friction of their own. A
-// width or friction of 0 in a row stands for the global one [Altair, 3D Spline Road and its sample
-// file; Adams Tire, 3D Spline Road]. The line between two points is a cubic with the slopes of the
-// parabolas through three points each, at stations every half a meter (200 of an interval at most);
-// the surface is that of triangles between them (models/road/triangle_road.h).
+// A center line passes through the points, the road is level across; left and right of the line
+// friction may differ. A width or friction of 0 in a row stands for the global one [Altair, 3D
+// Spline Road and its sample file; Adams Tire, 3D Spline Road]. The line between two points is a
+// cubic with the slopes of the parabolas through three points each, evaluated every half a meter
+// (at most 200 times in an interval); the surface consists of triangles between these
+// cross-sections (models/road/triangle_road.h).
 //
-// Not read, and said: a bank angle, of which the descriptions do not tell the sign; obstacles. Not
-// used: SEARCH_ALGORITHM, FORWARD_DIR, a ROAD_VERTICAL other than z is refused.
+// A bank angle, whose sign the descriptions do not define, and obstacles are not read, and this is
+// reported. SEARCH_ALGORITHM and FORWARD_DIR are not used; a ROAD_VERTICAL other than z is refused.
 #pragma once
 
 #include "formats/text/teim_orbit.h"

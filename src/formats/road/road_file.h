@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Road files: OpenCRG (.crg), Adams road data (.rdf), a road as a person writes it (.toml, see
+// Road files: OpenCRG (.crg), Adams road data (.rdf), a road written by a person (.toml, see
 // models/road/road_reader.h).
 //
-// Of .rdf: METHOD '2D' with ROAD_TYPE flat, plank, pothole, ramp, roof, sine, sweep, poly_line and
-// drum; METHOD '3D' with [NODES] and [ELEMENTS]; '3D_SPLINE' (rdf_spline.h). As their manuals say
-// [Adams Tire, 2D Road Model; Altair, TeimOrbit 2D road types]: lengths in [UNITS]; DIAMETER < 0 is
-// an outer drum; a bevel is measured along the road; DIRECTION and CLEAT_DIRECTION turn a bar
-// counterclockwise from the axle; ROTATION_ANGLE_XY_PLANE turns the road about z; OFFSET lifts it.
-// CLEAT_STARTING_ANGLE counts from the tire against the rotation of the drum, DEPTH downward. Not
-// read: stochastic_uneven, whose random numbers are those of the program that made it.
+// Supported .rdf files: METHOD '2D' with ROAD_TYPE flat, plank, pothole, ramp, roof, sine, sweep,
+// poly_line and drum; METHOD '3D' with [NODES] and [ELEMENTS]; '3D_SPLINE' (rdf_spline.h). Meanings
+// follow the manuals [Adams Tire, 2D Road Model; Altair, TeimOrbit 2D road types]: lengths in
+// [UNITS]; DIAMETER < 0 is an outer drum; a bevel is measured along the road; DIRECTION and
+// CLEAT_DIRECTION turn a bar counterclockwise from the axle; ROTATION_ANGLE_XY_PLANE turns the road
+// about z; OFFSET lifts it. CLEAT_STARTING_ANGLE is counted from the tire against the rotation of
+// the drum, DEPTH downward. stochastic_uneven is not read, because its random numbers are those of
+// the program that made it.
 #pragma once
 
 #include <filesystem>
@@ -26,24 +27,25 @@ namespace latsch::formats {
 
 struct RoadFile {
   std::string kind;                   // "OpenCRG", "Adams drum", "Adams triangles", "drum"
-  std::vector<std::string> facts;     // what was read, for a person
-  std::vector<std::string> unused;    // "[SECTION] KEY" of a .rdf that have no meaning here
+  std::vector<std::string> facts;     // description of the content, for a person
+  std::vector<std::string> unused;    // "[SECTION] KEY" of a .rdf without a meaning here
   std::vector<std::string> kept;      // statements of a .crg that do not concern its surface
   std::vector<std::string> warnings;  // with file and line
   std::unique_ptr<const road::Road> road;
-  const road::CrgRoad* crg = nullptr;             // where it is one
-  const road::TriangleRoad* triangles = nullptr;  // likewise
+  const road::CrgRoad* crg = nullptr;             // not nullptr if the road is of that kind
+  const road::TriangleRoad* triangles = nullptr;  // not nullptr if the road is of that kind
 };
 
-/// A file that read_road_file() has read, and those it refers to.
+/// Returns a file that read_road_file() has read, and the files it refers to.
 std::vector<std::filesystem::path> files_of_road(const std::filesystem::path& file);
 
-/// By the ending of its name. Throws InputError naming file, line, what was found and expected.
+/// Decides by the extension of the name. Throws InputError naming file, line, what was found and
+/// expected.
 RoadFile read_road_file(const std::filesystem::path& file);
 
 RoadFile read_rdf(const TeimOrbit& file);
 
-/// A mesh as .rdf in meters, as [NODES] and [ELEMENTS]; reading it gives the same bits back.
+/// Returns a mesh as .rdf in meters, as [NODES] and [ELEMENTS]; reading it gives the same bits.
 std::string rdf_text(const road::TriangleMesh& mesh, std::string_view comment);
 
 }  // namespace latsch::formats

@@ -57,13 +57,14 @@ TEST(RdfFile, ObstaclesStandWhereTheirParametersSay) {
   EXPECT_EQ(plank.road->at(0.1, 0, 0).friction, 0.9);
   EXPECT_EQ(plank.unused, std::vector<std::string>{"[PARAMETERS] COLOR"});
   EXPECT_TRUE(road_2d("plank", "HEIGHT = 20\nSTART = 1000\nLENGTH = 200\n").unused.empty());
-  // A misspelled key, one in another section, one whose value would be another model.
+  // Unused keys are reported: a misspelled key, one in another section, one whose value would mean
+  // another model.
   EXPECT_EQ(road_2d("flat", "MUE = 0.5\n[GRAPHICS]\nLENGTH = 3\n[OFFSET]\nZ = 1\n").unused,
             (std::vector<std::string>{"[PARAMETERS] MUE", "[GRAPHICS]", "[OFFSET]"}));
   const RoadFile oblique =
       road_2d("plank", "HEIGHT = 20\nSTART = 1000\nLENGTH = 200\nDIRECTION = 45\n");
   EXPECT_EQ(z(oblique, 1.1, 0.0), 0.02);
-  EXPECT_EQ(z(oblique, 1.1 - 0.3, 0.3), 0.02);  // counterclockwise from the axle
+  EXPECT_EQ(z(oblique, 1.1 - 0.3, 0.3), 0.02);  // angle counterclockwise from the axle
   EXPECT_EQ(z(oblique, 1.1 + 0.3, 0.3), 0.0);
   const RoadFile hole = road_2d("pothole", "DEPTH = 50\nSTART = 1000\nLENGTH = 200\nOFFSET = 7\n");
   EXPECT_NEAR(z(hole, 1.1), -0.043, kRounding);
@@ -132,7 +133,7 @@ TEST(RdfFile, DrumTurnsItsCleatsUnderTheTire) {
                                    "DIAMETER = -2500\nNUMBER_CLEATS = 1\n(TV_DATA)\n0 0\n1 "
                                    "1000\n(XZR_DATA)\n0 0 0\n0 20 10\n40 20 10\n40 0 0\n");
   EXPECT_NEAR(z(rounded, 0), 0.02, 1e-4);
-  // A quarter circle of 10 mm at the corner: at 45 deg it is 10 (1 - cos 45 deg) = 2.93 mm inside.
+  // The corner has a quarter circle of 10 mm: at 45 deg it is 10 (1 - cos 45 deg) = 2.93 mm inside.
   EXPECT_NEAR(z(rounded, 0.02 - 0.00293), 0.02 - 0.00293, 1.5e-4);
   EXPECT_EQ(rounded.road->at(0, 0, 0.5).velocity.x(), -0.5);
 }
@@ -170,17 +171,17 @@ TEST(RdfFile, TrianglesInAnyOrderOfNodesAndOfWinding) {
           "[NODES]\n{ node x_value y_value z_value }\n70 1000 0 0\n3 0 0 0\n12 1000 1000 50\n5 0 "
           "1000 0\n"
           "[ELEMENTS]\n{ node_1 node_2 node_3 mu }\n3 12 70 0.8\n3 5 12 0.6\n");
-  // Turned by 90 deg: x of the file is y here.
+  // The road is turned by 90 deg: x of the file is y here.
   EXPECT_NEAR(z(file, -0.25, 0.5), 0.1 + 0.0125, kRounding);
   EXPECT_NEAR(z(file, -0.999999, 0.999999), 0.15, 1e-6);
   EXPECT_EQ(file.road->at(-0.25, 0.5, 0).friction, 0.8);
   EXPECT_EQ(file.road->at(-0.75, 0.5, 0).friction, 0.6);
   EXPECT_GT(file.road->at(-0.25, 0.5, 0).normal.z(), 0.9);
-  EXPECT_NEAR(z(file, 0.5, 0.5), 0.1, kRounding);    // beside it: the nearest edge
+  EXPECT_NEAR(z(file, 0.5, 0.5), 0.1, kRounding);    // beside the mesh the nearest edge counts
   EXPECT_NEAR(z(file, -1.5, 1.5), 0.15, kRounding);  // the nearest corner
 }
 
-// Without a search: every triangle is asked.
+// Reference without a search: every triangle is tried.
 double brute_force(const road::TriangleMesh& mesh, const Eigen::Vector2d& p) {
   double best = -1e300;
   for (const auto& triangle : mesh.triangles) {
@@ -265,7 +266,7 @@ TEST(RdfFile, KerbsAsTrianglesAreTheSameKerbs) {
   }
 }
 
-// The sample says of itself: 4 saw-tooth blocks of 800 x 800 x 25 mm; their falling flanks are
+// The sample describes itself as 4 saw-tooth blocks of 800 x 800 x 25 mm; their falling flanks are
 // 0.01 mm long.
 TEST(RdfFile, SampleOfAKerbIsTheKerbOfTheGenerator) {
   if (!std::filesystem::exists(kRoadSamples)) GTEST_SKIP() << "no samples in " << kRoadSamples;
@@ -295,11 +296,11 @@ TEST(RdfSpline, APlaneThroughStraightPointsIsThatPlane) {
   for (const double x : {0.1, 1.0, 2.9, 3.1, 7.7}) EXPECT_NEAR(z(road, x, 0.9), 0.1 * x, 1e-12);
   EXPECT_EQ(road.road->at(1.0, 1.0, 0.0).friction, 1.2);   // left
   EXPECT_EQ(road.road->at(1.0, -1.0, 0.0).friction, 0.8);  // right
-  EXPECT_EQ(road.road->at(5.0, 1.0, 0.0).friction, 0.5);   // a row's own, from there on
+  EXPECT_EQ(road.road->at(5.0, 1.0, 0.0).friction, 0.5);   // a row's own value, from there on
 }
 
-// Points of a circle every 2 a: there the cubic is on it, between two it is R cos a (1 + sin^2 a /
-// 2) away from the center.
+// Points on a circle every 2 a: there the cubic is on the circle, between two points its distance
+// from the center is R cos a (1 + sin^2 a / 2).
 TEST(RdfSpline, AClosedCircleComesBackToItself) {
   std::string points;
   for (int i = 0; i < 18; ++i) {
@@ -317,7 +318,7 @@ TEST(RdfSpline, AClosedCircleComesBackToItself) {
     in = std::min(in, radius);
   }
   const double a = 10.0 * kPi / 180.0;
-  EXPECT_NEAR(out, 20.0, 1e-5);  // as the points are written
+  EXPECT_NEAR(out, 20.0, 1e-5);  // precision of the points in the file
   EXPECT_NEAR(in, 20.0 * std::cos(a) * (1.0 + 0.5 * std::sin(a) * std::sin(a)), 1e-5);
   const auto& nodes = road.triangles->mesh().nodes;
   EXPECT_LT((nodes[1] - nodes[nodes.size() - 2]).norm(), 1e-9);

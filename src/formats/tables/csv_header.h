@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The line of names of a separated-value file and, where there is one, the line of units below it.
+// The line of names of a separated-value file and the line of units below it, if there is one.
 //
-// A line below the names holds units where every cell of it is a unit, or where it has no number
-// and the next line has numbers below its texts. In the second case a text that is no unit is an
+// A line below the names contains units if every cell of it is a unit, or if it has no number and
+// the next line has numbers below its texts. In the second case a text that is no unit is an
 // unknown unit, never a value.
 #pragma once
 
@@ -20,10 +20,10 @@ struct CsvHeader {
 };
 
 /// Leaves `fields` at the first row of values. Throws InputError for an empty file, a column
-/// without a name, a name that is a number or comes twice.
+/// without a name, a name that is a number or occurs twice.
 CsvHeader read_csv_header(CsvFields& fields, const std::string& file);
 
-/// The words for a row with another number of fields than the header has.
+/// Error message for a row with another number of fields than the header has.
 std::string wrong_number_of_fields(std::size_t found, const CsvHeader& header, char separator);
 
 }  // namespace latsch::formats

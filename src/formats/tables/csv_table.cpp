@@ -18,7 +18,9 @@ namespace latsch::formats {
 namespace {
 
 constexpr std::size_t kLargestTable = 1u << 30;  // bytes
-constexpr int kStride = 1024;                    // rows between two places that are kept
+constexpr int kStride = 1024;                    // rows between two stored positions; a larger
+                                                 // stride saves memory and slows access to single
+                                                 // rows
 
 std::string called(std::string_view column) { return "column " + in_quotes(column); }
 
@@ -251,7 +253,7 @@ std::vector<std::string> CsvTable::texts(std::string_view column) const {
 
 std::string CsvTable::text(std::string_view column, int wanted) const {
   const auto at = static_cast<std::size_t>(index(column));
-  CsvFields fields = data();  // the cells live as long as it stands there
+  CsvFields fields = data();  // must outlive the cells, which refer to it
   return std::string(row_of(fields, wanted).cells[at]);
 }
 
@@ -310,7 +312,7 @@ std::string csv_header(const Channels& channels, const std::vector<std::string>&
 }
 
 std::string csv_rows(const Channels& channels, const std::vector<std::string>& units) {
-  constexpr std::size_t kUsualCell = 18;  // bytes
+  constexpr std::size_t kUsualCell = 18;  // bytes; estimate for reserving memory
   std::vector<Unit> written;
   std::size_t rows = 0;
   for (std::size_t i = 0; i < channels.all().size(); ++i) {

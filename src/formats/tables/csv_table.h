@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables as laboratories and spreadsheets write them, with units.
+// Tables of laboratories and spreadsheets, with units.
 //
 //   # anything
 //   deflection [mm], force [N], type            deflection; force          (a decimal comma with
 //   5.0,             812,       "lateral, 1"    mm;         kN              semicolons or tabs)
 //                                               5,0;        0,812
 //
-// The unit of a column stands in brackets behind its name (table_column.h) or in a second row
-// (csv_header.h); base/unit_reading.h says which spellings are known. Columns without one are plain
-// numbers or texts. Empty lines and lines that begin with # are skipped; CRLF, a byte order mark,
-// Windows-1252 and quoted fields, also with line ends in them, are understood [RFC 4180].
+// The unit of a column is in brackets behind its name (table_column.h) or in a second row
+// (csv_header.h); base/unit_reading.h says which spellings are known. Columns without a unit are
+// plain numbers or texts. Empty lines and lines that begin with # are skipped; CRLF, a byte order
+// mark, Windows-1252 and quoted fields, also with line ends in them, are understood [RFC 4180].
 //
-// A file is mapped, not copied, and of its rows only some places are kept: a table of 1 GB takes
-// some megabytes besides the columns that are asked for. Each call that gives columns reads the
-// file once: ask for all in one.
+// A file is mapped, not copied, and only the positions of some rows are stored: a table of 1 GB
+// needs some megabytes besides the requested columns. Each call that returns columns reads the file
+// once, so several columns should be requested in one call.
 #pragma once
 
 #include <filesystem>
@@ -33,7 +33,7 @@ namespace latsch::formats {
 
 class CsvTable {
  public:
-  /// Throws InputError naming file and line: ragged rows, no header, a name that comes twice, a
+  /// Throws InputError naming file and line: ragged rows, no header, a name that occurs twice, a
   /// quote that is not closed, more than 1 GiB or 2^31 lines.
   static CsvTable read(const std::filesystem::path& file);
   static CsvTable parse(std::string text, std::string file_name);
@@ -42,65 +42,67 @@ class CsvTable {
   const std::string& file() const { return file_; }
   int rows() const { return rows_; }
   bool has(std::string_view column) const;
-  /// Whether the table names the unit of that column.
+  /// True if the table states the unit of that column.
   bool has_unit(std::string_view column) const;
-  /// As written; empty where the table names none.
+  /// Returns the unit as written; "" if the table states none.
   const std::string& unit(std::string_view column) const;
-  /// Every column as the header states it.
+  /// Returns every column as the header states it.
   const std::vector<TableColumn>& header() const { return columns_; }
-  /// Names in the order of the file. A column is also found by its whole title, "force [N]".
+  /// Returns the names in the order of the file. A column is also found by its whole title, "force
+  /// [N]".
   std::vector<std::string> columns() const;
   Place place(int row) const;
   Place header_place() const { return {file_, header_line_}; }
 
-  /// A column in the SI unit of `unit`. Throws InputError naming file and line for a missing
-  /// column, a missing, unknown or wrong unit and for cells that are not finite numbers.
+  /// Returns a column in the SI unit of `unit`. Throws InputError naming file and line for a
+  /// missing column, a missing, unknown or wrong unit and for cells that are not finite numbers.
   std::vector<double> numbers(std::string_view column, std::string_view unit) const;
-  /// Several columns at once.
+  /// Returns several columns at once.
   struct Wanted {
     std::string column, unit;
   };
   std::vector<std::vector<double>> numbers(const std::vector<Wanted>& columns) const;
-  /// The same in blocks of so many rows, the last one shorter: for tables too long to be kept.
+  /// Passes the columns in blocks of `rows` rows, the last one shorter: for tables too long to be
+  /// kept.
   void for_blocks(const std::vector<Wanted>& columns,
                   int rows,
                   const std::function<void(std::vector<std::vector<double>>&)>& block) const;
-  /// The same with gaps: NaN where a cell is no finite number.
+  /// Columns with gaps: NaN for a cell that is no finite number.
   struct Gaps {
     std::vector<std::vector<double>> values;
-    std::vector<int> lines;  // of all rows
-    /// Of a column that has numbers, the first cell that is neither one nor a word for a gap:
-    /// `is "1,234" in line 7, expected ...`. Empty where there is none.
+    std::vector<int> lines;  // line of each row
+    /// For each column with numbers, the first cell that is neither a number nor a word for a gap:
+    /// `is "1,234" in line 7, expected ...`. Empty if there is none.
     std::vector<std::string> texts;
   };
-  /// An empty unit asks for the numbers as they are written.
+  /// An empty unit requests the numbers as they are written.
   Gaps numbers_and_gaps(const std::vector<Wanted>& columns) const;
-  /// The unit to ask for where a column that names none is in SI: `unit`, or "1".
+  /// Unit to request if a column without a unit is in SI: `unit`, or "1".
   std::string si_or_plain(std::string_view column, std::string_view unit) const {
     return has_unit(column) ? std::string(unit) : "1";
   }
-  /// The same as numbers(); a column that names no unit is in SI.
+  /// Returns a column like numbers(), but a column without a unit is in SI.
   std::vector<double> si_numbers(std::string_view column, std::string_view unit) const;
-  /// Integers without unit.
+  /// Returns integers without unit.
   std::vector<int> integers(std::string_view column) const;
   std::vector<std::string> texts(std::string_view column) const;
   std::string text(std::string_view column, int row) const;
 
-  /// Every column, each in the SI unit of its dimension; all must be numbers.
+  /// Returns every column in the SI unit of its dimension; all must be numbers.
   Channels channels() const;
 
-  /// Throws, naming all of them, where some of the `needed` columns are missing.
+  /// Throws InputError, naming all of them, if some of the `needed` columns are missing.
   void expect_columns(const std::vector<std::string>& needed) const;
-  /// Throws for a column that is not among the `known`.
+  /// Throws InputError for a column that is not among the `known` ones.
   void expect_only(const std::vector<std::string>& known) const;
 
  private:
-  int place_of(std::string_view column) const;  // -1: it is missing
+  int place_of(std::string_view column) const;  // -1 if it is missing
   int index(std::string_view column) const;
   Unit unit_of(int column, std::string_view unit) const;
   double number(const CsvFields::Row& row, int column, const Unit& unit, DecimalMarks& marks) const;
   double number_or_gap(const CsvFields::Row& row, int column, const Unit& unit) const;
-  CsvFields data() const;  // at the first row
+  CsvFields data() const;  // positioned at the first row
   CsvFields::Row row_of(CsvFields& fields, int row) const;
 
   std::string file_;
@@ -109,19 +111,19 @@ class CsvTable {
   int header_line_ = 0;
   std::vector<TableColumn> columns_;
   int rows_ = 0;
-  std::vector<CsvFields::Mark> marks_;  // of every kStride-th row of data
+  std::vector<CsvFields::Mark> marks_;  // positions of every kStride-th row of data
 };
 
-/// A table of channels, "name [unit]", one line a sample; a channel that is shorter than others
-/// (the deflection of a modal test) leaves its cells empty. `units` names the unit of each column;
-/// empty: SI. Reading a table of equal lengths gives the same bits back.
+/// Returns a table of channels, "name [unit]", one line for each sample; a channel that is shorter
+/// than others (the deflection of a modal test) leaves its cells empty. `units` has the unit of
+/// each column; empty: SI. Reading a table of equal lengths gives the same bits.
 std::string csv_text(const Channels& channels, const std::vector<std::string>& units = {});
 
-/// The same in two parts, for tables written block by block.
+/// Two parts of csv_text() for tables written block by block.
 std::string csv_header(const Channels& channels, const std::vector<std::string>& units = {});
 std::string csv_rows(const Channels& channels, const std::vector<std::string>& units = {});
 
-/// A name or text as a field of a comma-separated line: in quotes where it needs them.
+/// Returns a name or text as a field of a comma-separated line, in quotes if needed.
 std::string csv_field(std::string_view text);
 
 }  // namespace latsch::formats

@@ -49,7 +49,7 @@ TEST(CsvTable, UnitsMayStandInASecondRow) {
     EXPECT_EQ(table.integers("n"), (std::vector<int>{1}));
   }
   EXPECT_EQ(parse("a,b\n1,2\n").rows(), 1);     // numbers are data
-  EXPECT_EQ(parse("a,b\nx,none\n").rows(), 1);  // words that are no units too
+  EXPECT_EQ(parse("a,b\nx,none\n").rows(), 1);  // so are words that are no units
 }
 
 TEST(CsvTable, SpreadsheetsOfOtherCountriesUseSemicolonAndComma) {
@@ -108,7 +108,7 @@ TEST(CsvTableComplaint, FloodsEndEarly) {
             "t.csv:1: has more than 10000 fields");
 }
 
-// Of a long table only some places are kept: every way to its rows gives the same.
+// Only some positions of a long table are stored: all ways to read its rows give equal results.
 TEST(CsvTable, LongTablesAreReadByColumnsByBlocksAndByRows) {
   constexpr int kRows = 5000;
   std::string text = "n [mm], half, word\n";
@@ -149,7 +149,7 @@ TEST(CsvTable, FilesAreMapped) {
   EXPECT_THROW(CsvTable::read(file.parent_path()), InputError);
 }
 
-// Property: what is written in any unit is read back bit for bit.
+// Property: values written in any unit are read back bit for bit.
 TEST(CsvTable, WrittenChannelsComeBackBitForBit) {
   std::uint64_t state = 11;
   const auto any = [&] {
@@ -202,7 +202,7 @@ TEST(CsvTable, AUnitMayStandInRoundBracketsOrBehindASlash) {
   EXPECT_EQ(table.numbers("v", "m/s")[0], 10.0);
   EXPECT_EQ(table.numbers("Temp", "K")[0], 273.15);
   EXPECT_EQ(table.numbers("p", "Pa")[0], 2e5);
-  // The whole title is a name, too. Letters that name a frame, a side or a place are no units.
+  // The whole title is a name too. Letters that name a frame, a side or a place are no units.
   EXPECT_EQ(table.numbers("Fz (kN)", "N")[0], 1000.0);
   EXPECT_EQ(table.numbers("Fy (H)", "1")[0], 7.0);
   EXPECT_EQ(table.numbers("toe (L)", "1")[0], 8.0);
@@ -213,7 +213,7 @@ TEST(CsvTable, AUnitMayStandInRoundBracketsOrBehindASlash) {
   EXPECT_EQ(column.place, 3);
 }
 
-// A line of units with an unknown one was taken for values.
+// Regression: a line of units with an unknown unit was read as values.
 TEST(CsvTable, AnUnknownWordInTheLineOfUnitsIsAnUnknownUnit) {
   for (const char* text : {"SA,FZ\ndegg,N\n1,2\n", "SA;FZ\ndegg;foo\n1,0;2,0\n"}) {
     const CsvTable table = parse(text);

@@ -22,15 +22,15 @@ namespace {
 
 using Units = std::map<std::string, std::string>;
 
-constexpr std::size_t kMostColumns = 10000;                    // of a .dat
+constexpr std::size_t kMostColumns = 10000;                    // most columns of a .dat
 constexpr std::size_t kLargestLabFile = std::size_t{1} << 30;  // bytes
 
-/// A column as the file has it.
+/// A column as in the file.
 struct LabColumn {
   TableColumn source;
   std::vector<double> values = {};  // NaN: a gap
-  bool is_si = false;               // else in the unit of `source`
-  std::string fault = {};           // of its cells
+  bool is_si = false;               // false: in the unit of `source`
+  std::string fault = {};           // fault of the cells, in words
 };
 
 void expect_once(const std::vector<LabColumn>& columns, const Place& header) {
@@ -46,7 +46,7 @@ void expect_once(const std::vector<LabColumn>& columns, const Place& header) {
   }
 }
 
-/// Units that the caller states for columns that have none.
+/// Applies units that the caller states for columns that have none.
 void take_stated_units(std::vector<LabColumn>& columns, const Units& units, const Place& header) {
   std::vector<std::string> names, missing;
   for (const LabColumn& column : columns) names.push_back(column.source.name);
@@ -65,7 +65,7 @@ void take_stated_units(std::vector<LabColumn>& columns, const Units& units, cons
   if (!missing.empty()) throw InputError(header, missing_columns(missing, names));
 }
 
-/// Columns in SI, with units that the caller states for those that have none.
+/// Adds columns in SI, with units that the caller states for those that have none.
 void add_columns(std::vector<LabColumn> columns,
                  const Units& units,
                  const ExpectedUnit& expected,
@@ -96,7 +96,7 @@ void add_columns(std::vector<LabColumn> columns,
     if (!column.is_si)
       for (double& value : column.values) value = unit.to_si(value);
     table.channels.add({source.name, si_unit(unit.dimension()), std::move(column.values)});
-    // A word with several meanings as the one that was taken.
+    // For a unit with several meanings, the spelling of the chosen meaning is recorded.
     table.units.push_back(source.unit.empty() || unit.text() == source.unit ? source.unit
                                                                             : unit.text());
     table.columns.push_back(std::move(source));
@@ -118,7 +118,7 @@ LabTable read_csv(const std::filesystem::path& file,
     if (expected && !units.contains(source.name)) take_unit_of_name(source, expected(source.name));
     const std::string known = expected && !source.unit.empty() ? expected(source.name) : "";
     const bool is_si = !source.unit.empty() && fault_of_unit(source, known).empty();
-    // Converted from the digits, to the last bit.
+    // The number is converted from its digits, to the last bit.
     std::string si = known;
     if (is_si && si.empty()) si = si_unit(reading_of_unit(source.unit).unit->dimension());
     wanted.push_back({source.name, is_si ? si : ""});
@@ -161,7 +161,7 @@ std::vector<Line> lines_of(std::string_view text) {
   return lines;
 }
 
-/// Names that consortia use, to tell a line of names from a line about the run.
+/// Names that consortia use, by which a line of names is distinguished from a line about the run.
 bool is_usual_name(std::string_view word) {
   static constexpr std::array<std::string_view, 22> kNames = {
       "ET", "V",  "N",   "SA",  "IA",  "RL",   "RE",   "P",    "FX",     "FY", "FZ",
@@ -174,7 +174,7 @@ std::size_t count_units(const std::vector<std::string_view>& fields) {
       fields.begin(), fields.end(), [](std::string_view f) { return looks_like_unit(f); }));
 }
 
-/// Whether the last line before the numbers holds units of the `names` above it.
+/// True if the last line before the numbers contains units of the `names` above it.
 bool holds_units(const std::vector<std::string_view>& names,
                  const std::vector<std::string_view>& units) {
   if (names.size() != units.size()) return false;
@@ -196,13 +196,14 @@ std::vector<LabColumn> columns_named(const std::vector<std::string_view>& names,
   return columns;
 }
 
-/// The line of names and below it, where it stands, that of units: the last before the numbers.
+/// Finds the line of names and the line of units below it, if any: the last lines before the
+/// numbers.
 std::vector<LabColumn> header_of(const std::vector<Line>& before, bool tabs) {
   const Line& last = before.back();
   if (before.size() > 1) {
     const Line& names = before[before.size() - 2];
     std::vector<LabColumn> columns = columns_named(fields_of(trimmed(names.text), tabs), names);
-    // The last channels may be plain numbers, whose units are blank.
+    // The last channels may be plain numbers with blank units.
     auto units = fields_of(last.text, tabs);
     while (tabs && units.size() < columns.size()) units.emplace_back();
     while (units.size() > columns.size() && units.back().empty()) units.pop_back();
@@ -217,7 +218,7 @@ std::vector<LabColumn> header_of(const std::vector<Line>& before, bool tabs) {
   return columns_named(fields_of(trimmed(last.text), tabs), last);
 }
 
-/// "1" is also the unit of plain numbers, with other units behind it.
+/// "1" is also the unit of plain numbers; then other units follow.
 bool begins_with_number(const Line& line) {
   const auto fields = fields_of(trimmed(line.text), false);
   if (!parse_number(fields.front())) return false;
@@ -226,7 +227,7 @@ bool begins_with_number(const Line& line) {
          });
 }
 
-/// Where no line begins with a number: why.
+/// Says why no line begins with a number.
 [[noreturn]] void no_line_of_numbers(const std::vector<Line>& lines, const std::string& file) {
   for (const Line& line : lines) {
     const auto first = trimmed(fields_of(trimmed(line.text), false).front());
@@ -240,7 +241,7 @@ bool begins_with_number(const Line& line) {
   throw InputError({file, 0}, "has no line of numbers");
 }
 
-/// One number of a .dat: a gap, or an error where the cell is neither.
+/// Reads one number of a .dat: a gap, or an error if the cell is neither.
 double cell_of_dat(std::string_view field, const LabColumn& column, const Place& place) {
   if (const auto number = parse_number(field))
     return std::isfinite(*number) ? *number : std::nan("");
@@ -322,7 +323,7 @@ LabTable read_tydex(const std::filesystem::path& file,
         constant.line,
         std::vector<double>(table.lines.size(), *constant.number));
   }
-  // The values are in SI already, in the dimension that the reader of TYDEX took.
+  // The values are in SI already, in the dimension that the reader of TYDEX has chosen.
   std::map<std::string, std::string> taken;
   for (const Channel& channel : tydex.channels.all()) taken[channel.name] = channel.unit;
   for (const TydexFile::Entry& constant : tydex.constants)

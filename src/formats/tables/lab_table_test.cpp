@@ -78,7 +78,7 @@ TEST_F(LabTables, AreRefusedInWords) {
             std::string::npos);
 }
 
-// A line of units with an unknown one became the line of names.
+// Regression: a line of units with an unknown unit was read as the line of names.
 TEST_F(LabTables, AnUnknownUnitOfADatIsNoName) {
   const LabTable table = read("a.dat", "run 4\nET\tSA\tFZ\tNFX\nsec\tdegg\tN\t\n1\t2\t3\t4\n");
   EXPECT_EQ(table.channels["FZ"], std::vector<double>{3.0});
@@ -91,7 +91,7 @@ TEST_F(LabTables, AnUnknownUnitOfADatIsNoName) {
     return std::string(name == "SA" ? "rad" : "");
   };
   EXPECT_THROW(read_lab_table(folder_ / "a.dat", {}, expected), InputError);
-  // All units unknown, all names usual.
+  // All units are unknown, all names usual.
   EXPECT_EQ(read("b.dat", "run\nSA\tFZ\nfoo\tbaz\n1\t2\n").left_out.size(), 2u);
 }
 
@@ -126,7 +126,7 @@ TEST_F(LabTables, TwoColumnsOfOneNameAndTooManyAreRefused) {
   EXPECT_NE(complaint("e.csv", "").find("is empty"), std::string::npos);
 }
 
-// Signs of units in the encodings of Windows programs.
+// Symbols of units occur in the encodings of Windows programs.
 TEST_F(LabTables, AreReadInUtf8AndWindows1252AndNotInUtf16) {
   for (const std::string head : {"SA [\xc2\xb0],x [\xc2\xb5m],y [\xce\xbcm]\n",
                                  "\xef\xbb\xbfSA [\xc2\xb0],x [\xc2\xb5m],y [\xc2\xb5m]\n",
@@ -148,7 +148,7 @@ TEST_F(LabTables, AreReadInUtf8AndWindows1252AndNotInUtf16) {
           << complaint(name, text);
 }
 
-// The unit behind a name counts where the name is known.
+// The unit behind a name counts if the name is known.
 TEST_F(LabTables, AUnitMayEndAName) {
   const auto expected = [](const std::string& name) {
     return std::string(name.starts_with("SA") ? "rad" : name.starts_with("P") ? "Pa" : "");
@@ -163,7 +163,7 @@ TEST_F(LabTables, AUnitMayEndAName) {
     EXPECT_EQ(table.channels.find("SA_max")->unit, "1");
     EXPECT_EQ(table.columns[0].assumed, "the unit \"deg\" is that of the name");
   }
-  // A stated unit is the one that counts.
+  // A unit stated by the caller takes precedence.
   const LabTable stated = read_lab_table(folder_ / "a.csv", {{"P_kPa", "bar"}}, expected);
   EXPECT_EQ(stated.channels["P_kPa"][0], 80e5);
   EXPECT_EQ(CsvTable::read(folder_ / "a.csv").numbers("P_kPa", "Pa")[0], 80e3);

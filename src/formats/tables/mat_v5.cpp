@@ -98,11 +98,12 @@ class MatReading {
     return number;
   }
 
-  /// The element at the begin of `bytes`, which are then what follows it.
+  /// Returns the element at the beginning of `bytes`, and removes it from `bytes`.
   MatElement next(std::string_view& bytes, bool aligned) const {
     if (bytes.size() < 8) fail("ends within the head of an element");
     const auto first = number_at<std::uint32_t>(bytes, 0);
-    if (const std::uint32_t size = first >> 16; size > 0) {  // a small element: all in eight bytes
+    if (const std::uint32_t size = first >> 16; size > 0) {  // a small element of eight bytes in
+                                                             // total
       if (size > 4) fail(fmt::format("has a small element of {} bytes, expected at most 4", size));
       const MatElement element{first & 0xffff, bytes.substr(4, size)};
       bytes.remove_prefix(8);
@@ -113,7 +114,7 @@ class MatReading {
       fail(fmt::format("has an element of {} bytes where {} are left", size, bytes.size() - 8));
     }
     const MatElement element{first, bytes.substr(8, size)};
-    // Elements begin at multiples of eight, except behind compressed ones.
+    // Elements begin at multiples of eight, except after compressed ones.
     const std::size_t padded = first == miCOMPRESSED || !aligned ? size : (size + 7) / 8 * 8;
     bytes.remove_prefix(std::min(bytes.size(), 8 + padded));
     return element;
@@ -142,9 +143,9 @@ class MatReading {
     return result;
   }
 
-  /// flags, size, name, then what the class says.
+  /// An array consists of flags, size, name, and then the contents of its class.
   void take_array(std::string_view bytes, const std::string& path, int depth) {
-    if (bytes.empty()) return;  // an empty place in a cell
+    if (bytes.empty()) return;  // an empty cell
     if (depth > kDeepest) fail("has structs in structs deeper than 16");
     const MatElement flags = next(bytes, true);
     if (flags.type != miUINT32 || flags.contents.size() != 8) fail("has an array without flags");
@@ -181,7 +182,7 @@ class MatReading {
     file_.variables.push_back(std::move(variable));
   }
 
-  /// Names are ASCII; anything else is no name but damage.
+  /// Names are ASCII; any other character is damage.
   static std::string printable(std::string name) {
     for (char& c : name)
       if (static_cast<unsigned char>(c) < 0x21 || static_cast<unsigned char>(c) > 0x7e) c = '?';
@@ -220,7 +221,7 @@ class MatReading {
     return values;
   }
 
-  /// The codes of UTF-8 text.
+  /// Returns the codes of UTF-8 text.
   static std::vector<double> characters(const MatElement& element) {
     std::vector<double> codes;
     for (std::string_view rest = element.contents; !rest.empty();) {
@@ -264,7 +265,7 @@ class MatReading {
     }
   }
 
-  /// A row a line; characters below U+0800, which is all of Latin and Greek.
+  /// Returns one line for each row; characters are below U+0800, which covers Latin and Greek.
   static std::string text_of(const std::vector<double>& codes,
                              const std::vector<std::size_t>& size) {
     std::string text;
@@ -309,7 +310,8 @@ class MatReading {
     }
   }
 
-  /// Every member takes bytes of the file: a size in a header alone makes no loop long.
+  /// Every member occupies bytes of the file, so a large size in a header cannot make the loop
+  /// long.
   void take_member(std::string_view& bytes, const std::string& path, int depth) {
     if (bytes.empty()) fail(in_quotes(path) + " is missing: the file is cut off");
     const MatElement member = next(bytes, true);

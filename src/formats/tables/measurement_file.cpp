@@ -25,7 +25,7 @@ void check(const Measurement& measurement, const CsvTable& table) {
                    fault->message);
 }
 
-/// Labels of a row of the table of modes; an empty cell: not known.
+/// Reads the labels in a row of the table of modes; an empty cell means not known.
 MeasuredMode read_label(const CsvTable& table, int row) {
   MeasuredMode mode;
   const auto cell = [&](const char* column) {
@@ -104,7 +104,7 @@ std::string mode_toml(const ModeTable& table) {
   return text;
 }
 
-/// One line, whatever the text.
+/// Returns any text as one line.
 std::string comment_line(std::string comment) {
   std::replace(comment.begin(), comment.end(), '\n', ' ');
   return comment.empty() ? "" : fmt::format("# {}\n", comment);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables a laboratory hands over, and the same tables written from a simulation (a twin).
+// The tables that a laboratory delivers, and such tables written from a simulation (a twin).
 //
 // Load-deflection, CSV: columns "deflection" (from first touch) or "loaded_radius" (wheel center to
-// ground), "force" and, where known, "spread", the standard deviation of the force.
+// ground), "force" and, if known, "spread", the standard deviation of the force.
 //
-// Modes, CSV: column "frequency"; where known "n", "type" (torsional, lateral, radial) and "phase"
-// (s, a); a cell may be empty. Or TOML, one table a mode:
+// Modes, CSV: column "frequency"; if known "n", "type" (torsional, lateral, radial) and "phase" (s,
+// a); a cell may be empty. Or TOML, one table for each mode:
 //
 //   [[mode]]
 //   frequency = "43.2 Hz"
@@ -13,11 +13,11 @@
 //   type = "lateral"
 //   phase = "s"
 //
-// Shapes, CSV beside it: one row a mode and sensor point, columns "mode" (1, 2 ... in the order of
-// the modes), "x" "y" "z" (undeformed tire, wheel frame) and "ux" "uy" "uz" (any scale); every mode
-// at the same points in the same order.
+// Shapes, CSV beside the modes: one row for each mode and sensor point, columns "mode" (1, 2 ... in
+// the order of the modes), "x" "y" "z" (undeformed tire, wheel frame) and "ux" "uy" "uz" (any
+// scale); every mode has the same points in the same order.
 //
-// Units stand in the header, see csv_table.h. What is written here is read back bit for bit.
+// Units are in the header, see csv_table.h. Written tables are read back bit for bit.
 #pragma once
 
 #include <filesystem>
@@ -31,16 +31,16 @@ namespace latsch::formats {
 /// Throws InputError naming file and line: a missing column, a wrong unit, a fault of the curve.
 LoadDeflectionCurve read_load_deflection(const std::filesystem::path& file);
 
-/// Modes without shapes, from .toml or CSV.
+/// Reads modes without shapes, from .toml or CSV.
 ModeTable read_modes(const std::filesystem::path& file);
-/// Adds the shapes and sensor points.
+/// Reads shapes and sensor points into `table`.
 void read_shapes(const std::filesystem::path& file, ModeTable& table);
 
-/// `comment` becomes the first line: where the numbers come from.
+/// `comment` becomes the first line and says where the numbers come from.
 void write_load_deflection(const std::filesystem::path& file,
                            const LoadDeflectionCurve& curve,
                            const std::string& comment);
-/// Labels and frequencies; TOML where the name ends in .toml.
+/// Writes labels and frequencies; as TOML if the name ends in .toml.
 void write_modes(const std::filesystem::path& file,
                  const ModeTable& table,
                  const std::string& comment);

@@ -25,11 +25,11 @@ constexpr std::size_t kLargestRecording = std::size_t{2} << 30;  // bytes
 struct Column {
   TableColumn source;
   Unit read = Unit::of("1");
-  bool is_si = true;  // no conversion
+  bool is_si = true;  // true: no conversion needed
   std::vector<double> values = {};
 };
 
-/// Units that the caller states count where the file states none.
+/// Units stated by the caller apply to columns without a unit in the file.
 std::vector<Column> columns_of(const CsvHeader& header,
                                const std::map<std::string, std::string>& units,
                                const std::string& file) {
@@ -44,7 +44,7 @@ std::vector<Column> columns_of(const CsvHeader& header,
   return columns;
 }
 
-/// The whole cell as a number; NaN where it is none.
+/// Returns the whole cell as a number; NaN if it is none.
 double number(std::string_view cell, bool decimal_comma, std::string& scratch) {
   if (decimal_comma && cell.find('.') == cell.npos) {
     scratch.assign(cell);
@@ -90,7 +90,8 @@ Channels parse(std::shared_ptr<const MappedFile> source,
   const bool decimal_comma = fields.separator() != ',';
   const CsvHeader header = read_csv_header(fields, file);
   std::vector<Column> columns = columns_of(header, units, file);
-  constexpr std::size_t kUsualCell = 9;  // bytes: a first guess of the rows saves copies
+  constexpr std::size_t kUsualCell = 9;  // bytes; an estimate of the number of rows, which avoids
+                                         // copies
   for (Column& column : columns) column.values.reserve(size / (kUsualCell * columns.size()));
   DecimalMarks marks(file);
   std::string scratch;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A whole recording of a rig as channels in SI: separated values (.csv, .txt, as in csv_table.h,
-// but of any size and numbers alone), TYDEX (.tdx) or MATLAB (.mat).
+// but of any size and numbers only), TYDEX (.tdx) or MATLAB (.mat).
 //
 // Ten minutes of ten channels at 2 kHz are 12 million numbers: a number is read by from_chars in
-// double precision and converted once, which may differ from csv_table.h in the last bit where a
-// unit is not SI.
+// double precision and converted once, which may differ from csv_table.h in the last bit if a unit
+// is not SI.
 #pragma once
 
 #include <filesystem>
@@ -15,13 +15,13 @@
 
 namespace latsch::formats {
 
-/// `units` of channels by name, for those that state none in the file. Throws
-/// InputError naming file and line: no header, ragged rows, a cell that is not a finite number, an
-/// unknown unit, a name that comes twice, an ending it does not know, more than 2 GB.
+/// `units` are those of channels, by name, that have none in the file. Throws InputError naming
+/// file and line: no header, ragged rows, a cell that is not a finite number, an unknown unit, a
+/// name that occurs twice, an unknown extension, more than 2 GB.
 Channels read_recording(const std::filesystem::path& file,
                         const std::map<std::string, std::string>& units = {});
 
-/// Separated values out of a text.
+/// Reads separated values from a text.
 Channels parse_recording(std::string text, const std::string& file_name);
 
 }  // namespace latsch::formats

@@ -14,9 +14,9 @@ namespace latsch::formats {
 namespace {
 
 constexpr std::size_t kMostNamed = 30;       // names in one message
-constexpr std::size_t kMostCompared = 1000;  // names among which the nearest is looked for
+constexpr std::size_t kMostCompared = 1000;  // names among which the nearest is searched
 
-/// Letters in round brackets that are units there; others are frames, sides and axles.
+/// Some letters in round brackets are units; others name frames, sides and axles.
 bool is_unit_in_round_brackets(std::string_view unit, std::string_view name) {
   if (unit.empty() || unit == "1" || unit == "-") return unit == "-";
   if (unit.size() == 1 &&
@@ -29,7 +29,8 @@ bool is_unit_in_round_brackets(std::string_view unit, std::string_view name) {
 
 std::string called_column(const TableColumn& column) { return "column " + in_quotes(column.name); }
 
-/// "1,234" as a group of thousands: one to three digits, the mark, three digits.
+/// True if the mark is a thousands separator, as in "1,234": one to three digits, the mark, three
+/// digits.
 bool is_group(std::string_view number, std::size_t mark) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   std::string_view before = number.substr(0, mark), behind = number.substr(mark + 1);
@@ -64,7 +65,7 @@ TableColumn column_of_title(std::string_view title) {
     return column;
   }
   if (title.ends_with(')')) {
-    // "bar(g)" has brackets of its own.
+    // A unit such as "bar(g)" has brackets of its own.
     const auto bracket = title.find('(');
     const auto inside = title.substr(bracket + 1, title.size() - bracket - 2);
     if (bracket > 0 && bracket != title.npos &&
@@ -121,7 +122,7 @@ void take_stated_unit(TableColumn& column, const std::string& stated, const Plac
     column.unit = stated;
     return;
   }
-  // "lb" of the file is the "lbf" or the "lbm" that is stated.
+  // A unit "lb" in the file agrees with a stated "lbf" or "lbm".
   const auto said = Unit::find(stated);
   const auto written = said ? find_unit(column.unit, *said) : std::nullopt;
   if (!written || !written->same_dimension(*said) || written->to_si(1.0L) != said->to_si(1.0L) ||
@@ -138,7 +139,8 @@ std::string missing_columns(const std::vector<std::string>& missing,
                                 names.begin() + std::min<long>(kMostNamed, std::ssize(names)));
   std::string listed = list_of(some);
   if (some.size() < names.size()) listed += fmt::format(" and {} more", names.size() - some.size());
-  const bool few = names.size() <= kMostCompared;  // the nearest name is looked for among these
+  const bool few = names.size() <= kMostCompared;  // the nearest name is searched among few names
+                                                   // only
   if (missing.size() == 1)
     return "column " + in_quotes(missing[0]) + " is missing" +
            (few ? did_you_mean(missing[0], names) : "") + " (columns: " + listed + ")";
@@ -154,7 +156,7 @@ std::string missing_columns(const std::vector<std::string>& missing,
 
 std::string reason_of_no_number(std::string_view cell, std::string_view kind_of_file) {
   cell = trimmed(cell);
-  if (parse_number(cell)) return ", expected a finite number";  // NaN, infinity
+  if (parse_number(cell)) return ", expected a finite number";  // NaN or infinity
   if (is_number_with(cell, ','))
     return fmt::format(
         ", a decimal comma, which is not read in {}: write a decimal point, or a .csv with "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a file states a column, and the title and unit of one as people write them.
+// Description of a column in a file, and its title with a unit in common notations.
 #pragma once
 
 #include <functional>
@@ -12,61 +12,61 @@
 
 namespace latsch::formats {
 
-/// A column, channel or vector as its file states it.
+/// Description of a column, channel or vector in its file.
 struct TableColumn {
   std::string name;          // without the unit
-  std::string unit = {};     // as written; empty: none is
+  std::string unit = {};     // text in the file; empty: none
   std::string title = {};    // the whole text of the name, "force [N]"
-  int line = 0;              // of the name, from 1; 0: the file has no lines
-  int unit_line = 0;         // of the unit
-  int place = 0;             // among the columns, from 1
-  std::string assumed = {};  // about a unit with several meanings, which one is taken
+  int line = 0;              // line of the name, from 1; 0: the file has no lines
+  int unit_line = 0;         // line of the unit
+  int place = 0;             // position among the columns, from 1
+  std::string assumed = {};  // for a unit with several meanings: the assumed one, in words
 
   bool operator==(const TableColumn&) const = default;
 };
 
-/// "force [N]", "force (N)" and "force / N" -> "force", "N". Square brackets hold a unit whatever
-/// they hold; the others only what is a unit, and single letters that also name a frame, a side or
-/// an axle ("Fz (H)", "toe (L)") are none.
+/// Splits "force [N]", "force (N)" and "force / N" into "force" and "N". Square brackets always
+/// contain a unit; the other forms only if the text is a unit, and single letters that also name a
+/// frame, a side or an axle ("Fz (H)", "toe (L)") are none.
 TableColumn column_of_title(std::string_view title);
 
-/// The SI unit a column of that name has to have; empty where its name says nothing.
+/// Returns the SI unit that a column of that name must have; "" if the name does not say.
 using ExpectedUnit = std::function<std::string(const std::string& name)>;
 
-/// Takes the unit that ends a name, "deg" of "alpha_deg", for a column that has none and of which
-/// the SI unit `expected` is known. Does nothing where the last word is no unit of that dimension.
+/// Uses the unit that ends a name, "deg" in "alpha_deg", for a column without a unit whose SI unit
+/// `expected` is known. Does nothing if the last word is no unit of that dimension.
 void take_unit_of_name(TableColumn& column, const std::string& expected);
 
-/// The unit of a column. `expected`: the SI unit of the values; empty: not known. Notes in the
-/// column what was assumed. Throws InputError at `place` for a unit that is unknown, has several
-/// meanings of which none is usual, or is of another dimension than expected, and where a unit is
-/// needed and the column has none.
+/// Returns the unit of a column. `expected` is the SI unit of the values; empty: not known. Records
+/// in the column what was assumed. Throws InputError at `place` for a unit that is unknown, has
+/// several meanings of which none is usual, or has another dimension than expected, and if a unit
+/// is needed and the column has none.
 Unit unit_of_column(TableColumn& column, const std::string& expected, const Place& place);
-/// `column "FZ" has unknown unit "kgg"`: the words of that error; empty where the unit is
-/// right.
+/// Returns the error message `column "FZ" has unknown unit "kgg"`; "" if the unit is right.
 std::string fault_of_unit(const TableColumn& column, const std::string& expected);
 
-/// Takes the unit that somebody states for a column: it has to be that of the file where the file
-/// states one, else it becomes the column's. An empty text states nothing. Throws InputError at
-/// `place` where the two differ.
+/// Applies the unit that the caller states for a column: it must agree with that of the file, if
+/// any, else it becomes the column's. An empty text states nothing. Throws InputError at `place` if
+/// the two differ.
 void take_stated_unit(TableColumn& column, const std::string& stated, const Place& place);
 
-/// `column "Fz" is missing, did you mean "FZ"? (columns: ...)`, and the same for several at once.
+/// Returns `column "Fz" is missing, did you mean "FZ"? (columns: ...)`, also for several columns at
+/// once.
 std::string missing_columns(const std::vector<std::string>& missing,
                             const std::vector<std::string>& names);
 
-/// Why a cell is no number: a decimal comma, thousands separators, or `expected a finite number`.
-/// Begins with a comma: `, a decimal comma: ...`.
+/// Says why a cell is no number: a decimal comma, thousands separators, or `expected a finite
+/// number`. Begins with a comma: `, a decimal comma: ...`.
 std::string reason_of_no_number(std::string_view cell, std::string_view kind_of_file);
-/// Whether a cell says in words that there is no value: empty, "NaN", "n/a", "-" and their like.
+/// True if a cell says in words that there is no value: empty, "NaN", "n/a", "-" and similar.
 bool is_gap_word(std::string_view cell);
 
-/// Notices decimal commas and points in one file: beside "0.5", "1,234" is more than a thousand;
-/// beside "0,5" it is little more than one.
+/// Detects decimal commas and decimal points in one file: beside "0.5", "1,234" is more than a
+/// thousand; beside "0,5" it is little more than one.
 class DecimalMarks {
  public:
   explicit DecimalMarks(std::string file) : file_(std::move(file)) {}
-  /// Throws InputError where the file has both marks and one number may be of thousands.
+  /// Throws InputError if the file has both marks and a number may have a thousands separator.
   void take(std::string_view number, int line);
 
  private:

@@ -17,7 +17,7 @@
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kLargestTydex = 512u << 20;  // an hour of ten channels at 1 kHz
+constexpr std::size_t kLargestTydex = 512u << 20;  // bytes; an hour of ten channels at 1 kHz
 constexpr std::size_t kMostChannels = 1000;
 constexpr std::size_t kNameEnd = 10, kCommentEnd = 40, kUnitEnd = 50, kField = 10;
 constexpr double kNotAvailable = std::numeric_limits<double>::quiet_NaN();
@@ -52,8 +52,8 @@ std::vector<std::string_view> words_of(std::string_view line) {
   return words;
 }
 
-/// C and Fortran notation, decimal point or comma. NaN where the text says so; nothing where it is
-/// no number.
+/// Accepts C and Fortran notation, decimal point or comma. Returns NaN if the text says so; nothing
+/// if it is no number.
 std::optional<long double> number_of(std::string_view text) {
   text = trimmed(text);
   if (const auto parts = split_number(text); parts && parts->rest.empty()) return parts->number;
@@ -140,7 +140,7 @@ class Reading {
     }
   }
 
-  /// Where the value is not behind column 50, the last word is it and a unit may stand before it.
+  /// If the value is not behind column 50, the last word is the value, and a unit may precede it.
   TydexFile::Entry entry_of(std::string_view line) const {
     TydexFile::Entry entry;
     entry.line = line_;
@@ -182,7 +182,7 @@ class Reading {
     entries.push_back(std::move(entry));
   }
 
-  /// Throws for no unit and for one of the wrong dimension where the name tells it.
+  /// Throws InputError if there is no unit, or if it has another dimension than the name requires.
   Unit unit_of(const std::string& name, const std::string& written, bool strict) const {
     const TydexName* known = find_tydex_name(name);
     const bool told = known && !known->si_unit.empty();
@@ -256,7 +256,7 @@ class Reading {
     file_.lines.push_back(line_);
   }
 
-  /// Numbers that touch, or places left empty: the columns of 10 tell them apart.
+  /// Numbers may touch and columns may be empty: columns of 10 characters separate them.
   bool split_by_columns(std::string_view line) {
     const std::size_t count = raw_.size();
     if (line.size() <= kField * (count - 1) || line.size() > kField * count) return false;

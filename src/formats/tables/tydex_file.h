@@ -13,13 +13,13 @@
 //   **END
 //
 // A channel is factor * (raw + measured offset) + physical offset in its unit. Lines that begin
-// with ! are comments. Beyond the letter of the format are read: keywords and names in any case,
-// CRLF, Latin-1, lines that end early, columns out of place where the words leave no doubt, data
-// that stand in columns of 10 or between blanks, exponents with D, decimal commas. What is not
-// available (NOTAVAIL, NaN, an empty column) is NaN.
+// with ! are comments. The reader accepts more than the format: keywords and names in any case,
+// CRLF, Latin-1, lines that end early, columns out of place if the words leave no doubt, data in
+// columns of 10 or between blanks, exponents with D, decimal commas. Values that are not available
+// (NOTAVAIL, NaN, an empty column) are NaN.
 //
-// Everything comes out in SI, signs and axes as in the file: its names say which (FYW: W axes), and
-// measurement/axes.h converts.
+// Everything is returned in SI, with the signs and axes of the file: the names state the axes (FYW:
+// W axes), and measurement/axes.h converts.
 #pragma once
 
 #include <filesystem>
@@ -38,19 +38,19 @@ struct TydexFile {
   struct Entry {
     std::string name;  // in capitals
     std::string comment;
-    std::string unit;              // as written
-    std::string text;              // the value as written
-    std::optional<double> number;  // in `si_unit`, where the value is a number
+    std::string unit;              // text in the file
+    std::string text;              // text of the value in the file
+    std::optional<double> number;  // in `si_unit`, if the value is a number
     std::string si_unit = "1";
     int line = 0;
   };
   struct Description {
     std::string comment;
-    std::string unit;                                                   // as written
+    std::string unit;                                                   // text in the file
     double factor = 1.0, measured_offset = 0.0, physical_offset = 0.0;  // in that unit
     int line = 0;
   };
-  /// **MODELPARAMETERS and its like, in the order of the file.
+  /// A section like **MODELPARAMETERS, in the order of the file.
   struct Section {
     std::string keyword;
     std::vector<Entry> entries;
@@ -62,29 +62,29 @@ struct TydexFile {
   std::vector<Entry> constants;
   std::vector<Section> model;
   Channels channels;
-  std::vector<Description> descriptions;  // of each channel
-  std::vector<int> lines;                 // of each sample
+  std::vector<Description> descriptions;  // one for each channel
+  std::vector<int> lines;                 // one for each sample
 
-  /// Throw InputError naming file, line, what was found and expected: also for a file without
-  /// **HEADER or **END, which is a torso.
+  /// Throw InputError naming file, line, what was found and expected; also for a file without
+  /// **HEADER or **END, which is incomplete.
   static TydexFile read(const std::filesystem::path& file);
   static TydexFile parse(std::string text, std::string file_name);
 
-  /// nullptr where the header and the constants have no such name.
+  /// Returns nullptr if the header and the constants have no such name.
   const Entry* find(std::string_view name) const;
-  /// A constant in the SI unit of `unit`, or where there is none the mean of the channel of that
-  /// name; throws InputError where there is neither or the dimension differs.
+  /// Returns a constant in the SI unit of `unit`, or if there is none the mean of the channel of
+  /// that name; throws InputError if there is neither or the dimension differs.
   double constant(std::string_view name, std::string_view unit) const;
 };
 
-/// What a name of TYDEX stands for.
+/// Meaning of a name of TYDEX.
 struct TydexName {
   std::string_view name;
-  std::string_view si_unit;  // "": a text
+  std::string_view si_unit;  // "": the value is a text
   std::string_view axes;     // "W", "H", "C"; "": none
   std::string_view meaning;
 };
-/// nullptr for a name of the laboratory's own.
+/// Returns nullptr for a name of the laboratory's own.
 const TydexName* find_tydex_name(std::string_view name);
 
 }  // namespace latsch::formats

@@ -172,7 +172,7 @@ TEST(LabUnits, AreUnderstoodAsARigMeansThem) {
   EXPECT_FALSE(Unit::find("quux"));
 }
 
-// "Grad", German for degree, was a giga-radian.
+// Regression: "Grad", German for degree, was read as a giga-radian.
 TEST(TydexFile, AGradOfAGermanRigIsADegree) {
   const std::string text =
       "**HEADER\nRELEASE   Release of TYDEX-Format                 1.3\n**MEASURCHANNELS\n"
@@ -186,7 +186,7 @@ TEST(TydexFile, AGradOfAGermanRigIsADegree) {
   expect_tydex_message(lower, "rig.tdx:4: ", "unit \"grad\", which is a degree in German and 0.9");
 }
 
-// Cornering tests on a flat belt at 25 mph; the files' names tell load and pressure.
+// Cornering tests on a flat belt at 25 mph; the files' names state load and pressure.
 TEST(TydexFile, ReadsTheCorneringTestsAsTheyAreNamed) {
   if (!std::filesystem::exists(kTydexSamples)) GTEST_SKIP() << "no samples in " << kTydexSamples;
   for (const double kilopascal : {69.0, 83.0}) {
@@ -203,7 +203,7 @@ TEST(TydexFile, ReadsTheCorneringTestsAsTheyAreNamed) {
       for (const double value : file.channels["INFLPRES"]) pressure += value / file.lines.size();
       const auto& slip = file.channels["SLIPANGL"];
       for (std::size_t i = 0; i < slip.size(); ++i) sideways -= slip[i] * file.channels["FYW"][i];
-      // The rig holds its loads within a tenth, its pressure within a twentieth.
+      // The rig keeps its loads within a tenth, its pressure within a twentieth.
       EXPECT_NEAR(load, newton, 0.1 * newton) << name;
       EXPECT_NEAR(pressure, 1000.0 * kilopascal, 50.0 * kilopascal) << name;
       EXPECT_NEAR(file.channels["LONGVEL"][0], 40.2 / 3.6, 0.1);

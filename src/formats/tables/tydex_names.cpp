@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names of TYDEX 1.3 that tire tests use, with the dimension their unit must have.
+// The names of TYDEX 1.3 that occur in tire tests, with the dimension of their unit.
 #include <algorithm>
 #include <array>
 

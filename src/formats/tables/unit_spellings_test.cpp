@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every spelling of the table of units through every reader of tables: the number by hand, or an
-// error that names the unit and the place. No reader differs from another.
+// Every spelling of the table of units is read by every reader of tables: the result is the number
+// computed by hand, or an error that names the unit and the place. All readers agree.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kWritten = 7.0;
 
-/// What a reader made of a column: the SI values' unit and the value written as 7.
+/// Result of reading a column: the SI unit and the value written as 7.
 struct Found {
   std::string unit;
   double si = 0.0;
@@ -38,13 +38,13 @@ std::string quoted(const std::string& text) {
   return field + "\"";
 }
 
-/// "value [kPa]" as a field, also for a unit that is in brackets already.
+/// Returns a field "value [kPa]", also for a unit that is in brackets already.
 std::string title(const UnitSpelling& spelling, const std::string& name = "value") {
   const std::string unit = spelling.written;
   return quoted(name + " " + (unit.starts_with('[') ? unit : "[" + unit + "]"));
 }
 
-/// `knows_dimension`: the reader was told what is measured, so a wrong dimension is its error.
+/// `knows_dimension`: the reader knows the measured quantity, so it must report a wrong dimension.
 void expect_the_number_by_hand(const UnitSpelling& spelling,
                                const Reader& reader,
                                bool knows_dimension,
@@ -54,14 +54,14 @@ void expect_the_number_by_hand(const UnitSpelling& spelling,
     found = reader(spelling);
   } catch (const InputError& error) {
     const std::string words = error.what();
-    // Without the dimension a unit of two meanings is refused, too.
+    // Without the dimension a unit with two meanings is refused too.
     const bool needs_dimension = !knows_dimension && words.find("which may be") != words.npos;
     EXPECT_TRUE(std::isnan(spelling.factor) || needs_dimension) << words;
     EXPECT_NE(words.find(where), words.npos) << words;
     EXPECT_NE(words.find(in_quotes(spelling.written)), words.npos) << words;
     return;
   }
-  // The consumer of a column compares its dimension with the one needed.
+  // The user of a column compares its dimension with the needed one.
   const bool is_refused_later =
       !knows_dimension && !Unit::of(found.unit).same_dimension(Unit::of(spelling.si));
   if (is_refused_later) return;
@@ -76,7 +76,7 @@ void go_through(const Reader& reader, bool knows_dimension, const std::string& w
     expect_the_number_by_hand(spelling, reader, knows_dimension, where);
 }
 
-/// The number of spellings a reader makes a number of, which shows that it does not refuse all.
+/// Number of spellings that a reader accepts, which shows that it does not refuse all.
 int count_read(const Reader& reader) {
   int count = 0;
   for (const UnitSpelling& spelling : unit_spellings::kAll) {

@@ -109,7 +109,7 @@ bool CsvFields::next(Row& row) {
     if (row.cells.size() > kMostFields)
       throw InputError({file_, row.line}, fmt::format("has more than {} fields", kMostFields));
     if (at_ >= text_.size() || text_[at_] == '\n') break;
-    ++at_;  // the separator
+    ++at_;  // skips the separator
   }
   skip_line();
   return true;

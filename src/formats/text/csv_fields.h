@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The characters of a separated-value file as rows of fields [RFC 4180, with comments].
+// Splits the characters of a separated-value file into rows of fields [RFC 4180, with comments].
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ class CsvFields {
     int line = 0;
     std::vector<std::string_view> cells;  // without quotes; blanks around unquoted fields removed
   };
-  /// A place between two rows, to go on from.
+  /// A position between two rows at which reading can continue.
   struct Mark {
     std::size_t at = 0;
     int line = 1;
@@ -28,13 +28,13 @@ class CsvFields {
   /// The text is not copied. It is UTF-8 (text_encoding.h).
   CsvFields(std::shared_ptr<const MappedFile> source, std::string file);
 
-  /// ';', tab or ',': the first of them that stands outside of quotes in the first row.
+  /// Returns ';', tab or ',': the first of them that is outside of quotes in the first row.
   char separator() const { return separator_; }
-  /// The next row that is neither empty nor a comment; false at the end. Throws InputError for a
-  /// quote that is not closed or followed by more text and for more than 10,000 fields. The cells
-  /// are valid until the next call.
+  /// Reads the next row that is neither empty nor a comment; returns false at the end. Throws
+  /// InputError for a quote that is not closed or followed by more text and for more than 10,000
+  /// fields. The cells are valid until the next call.
   bool next(Row& row);
-  /// Where the next row begins, and to go on there.
+  /// Returns the position of the next row; go_to() continues there.
   Mark mark() const { return {at_, line_}; }
   void go_to(const Mark& mark);
 
@@ -47,9 +47,9 @@ class CsvFields {
 
   std::string file_;
   std::shared_ptr<const MappedFile> source_;
-  std::deque<std::string> unquoted_;  // fields of this row that held doubled quotes
+  std::deque<std::string> unquoted_;  // fields of this row with doubled quotes
   std::string_view text_;
-  std::size_t let_go_ = 0;  // of the text, behind what is read
+  std::size_t let_go_ = 0;  // bytes of the text that are released
   std::size_t at_ = 0;
   int line_ = 1;
   char separator_ = ',';

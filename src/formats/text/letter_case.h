@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of file formats in one case: the letters a to z, whatever the locale.
+// Converts words of file formats to one case: the letters a to z, independent of the locale.
 #pragma once
 
 #include <string>

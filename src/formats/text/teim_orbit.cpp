@@ -19,7 +19,7 @@ constexpr std::size_t kLongestOrbitLine = 64u << 10;
 
 bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == ',' || c == ';'; }
 
-/// 1.5D3 of Fortran programs is 1.5E3.
+/// Fortran programs write 1.5D3 for 1.5E3.
 std::optional<double> number_in(std::string_view text) {
   std::string c_form(text);
   std::replace(c_form.begin(), c_form.end(), 'D', 'E');
@@ -36,7 +36,7 @@ std::string no_number(const std::string& what, const std::string& found) {
 
 }  // namespace
 
-/// Goes through the text line by line.
+/// Reads the text line by line.
 class TeimOrbitReader {
  public:
   explicit TeimOrbitReader(TeimOrbit& into) : into_(into) {}
@@ -58,7 +58,7 @@ class TeimOrbitReader {
     throw InputError(Place{into_.file(), line_}, message);
   }
 
-  /// Where the comment begins, or the end of the line. Marks inside quotes are text.
+  /// Returns the beginning of the comment, or the end of the line. Marks inside quotes are text.
   std::size_t comment_of(std::string_view line) const {
     bool quoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -142,7 +142,7 @@ class TeimOrbitReader {
     here.tables_.back().rows.push_back({split(content), line_});
   }
 
-  /// Fields between blanks, commas or semicolons, quotes kept together.
+  /// Returns fields separated by blanks, commas or semicolons; quotes stay together.
   std::vector<std::string> split(std::string_view text) const {
     std::vector<std::string> fields;
     std::size_t i = 0;
@@ -320,7 +320,7 @@ const TeimOrbitSection& TeimOrbit::section(std::string_view name) const {
 
 namespace {
 
-/// The keys of [UNITS], the dimension of each and names that Adams writes, for messages.
+/// The keys of [UNITS], the dimension of each, and the names that Adams writes, for messages.
 struct UnitKey {
   std::string_view key, si, names;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text files of laboratories as UTF-8. Files of Windows programs are in Windows-1252, which is
-// Latin-1 with printed characters in the place of 32 controls.
+// Converts text files of laboratories to UTF-8. Files of Windows programs are in Windows-1252,
+// which is Latin-1 with printed characters instead of 32 control characters.
 #pragma once
 
 #include <memory>
@@ -11,16 +11,17 @@
 
 namespace latsch::formats {
 
-/// Without a byte order mark. Bytes that are no UTF-8 make the whole text Windows-1252. Throws
-/// InputError for UTF-16 and for a zero byte, naming the line.
+/// Returns the text without a byte order mark. Bytes that are no UTF-8 make the whole text
+/// Windows-1252. Throws InputError for UTF-16 and for a zero byte, naming the line.
 std::string utf8_text(std::string bytes, const std::string& file);
 
-/// The same file where it is UTF-8 (a byte order mark stays), else a converted copy in memory.
+/// Returns `source` itself if it is UTF-8 (a byte order mark stays), else a converted copy in
+/// memory.
 std::shared_ptr<const MappedFile> utf8_file(std::shared_ptr<const MappedFile> source,
                                             const std::string& file);
 
-/// Characters `first` ... `first + count - 1` of a line of UTF-8, counted from 0; what is there of
-/// them.
+/// Returns the characters `first` ... `first + count - 1` of a line of UTF-8, counted from 0, as
+/// far as they exist.
 std::string_view columns_of(std::string_view line, std::size_t first, std::size_t count);
 
 }  // namespace latsch::formats

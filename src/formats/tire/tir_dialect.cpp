@@ -36,7 +36,7 @@ constexpr std::array<KnownFitType, 8> kFitTypes = {{
     {62, Version::mf62, nullptr},
 }};
 
-/// Formats that name their equations, by their letters and digits alone.
+/// Formats that name their equations, reduced to letters and digits.
 constexpr std::array<std::pair<const char*, Version>, 12> kFormats = {{
     {"PAC2002", Version::mf52},
     {"MF05", Version::mf52},
@@ -181,7 +181,7 @@ class DialectReading {
                                  did_you_mean(letters_, known)));
   }
 
-  /// A number, or a name such as 'MF61'.
+  /// Reads a number, or a name such as 'MF61'.
   void take_fit_type(const TeimOrbitEntry& fit) {
     const std::optional<double> number = parse_number(fit.value);
     if (!number) {
@@ -215,7 +215,7 @@ class DialectReading {
   TirDialect result_;
 };
 
-/// {key of PAC2002, name of the parameter}
+/// Pairs {key of PAC2002, name of the parameter}.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kSpellings = {{
     {"LKG", "LKYC"},
     {"LKYG", "LKYC"},

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dialects of .tir files: which equations FITTYP and PROPERTY_FILE_FORMAT name, and how a
-// dialect spells the coefficients that others have, too.
+// The dialects of .tir files: the equations that FITTYP and PROPERTY_FILE_FORMAT name, and each
+// dialect's own names of common coefficients.
 //
 // FITTYP [MF-Tyre/MF-Swift]: 5, 51 are MF-Tyre 5.0 and 5.1; 6, 52 are 5.2; 21 is 5.2 with the ring
 // of SWIFT; 60, 61, 62 are 6.0, 6.1, 6.2. MF-MCTyre, the formula of motorcycles, has written 51 and
-// 52, too: a file that says so of itself is refused. PROPERTY_FILE_FORMAT names the formula where
+// 52 too: a file that names this formula is refused. PROPERTY_FILE_FORMAT names the formula if
 // there is no FITTYP: PAC2002 is MF 5.2 with inflation pressure [Adams/Tire, PAC2002]. Upper and
 // lower case, blanks, - and _ of a format's name do not matter.
 #pragma once
@@ -20,20 +20,20 @@ namespace latsch::formats {
 
 struct TirDialect {
   magic_formula::Version version = magic_formula::Version::mf61;
-  bool pac2002 = false;            // its spellings are used for what is added to the file
-  std::vector<std::string> notes;  // what was taken for what, each with its place
+  bool pac2002 = false;            // true: its spellings are used for keys added to the file
+  std::vector<std::string> notes;  // interpretations, each with its place
 };
 
-/// Throws InputError for a formula that is not read, naming what the file says, and for a file that
-/// names none or two.
+/// Throws InputError for a formula that is not supported, naming what the file says, and for a file
+/// that names none or two.
 TirDialect dialect_of(const TeimOrbitSection& model);
 
-/// The name of the parameter that a key (in capitals) of any dialect states: QPZ1 is PPZ1, IP is
-/// INFLPRES. The key itself where it has no other name.
+/// Returns the name of the parameter for a key (in capitals) of any dialect: QPZ1 is PPZ1, IP is
+/// INFLPRES. Returns the key itself if it has no other name.
 std::string_view parameter_of_key(std::string_view key);
-/// The other way round: how PAC2002 spells a parameter.
+/// Returns PAC2002's spelling of a parameter.
 std::string_view pac2002_spelling(std::string_view parameter);
-/// All keys that are other names of parameters.
+/// Returns all keys that are other names of parameters.
 std::vector<std::string> other_spellings();
 
 }  // namespace latsch::formats

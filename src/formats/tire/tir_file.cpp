@@ -25,7 +25,7 @@ int fittyp_of(Version version) {
   return version == Version::mf52 ? 6 : version == Version::mf61 ? 61 : 62;
 }
 
-/// How a file writes its numbers.
+/// Notation of the numbers in a file.
 struct Spelling {
   TeimOrbitUnits units;
   bool pac2002 = false;
@@ -41,7 +41,7 @@ struct Spelling {
   }
 };
 
-/// "KEY = value" lines below their [SECTION]s, in the order of the fields; `section` is open
+/// Writes "KEY = value" lines below their [SECTION]s, in the order of the fields; `section` is open
 /// already.
 std::string written(const std::vector<const ParameterField*>& fields,
                     const Parameters& p,

@@ -65,7 +65,7 @@ TEST(TirFile, UnitsBecomeSiAndTheTwoMassesStayApart) {
   EXPECT_EQ(p.MASS, 9.3);
   EXPECT_EQ(p.side, Side::right);
   EXPECT_EQ(p.version, Version::mf61);
-  EXPECT_EQ(p.PKY4, 2.0);  // what the file leaves out
+  EXPECT_EQ(p.PKY4, 2.0);  // absent from the file
   EXPECT_EQ(p.LMUY, 1.0);
 }
 
@@ -184,7 +184,7 @@ TEST(TirFile, KeysOfPac2002AreTakenByTheirOtherNames) {
   EXPECT_EQ(p.PPZ2, 0.3);
   EXPECT_EQ(p.PFZ1, 0.7);
   EXPECT_EQ(p.Q_V2, 0.04);
-  // What changes is written in the file's own spelling and scale.
+  // A changed value is written in the file's own spelling and scale.
   Parameters changed = p;
   changed.PPZ1 = -0.25;
   changed.Q_FCX = 0.01;
@@ -206,7 +206,7 @@ TEST(TirFile, EveryKeyHasARowThatSaysWhatItWasTakenFor) {
   const TirFile tir = parse_tir(text, "t.tir");
   std::size_t entries = 0;
   for (const auto& section : tir.source.sections()) entries += section.entries().size();
-  EXPECT_EQ(tir.keys.size(), entries + 2);  // and the tables SHAPE, BOTTOMING_CURVE
+  EXPECT_EQ(tir.keys.size(), entries + 2);  // entries and the tables SHAPE, BOTTOMING_CURVE
   const auto remark = [&](const std::string& key) {
     for (const TirKey& row : tir.keys)
       if (row.key == key) return row.parameter + "|" + row.remark;
@@ -229,7 +229,7 @@ TEST(TirFile, EveryKeyHasARowThatSaysWhatItWasTakenFor) {
   };
   EXPECT_TRUE(told("DYNAMIC_STIFFNESS = 1 has no effect"));
   EXPECT_TRUE(told("FE_METHOD = YES has no effect"));
-  EXPECT_FALSE(told("QFZ1"));  // 0 says nothing
+  EXPECT_FALSE(told("QFZ1"));  // a value of 0 has no effect
   EXPECT_TRUE(told("[BOTTOMING_CURVE] holds a table that is not read"));
   EXPECT_TRUE(told("PDY1 stands in [ALIGNING_COEFFICIENTS], it belongs to [LATERAL_COEFFICIENTS]"));
   EXPECT_TRUE(
@@ -267,7 +267,8 @@ TEST(TirFile, ScalesRangesAndStrayLinesAreCheckedForWhatTheyMean) {
             std::string::npos);
   EXPECT_NE(tir_complaint(with("[DIMENSION]\nTYRESIDE='LEFT'\n")).find("expected [MODEL]"),
             std::string::npos);
-  // A key that stands twice: the same is told, another is refused, also where nobody reads it.
+  // A key that occurs twice is reported if the values are equal, and refused otherwise, even if it
+  // is not used.
   EXPECT_NE(tir_complaint(with("[VERTICAL]\nXYZ = 1\nXYZ = 2\n")).find("keep one of them"),
             std::string::npos);
 }

@@ -79,7 +79,7 @@ const std::map<std::string, Unused, std::less<>>& unused_keys() {
   return keys;
 }
 
-/// 0, 'NO', 'OFF', 'DEFAULT', nothing.
+/// True for 0, 'NO', 'OFF', 'DEFAULT' and an empty text.
 bool says_off(std::string_view value) {
   const auto number = parse_number(value);
   if (number) return *number == 0.0;

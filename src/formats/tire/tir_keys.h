@@ -9,22 +9,23 @@
 
 namespace latsch::formats {
 
-/// Why a key is read and not used.
+/// Reason why a key is read and not used.
 struct TirReason {
   std::string text;
-  /// The program that the key is made for computes something with it: a user who expects that has
-  /// to be told, not only on request.
+  /// True if the program for which the key is meant computes something with it: the user then is
+  /// informed even without asking.
   bool told = false;
 };
 
-/// Nothing where the key (in capitals) is a coefficient that acts, or is not known at all.
-/// `value`: as the file has it; a key whose value says "off" needs no telling.
+/// Returns nothing if the key (in capitals) is a coefficient with an effect, or is not known at
+/// all. `value` is the text in the file; a key whose value means "off" need not be reported.
 std::optional<TirReason> reason_unused(std::string_view key, std::string_view value);
 
-/// What a parameter that acts only in some models or modes acts in; "" where it always does.
+/// Says what a parameter affects that has an effect only in some models or modes; "" if it always
+/// has one.
 std::string_view acts_only(std::string_view parameter);
 
-/// Keys with a reason, for suggestions.
+/// Returns keys with a reason, for suggestions.
 std::vector<std::string> keys_with_reason();
 
 }  // namespace latsch::formats

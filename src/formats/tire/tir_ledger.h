@@ -7,9 +7,9 @@
 
 namespace latsch::formats {
 
-/// Keys that become a parameter are used, `remark` says where in some models or modes alone; others
-/// are not used, with the reason; a key that is not known is doubtful. What is wrong or assumed
-/// stands in the notes of the file.
+/// Keys that become a parameter are used, and `remark` says if they act only in some models or
+/// modes; other known keys are not used, with the reason; an unknown key is doubtful. Faults and
+/// assumptions are in the notes of the file.
 Ledger ledger_of(const TirFile& tir);
 
 }  // namespace latsch::formats

@@ -24,16 +24,16 @@ using magic_formula::ParameterUnit;
 using magic_formula::Side;
 using magic_formula::Version;
 
-/// Scaling factors that the equations divide by, or without which there is no tire.
+/// Scaling factors that the equations divide by, or that would remove the tire if they were 0.
 constexpr std::array<std::string_view, 9> kNeverZero = {
     "LFZO", "LCX", "LMUX", "LKX", "LCY", "LMUY", "LKY", "LIP", "LCZ"};
-/// {smallest, largest} of the inputs that a file covers.
+/// Pairs {smallest, largest} of the inputs that a file covers.
 constexpr std::array<std::array<std::string_view, 2>, 5> kRanges = {{{"PRESMIN", "PRESMAX"},
                                                                      {"FZMIN", "FZMAX"},
                                                                      {"KPUMIN", "KPUMAX"},
                                                                      {"ALPMIN", "ALPMAX"},
                                                                      {"CAMMIN", "CAMMAX"}}};
-/// Coefficients that act with the pressure.
+/// Coefficients of the pressure's effect.
 constexpr std::array<std::string_view, 17> kOfPressure = {"PPX1",
                                                           "PPX2",
                                                           "PPX3",
@@ -56,7 +56,7 @@ bool is_coefficient_group(std::string_view section) {
   return section.ends_with("_COEFFICIENTS") || section.ends_with("_RANGE");
 }
 
-/// All sections that parameters belong to.
+/// Returns all sections that parameters belong to.
 const std::set<std::string_view>& home_sections() {
   static const std::set<std::string_view> sections = [] {
     std::set<std::string_view> names;
@@ -67,7 +67,7 @@ const std::set<std::string_view>& home_sections() {
   return sections;
 }
 
-/// For suggestions: everything that a key could be meant to be.
+/// Returns every key that a misspelled key may mean, for suggestions.
 std::vector<std::string> all_keys() {
   std::vector<std::string> keys = other_spellings();
   for (const ParameterField& field : magic_formula::parameter_fields())
@@ -78,7 +78,8 @@ std::vector<std::string> all_keys() {
   return keys;
 }
 
-/// Short names of coefficients differ by single letters anyway: only one slip is worth a guess.
+/// Short names of coefficients differ by single letters anyway: a suggestion for them allows only
+/// one slip.
 std::string suggestion(const std::string& key) {
   constexpr std::size_t kShort = 6;
   const auto best = nearest(key, all_keys());
@@ -122,7 +123,7 @@ class TirReader {
     tir_.notes.push_back(Place{tir_.source.file(), line}.text() + ": " + text);
   }
 
-  /// Sizes that no tire has: a unit of [UNITS] is wrong.
+  /// Rejects sizes that no tire has: a unit of [UNITS] is wrong.
   void check_sizes() {
     struct Size {
       const char *name, *unit;
@@ -151,7 +152,7 @@ class TirReader {
     if (tir_.parameters.RIM_RADIUS >= tir_.parameters.UNLOADED_RADIUS)
       note(line_of("RIM_RADIUS"), "RIM_RADIUS is not below UNLOADED_RADIUS");
   }
-  /// Of a key, in whatever section; 0: the file has none.
+  /// Line of a key in any section; 0: the file lacks it.
   int line_of(std::string_view key) const {
     for (const TeimOrbitSection& section : tir_.source.sections())
       for (const TeimOrbitEntry& entry : section.entries())
@@ -200,7 +201,7 @@ class TirReader {
     note(entry.line, fmt::format("{} stands twice, in line {}, too", entry.key, before.line));
   }
 
-  /// [UNITS] and [MDI_HEADER] hold no parameters, unless a line [SECTION] was lost.
+  /// [UNITS] and [MDI_HEADER] contain no parameters, unless a line [SECTION] was lost.
   void check_stranger(const TeimOrbitSection& section, const TeimOrbitEntry& entry) {
     static const std::set<std::string_view> units = {
         "LENGTH", "FORCE", "ANGLE", "MASS", "TIME", "PRESSURE"};
@@ -262,7 +263,7 @@ class TirReader {
            fmt::format("{} = {} has no effect: {}", entry.key, entry.value, unused->text));
   }
 
-  /// Factors of PAC2002 on another number of the file.
+  /// Reads a factor of PAC2002 that multiplies another number of the file.
   void read_scale(const TeimOrbitSection& section, const TeimOrbitEntry& entry) {
     scales_[entry.key] = {section.number(entry), entry.line};
     const bool pressure = entry.key == "LIP";
@@ -451,7 +452,7 @@ class TirReader {
            "such as PHY1 and PKY1 are taken in radians");
   }
 
-  /// Without R coefficients braking and steering do not diminish each other.
+  /// Without R coefficients braking and steering forces do not reduce each other.
   void report_combined_slip() {
     const Parameters& p = tir_.parameters;
     const bool forces = (p.PDX1 != 0.0) && (p.PDY1 != 0.0);
@@ -461,7 +462,7 @@ class TirReader {
            "steering do not diminish each other's forces");
   }
 
-  /// The coefficients without which the tire has no force of that kind.
+  /// Reports missing coefficients without which the tire has no force of that kind.
   void report_missing() {
     const bool new_formula = tir_.parameters.version != Version::mf52;
     std::vector<std::string> expected = {

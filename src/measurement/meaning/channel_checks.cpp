@@ -20,9 +20,9 @@ namespace latsch {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNearlyAll = 0.9;  // of the samples
+constexpr double kNearlyAll = 0.9;  // share of the samples
 
-/// In `unit`: from `from` to `to` is usual, below `least` or above `most` impossible.
+/// Values in `unit`: `from` to `to` is usual, below `least` or above `most` is impossible.
 struct UsualRange {
   std::string_view channel, unit;
   double least, from, to, most;
@@ -60,7 +60,8 @@ constexpr std::array kRanges = {
     UsualRange{"Mz", "N m", -1e6, -1e5, 1e5, 1e6, "is it in N m, kN m or ft lbf?"},
 };
 
-/// The name in the vocabulary, without frame and wheel; the name itself where it has none.
+/// Returns the name in the vocabulary, without frame and wheel; the name itself if the vocabulary
+/// lacks it.
 std::string base_name(const Channel& channel) {
   for (const UsualRange& range : kRanges)
     if (range.channel == channel.name) return channel.name;
@@ -136,13 +137,15 @@ std::optional<ChannelDoubt> out_of_range(const Channel& channel, const UsualRang
                       is_error};
 }
 
-/// Loads press on the ground.
+/// Checks that the loads are positive, as those of a wheel on the ground.
 std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
-  constexpr double kHop = 0.02;   // of the largest load: noise about 0 of a wheel in the air
-  constexpr double kLeast = 5.0;  // N: no tire has less
+  constexpr double kHop = 0.02;   // share of the largest load: noise about 0 while the wheel is in
+                                  // the air
+  constexpr double kLeast = 5.0;  // N; the load of every tire is larger
   const std::size_t all = numbers_in(channel.values);
   if (all == 0) return std::nullopt;
-  constexpr double kAboutZero = 0.05;  // mean over largest: changes of a load, not loads
+  constexpr double kAboutZero = 0.05;  // mean over largest value: below it the channel holds
+                                       // changes of a load, not loads
   double most = 0.0, sum = 0.0;
   for (const double value : channel.values)
     if (!std::isnan(value)) most = std::max(most, std::abs(value)), sum += value;
@@ -171,7 +174,8 @@ std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
   return std::nullopt;
 }
 
-/// The only channel of that meaning; nullptr where there is none or several (wheels of a car).
+/// Returns the only channel with that meaning; nullptr if there is none or several (wheels of a
+/// car).
 const Channel* only(const Channels& channels, std::string_view meaning) {
   const Channel* found = nullptr;
   for (const Channel& channel : channels.all()) {
@@ -183,7 +187,8 @@ const Channel* only(const Channels& channels, std::string_view meaning) {
   return found;
 }
 
-/// Correlation about zero, not about the means: a force has the sign of its slip.
+/// Returns the correlation about zero, not about the means, because a force changes its sign with
+/// its slip.
 double correlation(const Channel& a,
                    const Channel& b,
                    const std::function<bool(std::size_t)>& counts) {
@@ -198,12 +203,12 @@ double correlation(const Channel& a,
 
 struct Pair {
   std::string_view a, b;
-  double sign;       // of their product
-  double most_of_a;  // SI; where |a| is below it
+  double sign;       // expected sign of their product
+  double most_of_a;  // SI; only samples with |a| below it count
   std::string_view law;
 };
 
-constexpr double kSmallSlip = 0.07;  // rad, 4 deg: beyond it the aligning moment turns
+constexpr double kSmallSlip = 0.07;  // rad, 4 deg: beyond it the aligning moment changes its sign
 constexpr std::array kPairs = {
     Pair{"alpha", "Fy", -1.0, kInfinity, "a side force acts against its slip angle"},
     Pair{"alpha", "Mz", 1.0, kSmallSlip, "the moment aligns the wheel"},
@@ -233,10 +238,10 @@ void check_pairs(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   }
 }
 
-/// Fy / Fz = a alpha + b gamma + c over small slip angles: b is below 0 in iso.
+/// Fits Fy / Fz = a alpha + b gamma + c at small slip angles: b is negative in iso.
 void check_inclination(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
-  constexpr double kLeastSpread = 0.01;  // rad of gamma
-  constexpr double kClearly = 8.0;       // b over its standard deviation
+  constexpr double kLeastSpread = 0.01;  // rad; least spread of gamma
+  constexpr double kClearly = 8.0;       // least ratio of b to its standard deviation
   constexpr std::size_t kFewest = 12;
   const Channel *Fy = only(channels, "Fy"), *Fz = only(channels, "Fz"),
                 *alpha = only(channels, "alpha"), *gamma = only(channels, "gamma");
@@ -280,21 +285,21 @@ void check_inclination(const Channels& channels, std::vector<ChannelDoubt>& doub
                                 alpha->name)});
 }
 
-/// A clock goes on.
+/// Checks that the time increases.
 void check_time(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   const Channel* time = only(channels, "time");
   if (!time || time->unit != "s" || time->values.size() < 3) return;
   std::size_t back = 0, first = 0;
   for (std::size_t i = 1; i < time->values.size(); ++i)
     if (time->values[i] < time->values[i - 1] && back++ == 0) first = i;
-  if (2 * back < time->values.size()) return;  // several runs in one file begin again
+  if (2 * back < time->values.size()) return;  // a file of several runs
   doubts.push_back({time->name,
                     fmt::format("goes backward {}: is its sign another one?",
                                 of_samples(back, time->values.size())),
                     first});
 }
 
-/// Two lengths of a header: a rim inside of its tire.
+/// Checks two lengths of a header: the rim must be smaller than its tire.
 void check_rim(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   const Channel *rim = channels.find("RIMDIAME"), *tire = channels.find("OVALLDIA");
   double factor = 1.0;

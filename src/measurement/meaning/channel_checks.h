@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the numbers of a recording can be what its channels are taken for: signs and ranges of
-// every channel whose meaning is known (channel_words.h), and whether channels that belong
-// together have signs that fit, in iso axes.
+// Checks whether the numbers of a recording are plausible for the meaning of its channels: signs
+// and ranges of every channel whose meaning is known (channel_words.h), and signs of channels that
+// belong together, in iso axes.
 //
 //   channel                       expected                  impossible
 //   Fz of a tire                  above 0                   below 0 in nearly all samples
@@ -19,10 +19,11 @@
 //   inclination and side force    opposite, at one slip angle
 //   kappa and Fx; dx, dy, dz and the force along them; Vx and omega     equal
 //
-// Loads about zero, as a K&C rig changes them or a cleat shakes them, are no loads on a tire.
+// A load channel that varies about zero, as on a K&C rig or over a cleat, holds no tire loads, and
+// its sign is not checked.
 //
-// A channel of which at least nine samples of ten are impossible is an error, a minority of odd
-// samples is counted. Not seen: a wrong number of a plausible size.
+// A channel with at least nine impossible samples in ten is an error; a minority of odd samples is
+// counted. A wrong number of a plausible size is not detected.
 #pragma once
 
 #include <cstddef>
@@ -34,17 +35,18 @@
 namespace latsch {
 
 struct ChannelDoubt {
-  std::string channel;     // as it is called in the recording
-  std::string sentence;    // follows the name: "is below 0 in 3 of 400 samples, ..."
+  std::string channel;     // name in the recording
+  std::string sentence;    // to follow the name: "is below 0 in 3 of 400 samples, ..."
   std::size_t sample = 0;  // the first odd one
   bool is_error = false;
-  bool all_loads_negative = false;  // so another convention is likely
+  bool all_loads_negative = false;  // suggests another convention
 };
 
-/// Of channels in SI and iso, in our names; gaps are NaN.
+/// Checks channels in SI and iso, under our names; gaps are NaN.
 std::vector<ChannelDoubt> doubts_about(const Channels& channels);
 
-/// Channels that are empty in some samples. A channel that is empty as a whole was not recorded.
+/// Returns the channels that are empty in some samples. A channel that is empty as a whole was not
+/// recorded.
 std::vector<ChannelDoubt> gaps_in(const Channels& channels);
 
 }  // namespace latsch

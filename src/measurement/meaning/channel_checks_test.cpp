@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kDegreeOfChecks = std::numbers::pi / 180.0;
 
-/// A cornering test in iso by a linear tire: Fy = -(C alpha + G gamma) Fz, Mz aligns.
+/// A cornering test in iso of a linear tire: Fy = -(C alpha + G gamma) Fz, and Mz aligns the wheel.
 Channels cornering() {
   Channels channels;
   Channel alpha{"alpha", "rad", {}}, gamma{"gamma", "rad", {}}, Fz{"Fz", "N", {}},
@@ -63,7 +63,7 @@ TEST(ChannelChecks, CountAMinority) {
   EXPECT_NE(doubts[0].sentence.find("in 3 of 51 samples"), std::string::npos) << doubts[0].sentence;
 }
 
-// Every sign and every unit that is easily mixed up, one a channel.
+// Every sign and every unit that is easily mistaken, one for each channel.
 TEST(ChannelChecks, NameTheChannelOfAnotherSignOrUnit) {
   const struct {
     const char* channel;
@@ -117,7 +117,7 @@ TEST(ChannelChecks, NoticeAClockThatGoesBackward) {
   EXPECT_TRUE(doubts_about(runs).empty());
 }
 
-// A table of a K&C rig: what gives way moves along the force.
+// A table of a K&C rig: a compliant part moves along the force.
 TEST(ChannelChecks, KnowTheSignOfACompliance) {
   Channels table;
   table.add({"Fy", "N", {-1000, 0, 1000}});

@@ -61,7 +61,7 @@ constexpr std::array kSenses = {
     Named{"center_z", S::along_z},
     Named{"arb_angle", S::about_y},
     Named{"arb_ratio", S::about_y},
-    // Defined without axes.
+    // These quantities are defined without axes.
     Named{"time", S::same},
     Named{"omega", S::same},
     Named{"wheel_speed", S::same},
@@ -109,7 +109,7 @@ constexpr std::array kSenses = {
     Named{"spring", S::same},
 };
 
-// Classical compliances: toe or camber by what acts.
+// Classical compliances: toe or camber by the load that acts.
 constexpr std::array kActing = {Named{"lateral_force_", S::along_y},
                                 Named{"longitudinal_force_", S::along_x},
                                 Named{"aligning_torque_", S::about_z}};
@@ -120,7 +120,7 @@ S named(std::string_view name) {
   return S::unknown;
 }
 
-/// Of one quantity, whatever its spelling, wheel or frame.
+/// Returns the sense of a quantity under any spelling, for any wheel or frame.
 S sense_of(std::string_view quantity) {
   if (const S exact = named(quantity); exact != S::unknown) return exact;
   if (const auto found = recognized(quantity)) return named(found->meaning->name);
@@ -154,7 +154,7 @@ ChannelSenses channel_senses(std::string_view name) {
 
 double sign_to_iso(ChannelSense sense, AxisConvention from) {
   const Eigen::Matrix3d R = axes_of(from);
-  const double handed = R.determinant();  // 1: a rotation, which all three conventions are
+  const double handed = R.determinant();  // 1 for a rotation, as in all three conventions
   const double reversed = from == AxisConvention::adapted_sae ? -1.0 : 1.0;
   switch (sense) {
     case S::along_x:

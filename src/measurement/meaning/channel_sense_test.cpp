@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signs of channels against arrows in space that are turned with Eigen into the axes of each
+// Signs of channels are checked against arrows in space, which Eigen rotates into the axes of each
 // convention.
 #include "measurement/meaning/channel_sense.h"
 
@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 constexpr AxisConvention kConventions[] = {
     AxisConvention::iso, AxisConvention::adapted_sae, AxisConvention::sae};
 
-/// A half turn about forward leads from left and up to right and down.
+/// A half turn about the forward axis turns left and up into right and down.
 Matrix3d turned_axes(AxisConvention convention) {
   if (convention == AxisConvention::iso) return Matrix3d::Identity();
   return AngleAxisd(M_PI, Vector3d::UnitX()).toRotationMatrix();
@@ -28,7 +28,7 @@ double sign(const char* name, AxisConvention from) {
   return sign_to_iso(channel_senses(name), from);
 }
 
-/// The components that a convention writes for an arrow, times the signs, are those of iso.
+/// The components of an arrow in a convention, times the signs, are those in iso.
 void expect_components(const std::array<const char*, 3>& names,
                        const Vector3d& iso,
                        const Vector3d& written,
@@ -51,13 +51,13 @@ TEST(ChannelSense, DisplacementsVelocitiesAndForcesAreArrows) {
   }
 }
 
-// A small rotation moves a point p by θ x p; θ is read off in the axes of the convention.
+// A small rotation moves a point p by θ x p; θ is computed in the axes of the convention.
 TEST(ChannelSense, MomentsAndTurnsAreArrowsAboutTheAxes) {
   const Vector3d turn(0.01, 0.02, 0.03);
   for (const AxisConvention convention : kConventions) {
     const Matrix3d R = turned_axes(convention).transpose();
     const Vector3d p(0.3, -0.4, 0.5), q = R * p, moved = R * turn.cross(p);
-    // Solves θ x q = moved for θ by two more points.
+    // θ x q = moved is solved for θ with two more points.
     Matrix3d cross;
     cross << 0.0, q.z(), -q.y(), -q.z(), 0.0, q.x(), q.y(), -q.x(), 0.0;
     const Vector3d p2(1.0, 0.2, -0.7), q2 = R * p2, moved2 = R * turn.cross(p2);
@@ -77,7 +77,7 @@ TEST(ChannelSense, MomentsAndTurnsAreArrowsAboutTheAxes) {
   }
 }
 
-// Tables of a K&C rig: the slope of what is written by what is written.
+// Tables of a K&C rig contain slopes of one written quantity by another.
 TEST(ChannelSense, SlopesHaveTheSignsOfBothQuantities) {
   for (const AxisConvention convention : kConventions) {
     const Matrix3d R = turned_axes(convention).transpose();
@@ -87,12 +87,13 @@ TEST(ChannelSense, SlopesHaveTheSignsOfBothQuantities) {
     EXPECT_NEAR(sign("dz_by_Fz", convention) * moved.z() / load, 0.3, 1e-12);
     EXPECT_NEAR(sign("dz_L_by_Fy_R", convention) * moved.z() / force.y(), 0.3, 1e-12);
     EXPECT_NEAR(sign("dx_by_Fz", convention) * moved.x() / load, 0.1, 1e-12);
-    // Toe-in and camber are defined without axes, so their slopes turn with the force alone.
+    // Toe-in and camber are defined without axes, so their slopes change sign with the force alone.
     EXPECT_NEAR(sign("toe_by_Fy", convention) * 0.05 / force.y(), 0.05, 1e-12);
   }
 }
 
-// A wheel on a path that bends to the left: ψ' > 0 about up. The book has φt = -ψ' / V about down.
+// A wheel on a path that bends to the left has ψ' > 0 about up. The book has φt = -ψ' / V about
+// down.
 TEST(ChannelSense, TurnSlipFollowsFromItsDefinition) {
   const double yaw_rate = 0.2, V = 10.0;
   for (const AxisConvention convention : kConventions) {

@@ -51,7 +51,7 @@ constexpr std::array kMeanings = {
     ChannelMeaning{"NFY", "1", "lateral force over load"},
 };
 
-/// A spelling without case, blanks and signs, and the channel.
+/// A spelling in lower case without blanks and signs, and its channel.
 struct Spelling {
   std::string_view written, channel;
   bool keeps_name = false;
@@ -201,8 +201,8 @@ constexpr std::array kSpellings = {
 
 bool is_plain_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }
 
-/// Lower case, umlauts and Greek letters as words, without everything else: "Schräglauf-Winkel"
-/// becomes "schraeglaufwinkel".
+/// Returns the text in lower case with umlauts and Greek letters as words and all other characters
+/// removed: "Schräglauf-Winkel" becomes "schraeglaufwinkel".
 std::string folded(std::string_view text) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kLetters = {
       {{"ä", "ae"},
@@ -238,7 +238,7 @@ std::string folded(std::string_view text) {
   return result;
 }
 
-/// "fyw" -> "FyW"; empty for what is no force or moment.
+/// Turns "fyw" into "FyW"; returns "" if the word is no force or moment.
 std::string force_of(const std::string& word) {
   const auto among = [&](std::size_t i, std::string_view letters) {
     return letters.find(word[i]) != letters.npos;
@@ -251,7 +251,7 @@ std::string force_of(const std::string& word) {
   return name;
 }
 
-/// A whole word: no unit, no wheel.
+/// Recognizes a whole word without unit and wheel.
 std::optional<RecognizedName> word(std::string_view text) {
   const std::string key = folded(text);
   if (key.empty()) return std::nullopt;
@@ -269,7 +269,7 @@ std::optional<RecognizedName> word(std::string_view text) {
   return std::nullopt;
 }
 
-/// "Alpha (deg)" -> "Alpha", "deg".
+/// Splits "Alpha (deg)" into "Alpha" and "deg".
 std::pair<std::string_view, std::string_view> split_brackets(std::string_view text) {
   text = trimmed(text);
   for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
@@ -287,7 +287,7 @@ std::string without_case(std::string_view text) {
   return result;
 }
 
-/// The unit that a piece of a name writes, if that is one of this dimension.
+/// Returns the unit written in a piece of a name if it has the dimension of `meaning`.
 std::string unit_of(std::string_view piece, const ChannelMeaning& meaning) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kWritten = {
       {{"kmh", "km/h"},
@@ -373,11 +373,11 @@ std::vector<std::string> look_like(std::string_view channel,
     if (spelling.channel == channel) spellings.emplace_back(spelling.written);
   std::vector<std::pair<int, std::string>> alike;
   for (const std::string& name : names) {
-    if (recognized(name)) continue;  // of another channel, or found already
+    if (recognized(name)) continue;  // names another channel, or was found already
     const std::string key = folded(split_brackets(name).first);
     int best = kMostEdits + 2;
     for (const std::string& spelling : spellings) {
-      // Short codes are alike by chance: SA and SR.
+      // Short codes such as SA and SR are alike by chance.
       if (spelling.size() >= 5 && key.size() >= 4) {
         const int allowed = spelling.size() >= 8 ? kMostEdits : 1 + (spelling.size() > 4);
         const int edits = edit_distance(key, spelling);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The answers of a report, which stand in its page as an object from requests to answers:
+// The answers of a report, which are in its page as an object from requests to answers:
 //
 //   <script type="application/json" id="answers">{"study": {...}, "trial?trial=12": {...}}</script>
 //
-// A request is its path without /api/ and its parameters in the order of docs/studio.md, without the study. One with
-// parameters that the page does not hold is answered by the path alone. A scene is {"gzip_base64": "..."}.
+// A request is its path without /api/ and its parameters in the order of docs/studio.md, without the study. A request
+// with parameters that the page does not hold is answered by the path alone. A scene is {"gzip_base64": "..."}.
 
 type Answers = Record<string, unknown>;
 

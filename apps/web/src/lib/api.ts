@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page asks of the server; in a report, of the answers that stand in the page.
+// Requests of the page to the server, or, in a report, to the answers contained in the page.
 
 import { bytesOf, heldAnswer, isReport } from './answers';
 import type * as Contract from './contract';
@@ -20,7 +20,7 @@ function addressOf(path: string, query: Query): string {
 }
 
 const early = new Map<string, Promise<Response>>();
-const kKept = 5000; // ms; what nobody asks for until then is old
+const kKept = 5000; // ms after which an unread answer is out of date
 
 async function send(what: string, address: string, options: RequestInit): Promise<Response> {
   const end = pending.begin(what);
@@ -62,12 +62,12 @@ async function tell<T>(what: string, path: string, body: unknown): Promise<T> {
   return (await response.json()) as T;
 }
 
-/** Sends a question that is going to be asked, so that its answer is under way while the page gets ready to show it. */
+/** Sends a request in advance, so that its answer is under way while the page gets ready to show it. */
 export function askEarly(path: string, query: Query): void {
   if (isReport) return;
   const address = addressOf(path, query);
   const answer = fetch(address, { credentials: 'same-origin' });
-  answer.catch(() => {}); // who asks is told
+  answer.catch(() => {}); // errors are reported to the caller
   early.set(address, answer);
   setTimeout(() => early.delete(address), kKept);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the server answers: the shapes of docs/studio.md, under their names. Numbers stand in the unit named beside
-// them, targets and errors are ratios, null is what is not known or not finite.
+// The answers of the server: the shapes of docs/studio.md, under their names. Numbers are in the unit named beside
+// them, targets and errors are ratios, null is a value that is not known or not finite.
 
 export type Value = number | null;
 /** A number, or a text with its unit as the report words it: "22.3 N/mm^2", "9.8 .. 10.3 N/mm^2", "at least 4 bar". */
@@ -133,7 +133,7 @@ export interface TrialRow {
   target: Value;
   violation: Value;
   values: Value[];
-  reason: string; // "" of a trial that succeeded
+  reason: string; // "" for a trial that succeeded
   cause: string;
   seconds: Value;
 }
@@ -175,9 +175,9 @@ export interface Curve {
   measured: Value[];
   simulated: XY;
   initial: XY | null;
-  pieces?: (XY & { name: string })[] | null; // simulated, a line each; null or absent: one line
+  pieces?: (XY & { name: string })[] | null; // simulated, one line each; null or absent: one line
   errors: Value[];
-  errors_x?: Value[]; // as x unless given
+  errors_x?: Value[]; // same as x if absent
   band: { x: Value[]; lower: Value[]; upper: Value[]; inside: Told } | null;
   psd: { unit: string; measured: XY; simulated: XY } | null;
 }
@@ -226,7 +226,7 @@ export interface Comparison {
   modes: ModeSet[];
   values: ComparedValue[];
   absent: { experiment: string; reason: string }[];
-  no_bands?: string; // why there are none
+  no_bands?: string; // reason if there are none
 }
 
 export interface SurfaceAxis {
@@ -331,7 +331,7 @@ export interface ModelNumber {
   value: Value;
   unit: string;
   line: number | null;
-  variable: string; // "" where it does not vary
+  variable: string; // "" if it does not vary
 }
 
 export interface Outline {
@@ -363,7 +363,7 @@ export interface StudyFile {
 export interface CheckMessage {
   text: string;
   line: number | null;
-  is_wrong: boolean; // else a remark
+  is_wrong: boolean; // false: a remark
 }
 
 export interface Check {
@@ -379,8 +379,9 @@ export interface Edit {
 }
 
 export interface Compared {
-  studies: { study: string; title: string; target: Value; no_intervals: string }[]; // why there are none
-  variables: { name: string; unit: string; values: Value[]; intervals: Told[]; missing: string[] }[]; // why there is no value
+  studies: { study: string; title: string; target: Value; no_intervals: string }[]; // reason if there are none
+  variables: { name: string; unit: string; values: Value[]; intervals: Told[]; missing: string[] }[]; // reason if there
+                                                                                                      // is no value
   experiments: { name: string; errors: Value[]; missing: string[] }[];
   convergence: { trial: number[]; best: Value[] }[];
 }
@@ -389,7 +390,7 @@ export interface TrialEvent {
   study: string;
   total: number;
   best: { trial: number; target: Value } | null;
-  is_many: boolean; // more than one event holds: to be asked for
+  is_many: boolean; // several events at once: the details must be requested
   rows: { trial: number; target: Value }[];
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The server's events: that it is alive, that a list has changed, that trials have ended. The browser connects again by
-// itself where the connection breaks; what is shown then is asked for anew. A page that is hidden follows nothing: a browser
-// holds few connections to one server, and many tabs would take them all.
+// The server's events: that it is alive, that a list has changed, that trials have ended. The browser reconnects by
+// itself if the connection breaks; the displayed data are then requested anew. A hidden page closes its connection: a
+// browser has few connections to one server, and many tabs would use all of them.
 
 import { isReport } from './answers';
 import type { RunEvent, TrialEvent } from './contract';
@@ -16,7 +16,7 @@ interface Heard {
 type Kind = keyof Heard;
 type Listener = (data: never) => void;
 
-const kSilence = 6000; // ms; the server says it is alive every two seconds
+const kSilence = 6000; // ms; the server sends a sign of life every two seconds
 
 class Live {
   isAlive = $state(isReport);
@@ -26,13 +26,13 @@ class Live {
   #listeners = new Map<Kind, Set<Listener>>();
   #wasLost = false;
 
-  /** Follows this study's events; "" is the list alone. */
+  /** Follows this study's events; "" follows the list alone. */
   follow(study: string): void {
     if (isReport || (this.#source && study === this.#study)) return;
     this.#source?.close();
     this.#source = null;
     this.#study = study;
-    if (document.hidden) return; // watch() follows when it is looked at
+    if (document.hidden) return; // watch() connects when the page is visible
     const source = new EventSource(study ? `/events?study=${encodeURIComponent(study)}` : '/events');
     this.#source = source;
     source.onopen = () => this.#seen();
@@ -53,7 +53,7 @@ class Live {
     const look = () => {
       if (isReport) return;
       this.#wasLost = true;
-      this.lastSeen = Date.now(); // silence counts from here
+      this.lastSeen = Date.now(); // the silence is measured from here
       if (document.hidden) this.#leave();
       else this.follow(this.#study);
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers, units and times as they are read.
+// Numbers, units and times as shown to people.
 
 import type { Told, Value } from './contract';
 
@@ -12,7 +12,7 @@ function raised(exponent: string): string {
   return [...exponent].map((digit) => powers[digit] ?? digit).join('');
 }
 
-/** A number with so many significant digits: 0.0016, 20 400, 3.2·10⁻⁹. */
+/** A number with that many significant digits: 0.0016, 20 400, 3.2·10⁻⁹. */
 export function number(value: Value | undefined, digits = 4): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return kNone;
   if (value === 0) return '0';
@@ -40,7 +40,7 @@ export function count(value: number): string {
   return String(value).replace(/\B(?=(\d{3})+$)/g, ' ');
 }
 
-/** N/mm^2 as N/mm², N m as N m. */
+/** Typesets a unit: N/mm^2 as N/mm², N m as N m. */
 export function unit(text: string): string {
   if (text === '1') return '';
   return text.replace(/\^(-?\d+)/g, (_, exponent: string) => raised(exponent)).replaceAll('*', '·');
@@ -71,14 +71,14 @@ export function ago(secondsSinceEpoch: number): string {
   return seconds < 5 ? 'just now' : `${duration(seconds)} ago`;
 }
 
-/** A number or what the program has worded already. */
+/** A number, or a text that the program has worded already. */
 export function told(what: Told | undefined, units = ''): string {
   if (typeof what === 'string') return what ? unit(what.replace(' .. ', ' … ').replaceAll('+- ', '± ')) : kNone;
   if (Array.isArray(what)) return what.every((end) => end === null) ? kNone : `${number(what[0])} … ${quantity(what[1], units)}`;
   return quantity(what as Value | undefined, units);
 }
 
-/** Ends of an interval: of [lower, upper], of "9.8 .. 10.3 N/mm^2", of "at least 9.8 N/mm^2"; null where it has none. */
+/** Ends of an interval, from [lower, upper], "9.8 .. 10.3 N/mm^2" or "at least 9.8 N/mm^2"; null for a missing end. */
 export function intervalEnds(what: Told): [Value, Value] | null {
   if (Array.isArray(what)) return [what[0] ?? null, what[1] ?? null];
   if (typeof what !== 'string') return null;
@@ -88,7 +88,7 @@ export function intervalEnds(what: Told): [Value, Value] | null {
   return both ? [Number(both[1]), Number(both[2])] : null;
 }
 
-/** The end of a long path, which tells one file from another. */
+/** The end of a long path, which distinguishes files. */
 export function shortPath(path: string): string {
   const parts = path.split('/');
   return parts.length > 3 ? `…/${parts.slice(-2).join('/')}` : path;

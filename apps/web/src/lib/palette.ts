@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colors of fields: viridis (Smith, van der Walt 2015), eleven of its colors and straight lines between them. Lines have
-// the colors of Okabe and Ito (2008), as variables of app.css.
+// Colors of fields: viridis (Smith, van der Walt 2015), eleven of its colors with linear interpolation between them.
+// Lines have the colors of Okabe and Ito (2008), as variables of app.css.
 
 const kViridis = [
   [68, 1, 84], [72, 36, 117], [65, 68, 135], [53, 95, 141], [42, 120, 142], [33, 145, 140],
@@ -27,7 +27,7 @@ export function inkOn(color: Rgb): string {
   return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.179 ? '#000000' : '#ffffff';
 }
 
-/** From -1 (blue) through the color between, `paper`, to 1 (vermilion): correlations on paper, forces on kForceless. */
+/** Color of -1 (blue) through `paper` at 0 to 1 (vermilion): correlations on paper, forces on kForceless. */
 export function diverging(value: number, paper: Rgb): Rgb {
   const end = value < 0 ? [0, 114, 178] : [213, 94, 0];
   const share = Math.min(Math.abs(value), 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Muted colors of Okabe and Ito for the parts of a model, as the report has them: a part has one color wherever it is shown.
+// Muted colors of Okabe and Ito for the parts of a model, as in the report: a part has the same color everywhere.
 
 const kColors = ['#8fb3d1', '#e2b48f', '#93c9b4', '#dbb3cb', '#ecd49b', '#b5dcf0', '#bdbdbd'];
 const kOwn: readonly [RegExp, string][] = [[/^(road|posts)( |$)/, '#b9c0c7'], [/^tire /, '#8a949e'], [/^chassis$/, '#8fb3d1']];

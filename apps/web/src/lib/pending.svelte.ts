@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is being waited for: the line at the foot of the page says it.
+// The requests that are pending; the line at the foot of the page shows them.
 
 import { untrack } from 'svelte';
 
@@ -13,7 +13,7 @@ class Pending {
 
   begin(what: string): () => void {
     const entry = { what, since: Date.now() };
-    this.list = [...untrack(() => this.list), entry]; // who asks does not depend on who else waits
+    this.list = [...untrack(() => this.list), entry]; // the caller must not depend on other pending requests
     return () => {
       this.list = this.list.filter((other) => other !== entry);
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chapters of a report that stand beside its views: what is seen without scripts and on paper. An address that
-// names one of them shows them all, under their own style sheet; any other shows the views.
+// The chapters of a report beside its views, which are seen without scripts and on paper. An address that names one of
+// them shows them all, under their own style sheet; any other address shows the views.
 
 import { isReport } from './answers';
 
@@ -24,7 +24,7 @@ function styleSheet(id: string, media: string): void {
   (document.getElementById(id) as HTMLStyleElement | null)?.setAttribute('media', media);
 }
 
-/** Paper gets the chapters, whatever is on the screen. */
+/** Prints the chapters, whatever is on the screen. */
 function print(isPrinting: boolean): void {
   if (isPrinting) {
     document.getElementById(kPrinted)!.hidden = false;

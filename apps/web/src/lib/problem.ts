@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What went wrong with a request, as it is shown: what and where, why, what next.
+// An error of a request as shown to the user: what and where, why, what to do next.
 
 export class Problem extends Error {
   constructor(
@@ -27,14 +27,14 @@ const kHints: Record<number, string> = {
 
 export async function problemOf(response: Response, where: string): Promise<Problem> {
   let words = `the server answered ${response.status} ${response.statusText}`;
-  // What is wrong with a study says itself what to do; what went wrong in the server is said where it runs.
+  // An error in a study says itself what to do; the terminal of the server has the details of an error in the server.
   let hint = kHints[response.status] ?? (response.status < 500 ? '' : 'Look at the terminal in which `latsch serve` runs.');
   try {
     const body = (await response.json()) as { error?: string; hint?: string };
     if (body.error) words = body.error;
     if (body.hint) hint = body.hint;
   } catch {
-    // An answer that is no JSON: its status says all there is.
+    // For an answer that is no JSON only the status is known.
   }
   return new Problem(words, hint, where, response.status);
 }

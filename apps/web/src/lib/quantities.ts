@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quantities as a study file has them: a text with its unit, a plain number where there is none.
+// Quantities as in a study file: a text with its unit, or a plain number if there is no unit.
 
 export function inFile(value: number, unit: string): string | number {
   return unit && unit !== '1' ? `${value} ${unit}` : value;
 }
 
-/** What a key of a table has in a TOML text, as it is written there; "" where it is not set. For tables with a head of their own. */
+/** The written value of a key in a table of a TOML text; "" if it is not set. For tables with a head of their own. */
 export function written(text: string, table: string, key: string): string {
   let isThere = false;
   for (const line of text.split('\n')) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One answer as it is shown: what is there stays while the next is on its way, only the last question counts.
+// One answer for display: the present one stays while the next is requested, and only the last request counts.
 
 import { asProblem, type Problem } from './problem';
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The address of what is shown, behind the #: "#/convergence?study=tire/study.toml&weights=force:2". Every view has one.
+// The address of the displayed view, behind the #: "#/convergence?study=tire/study.toml&weights=force:2". Every view
+// has one.
 
 export interface Route {
   view: string;
@@ -41,7 +42,7 @@ class Router {
     return address(view, { study: this.study, weights: this.weights, ...parameters });
   }
 
-  /** Changes parameters of this view's address; without a step back in the browser's history unless asked for. */
+  /** Changes parameters of this view's address; adds a step to the browser's history only if `isStep`. */
   set(parameters: Record<string, string | number | undefined>, isStep = false): void {
     const next = address(this.route.view, { ...this.route.parameters, ...parameters });
     if (next === location.hash) return;

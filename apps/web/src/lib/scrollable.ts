@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is larger than its place scrolls, by keys too: then it can be focused.
+// Makes an element that is larger than its place scroll, also by keys: it can then be focused.
 
 export function scrollable(node: HTMLElement): { destroy: () => void } {
   const look = () => {

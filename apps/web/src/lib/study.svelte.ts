@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The study that is open: what all its views need of it. Read anew when trials have ended, at most once a second.
+// The open study: the data that all its views need. It is read anew when trials have ended, at most once a second.
 
 import { api } from './api';
 import type { Study } from './contract';
@@ -7,7 +7,7 @@ import { live } from './live.svelte';
 import { Resource } from './resource.svelte';
 
 const kPause = 1000; // ms between two readings
-const kPatience = 4000; // ms until a run that says nothing is asked for its last lines
+const kPatience = 4000; // ms without a message from a run, after which its last lines are requested
 
 export class OpenStudy {
   answer = new Resource<Study>('the study');

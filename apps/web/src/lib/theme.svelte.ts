@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light, dark, or as the system says: the choice stays in this browser. `version` counts changes, for what is drawn
-// on a canvas and has to be drawn again.
+// Light, dark, or the system's choice, stored in this browser. `version` counts changes, for drawings on a canvas that
+// have to be drawn again.
 
 export type Choice = 'system' | 'light' | 'dark';
 
@@ -12,7 +12,7 @@ function stored(): Choice {
     const choice = localStorage.getItem(kKey);
     return choice === 'light' || choice === 'dark' ? choice : 'system';
   } catch {
-    return 'system'; // a browser that stores nothing
+    return 'system'; // the browser stores nothing
   }
 }
 
@@ -30,7 +30,7 @@ class Theme {
     try {
       localStorage.setItem(kKey, choice);
     } catch {
-      // It is kept as long as the page is open.
+      // The choice is kept as long as the page is open.
     }
     this.#apply();
   }

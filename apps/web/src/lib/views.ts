@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The views of a study, in the order of the work. All but the first are loaded when they are first shown.
+// The views of a study, in the order of the work. All except the first are loaded when they are first shown.
 
 import type { Component } from 'svelte';
 
@@ -10,7 +10,7 @@ export interface View {
   title: string;
   load: () => Promise<{ default: Component<{ open: OpenStudy }> }>;
   needsServer?: boolean;
-  asks?: string; // what it asks of the server first, of the study with its weights
+  asks?: string; // its first request to the server, for the study with its weights
 }
 
 export const views: readonly View[] = [

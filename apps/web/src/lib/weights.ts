@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Weights in place of those of the study file, as the server takes them and as they stand in the address:
-// "force:2,modes:0.5".
+// Weights that replace those of the study file, in the form of the server and of the address: "force:2,modes:0.5".
 
 export type Weights = Record<string, number>;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plot: axes, grid, cursor and selection are uPlot's, the marks are drawn by marks.ts into its canvas. Dragging
-// zooms, a double click shows all; the nearest point to the cursor is told to whoever probes. On a
-// logarithmic axis uPlot is told decimal logarithms: its own logarithmic axes show whole decades.
+// A plot: axes, grid, cursor and selection are those of uPlot; marks.ts draws the marks into its canvas. Dragging
+// zooms, a double click shows all; the point nearest to the cursor is passed to the `probe` callback. On a logarithmic
+// axis uPlot receives decimal logarithms: its own logarithmic axes show whole decades.
 
 import uPlot from 'uplot';
 
@@ -17,7 +17,7 @@ export interface Axis {
   isLog?: boolean;
   withZero?: boolean;
   range?: Range;
-  isWhole?: boolean; // numbers of things: no ticks between
+  isWhole?: boolean; // counts: no ticks between integers
   ticks?: (value: number) => string;
 }
 
@@ -41,7 +41,7 @@ export interface ChartOptions {
 }
 
 const kWhole = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6];
-const kReach = 30; // CSS pixels from the cursor to a point that is probed
+const kReach = 30; // CSS pixels, greatest distance of the cursor from a probed point
 
 export class Chart {
   #plot: uPlot;
@@ -59,7 +59,7 @@ export class Chart {
     this.#range();
   }
 
-  /** Other marks in the same axes: drawn, with what is zoomed left as it is. */
+  /** Draws other marks in the same axes and keeps the zoom. */
   draw(marks: readonly Mark[]): void {
     if (marks === this.#options.marks) return;
     this.#options.marks = marks;
@@ -235,7 +235,7 @@ export class Chart {
   }
 }
 
-/** How many ticks there is room for. */
+/** Number of ticks that fit. */
 function room(plot: uPlot, isUpright: boolean): number {
   const [length, each] = isUpright ? [plot.bbox.height, 26] : [plot.bbox.width, 52];
   return Math.max(Math.floor(length / devicePixelRatio / each), 3);
@@ -245,7 +245,7 @@ function inScale([least, greatest]: Range, isLog: boolean | undefined): { min: n
   return isLog ? { min: Math.log10(least), max: Math.log10(greatest) } : { min: least, max: greatest };
 }
 
-/** The nearest point within reach; of cells the one below the cursor. Marks drawn later come first. */
+/** The nearest point within reach; for cells the one below the cursor. Marks drawn later come first. */
 function nearest(marks: readonly Mark[], place: Place, atX: number, atY: number, reach: number): Probed | null {
   let best: Probed | null = null;
   let least = reach * reach;

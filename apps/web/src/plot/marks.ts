@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is drawn into a plot: lines, steps, points, bands, cells, marks on an edge. Abscissas need no order, so loops and
-// paths are lines like others. Points are rectangles: 50 000 arcs take five times as long.
+// The marks of a plot: lines, steps, points, bands, cells, marks on an edge. Abscissas may have any order, so loops and
+// paths are lines like others. Points are rectangles, because 50 000 arcs take five times as long.
 
 import type { Value } from '../lib/contract';
 
@@ -9,20 +9,20 @@ export interface Mark {
   name: string;
   color: string; // "--found": a color of app.css
   x: readonly Value[];
-  y: readonly Value[]; // of a band its lower edge, of cells the levels of y
+  y: readonly Value[]; // for a band its lower edge, for cells the levels of y
   upper?: readonly Value[];
   dash?: number[];
   width?: number;
   alpha?: number;
-  size?: number; // of points, CSS pixels
+  size?: number; // for points, CSS pixels
   shape?: 'square' | 'ring' | 'cross' | 'star';
   labels?: readonly string[];
-  opens?: boolean; // its points can be opened
-  isQuiet?: boolean; // not in the key, not probed
+  opens?: boolean; // true: its points can be opened
+  isQuiet?: boolean; // true: absent from the key, not probed
   cells?: { values: readonly (readonly Value[])[]; paint: (value: number) => string };
 }
 
-/** From values to pixels of the canvas; NaN for what has no place. */
+/** Maps values to pixels of the canvas; NaN for values without a position. */
 export interface Place {
   x: (value: Value | undefined) => number;
   y: (value: Value | undefined) => number;
@@ -30,7 +30,7 @@ export interface Place {
   top: number;
   width: number;
   height: number;
-  ratio: number; // pixels of the canvas a CSS pixel
+  ratio: number; // pixels of the canvas per CSS pixel
   xIsLog: boolean;
   yIsLog: boolean;
 }
@@ -52,7 +52,7 @@ function trace(context: CanvasRenderingContext2D, mark: Mark, place: Place): voi
   }
 }
 
-/** A corner where the value changes: the best of thousands of trials changes some ten times. */
+/** A corner at each change of the value: the best of thousands of trials changes some ten times. */
 function traceSteps(context: CanvasRenderingContext2D, mark: Mark, place: Place): void {
   let [end, level] = [NaN, NaN];
   for (let k = 0; k <= mark.x.length; ++k) {
@@ -85,7 +85,7 @@ const points: Draw = (context, mark, place) => {
     drawShapes(context, mark, place, size);
     return;
   }
-  const side = Math.max(Math.round(size), 1); // whole pixels: crisp, and nothing to blend
+  const side = Math.max(Math.round(size), 1); // whole pixels are crisp and need no blending
   for (let k = 0; k < mark.x.length; ++k) {
     const x = place.x(mark.x[k]);
     const y = place.y(mark.y[k]);
@@ -143,7 +143,7 @@ const band: Draw = (context, mark, place) => {
   context.globalAlpha = 1;
 };
 
-/** Where a cell of a level ends: halfway to its neighbors. */
+/** Boundaries of the cells of levels: halfway to the neighbors. */
 export function edges(levels: readonly Value[], isLog: boolean): number[] {
   const at = levels.map((level) => (isLog ? Math.log(level ?? NaN) : (level ?? NaN)));
   if (at.length === 1) at.push(at[0]! + 1);

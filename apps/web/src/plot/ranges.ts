@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of the axes is shown: all marks with some air, or the stretch that was zoomed to.
+// The displayed part of the axes: all marks with a margin, or the selected part.
 
 import type { Value } from '../lib/contract';
 import { edges, type Mark } from './marks';
@@ -27,7 +27,7 @@ function withAir([least, greatest]: Range, isLog: boolean, share: number): Range
   return [least - air, greatest + air];
 }
 
-/** The range of one axis over all marks; of cells their edges, without air. */
+/** The range of one axis over all marks; for cells their edges, without a margin. */
 export function fullRange(marks: readonly Mark[], axis: 'x' | 'y', isLog: boolean, withZero: boolean): Range {
   const grid = marks.find((mark) => mark.kind === 'cells');
   if (grid) {

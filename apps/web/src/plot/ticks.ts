@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ticks of a logarithmic axis between two decimal logarithms, as decimal logarithms: as many as there is room for of
-// decades and of round numbers between them; evenly spaced ones where the stretch is so short that it is nearly linear.
+// Ticks of a logarithmic axis between two decimal logarithms, as decimal logarithms: decades and round numbers between
+// them, as many as fit; evenly spaced ticks if the range is so short that it is nearly linear.
 
 const kSteps = [[1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9], [1, 1.5, 2, 3, 4, 5, 7], [1, 2, 3, 5, 7], [1, 2, 5], [1, 3], [1]];
 const kLeast = 3;

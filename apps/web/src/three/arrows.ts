@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces as arrows at points of a mesh: the longest of each unit has one length, colors are those of the rods' forces.
-// What pulls at a link begins at its end, what presses on it, and on a wheel, ends there: so none lies on its rod. An arrow
-// of a moment has two heads.
+// Forces as arrows at points of a mesh: the longest of each unit has a fixed length, and colors are those of the rods'
+// forces. A force that pulls a link starts at the link's end, one that presses on it, or on a wheel, ends there: so no
+// arrow lies on its rod. The arrow of a moment has two heads.
 
 import { type BufferAttribute, ConeGeometry, type Object3D, Vector3 } from 'three';
 
@@ -9,12 +9,12 @@ import type { Rgb } from '../lib/palette';
 import { Rods } from './rods';
 import { longestArrow, type SceneSequence } from './scene_data';
 
-const kLeast = 0.01; // of the longest: what is shorter is none
-const kPoint = 8; // length of a head, in thicknesses of its shaft
-const kWide = 0.42; // half its width, of its length
+const kLeast = 0.01; // share of the longest; shorter arrows are not drawn
+const kPoint = 8; // length of a head in thicknesses of its shaft
+const kWide = 0.42; // half the width of a head over its length
 
 export interface ArrowLook {
-  length: number; // of the longest
+  length: number; // share of the longest
   thickness: number;
   color: (arrow: number, values: Float32Array | null) => Rgb;
 }
@@ -38,7 +38,7 @@ export class Arrows {
     this.#scale = sequence.arrows.map(({ unit }) => 1 / (longest.get(unit) || 1));
   }
 
-  /** At these positions of the mesh. */
+  /** Places the arrows at these positions of the mesh. */
   place(positions: BufferAttribute, vectors: Float32Array, values: Float32Array | null): void {
     const [tail, head, neck, along] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
     const { length, thickness, color } = this.look;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mesh on the stage: its parts in colors of their own or all in those of a field, displaced, swinging in a mode; its
-// rods, links of a suspension, in those of their forces; a step of a test, with arrows and the road below.
+// A mesh on the stage: its parts in colors of their own or all in those of a field, displaced or vibrating in a mode;
+// its rods (links of a suspension) in the colors of their forces; a step of a test, with arrows and the road below.
 
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, type Object3D, PlaneGeometry, SRGBColorSpace, Vector3 } from 'three';
 
@@ -12,23 +12,23 @@ import { extentOf, fieldRange, type SceneData, type SceneFrame, type SceneMesh, 
 
 export interface Shown {
   what: SceneFrame | SceneSequence;
-  hidden: ReadonlySet<string>; // parts
+  hidden: ReadonlySet<string>; // names of parts
   hasField: boolean;
   hasEdges: boolean;
   hasForces: boolean;
-  exaggeration: number; // of displacements, and of a mode
-  arrows: number; // how long they are drawn
+  exaggeration: number; // factor of displacements and modes
+  arrows: number; // length of arrows
   ink: string;
-  load: Rgb; // of arrows from outside
+  load: Rgb; // color of external forces
 }
 
 export const isSequence = (what: SceneFrame | SceneSequence): what is SceneSequence => 'at' in what;
 
-const kArrow = 0.42; // of the radius: the longest
-const kCrest = '#5e6a76'; // of a road
-const kGlass = 0.28; // opacity of what stands around the links
+const kArrow = 0.42; // share of the radius; length of the longest arrow
+const kCrest = '#5e6a76'; // color of a road
+const kGlass = 0.28; // opacity of parts around the links
 
-/** What the pointer is on: a rod or an arrow by its number, else the point that is nearest. */
+/** The object below the pointer: a rod or an arrow by its number, else the nearest point. */
 export interface Found {
   point: number;
   rod: string | null;
@@ -40,12 +40,12 @@ export class ModelScene {
   readonly mesh: Mesh;
   readonly source: SceneMesh;
   readonly range: [number, number] | null;
-  points: Float32Array; // of the step or frame that is shown
+  points: Float32Array; // points of the displayed step or frame
   values: Float32Array | null;
   #positions: BufferAttribute;
   #rods: Rods | null = null;
   #ends: number[] = []; // points of the rods, two each
-  #names: string[] = []; // of the rods
+  #names: string[] = []; // names of the rods
   #arrows: Arrows | null = null;
   #road: Mesh | null = null;
   #thickness: number;
@@ -78,7 +78,7 @@ export class ModelScene {
     }
   }
 
-  /** A step of the sequence. */
+  /** Shows a step of the sequence. */
   show(step: number): void {
     const { what } = this.shown;
     if (!isSequence(what)) return;
@@ -90,7 +90,7 @@ export class ModelScene {
     this.#road?.position.setX(-what.origins[step]!);
   }
 
-  /** Points at this sine of a mode's swing; without a mode as the frame has them. */
+  /** Places points at this sine of a mode's oscillation; without a mode at their positions in the frame. */
   place(sine: number): void {
     const { what, exaggeration } = this.shown;
     const rest = this.source.points;
@@ -106,7 +106,7 @@ export class ModelScene {
     this.#placeRods();
   }
 
-  /** What the probe looks for. */
+  /** Meshes that the probe searches. */
   get bodies(): Mesh[] {
     const solid = this.source.triangles.length ? [this.mesh] : [];
     return [...(this.#arrows ? [this.#arrows.shafts.mesh, this.#arrows.heads.mesh] : []), ...(this.#rods ? [this.#rods.mesh] : []), ...solid];
@@ -123,7 +123,7 @@ export class ModelScene {
     return { point: distance(a) < distance(b) ? a : b, rod: this.#names[instance]!, arrow: null };
   }
 
-  /** The color of a force; without one of none. */
+  /** The color of a force; without a value that of no force. */
   #force(value: number | undefined): Rgb {
     const most = this.range?.[1] ?? 0;
     return value === undefined || !Number.isFinite(value) || most === 0 ? kForceless : diverging(value / most, kForceless);
@@ -210,7 +210,7 @@ export class ModelScene {
     this.objects.push(this.#road);
   }
 
-  /** The higher the darker: kerbs are flat against a car. */
+  /** Colors higher points darker: kerbs are low compared with a car. */
   #reliefs(heights: Float32Array, [least, greatest]: [number, number]): BufferAttribute {
     const [low, high, color] = [new Color(partColor('road')), new Color(kCrest), new Color()];
     const colors = new Float32Array(3 * heights.length);
@@ -218,7 +218,7 @@ export class ModelScene {
     return new BufferAttribute(colors, 3);
   }
 
-  /** Lines of what is no rod. */
+  /** Draws edges that belong to no rod. */
   #edges(): void {
     const isRod = new Set(this.source.rods.flatMap((rod) => Array.from({ length: rod.count }, (_, k) => rod.first + k)));
     const lines = this.source.edges.filter((_, k) => !isRod.has(k >> 1));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A camera that goes around a point, z up: drag turns, right or shift drag moves, the wheel goes nearer; arrow keys turn,
-// + and - go nearer and away, 0 shows all.
+// A camera that orbits a point, z up: drag rotates, right or shift drag moves, the wheel zooms; arrow keys rotate, +
+// and - zoom, 0 shows all.
 
 import { type PerspectiveCamera, Vector3 } from 'three';
 
-const kTurn = 0.008; // rad a pixel
-const kKeyTurn = 0.12; // rad a press
+const kTurn = 0.008; // rad per pixel
+const kKeyTurn = 0.12; // rad per key press
 
 export class Orbit {
   #target = new Vector3();
@@ -30,7 +30,7 @@ export class Orbit {
     this.#listen('contextmenu', (event) => event.preventDefault());
   }
 
-  /** Shows what lies within `radius` around `center`, from this side; "0" comes back to it. */
+  /** Shows everything within `radius` around `center` from this side; key "0" returns to this view. */
   show(center: Vector3, radius: number, azimuth = -0.9, height = 0.45): void {
     const distance = (1.1 * radius) / Math.sin((this.camera.fov * Math.PI) / 360);
     this.#home = { target: center.clone(), distance, azimuth, height };

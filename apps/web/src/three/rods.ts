@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cylinders or cones between places that move, all of one mesh: rods of a suspension, arrows of forces.
+// Cylinders or cones between moving points, all in one mesh: rods of a suspension, arrows of forces.
 
 import { type BufferGeometry, Color, CylinderGeometry, InstancedMesh, Matrix4, MeshLambertMaterial, Quaternion, SRGBColorSpace, Vector3 } from 'three';
 
@@ -20,7 +20,7 @@ export class Rods {
     this.mesh.frustumCulled = false;
   }
 
-  /** From a to b, this thick; nothing where both are one place. */
+  /** Places rod k from a to b with this thickness; hides it if both points coincide. */
   place(k: number, a: Vector3, b: Vector3, thickness: number): void {
     this.#along.subVectors(b, a);
     const length = this.#along.length();

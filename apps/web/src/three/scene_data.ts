@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene as it comes from the server (docs/studio.md): the length of a JSON text, the text, the arrays it names.
+// Decodes a scene of the server (docs/studio.md): the length of a JSON text, the text, the arrays it names.
 
 interface Span {
   at: number;
@@ -38,19 +38,19 @@ export interface SceneArrow {
   is_load: boolean;
 }
 
-/** What a test does: a step after the other, of a rig's states or of a run's moments. */
+/** A test step by step: the states of a rig or moments of a run. */
 export interface SceneSequence {
   name: string;
   mesh: number;
   along: string;
   unit: string;
   at: (number | null)[];
-  origins: number[]; // how far along x the place has gone from which points are told
-  points: Float32Array; // of all steps
+  origins: number[]; // distance along x of the origin of the points
+  points: Float32Array; // for all steps
   field: { name: string; unit: string; values: Float32Array } | null;
   arrows: SceneArrow[];
-  vectors: Float32Array; // of all steps, in the arrows' units
-  ground: number | null; // a mesh that stands still
+  vectors: Float32Array; // for all steps, in the arrows' units
+  ground: number | null; // index of a mesh that does not move
 }
 
 export interface SceneData {
@@ -59,7 +59,7 @@ export interface SceneData {
   meshes: SceneMesh[];
   frames: SceneFrame[];
   sequences: SceneSequence[];
-  remarks: string[]; // what is not shown
+  remarks: string[]; // names of omitted data
 }
 
 interface Told {
@@ -136,7 +136,7 @@ export function fieldRange(values: Float32Array): [number, number] {
   return Number.isFinite(least) ? [least, greatest] : [0, 1];
 }
 
-/** As far to either side of zero as the values go. */
+/** A range symmetric to zero that contains the values. */
 export function signedRange(values: Float32Array): [number, number] {
   let most = 0;
   for (const value of values) if (Math.abs(value) > most) most = Math.abs(value);
@@ -149,7 +149,7 @@ export function stepOf(sequence: SceneSequence, step: number): { points: Float32
   return { points: part(sequence.points), values: sequence.field && part(sequence.field.values), vectors: part(sequence.vectors) };
 }
 
-/** The step in which forces are largest: what there is to see. */
+/** The step with the largest forces, which shows most. */
 export function strongestStep(sequence: SceneSequence): number {
   let [best, most] = [0, -1];
   for (let step = 0; step < sequence.at.length; ++step) {
@@ -170,7 +170,7 @@ export function longestArrow(sequence: SceneSequence, unit: string): number {
   return most;
 }
 
-/** What the points span along each axis, half its diagonal, and its middle. */
+/** The extent of the points along each axis, half its diagonal, and its middle. */
 export function extentOf(points: Float32Array): { center: [number, number, number]; radius: number; sizes: number[] } {
   const least = [Infinity, Infinity, Infinity];
   const greatest = [-Infinity, -Infinity, -Infinity];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A place for things in space: renderer, camera, light, labels, a probe. Drawn when something has changed, or for every
-// frame of the screen while something moves.
+// A stage for objects in space: renderer, camera, light, labels, a probe. It is drawn when something has changed, or in
+// every frame of the screen while something moves.
 
 import { AmbientLight, DirectionalLight, type Mesh, type Object3D, PerspectiveCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from 'three';
 
@@ -17,7 +17,7 @@ export interface Hit {
   point: Vector3;
   corners: [number, number, number]; // indices of the triangle's points
   nearest: number;
-  instance: number | undefined; // of instanced ones
+  instance: number | undefined; // for instanced meshes
 }
 
 export class Stage {
@@ -30,7 +30,7 @@ export class Stage {
   #isDue = false;
   #move: ((seconds: number) => void) | null = null;
 
-  /** Throws where the browser has no WebGL. */
+  /** Throws if the browser has no WebGL. */
   constructor(
     readonly host: HTMLElement,
     onprobe: (x: number, y: number) => void,
@@ -64,7 +64,7 @@ export class Stage {
     this.request();
   }
 
-  /** Draws at the next frame of the screen. */
+  /** Requests a drawing in the next frame of the screen. */
   request(): void {
     if (this.#isDue) return;
     this.#isDue = true;
@@ -82,7 +82,7 @@ export class Stage {
     this.request();
   }
 
-  /** The nearest of these below a place of the picture. */
+  /** The nearest of these objects below a point of the picture. */
   hit(objects: readonly Mesh[], x: number, y: number): Hit | null {
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(x, y), this.camera);

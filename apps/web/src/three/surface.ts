@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The target over two variables as a surface in a box of 2 x 2 x 1: height and color are the target on its scale.
+// The target over two variables as a surface in a box of 2 x 2 x 1: height and color show the target on its scale.
 
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, SphereGeometry, SRGBColorSpace } from 'three';
 
@@ -89,7 +89,7 @@ export function labels(surface: Surface, levels: Levels): Label[] {
   ];
 }
 
-/** Where a point of the variables lies on the surface: above the nearest point of the grid. */
+/** Position of a point of the variables on the surface: above the nearest point of the grid. */
 export function placeOn(surface: Surface, levels: Levels, [x, y]: [Value, Value]): Place | null {
   if (x === null || y === null) return null;
   const closest = (axis: SurfaceAxis, value: number) => axis.levels.reduce((best, level, k) => (Math.abs(along(axis, level) - along(axis, value)) < Math.abs(along(axis, axis.levels[best]!) - along(axis, value)) ? k : best), 0);

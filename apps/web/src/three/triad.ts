@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The axes of a model at a corner of what it spans: x forward, y to the left, z up (ISO 8855).
+// The axes of a model at a corner of its bounding box: x forward, y to the left, z up (ISO 8855).
 
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from 'three';
 
@@ -7,9 +7,9 @@ import type { SceneMesh } from './scene_data';
 import { extentOf } from './scene_data';
 import type { Label } from './stage';
 
-const kLength = 0.22; // of the radius
+const kLength = 0.22; // share of the radius
 
-/** `isAhead`: of what is looked at from its front left, at its front right. */
+/** `isAhead`: at the front right, for a model that is seen from its front left. */
 export function triad(mesh: SceneMesh, ink: string, isAhead = false): { lines: LineSegments; labels: Label[] } {
   const { center, radius, sizes } = extentOf(mesh.points);
   const length = kLength * radius;

@@ -17,25 +17,25 @@ using Eigen::Vector3d;
 using multibody::Matrix6d;
 using multibody::Vector6d;
 
-constexpr double kHeld = 1e10, kHeldTurn = 1e9;  // N/m, N m/rad: the chassis
+constexpr double kHeld = 1e10, kHeldTurn = 1e9;  // stiffness that holds the chassis, N/m, N m/rad
 constexpr double kPad = 1e9, kBar = 1e9;         // N/m
 constexpr std::array<const char*, 6> kTwistNames = {
     "dx", "dy", "dz", "about_x", "about_y", "about_z"};
 constexpr auto kSides = AxleKcTest::kSides;
-constexpr int kMovedOfSide = 7;  // dx, dy, dz, camber, toe, caster; the spring
+constexpr int kMovedOfSide = 7;  // dx, dy, dz, camber, toe, caster; spring
 enum Driver { kRack = car::kRackDriver, kPadLeft, kPadRight, kDriversHere };
 
 bool is_of_torsion(const multibody::Joint& joint, const car::CarParts& parts) {
   return joint.a == parts.chassis && joint.b == parts.chassis_rear;
 }
 
-/// The car's parts with the chassis held and pads below the wheels.
+/// Returns the car's parts with the chassis held and pads below the wheels.
 multibody::Mechanism on_the_rig(const car::CarMechanism& car, const AxleKcTest& test, int left) {
   const multibody::Mechanism& whole = car.mechanism;
   std::vector<multibody::Joint> joints = whole.joints();
   std::vector<multibody::Strut> struts = whole.struts();
   const car::CarParts& parts = car.parts;
-  // What is joined to the chassis is joined to the ground, and the chassis to that as well.
+  // Joints to the chassis become joints to the ground, and the chassis is held by the ground too.
   const auto grounded = [&](int& body) {
     if (body == parts.chassis || body == parts.chassis_rear) body = multibody::kGround;
   };
@@ -56,7 +56,7 @@ multibody::Mechanism on_the_rig(const car::CarMechanism& car, const AxleKcTest& 
                       body,
                       whole.bodies()[static_cast<std::size_t>(body)].origin,
                       held});
-  // Pads carry what the springs do; nothing does where there are none.
+  // The springs keep their preloads only if pads carry the wheels.
   std::vector<double> preloads;
   for (multibody::Strut& strut : struts) preloads.push_back(std::exchange(strut.preload, 0.0));
   for (int side = 0; side < 2; ++side) {
@@ -91,7 +91,7 @@ class AxleOnRig {
         assembly_(mechanism_),
         rest_(statics_.unloaded()) {}
 
-  /// Unloaded, on its pads where there are some: against that travel and angles are told.
+  /// Solves the unloaded state, on pads if there are any; travel and angles are relative to it.
   Result<bool> start() {
     auto found = statics_.solve({.drivers = drivers_}, rest_);
     if (!found) return Failure{"unloaded on the K&C rig: " + found.failure().reason};
@@ -110,7 +110,7 @@ class AxleOnRig {
     return true;
   }
 
-  /// dx .. caster of a side.
+  /// Returns dx, dy, dz, camber, toe, caster of a side relative to the unloaded state.
   Vector6d moved(int side) const {
     const suspension::WheelPosition now = wheel(rest_, side),
                                     &was = wheels_at_rest_[static_cast<std::size_t>(side)];
@@ -137,7 +137,8 @@ class AxleOnRig {
     watch({mechanism_, assembly_, rest_, loads_, wheels, state});
   }
 
-  /// Of what moves of both wheels in all stiffnesses, columns as in Equilibrium::by_stiffness.
+  /// Slopes of the motion of both wheels in all stiffnesses, columns as in
+  /// Equilibrium::by_stiffness.
   Result<Eigen::MatrixXd> slopes() {
     if (const std::string trouble = statics_.linearize(rest_, standing()); !trouble.empty())
       return Failure{trouble};
@@ -173,7 +174,7 @@ class AxleOnRig {
   Vector3d load_point(int side) const {
     return test_.at_wheel_center ? corner(side).wheel_center : corner(side).contact;
   }
-  /// From the upright's origin to the loads' point, as it stands.
+  /// Vector from the upright's origin to the point of the loads, in the current state.
   Vector3d arm(int side) const {
     const auto body = static_cast<std::size_t>(corner(side).upright);
     return rest_.poses[body].turn * (load_point(side) - mechanism_.bodies()[body].origin);
@@ -204,7 +205,7 @@ class AxleOnRig {
     drivers_[kPadLeft] = (*test_.travel)[0][at];
     drivers_[kPadRight] = (*test_.travel)[1][at];
   }
-  /// Of the spring's extension in travel and rotation of all bodies.
+  /// Slopes of the spring's extension in translation and rotation of all bodies.
   Eigen::VectorXd extension_slopes(int side) const {
     Eigen::VectorXd slopes = Eigen::VectorXd::Zero(mechanism_.bodies().size() * 6);
     const int unit = corner(side).unit;
@@ -236,7 +237,8 @@ class AxleOnRig {
   std::array<double, kDriversHere> drivers_{};
 };
 
-/// The stiffnesses by columns of the rig's mechanism, whose joints are the car's without torsion.
+/// Columns of the stiffnesses in the rig's mechanism, whose joints are those of the car without
+/// torsion.
 std::vector<std::vector<Eigen::Index>> columns_on_the_rig(const car::CarMechanism& car,
                                                           const std::vector<Stiffnesses>& varied) {
   const auto& joints = car.mechanism.joints();
@@ -246,7 +248,7 @@ std::vector<std::vector<Eigen::Index>> columns_on_the_rig(const car::CarMechanis
   std::vector<std::vector<Eigen::Index>> columns;
   for (const Stiffnesses& number : varied) {
     columns.emplace_back();
-    for (const auto& [joint, axis] : number)  // the torsion is the first of them
+    for (const auto& [joint, axis] : number)  // the torsion comes first
       columns.back().push_back(6 * (joint - (twists ? 1 : 0)) + axis);
   }
   return columns;

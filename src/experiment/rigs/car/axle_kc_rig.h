@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // One axle of a car on the rig for kinematics and compliance: the chassis is held, loads act on
 // both wheels at the contact patch or at the wheel center, pads may raise the wheels to a
-// prescribed travel, the rack is where it is told. What couples the wheels is there: anti-roll bar,
-// third element, what a rack leaves to them. Springs act, or bars stand in their place. States
-// follow each other as friction remembers them.
+// prescribed travel, and the rack is at a prescribed position. Couplings of the wheels are
+// included: anti-roll bar, third element, and the rack's compliance. Springs act, or bars replace
+// them. The states follow each other, as friction remembers earlier states.
 //
 // Slopes in the stiffnesses of bushings are exact (multibody/equilibrium.h, adjoint) as long as no
-// bushing has friction and no pad stands below a wheel: a spring's preload is what the car's weight
-// makes of all stiffnesses.
+// bushing has friction and no pad is below a wheel: a spring's preload under the car's weight
+// depends on all stiffnesses.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,27 +29,31 @@ struct AxleKcTest {
   bool front = true;
   bool springs_locked = false;
   bool at_wheel_center = false;
-  std::vector<Channel> prescribed;  // as they are stated: recorded beside what moves
-  Eigen::Matrix<double, 12, Eigen::Dynamic> loads;  // of left and right wheel, N, N m; by state
-  std::optional<std::array<std::vector<double>, 2>> travel;  // m, of the wheel centers, by pads
-  std::vector<double> rack;                                  // m, a value a state
-  std::optional<SlopesBy> slopes;                            // of what moves, by what is prescribed
+  std::vector<Channel> prescribed;  // stated loads and positions, recorded beside the motion
+  Eigen::Matrix<double, 12, Eigen::Dynamic> loads;  // left and right wheel, N, N m; one column for
+                                                    // each state
+  std::optional<std::array<std::vector<double>, 2>> travel;  // m, of the wheel centers, imposed by
+                                                             // pads
+  std::vector<double> rack;                                  // m, one value for each state
+  std::optional<SlopesBy> slopes;                            // variables of the regressed slopes of
+                                                             // the motion
 
   Eigen::Index states() const { return loads.cols(); }
 };
 
-/// What moves, without its slopes: dx_L ... caster_L, dx_R ...; Fz of the pads, N; springs, m.
+/// Names and units of the motion without its slopes: dx_L ... caster_L, dx_R ...; Fz of the pads,
+/// N; springs, m.
 std::vector<std::pair<std::string, std::string>> axle_kc_moved(const AxleKcTest& test);
 
-/// What is prescribed, what moves and its slopes; with the slopes that are asked for, in joints of
-/// the car's mechanism.
+/// Returns the prescribed channels, the motion and its slopes, and the requested derivatives by the
+/// joints of the car's mechanism.
 Result<Channels> run(const car::CarMechanism& car,
                      const AxleKcTest& test,
                      const KcSlopes& asked = {},
                      const RigWatcher& watch = {});
 
-/// 144 channels, dx_L_by_Fx_L ... about_z_R_by_Mz_R, by state: travel and rotation of the upright
-/// at the loads' point; and the classical compliances in and out of phase.
+/// Returns 144 channels, dx_L_by_Fx_L ... about_z_R_by_Mz_R, by state: travel and rotation of the
+/// upright at the point of the loads; and the classical compliances in and out of phase.
 Result<Channels> axle_compliance(const car::CarMechanism& car, const AxleKcTest& test);
 
 }  // namespace latsch::experiment

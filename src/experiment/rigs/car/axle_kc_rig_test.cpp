@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An axle on the K&C rig: its slopes in bushings are those of differences, loads of each wheel are
-// what a mode makes of the left one's, a line has its slope.
+// An axle on the K&C rig: its slopes in bushings equal differences, its loads on each wheel follow
+// from those on the left one by the mode, and a straight line has its own slope.
 #include "experiment/rigs/car/axle_kc_rig.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,8 @@ TEST_F(AxleOnKcRig, SlopesInStiffnessesAreThoseOfDifferences) {
       numbers_.set(asked.paths[p], at * (1.0 + share));
       return record(keys);
     };
-    // Central differences of two steps, extrapolated: what is left is the rounding of 1e-9 rad.
+    // Central differences of two steps, extrapolated: the remaining error is the rounding of 1e-9
+    // rad.
     const Channels up = moved_by(2e-2), down = moved_by(-2e-2), half_up = moved_by(1e-2),
                    half_down = moved_by(-1e-2);
     for (const Channel& channel : exact.all()) {
@@ -70,8 +71,8 @@ TEST_F(AxleOnKcRig, SlopesInStiffnessesAreThoseOfDifferences) {
         size = std::max(size, std::abs(slope));
         value = std::max(value, std::abs(channel.values[i]));
       }
-      // The right wheel by a load of the left one is nothing: what Newton's method leaves, 1e-6 N
-      // on 1e8 N/m, over a step of 1e-2; of a slope over loads of some kN.
+      // A load on the left wheel does not move the right one: the remainder of Newton's method is
+      // 1e-6 N on 1e8 N/m, over a step of 1e-2; for a slope it is divided by loads of some kN.
       const double left = n == 1 ? 1e-15 : 1e-12;
       EXPECT_LE(apart, 1e-6 * size + 1e-9 * value + left) << channel.name << " " << asked.paths[p];
       if (p == 3) {
@@ -110,9 +111,9 @@ TEST_F(AxleOnKcRig, PadsOfEachWheelRollIt) {
     EXPECT_EQ(opposed[name], each[name]) << name;
 }
 
-/// N/m by virtual work, independent of bodies and bushings: F = (P0 + k (L - L0)) dL/dz of a
-/// spring of length L that a linkage of rigid rods moves (suspension/linkage.h), dF/dz by
-/// differences.
+/// Wheel rate in N/m by virtual work, independent of bodies and bushings: F = (P0 + k (L - L0))
+/// dL/dz of a spring of length L that a linkage of rigid rods moves (suspension/linkage.h), dF/dz
+/// by differences.
 double wheel_rate_of_linkage(const Document& suspension, double k, double preload, double z) {
   const suspension::Corner corner = suspension::read_corner(suspension.root());
   suspension::KinematicCorner linkage(corner.geometry, suspension::TravelOf::wheel_center);
@@ -128,7 +129,7 @@ double wheel_rate_of_linkage(const Document& suspension, double k, double preloa
   return (force(z + d) - force(z - d)) / (2.0 * d);
 }
 
-// The shipped kerb car: 10 N m/rad in every joint made 49.5 kN/m of 46.8.
+// Regression for the shipped kerb car: 10 N m/rad in every joint changed 46.8 kN/m to 49.5 kN/m.
 TEST(AxleOnKcRigOfRigidJoints, ItsWheelRateIsThatOfTheLinkage) {
   const SpecimenKind& kind = *language().find_kind("car");
   const Document numbers = kind.read(kCars / "kerb/baseline.toml");

@@ -65,7 +65,7 @@ void CarRecord::sample(const car::CarState& state, const car::CarInputs& inputs,
   for (const double force : car_.pushrod_forces(state, inputs)) put(force);
   std::array<std::optional<Footprint>, kCorners> footprints;
   for (std::size_t i = 0; i < kCorners; ++i) footprints[i] = state.wheels[i].tire->footprint();
-  // Tires without a footprint have no belt either: the road's force is that on the hub.
+  // A tire without a footprint has no belt either: the force of the road equals that on the hub.
   const auto at_hubs = car_.vertical_forces(state);
   for (std::size_t i = 0; i < kCorners; ++i) put(footprints[i] ? footprints[i]->load : at_hubs[i]);
   for (int corner = 0; corner < kCorners; ++corner)

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// What sensors on a car record, a sample after the other.
+// Records the sensors of a car, sample by sample.
 //
 //   time                                   s
 //   pushrod_FL ... pushrod_RR              N, along the push-rod, compression positive
 //   Fz_FL ...                              N, of the road on the tire: its contact's load, not the
 //                                          force on the hub, where the inertia of a belt acts too
 //   hub_FL ...                             m/s^2, of the wheel center, upward
-//   spring_FL ...                          m, extension of the spring unit against rest; 0 of bars
+//   spring_FL ...                          m, extension of the spring unit from rest; 0 for bars
 //   body_z                                 m/s^2, of the chassis' center of mass, upward
-//   heave, roll, pitch                     m, rad: of the chassis against its start; positive: up,
+//   heave, roll, pitch                     m, rad: of the chassis from its start; positive: up,
 //                                          left side up, nose down
-//   x, y                                   m, the chassis' way from where it was drawn
-//   area_FL ...                            m^2, of contact, where it is asked for and known
+//   x, y                                   m, displacement of the chassis from its drawn position
+//   area_FL ...                            m^2, of contact, if requested and known
 #pragma once
 
 #include <functional>
@@ -23,13 +23,13 @@
 
 namespace latsch::experiment {
 
-/// Of four, by corner: "pushrod" gives "pushrod_FL" ...
+/// Returns the names at the four corners: "pushrod" gives "pushrod_FL" ...
 std::array<std::string, car::kCorners> of_corners(const std::string& name);
 
-/// Names and units of all of them but area, which stands last.
+/// Names and units of all channels; area, if any, comes last.
 std::vector<std::pair<std::string, std::string>> car_channels(bool with_area);
 
-/// Looks at a run at every sample.
+/// Called at every sample of a run.
 using CarWatcher =
     std::function<void(const car::Car&, const car::CarState&, const road::Road&, double time)>;
 
@@ -37,7 +37,7 @@ class CarRecord {
  public:
   CarRecord(const car::Car& car, const car::CarState& start, bool with_area);
 
-  /// As time is to be told.
+  /// `time` is the time to be recorded.
   void sample(const car::CarState& state, const car::CarInputs& inputs, double time);
   Channels channels() const;
   const std::vector<double>& values(const std::string& channel) const;

@@ -30,7 +30,7 @@ FourPostTest sweep_test(const PostSweep& sweep, double sample_step) {
   FourPostTest test;
   test.sample_step = sample_step;
   const double grows = std::log(sweep.to / sweep.from) / sweep.duration;
-  constexpr double kFade = 0.05;  // of the duration, at both ends
+  constexpr double kFade = 0.05;  // share of the duration, at both ends
   const long count = std::lround(sweep.duration / sample_step) + 1;
   const std::array<double, 4> sign = signs_of(sweep.mode);
   for (long i = 0; i < count; ++i) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car on four posts: its tires stand on plates that actuators move up and down; wheels do not
-// turn. The same heights drive it as drove the car in the laboratory, or a sweep:
-//   h = A(t) sin φ(t),  φ' = 2π f(t), f rising by the same factor every second;  A = v/(2π f) up to
-//   the amplitude: above the frequency where both meet the plates move at one peak velocity.
+// A car on four posts: its tires stand on plates that actuators move up and down; the wheels do not
+// turn. The car is driven by the heights recorded in the laboratory, or by a sweep:
+//   h = A(t) sin φ(t),  φ' = 2π f(t), f rising by the same factor every second;
+//   A = v/(2π f), at most the amplitude: above the frequency at which both are equal the plates
+//   move at constant peak velocity.
 #pragma once
 
 #include <array>
@@ -16,15 +17,16 @@
 namespace latsch::experiment {
 
 struct FourPostTest {
-  std::vector<double> times;                   // s, evenly
+  std::vector<double> times;                   // s, equally spaced
   std::array<std::vector<double>, 4> heights;  // m, FL, FR, RL, RR
   double step = 2e-4, sample_step = 1e-3;      // s
-  double still = 0.0;  // s, on which the posts stand where they ended: until the car rests again
+  double still = 0.0;  // s, during which the posts rest at their final heights until the car is at
+                       // rest again
 };
 
-/// In which direction a sweep moves the four.
+/// Directions in which a sweep moves the four posts.
 enum class PostMode { heave, pitch, roll, warp };
-/// Of FL, FR, RL, RR; FL goes up first.
+/// Signs of FL, FR, RL, RR; FL goes up first.
 std::array<double, 4> signs_of(PostMode mode);
 
 struct PostSweep {
@@ -36,7 +38,7 @@ struct PostSweep {
 };
 FourPostTest sweep_test(const PostSweep& sweep, double sample_step);
 
-/// What car_record.h names, and heights of the posts "post_FL" ...
+/// Records the channels of car_record.h and the heights of the posts, "post_FL" ...
 Result<Channels> run(car::Car& car, const FourPostTest& test, const CarWatcher& watch = {});
 
 }  // namespace latsch::experiment

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rig in time against the same car as a linear model (models/car/car_linear.h), which knows
-// neither steps nor spectra.
+// The rig in the time domain against the same car as a linear model (models/car/car_linear.h),
+// which involves neither steps nor spectra.
 #include "experiment/rigs/car/four_post_rig.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// At lines of 1/7 Hz.
+/// Coherence at lines of 1/7 Hz.
 std::vector<double> coherence_of_segments(const std::vector<double>& u,
                                           const std::vector<double>& y) {
   constexpr double kRate = 2500.0;
@@ -40,11 +40,12 @@ class FourPostOfALinearCar : public testing::TestWithParam<PostMode> {
   car::LinearCar linear_;
 };
 
-// 0.5 mm are small: what geometry and dampers owe to them is below 0.1 %. The steps leave
-// (ω h)²/12, 1e-4 at 30 Hz. Of densities, whose lines of 0.2 Hz smooth what is steep and which end
-// with the record, those count whose segments agree: by the coherence of Welch's method.
+// 0.5 mm is a small amplitude: its geometric and damper nonlinearity is below 0.1 %. The error of
+// the steps is (ω h)²/12, 1e-4 at 30 Hz. Lines of 0.2 Hz smooth steep densities, and the densities
+// end with the record, so only those count whose segments agree, judged by the coherence of Welch's
+// method.
 TEST_P(FourPostOfALinearCar, ItsResponsesAreThoseOfTheLinearModel) {
-  // In pitch the body hardly rises: what geometry owes to 0.5 mm is above 1 % of that.
+  // In pitch the body hardly rises: the geometric nonlinearity of 0.5 mm is above 1 % of its heave.
   if (GetParam() == PostMode::pitch) GTEST_SKIP() << "judged at smaller amplitudes below";
   FourPostTest test = sweep_test(
       {.mode = GetParam(), .from = 0.5, .to = 40.0, .duration = 24.0, .amplitude = 5e-4}, 4e-4);
@@ -73,12 +74,12 @@ TEST_P(FourPostOfALinearCar, ItsResponsesAreThoseOfTheLinearModel) {
       ++compared;
     }
   }
-  EXPECT_GT(compared, 500);  // of 204 lines and nine sensors
+  EXPECT_GT(compared, 500);  // 204 lines and nine sensors were compared
 }
 
-// A sweep as a file states it that states nothing, 0.5 to 30 Hz in 20 s, lines of 0.25 Hz, but for
-// its amplitude: at 3 mm the tires of so light a car leave the plates, which no linear model knows.
-// Segments of Welch's method were off by more than the response at 0.5 Hz.
+// A sweep with default values, 0.5 to 30 Hz in 20 s with lines of 0.25 Hz, except its amplitude: at
+// 3 mm the tires of so light a car leave the plates, which no linear model represents. Regression:
+// the segments of Welch's method had errors above the response itself at 0.5 Hz.
 TEST_P(FourPostOfALinearCar, AtItsDefaultsItsResponsesAreRightFromTheLowestLineOn) {
   FourPostTest test = sweep_test({.mode = GetParam(), .amplitude = 1e-4}, 1e-3);
   test.still = 3.0;
@@ -95,7 +96,7 @@ TEST_P(FourPostOfALinearCar, AtItsDefaultsItsResponsesAreRightFromTheLowestLineO
       const std::complex<double> expected = H[static_cast<Eigen::Index>(k)],
                                  found = std::polar(measured["tf_" + sensor][i],
                                                     measured["phase_" + sensor][i]);
-      // The body's center does not move up in roll, by symmetry.
+      // In roll the body's center does not move up, by symmetry.
       if (GetParam() == PostMode::roll && sensor == "body_z") continue;
       EXPECT_LT(std::abs(found - expected), 0.02 * std::abs(expected)) << sensor << " " << f[i];
       EXPECT_GT(measured["coherence_" + sensor][i], 0.99) << sensor << " " << f[i];
@@ -107,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(Modes,
                          FourPostOfALinearCar,
                          testing::Values(PostMode::heave, PostMode::pitch, PostMode::roll));
 
-// Signals are orthogonal: a mode has none of another's.
+// Signals are orthogonal: each mode is zero in the signals of the others.
 TEST(FourPost, TheModesOfItsPostsDoNotMix) {
   for (const PostMode a : {PostMode::heave, PostMode::pitch, PostMode::roll, PostMode::warp})
     for (const PostMode b : {PostMode::heave, PostMode::pitch, PostMode::roll, PostMode::warp}) {
@@ -117,7 +118,7 @@ TEST(FourPost, TheModesOfItsPostsDoNotMix) {
     }
 }
 
-// k and c are those of the tire, whatever it carries.
+// The identified k and c are those of the tire at any load.
 TEST(CarLinear, ProbingASpringTireFindsItsNumbers) {
   const auto car = car::Car::make(car::race_car(true), car::spring_tires(420.0));
   ASSERT_TRUE(car);

@@ -15,7 +15,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// The interval of the times that holds `time`, 0 .. n - 2.
+/// Index of the interval of the times that contains `time`, 0 .. n - 2.
 std::size_t interval_of(const std::vector<double>& times, double time) {
   const auto above = std::upper_bound(times.begin() + 1, times.end() - 1, time);
   return static_cast<std::size_t>(above - times.begin()) - 1;
@@ -137,7 +137,7 @@ class KerbRun {
   }
 
  private:
-  /// Mean and spread from time 0 on, of each tire and of all.
+  /// Adds mean and standard deviation from time 0 on, of each tire and of their sum.
   static void add_areas(Channels& channels) {
     const std::vector<double> time = channels["time"];
     const auto first =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A car drives straight over a kerb. It starts in equilibrium at its speed, `run_in` before the
-// front axle meets the road's place 0; aero loads, or loaders that reproduce measured forces of the
-// push-rods, press it down; a guide keeps it on its line (models/car/car.h).
+// front axle reaches position 0 of the road. Aerodynamic loads, or loaders that reproduce measured
+// push-rod forces, press it down; a guide keeps it on its line (models/car/car.h).
 #pragma once
 
 #include <filesystem>
@@ -22,56 +22,59 @@ struct History {
   std::vector<double> times, values;  // s
   double at(double time) const;
   double slope(double time) const;
-  /// From 0 to there.
+  /// Integral from time 0 to `time`.
   double area(double time) const;
-  /// Their mean over a stretch of time, by its corners.
+  /// Mean over an interval of time, exact for the piecewise linear history.
   double mean(double from, double to) const;
 };
 
-/// How a driver differs from what was asked of him: standard deviations about speed and line, each
-/// three sines with random phases and periods of 1, 0.6 and 0.4 of the period.
+/// Deviation of a driver from the prescribed speed and line: their standard deviations. Each
+/// deviation consists of three sines with random phases and periods of 1, 0.6 and 0.4 of `period`.
 struct Wander {
   double speed = 0.0, line = 0.0;  // m/s, m
   double period = 1.0;             // s
   long seed = 1;
 };
-/// What is asked for with that on it, from -before to after; the mean over the time stays.
+/// Returns the prescribed value with a deviation, from -before to after; its mean over the time is
+/// unchanged.
 History wandering(
     double asked, double deviation, const Wander& wander, int stream, double before, double after);
 
-/// A road from a file: where in it the front axle's middle is at time 0, and which way the car
-/// drives.
+/// A road from a file: the position of the middle of the front axle at time 0 in that road, and the
+/// direction in which the car drives.
 struct FiledRoad {
   std::filesystem::path file;
   std::shared_ptr<const road::Road> road;
-  Eigen::Vector2d start = Eigen::Vector2d::Zero();  // m, of the file's axes
-  double heading = 0.0;                             // rad, counterclockwise from the file's x
-  bool continues = false;                           // beyond its edge, as its kind does
+  Eigen::Vector2d start = Eigen::Vector2d::Zero();  // m, in the file's axes
+  double heading = 0.0;                             // rad, counterclockwise from the file's x axis
+  bool continues = false;                           // true: beyond its edge the road continues as
+                                                    // its kind defines
 };
 
 struct KerbTest {
-  std::optional<road::Kerb> kerb;          // its place counted from where the front axle is at 0
-  std::optional<FiledRoad> filed;          // in its place
-  History speed, line;                     // m/s; m, of the car's middle, to the left
-  double run_in = 0.2, duration = 0.5;     // s; before and from time 0
+  std::optional<road::Kerb> kerb;          // position relative to the front axle at time 0
+  std::optional<FiledRoad> filed;          // replaces the kerb
+  History speed, line;                     // m/s; m to the left, of the car's middle
+  double run_in = 0.2, duration = 0.5;     // s; before and after time 0
   double step = 2e-4, sample_step = 1e-3;  // s
   bool with_area = false;
   std::optional<car::AeroLoaders> loaders;
-  Eigen::Vector3d downforce = Eigen::Vector3d::Zero();  // N, of the loaders, constant
-  /// Or the low-passed push-rod forces they reproduce, N, from time 0 - run_in on.
+  Eigen::Vector3d downforce = Eigen::Vector3d::Zero();  // N, constant force of the loaders
+  /// The loaders may instead reproduce these low-passed push-rod forces, N, from time 0 - run_in
+  /// on.
   std::array<History, 4> pushrods;
   bool follows_pushrods() const { return !pushrods[0].values.empty(); }
 };
 
-/// The road of a test, whose place 0 is where the front axle is at time 0. A kerb stands on z = 0,
-/// of a file the start of the test is there.
+/// Returns the road of a test; its position 0 is that of the front axle at time 0. A kerb stands on
+/// z = 0; in a road from a file, position 0 is the start of the test.
 std::unique_ptr<const road::Road> road_of(const KerbTest& test, const car::Car& car);
 
-/// What car_record.h names; "speed", m/s, and "line", m, of the chassis; "loader_1" .. "loader_3",
-/// N, and "unreachable", N, what the loaders leave of the four push-rods, where they follow them.
-/// Time 0: the front axle at place 0. With areas also "area_mean_FL" ..., "area_spread_FL" ... and
-/// those of the sum, "area_mean", "area_spread": mean and standard deviation from time 0 on, one
-/// value each.
+/// Records the channels of car_record.h; "speed", m/s, and "line", m, of the chassis; "loader_1" ..
+/// "loader_3", N; and if the loaders follow push-rod forces "unreachable", N, the part of the four
+/// forces that they cannot reproduce. At time 0 the front axle is at position 0. With areas also
+/// "area_mean_FL" ..., "area_spread_FL" ... and those of the sum, "area_mean", "area_spread": mean
+/// and standard deviation from time 0 on, one value each.
 Result<Channels> run(car::Car& car, const KerbTest& test, const CarWatcher& watch = {});
 
 }  // namespace latsch::experiment

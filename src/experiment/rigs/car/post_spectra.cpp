@@ -40,7 +40,7 @@ numerics::WelchSettings welch(double rate, std::size_t samples, double segment) 
   return settings;
 }
 
-/// Of one sensor, at the lines that are kept.
+/// Response of one sensor at the lines within the band.
 struct Response {
   std::vector<double> frequency, post, density, magnitude, phase, coherence;
 };
@@ -64,7 +64,7 @@ Response response_of(const std::vector<double>& u,
     kept.post.push_back(s.xx[i]);
     kept.density.push_back(s.yy[i]);
   }
-  constexpr double kHalfLine = 0.7;  // of a line's width, times the segment
+  constexpr double kHalfLine = 0.7;  // half width of the local fit over that of a line
   const auto local =
       numerics::local_response(u, y, rate, kept.frequency, {.width = kHalfLine / settings.segment});
   for (const std::complex<double>& h : local.response) {

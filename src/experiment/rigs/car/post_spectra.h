@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording of the four-post rig over frequency: spectral densities, and transfer functions from
-// what the posts do together to every sensor. Densities by Welch's method (signals/welch.h: Hann
-// window, mean of each segment removed, one-sided; segments overlap by seven eighths, as a sweep
-// passes a line within one or two of them). Transfer functions and coherences of the whole
-// record by local polynomials (numerics/signals/local_response.h): segments would cut off what
-// enters a line before them, which at the low end of a sweep is most of it. So the record has to
-// end at rest: the posts stand still behind what moves them (FourPostTest::still).
+// the combined motion of the posts to every sensor. Densities are computed by Welch's method
+// (signals/welch.h: Hann window, mean of each segment removed, one-sided; segments overlap by seven
+// eighths, because a sweep passes a line within one or two of them). Transfer functions and
+// coherences use the whole record with local polynomials (numerics/signals/local_response.h):
+// segments would cut off the response to excitation before them, which at the low end of a sweep is
+// most of the response. So the record has to end at rest: the posts stand still after their motion
+// (FourPostTest::still).
 //   u = (±h_FL ± h_FR ± h_RL ± h_RR)/4      the mode's signal, m: in a sweep that of the post FL
-//   H                                       y by u; phase positive where y leads
-// Heave: ++++, pitch: ++--, roll: +-+-, warp: +--+. Where posts also move otherwise, what follows
-// from that counts as noise, and the coherence falls.
+//   H                                       y by u; phase positive if y leads
+// Heave: ++++, pitch: ++--, roll: +-+-, warp: +--+. If posts also move otherwise, the response to
+// that motion counts as noise, and the coherence falls.
 //
 //   frequency                               Hz, the lines in the band
 //   psd_post                                m^2/Hz, of u
@@ -27,16 +28,18 @@
 namespace latsch::experiment {
 
 struct PostSpectra {
-  double segment = 4.0;          // s
-  double from = 0.5, to = 30.0;  // Hz, the lines that are kept
-  double moving = 0.0;  // s, from the start, over which the posts move: of densities; 0: all of it
+  double segment = 4.0;          // s, length
+  double from = 0.5, to = 30.0;  // Hz, band of the lines
+  double moving = 0.0;  // s from the start in which the posts move, used for densities; 0: the
+                        // whole record
 };
 
-/// The sensors that have a transfer function, and the channels' names and units.
+/// Sensors that have a transfer function; names and units of the channels.
 std::vector<std::string> spectra_sensors();
 std::vector<std::pair<std::string, std::string>> spectra_channels();
 
-/// Of what run() records, no shorter than a segment, sampled at this rate, Hz.
+/// Computes the spectra of a recording of run(), at least as long as a segment, sampled at `rate`,
+/// Hz.
 Channels spectra(const Channels& record, PostMode mode, double rate, const PostSpectra& settings);
 
 }  // namespace latsch::experiment

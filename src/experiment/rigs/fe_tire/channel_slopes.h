@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes of a tire brought to the channels of its recording.
+// Converts the slopes of a tire into slopes of the recorded channels.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,12 +11,12 @@
 
 namespace latsch::experiment {
 
-/// Of channels by their names, [values x variables].
+/// Slopes of channels by name, [values x variables].
 using ChannelSlopes = std::vector<std::pair<std::string, Eigen::MatrixXd>>;
 
 Channels with_slopes(const Channels& channels, const ChannelSlopes& slopes);
 
-/// Whether one of these channels is among those asked for.
+/// True if at least one of these channels is requested.
 bool any_asked(const std::vector<std::string>& asked, const std::vector<std::string>& names);
 
 }  // namespace latsch::experiment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes of the channels of a tire's rigs against central differences of whole tests.
+// Slopes of the channels of a tire's rigs are compared with central differences of whole tests.
 #include "experiment/rigs/fe_tire/channel_slopes.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using namespace fe_tire;
 
 constexpr double kPressure = 2.6e5, kLoad = 3000.0;
 
-/// Tire B, coarse, with the modulus of its carcass times a factor.
+/// Tire B on a coarse mesh, with the modulus of its carcass multiplied by a factor.
 TireDescription with_carcass(double factor) {
   TireDescription tire = reference_tire_b();
   tire.cord_model = CordModel::rebar;
@@ -38,8 +38,8 @@ VariedTire varied(double factor) {
 
 using Run = std::function<Result<Channels>(FeTire& tire, TireSlopes* slopes)>;
 
-/// In these channels, in proportion to themselves or to a hundredth of the value; `share` is what
-/// differences over `step` of the modulus are off.
+/// Compares slopes of these channels relative to themselves or to a hundredth of the value; `share`
+/// is the error of differences over `step` of the modulus.
 void expect_slopes(const Run& run,
                    const std::vector<std::string>& names,
                    double share,
@@ -67,7 +67,8 @@ void expect_slopes(const Run& run,
   }
 }
 
-// Loads are found to 1e-5, which steps of 2 % make 1e-3; points that come down bend the stiffness.
+// Loads are met to 1e-5, which steps of 2 % amplify to 1e-3; points that come into contact bend the
+// stiffness curve.
 TEST(ChannelSlopes, OfTheVerticalStiffness) {
   const auto run = [](FeTire& tire, TireSlopes* slopes) {
     return stand(tire, kPressure, {.load = kLoad, .directions = {Direction::vertical}}, slopes);

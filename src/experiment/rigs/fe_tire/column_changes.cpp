@@ -46,16 +46,17 @@ Eigen::ArrayXd change(const Quantities& from, const Quantities& to) {
   return changed;
 }
 
-constexpr double kLeft = 4.0 / 3.0;  // of what halving changes, of an error of second order
+constexpr double kLeft = 4.0 / 3.0;  // total error of second order over the change by halving
 
-/// What lies beyond meshes refined 2 and 3 times, of second order. A mode that one of them does not
-/// show has changed by nothing there.
+/// Extrapolates from meshes refined 2 and 3 times, assuming second order. A mode that one of these
+/// meshes lacks has no change there.
 Eigen::ArrayXd limit(const Eigen::ArrayXd& twice, const Eigen::ArrayXd& thrice) {
   constexpr double kBeyond = (1.0 / 9.0) / (1.0 / 4.0 - 1.0 / 9.0);
   return (twice == 0.0 || thrice == 0.0).select(kLeft * twice, thrice + kBeyond * (thrice - twice));
 }
 
-constexpr int kMore = 4;  // modes of finer meshes: the order of neighboring ones may change
+constexpr int kMore = 4;  // additional modes on finer meshes, because the order of neighboring
+                          // modes may change
 
 }  // namespace
 
@@ -98,7 +99,7 @@ Result<std::vector<Judged>> judge(const std::vector<TireDescription>& meshes,
                                   const Start& start,
                                   int modes) {
   const std::vector<fe_tire::Refinement> finer = {
-      3, 2, {1, 2, 1}, {2, 1, 1}, 1};  // the longest first
+      3, 2, {1, 2, 1}, {2, 1, 1}, 1};  // the slowest first
   const auto each = std::ssize(finer);
   const auto found = at_once<Quantities>(std::ssize(meshes) * each, [&](Eigen::Index i) {
     const bool refined = i % each + 1 < each;
@@ -139,8 +140,9 @@ Result<ColumnChanges> changes(const Judged& mesh, const Start& start, int modes)
   for (Eigen::Index j = 0; j < count; ++j) {
     found.column.col(j) = change(mesh.values, (*finer)[j]).abs();
   }
-  // Halved together, columns change more than one by one where neighbors share a bend, and less
-  // where some err to either side. What cancels on this mesh may not on the next: half of it stays.
+  // If neighbors share a bend, columns halved together change more than one by one, and less if
+  // they err to opposite sides. Errors that cancel on this mesh may not cancel on the next, so half
+  // of the cancelled part is kept.
   const Eigen::ArrayXd sum = found.column.rowwise().sum().max(1e-12);
   found.column.colwise() *= (mesh.along.abs() / sum).max(0.5).min(2.0);
   return found;

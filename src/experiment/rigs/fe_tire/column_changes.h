@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What finer meshes change in growth and unloaded modes: all elements, sectors, columns together
-// and one by one. One sector serves, so a mesh takes a fraction of a second.
+// Changes of growth and unloaded modes by finer meshes: all elements, sectors, columns together and
+// one by one. The model is one sector, so a mesh needs a fraction of a second.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@
 
 namespace latsch::placement {
 
-/// What `solve` gives for 0 to count - 1, on as many threads as the machine has.
+/// Returns the results of `solve` for 0 to count - 1, computed on all threads of the machine.
 template <class Found>
 Result<std::vector<Found>> at_once(Eigen::Index count,
                                    const std::function<Result<Found>(Eigen::Index)>& solve) {
@@ -41,13 +41,13 @@ Result<std::vector<Found>> at_once(Eigen::Index count,
   return values;
 }
 
-/// Nodes of one station within a column.
+/// Returns the number of nodes of one station within a column.
 int nodes_across(const fe_tire::Section& section, Eigen::Index column);
 
 /// Growth and frequencies by name.
 using Quantities = std::map<std::string, double>;
 
-/// The tire inflated, on one mesh: a start on all others.
+/// The inflated tire on one mesh, which is the start on all others.
 struct Start {
   fe_tire::SectionGrid grid;
   Eigen::Matrix3Xd u;
@@ -55,42 +55,43 @@ struct Start {
 
 Result<Start> inflated_start(const fe_tire::TireDescription& tire);
 
-/// A mesh and what finer ones change in its quantities, relative.
+/// A mesh and the changes of its quantities by finer meshes, relative.
 struct Judged {
   fe_tire::TireDescription tire;
   int unknowns = 0;
   Quantities values;
-  Eigen::ArrayXd along;   // all columns halved
-  Eigen::ArrayXd around;  // all sectors halved
-  Eigen::ArrayXd all;     // 3/4 of what the limit of all three directions is away
-  double error = 0.0;     // of the quantity that errs most
-  std::string worst;      // its name
+  Eigen::ArrayXd along;   // change if all columns are halved
+  Eigen::ArrayXd around;  // change if all sectors are halved
+  Eigen::ArrayXd all;     // 3/4 of the distance to the limit of all three directions
+  double error = 0.0;     // error of the quantity with the greatest error
+  std::string worst;      // name of that quantity
 };
 
-/// What columns of it do, relative.
+/// Changes by the columns of a mesh, relative.
 struct ColumnChanges {
-  Eigen::ArrayXXd column;  // [quantities x columns], each halved: magnitudes that make up all
+  Eigen::ArrayXXd column;  // [quantities x columns], each column halved: magnitudes whose sum is
+                           // the whole change
 };
 
-/// What halved sectors change on the ground, in parts of what they change of the unloaded tire: an
-/// error of second order of the widest ones, for a mode bends most where it is free to, far from
-/// the contact, and there sectors are widest; and its waves, as many as unloaded, are shorter for
-/// what the contact holds, to where the narrowest sectors end.
+/// Returns the error of halved sectors on the ground as a multiple of that of the unloaded tire. It
+/// is the second-order error of the widest sectors, because a mode bends most where it is free, far
+/// from the contact, where sectors are widest; and its waves, as many as unloaded, are shorter by
+/// the length that the contact holds, up to the end of the narrowest sectors.
 double loaded_part(const fe_tire::Section& section);
 
-/// What elements halved everywhere change, the largest of the unloaded tire, on the ground and by
-/// columns alone.
+/// Returns the change by halving all elements: the largest of that of the unloaded tire, on the
+/// ground, and by columns alone.
 Eigen::ArrayXd together(const Eigen::ArrayXd& all,
                         const Eigen::ArrayXd& along,
                         const Eigen::ArrayXd& around,
                         double loaded);
 
-/// Each of the meshes on finer ones.
+/// Judges each of the meshes by finer ones.
 Result<std::vector<Judged>> judge(const std::vector<fe_tire::TireDescription>& meshes,
                                   const Start& start,
                                   int modes);
 
-/// Each of its columns halved in turn.
+/// Halves each column of the mesh in turn.
 Result<ColumnChanges> changes(const Judged& mesh, const Start& start, int modes);
 
 }  // namespace latsch::placement

@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-/// Close to the largest, and shows also what helps all but one.
+/// A norm close to the largest error that also shows improvements of all errors but one.
 double size_of(const Eigen::ArrayXd& errors) {
   constexpr double kPower = 20.0;
   const double largest = errors.abs().maxCoeff();
@@ -32,15 +32,15 @@ double size_of(const Eigen::ArrayXd& errors) {
   return largest * std::pow((errors.abs() / largest).pow(kPower).sum(), 1.0 / kPower);
 }
 
-/// A mesh and how far its quantities are from the body's limits, relative; infinite where it does
-/// not show one.
+/// A mesh and the relative distance of its quantities from the limits; infinite for a quantity that
+/// the mesh does not show.
 struct Seen {
   TireDescription tire;
   int unknowns = 0;
   Eigen::ArrayXd error;
 };
 
-/// What meshes of one tire converge to.
+/// The limits to which meshes of one tire converge.
 class Body {
  public:
   Body(const DiscretizationStudy& study, DiscretizationSettings settings)
@@ -80,30 +80,31 @@ class Body {
   std::vector<std::string> names_;
 };
 
-/// What becomes of the columns [from, to) of a mesh, or of its sectors (from = -1).
+/// An exchange of the columns [from, to) of a mesh, or of its sectors (from = -1).
 struct Exchange {
   int from = 0, to = 0;
-  std::vector<double> ends;  // of columns, between those of `from` and `to`
-  int sectors = 0;           // more
-  int nodes = 0;             // more, of a sector
-  Eigen::ArrayXd change;     // of errors, as expected
+  std::vector<double> ends;  // ends of the new columns, between those of `from` and `to`
+  int sectors = 0;           // number added
+  int nodes = 0;             // number added in each sector
+  Eigen::ArrayXd change;     // expected change of the errors
 
   bool meets(const Exchange& other) const { return from < other.to && other.from < to; }
 };
 
-/// `change` where it adds to an error: what fewer elements err may cancel what others do, on this
-/// mesh alone.
+/// Returns `change` if it increases an error, else 0: the error of fewer elements may cancel that
+/// of others on this mesh alone.
 Eigen::ArrayXd harm(const Eigen::ArrayXd& error, const Eigen::ArrayXd& change) {
   return ((error + change).abs() > error.abs()).select(change, 0.0);
 }
 
-/// Of a column that halved changes the error by `halved`: its part of it, of order h^3.
+/// Contribution of a column to the error, of order h^3, if halving the column changes the error by
+/// `halved`.
 Eigen::ArrayXd part(const Eigen::ArrayXd& halved) { return -4.0 / 3.0 * halved; }
 
-/// All exchanges of one place of a mesh.
+/// All exchanges at one place of a mesh.
 class Exchanges {
  public:
-  /// `halved`: what each column halved changes.
+  /// `halved` is the change by halving each column.
   Exchanges(const Seen& mesh, const std::vector<double>& fixed, const Eigen::ArrayXXd& halved)
       : mesh_(mesh), columns_(mesh.tire.section.columns) {
     for (int j = 0; j < halved.cols(); ++j) {
@@ -138,7 +139,7 @@ class Exchanges {
     all_.push_back(std::move(one));
   }
 
-  /// The meshes that promise most, at most `count` of them, within `most` unknowns.
+  /// Returns at most `count` meshes with the best expected errors, with at most `most` unknowns.
   std::vector<TireDescription> best(int count, int most) const {
     std::vector<Together> found;
     std::vector<const Exchange*> chosen;
@@ -169,7 +170,7 @@ class Exchanges {
     all_.push_back(std::move(one));
   }
 
-  /// All sets of up to three exchanges of different places, from `first` on.
+  /// Tries all sets of up to three exchanges at different places, from `first` on.
   void choose(std::vector<const Exchange*>& chosen,
               std::size_t first,
               const Eigen::ArrayXd& error,
@@ -220,7 +221,7 @@ TireDescription with_more_sectors(TireDescription tire, int more) {
   return tire;
 }
 
-/// What is seen on all of the meshes; where one cannot be pressed, nothing.
+/// Measures all of the meshes; a mesh that cannot be pressed has errors of infinity.
 Result<std::vector<Seen>> see_all(const Body& body, const std::vector<TireDescription>& meshes) {
   return at_once<Seen>(std::ssize(meshes), [&](Eigen::Index i) -> Result<Seen> {
     if (auto seen = body.see(meshes[i])) return seen;
@@ -228,14 +229,15 @@ Result<std::vector<Seen>> see_all(const Body& body, const std::vector<TireDescri
   });
 }
 
-/// Where both are known.
+/// Returns the difference if both values are known, else 0.
 Eigen::ArrayXd change(const Eigen::ArrayXd& from, const Eigen::ArrayXd& to) {
   return (to.isFinite() && from.isFinite()).select(to - from, 0.0);
 }
 
-constexpr int kTwoSectors = 2;  // even numbers, for the ring's halves are alike
+constexpr int kTwoSectors = 2;  // numbers stay even, because the ring's halves are equal
 
-/// Each column halved, then two sectors fewer and two more where they are chosen.
+/// Returns the mesh with each column halved in turn, then with two sectors fewer and two more if
+/// their number may be chosen.
 std::vector<TireDescription> probes(const TireDescription& tire, bool choose_sectors) {
   const std::vector<double>& columns = tire.section.columns;
   std::vector<TireDescription> meshes;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Columns and sectors exchanged by what is measured, on the ground too.
+// Exchanges columns and sectors according to measured errors, including those on the ground.
 //
-// Unloaded modes do not show what a mesh misses where it stands: the worst loaded mode is often
-// none of theirs, and columns under the tread matter as soon as the ground bends it (race tire:
-// lateral n=1, 1.2 % off where the unloaded tire was right within 1). The limits of all quantities
-// are those of the body, whatever its mesh: found once (discretization.h), they judge any other
-// mesh by its own values alone. So a mesh costs one trial in place of those of its refined ones.
-//   Each column is halved in turn, and what that changes tells what other exchanges would: a column
-// of length h errs by c h^3. Of all exchanges of up to three columns and sectors that keep the
-// number of unknowns those that promise most are tried; the best is kept and begins the next round.
+// Unloaded modes do not show the error of a mesh on the ground: the worst loaded mode often has no
+// unloaded counterpart, and columns under the tread matter as soon as the ground bends the tread
+// (race tire: lateral n=1 had an error of 1.2 % although the unloaded tire was within 1 %). The
+// limits of all quantities belong to the body and not to a mesh: computed once (discretization.h),
+// they judge any other mesh by its own values. So a mesh costs one trial instead of those of its
+// refinements.
+//   Each column is halved in turn, and the change predicts that of other exchanges: a column of
+// length h has the error c h^3. Of all exchanges of up to three columns and sectors that keep the
+// number of unknowns, the most promising are tried; the best is kept and begins the next round.
 #pragma once
 
 #include <functional>
@@ -21,7 +22,7 @@
 
 namespace latsch::placement {
 
-/// `settings.deflection` > 0. Ends after `settings.rounds`, or where no exchange helps.
+/// Requires `settings.deflection` > 0. Ends after `settings.rounds`, or if no exchange helps.
 Result<ColumnPlacement> exchange_columns(const fe_tire::TireDescription& tire,
                                          const ColumnPlacementSettings& settings,
                                          const std::vector<double>& fixed,

@@ -23,8 +23,8 @@ using placement::Judged;
 
 namespace {
 
-/// Positions at which a column must end: where plies and rubbers end, and where the rows go over
-/// into those of the sidewall. Of those nearer to each other than any column the first.
+/// Positions at which a column must end: the ends of plies and rubbers, and the transition of the
+/// rows into those of the sidewall. Of positions closer than the shortest column the first is kept.
 std::vector<double> fixed_ends(const Section& section) {
   constexpr double kNearest = 0.008;
   std::vector<double> ends = section.ends;
@@ -40,7 +40,7 @@ std::vector<double> fixed_ends(const Section& section) {
   return fixed;
 }
 
-/// The integral of the density up to each end of a column.
+/// Integral of the density up to each end of a column.
 std::vector<double> counted(const std::vector<double>& columns, const std::vector<double>& rho) {
   std::vector<double> sum = {0.0};
   for (std::size_t j = 0; j < rho.size(); ++j) {
@@ -49,14 +49,14 @@ std::vector<double> counted(const std::vector<double>& columns, const std::vecto
   return sum;
 }
 
-/// y at x of the piecewise linear y(x).
+/// Value at x of the piecewise linear y(x).
 double interpolate(const std::vector<double>& x, const std::vector<double>& y, double at) {
   const auto next = std::upper_bound(x.begin() + 1, x.end() - 1, at);
   const auto i = next - x.begin();
   return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
 }
 
-/// Columns of that density, `number` of them between two fixed positions.
+/// Columns with that density, `number` of them between two fixed positions.
 std::vector<double> placed(const std::vector<int>& number,
                            const std::vector<double>& fixed,
                            const std::vector<double>& columns,
@@ -74,14 +74,14 @@ std::vector<double> placed(const std::vector<int>& number,
   return result;
 }
 
-/// To what a file writes.
+/// Rounds to the precision of a file.
 std::vector<double> rounded(std::vector<double> columns) {
   for (double& q : columns) q = std::round(q * 1e4) / 1e4;
   return columns;
 }
 
-/// Meshes that are expected to err less: of the best number of sectors and, where it may be chosen,
-/// of a few more and fewer.
+/// Meshes with a smaller expected error: with the best number of sectors and, if it may be chosen,
+/// with a few more and fewer.
 Result<std::vector<TireDescription>> moved(const Judged& now,
                                            const ColumnChanges& changes,
                                            const std::vector<double>& fixed,
@@ -115,7 +115,7 @@ Result<std::vector<TireDescription>> moved(const Judged& now,
   return meshes;
 }
 
-/// Columns moved where those of `now` err, and judged.
+/// Moves the columns toward the errors of `now` and judges the result.
 Result<std::vector<Judged>> next_round(const Judged& now,
                                        const placement::Start& start,
                                        int modes,
@@ -129,7 +129,7 @@ Result<std::vector<Judged>> next_round(const Judged& now,
   return placement::judge(*meshes, start, modes);
 }
 
-/// Where the tire does not stand so low: minutes of work would end with that.
+/// Fails if the tire cannot be pressed to that deflection, before minutes are spent on it.
 std::optional<Failure> cannot_stand(const TireDescription& tire, double deflection) {
   fe_tire::FeTire pressed(tire);
   const auto inflated = pressed.inflate(tire.pressure);
@@ -144,7 +144,8 @@ std::optional<Failure> cannot_stand(const TireDescription& tire, double deflecti
 Result<ColumnPlacement> place_columns(const TireDescription& tire,
                                       const ColumnPlacementSettings& settings,
                                       const std::function<void(const std::string&)>& progress) {
-  constexpr int kMoreLoaded = 2;  // modes that come down among the lowest on the ground
+  constexpr int kMoreLoaded = 2;  // additional modes, because others may be among the lowest on the
+                                  // ground
   const int modes = settings.modes + kMoreLoaded;
   const int most = settings.unknowns > 0 ? settings.unknowns : build_mesh(tire).free_dofs();
   const std::vector<double> fixed = fixed_ends(tire.section);

@@ -16,7 +16,7 @@ namespace {
 using fe_tire::FeTire;
 using fe_tire::TireDescription;
 
-/// Columns all alike, moved to the belts' ends.
+/// Columns of equal length, moved to the belts' ends.
 TireDescription plain_tire() {
   TireDescription tire = fe_tire::reference_tire_b();
   tire.section.meridional = 24;
@@ -31,7 +31,8 @@ TireDescription plain_tire() {
   }());
 }
 
-/// Largest error of growth and eight frequencies, against elements split in four each way.
+/// Largest error of growth and eight frequencies, against elements split into four in each
+/// direction.
 double error_of(const TireDescription& description) {
   const auto quantities = [&](int refinement) {
     FeTire tire(build_mesh(description, refinement),
@@ -95,7 +96,7 @@ TEST(ColumnPlacement, ChoosesAnEvenNumberOfSectorsWithinTheUnknowns) {
   EXPECT_LE(both->error, alone->error);
 }
 
-/// The largest error of the vertical force and six modes on the ground, against elements split in
+/// Largest error of the vertical force and six modes on the ground, against elements split into
 /// three around and along.
 double loaded_error_of(const TireDescription& description, double deflection) {
   const auto quantities = [&](const fe_tire::Refinement& refinement) {

@@ -16,12 +16,13 @@ using fe_tire::FeTire;
 using fe_tire::GroundPose;
 using fe_tire::TireState;
 
-constexpr double kForceTolerance = 1e-7;  // relative; slopes are then those of the values to 1e-6
-constexpr double kForceNoise = 1e-5;      // the same, where friction lets no more be found
-constexpr int kPatience = 8;  // attempts before that is believed: the secant needs four or five
+constexpr double kForceTolerance = 1e-7;  // relative; slopes then agree with the values to 1e-6
+constexpr double kForceNoise = 1e-5;      // relative; accepted if friction prevents kForceTolerance
+constexpr int kPatience = 8;  // attempts before kForceNoise is accepted: the secant needs four or
+                              // five
 constexpr int kMaxAttempts = 25;
 constexpr int kFirstSteps = 3;
-constexpr double kLargestChange = 2.0;  // of the deflection from one attempt to the next
+constexpr double kLargestChange = 2.0;  // greatest factor of the deflection between attempts
 
 GroundPose pose_at(const fe_tire::Inflated& inflated, double deflection, double camber) {
   GroundPose pose = FeTire::below(inflated, deflection);
@@ -29,25 +30,26 @@ GroundPose pose_at(const fe_tire::Inflated& inflated, double deflection, double 
   return pose;
 }
 
-/// Over the ground, leaning.
+/// Start above the ground, with camber.
 TireState start_over(FeTire& tire,
                      const fe_tire::Inflated& inflated,
                      const fe_tire::Ground& ground,
                      const StandingPose& standing) {
   TireState start = tire.over(inflated, ground, standing.poses);
   start.pose.camber = standing.camber;
-  // A shoulder that hangs lower than the crown would start in the ground.
+  // A shoulder below the crown would start in the ground.
   start.pose.height += inflated.radius * std::abs(std::sin(standing.camber));
   return start;
 }
 
-/// An equilibrium on the way.
+/// An equilibrium of the search.
 struct Pressed {
   double deflection, force;
   TireState state;
 };
 
-/// Where F = c d^p through two of them, or through one with p a little above 1, carries Fz.
+/// Deflection at which F = c d^p through two equilibria, or through one with p a little above 1,
+/// carries Fz.
 double deflection_for(double Fz, const Pressed& last, const std::optional<Pressed>& other) {
   double p = 1.1;
   if (other && other->force > 0.0 && other->deflection > 0.0 && other->force != last.force) {
@@ -83,7 +85,8 @@ Result<TireState> load_to_force(FeTire& tire,
   for (int k = 1; k <= kFirstSteps; ++k) first.push_back(guess * k / kFirstSteps);
   auto states = press_down(tire, inflated, ground, standing, first);
   if (!states) return states.failure();
-  // The deepest state that carries less, from where every attempt goes on, and the last attempt.
+  // The deepest state that carries less than Fz, from which every attempt continues, and the last
+  // attempt.
   Pressed below{0.0, 0.0, start_over(tire, inflated, ground, standing)};
   std::optional<Pressed> last, before;
   for (std::size_t k = 0; k < first.size(); ++k) {

@@ -22,7 +22,7 @@ using fe_tire::Mode;
 
 namespace {
 
-/// Modes under names that are unique: members of a pair that share a label are told apart by their
+/// Adds modes under unique names: members of a pair that share a label are distinguished by their
 /// rank.
 void add_modes(const std::vector<Mode>& modes, MeshQuantities& quantities) {
   std::map<std::string, int> seen;
@@ -37,7 +37,7 @@ Result<MeshQuantities> unloaded_quantities(FeTire& tire,
                                            const Inflated& inflated,
                                            const DiscretizationSettings&,
                                            int count) {
-  // Some that come down among the lowest on the ground are known by these.
+  // additional modes, by which those that are among the lowest on the ground are identified
   constexpr int kMore = 8;
   const Result<std::vector<Mode>> modes = tire.modes(inflated, count + kMore);
   if (!modes) return modes.failure();
@@ -50,8 +50,8 @@ Result<MeshQuantities> loaded_quantities(FeTire& tire,
                                          const Inflated& inflated,
                                          const DiscretizationSettings& settings,
                                          int count) {
-  // At once: without friction an equilibrium knows no way to it, and steps that are asked for cost
-  // several times as much as those the loading finds necessary.
+  // Presses in one go: without friction an equilibrium does not depend on the path, and prescribed
+  // steps cost several times as much as those that the loading finds necessary.
   const auto pressed = tire.press(inflated, settings.ground, {settings.deflection});
   if (!pressed) return pressed.failure();
   const Result<std::vector<Mode>> modes = tire.modes(pressed->back(), count);
@@ -72,7 +72,7 @@ double* find(MeshQuantities& mesh, const std::string& name) {
   return same == mesh.end() ? nullptr : &same->second;
 }
 
-/// Modes of the other meshes under the names of the first one.
+/// Renames the modes of the other meshes to those of the first one.
 void rename_as_first(std::vector<MeshQuantities>& meshes) {
   constexpr double kNear = 0.025;
   for (std::size_t m = 1; m < meshes.size(); ++m) {
@@ -91,7 +91,8 @@ void rename_as_first(std::vector<MeshQuantities>& meshes) {
   }
 }
 
-/// The order of neighboring modes may change from mesh to mesh: other ones look a little further.
+/// The order of neighboring modes may change from mesh to mesh, so further modes are computed on
+/// other meshes.
 constexpr int kMoreModes = 6;
 
 using Measure = Result<MeshQuantities> (*)(FeTire&,
@@ -107,7 +108,7 @@ Result<std::vector<MeshQuantities>> refine(
     const std::string& what,
     const std::function<void(const std::string&)>& progress) {
   std::vector<MeshQuantities> meshes;
-  fe_tire::SectionGrid grid;  // of the mesh before, inflated: a start on the next one
+  fe_tire::SectionGrid grid;  // grid of the previous mesh, inflated: a start on the next one
   std::optional<Inflated> inflated;
   for (const fe_tire::Refinement& r : refinements) {
     FeTire model(fe_tire::build_mesh(tire, r),

@@ -15,7 +15,7 @@ const DiscretizationRow* find(const std::vector<DiscretizationRow>& rows, const 
   return nullptr;
 }
 
-// Values made as v(h) = v0 + c h^2 with h = 1, 1/2, 1/3.
+// Values of v(h) = v0 + c h^2 at h = 1, 1/2, 1/3.
 std::vector<double> of_second_order(double v0, double c) {
   return {v0 + c, v0 + c / 4, v0 + c / 9};
 }
@@ -37,7 +37,7 @@ TEST(Discretization, QuantitiesAreExtrapolatedByTheirNames) {
 }
 
 TEST(Discretization, AModeOfAnotherWaveNumberIsPairedByItsFrequency) {
-  // The mode at 90 Hz is named by n = 3 on the coarse mesh and by n = 4 on the others.
+  // The mode at 90 Hz is called n = 3 on the coarse mesh and n = 4 on the others.
   const auto rows = discretization_rows({1, 2, 3},
                                         {{{"radial n=2", 60.0}, {"radial n=3", 90.0}},
                                          {{"radial n=2", 59.5}, {"radial n=4", 89.0}},
@@ -57,7 +57,8 @@ TEST(Discretization, ANamesakeGoesBeforeANearerFrequency) {
 }
 
 TEST(Discretization, AModeThatHasANameIsNotTakenForAnother) {
-  // At 90.5 Hz there is the n = 2 of the first mesh: the lost n = 3 is said to be lost, not paired.
+  // The mode at 90.5 Hz is the n = 2 of the first mesh, so n = 3 is reported as lost and not paired
+  // with it.
   const auto rows = discretization_rows({1, 2, 3},
                                         {{{"radial n=2", 92.0}, {"radial n=3", 90.0}},
                                          {{"radial n=2", 90.5}, {"radial n=4", 95.0}},
@@ -82,8 +83,8 @@ TEST(Discretization, PairsByFrequencyAreWithinTwoAndAHalfPercentAndTheNearest) {
   EXPECT_FALSE(far[0].paired);
 }
 
-// v(h) = v0 + c h^2 + d h^4 with h = 1/2, 1/3, 1/4: the limit is missed by what the third term
-// leaves.
+// v(h) = v0 + c h^2 + d h^4 at h = 1/2, 1/3, 1/4: the extrapolation misses the limit by the effect
+// of the third term.
 TEST(Discretization, TheUncertaintyCoversWhatTheExtrapolationMisses) {
   MeshQuantities meshes[3];
   for (int r : {2, 3, 4}) {
@@ -97,7 +98,7 @@ TEST(Discretization, TheUncertaintyCoversWhatTheExtrapolationMisses) {
 }
 
 // Growth of a tire with crossed steel belts in two rows, on meshes refined 1, 2, 4 and, as its
-// limit, 16 times through the wall (regression figures of this program): the changes grow.
+// limit, 16 times through the wall (regression values of this program): the changes grow.
 TEST(Discretization, WhereChangesGrowNothingIsAsymptoticAndTheLimitIsWithinTheUncertainty) {
   const auto rows = discretization_rows(
       {1, 2, 4}, {{{"growth", 1.1954e-3}}, {{"growth", 1.2143e-3}}, {{"growth", 1.2572e-3}}});

@@ -11,11 +11,11 @@ using fe_tire::Section;
 
 namespace {
 
-/// Columns per position, constant in each column, for which the largest change of a quantity is
-/// least with `sectors` and that many times the unknowns of the section: at a density rho column j
-/// of length h_j leaves c_kj h_j / rho_j^2. A quantity counts by a high power of what the density
-/// leaves of it, which is found by repetition; the sixth still gave much to those that did not
-/// matter (race tire: 1.05 in place of 0.96 %).
+/// Returns the columns per position, constant in each column, for which the largest change of a
+/// quantity is least with `sectors` and that many times the unknowns of the section: at a density
+/// rho, column j of length h_j has the error c_kj h_j / rho_j^2. Each quantity is weighted by a
+/// high power of its remaining error, which is found by iteration. A lower power would give many
+/// columns to quantities that do not matter.
 std::vector<double> density(const Judged& mesh,
                             const ColumnChanges& changes,
                             int sectors,
@@ -37,7 +37,7 @@ std::vector<double> density(const Judged& mesh,
   const double loaded = loaded_part(section);
   Eigen::ArrayXd rho = 1.0 / h;
   for (int repeated = 0; repeated < 200; ++repeated) {
-    // The same unknowns each time, or errors would not compare.
+    // The number of unknowns stays constant, or errors would not be comparable.
     rho *= unknowns * cost.sum() / (rho * h * cost).sum();
     const Eigen::ArrayXd along =
         sign * (c.rowwise() * (h / rho.square()).transpose()).rowwise().sum();
@@ -47,7 +47,7 @@ std::vector<double> density(const Judged& mesh,
     const Eigen::ArrayXd wanted = worth.max(1e-6 * worth.maxCoeff()).pow(1.0 / 3.0);
     rho = (rho * wanted / wanted.mean() * rho.mean()).sqrt();
   }
-  // Lengths of neighbors are alike: elements are no better than their worst neighbor.
+  // Neighbors get similar lengths: an element is no better than its worst neighbor.
   std::vector<double> smooth;
   for (Eigen::Index j = 0; j < count; ++j) {
     const double before = rho[std::max<Eigen::Index>(j - 1, 0)];
@@ -57,8 +57,8 @@ std::vector<double> density(const Judged& mesh,
   return smooth;
 }
 
-/// What a mesh is expected to leave by the number of its columns between fixed ends, where they
-/// have a density: between two ends they leave what one would over the square of their number.
+/// Expected error of a mesh by the number of its columns between fixed ends, where they have a
+/// density: between two ends the error is that of one column over the square of their number.
 class Expected {
  public:
   Expected(const Judged& mesh,
@@ -104,7 +104,8 @@ class Expected {
     return sectors_ * (others_ + 6 * nodes);
   }
 
-  /// A power mean close to the largest, which shows also what helps all but one quantity.
+  /// A power mean close to the largest error, which also shows improvements of all quantities but
+  /// one.
   double error(const std::vector<int>& number) const {
     constexpr double kPower = 20.0;
     Eigen::ArrayXd along = Eigen::ArrayXd::Zero(sign_.size());
@@ -116,8 +117,9 @@ class Expected {
     return largest * std::pow((left / largest).pow(kPower).sum(), 1.0 / kPower);
   }
 
-  /// The numbers for which that is least: columns are added where they help most, then exchanged.
-  /// None is spared, though fewer may err by what cancels errors of sectors.
+  /// Numbers with the least error: columns are added where they help most, then exchanged. All
+  /// allowed unknowns are used, although fewer columns may have a smaller error by cancelling those
+  /// of the sectors.
   std::vector<int> best(int most) const {
     std::vector<int> number(nodes_.size(), 1);
     while (improve(number, most, {{1, 0}}, std::numeric_limits<double>::infinity())) {
@@ -128,7 +130,7 @@ class Expected {
   }
 
  private:
-  /// The best of all exchanges {more in one place, fewer in another}; false where none helps.
+  /// Makes the best of all exchanges {one more here, one fewer there}; returns false if none helps.
   bool improve(std::vector<int>& number,
                int most,
                const std::vector<std::pair<int, int>>& exchanges,
@@ -152,10 +154,10 @@ class Expected {
     return std::exchange(number, best) != best;
   }
 
-  int sectors_, others_ = 0;  // unknowns of a sector beside those of columns of both halves
+  int sectors_, others_ = 0;  // unknowns of a sector besides those of columns of both halves
   Eigen::ArrayXd sign_, around_, rest_;
-  Eigen::ArrayXXd one_;     // [quantities x segments], with one column each
-  std::vector<int> nodes_;  // that a column adds there
+  Eigen::ArrayXXd one_;     // [quantities x segments], error with one column in each segment
+  std::vector<int> nodes_;  // number that a column adds in each segment
   double loaded_ = 1.0;
 };
 

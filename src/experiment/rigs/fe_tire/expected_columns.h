@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The columns and sectors that are expected to err least, by what halved ones change
+// Finds the columns and sectors with the least expected error, from the changes by halving
 // (column_changes.h).
 #pragma once
 
@@ -10,25 +10,26 @@
 
 namespace latsch::placement {
 
-/// Columns of a mesh of so many sectors that is expected to err less.
+/// Columns with a smaller expected error, of a mesh with that number of sectors.
 struct Way {
   int sectors = 0;
   std::vector<double> rho;  // columns per position, constant in each column
-  std::vector<int> number;  // of columns between neighboring fixed ends
+  std::vector<int> number;  // columns between neighboring fixed ends
   double error = std::numeric_limits<double>::infinity();
 };
 
-/// `fixed` are positions where columns must end; `most` unknowns.
+/// `fixed` are positions at which columns must end; `most` limits the unknowns.
 Way way(const Judged& mesh,
         const ColumnChanges& changes,
         const std::vector<double>& fixed,
         int sectors,
         int most);
 
-/// Sectors of a ring, beyond those of its zones on both sides of the contact.
+/// Returns the least number of sectors of a ring beyond its zones on both sides of the contact.
 int fewest_sectors(const fe_tire::Section& section);
 
-/// Of the sectors a ring may have, near those it has, those that are expected to err least.
+/// Returns the number of sectors with the least expected error among those that a ring may have
+/// near its present number.
 int best_sectors(const Judged& mesh,
                  const ColumnChanges& changes,
                  const std::vector<double>& fixed,

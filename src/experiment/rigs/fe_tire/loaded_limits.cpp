@@ -9,7 +9,8 @@
 namespace latsch {
 namespace {
 
-constexpr double kSecondOrder = 1.0 / 3.0;  // left by halved elements, of what halving changed
+constexpr double kSecondOrder = 1.0 / 3.0;  // error that remains after halving, as a share of the
+                                            // change
 
 RoughLimit of_few(const std::vector<double>& v) {
   const double around = v[1] - v[0];
@@ -22,15 +23,15 @@ RoughLimit of_thorough(const std::vector<double>& v) {
   return {limit.value + through, through, 0.0, limit.uncertainty};
 }
 
-/// The unloaded modes of one label share it with what becomes of both on the ground.
+/// Label of a mode without rank and phase: both loaded modes of an unloaded one share its label.
 std::string label_of(const std::string& row) {
   std::string label = row.substr(0, row.find(" #"));
   if (label.ends_with(" s") || label.ends_with(" a")) label.resize(label.size() - 2);
   return label;
 }
 
-/// The order by which the way from the first mesh to one refined twice falls so short of the limit;
-/// 0 where it shows none.
+/// Order of convergence by which the change from the first mesh to the one refined twice falls
+/// short of the limit; 0 if there is none.
 double order_of(double way, double left) {
   constexpr double kLowest = 0.5, kHighest = 4.0;
   const double order = std::log2(1.0 + way / left);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The limit of a pressed tire, of which few finer meshes can be afforded.
+// Estimates the limit of a pressed tire, of which only few finer meshes are affordable.
 //
-// Elements err on the ground much as they do off it. So the pressed tire is extrapolated from few
-// meshes, and what the same meshes of the unloaded one miss of its limit, which many show, is added
-// by the name of the mode. Orders need not be known: rows of a smeared section go to the far side
-// of the limit, and come back slowly. The vertical force has no such name. It gets the part of what
-// the section's refinement changes that modes have left, by least squares. How far sectors are off
-// is the pressed tire's own: they are narrow at the contact alone.
+// Elements have similar errors on and off the ground. So the pressed tire is extrapolated from few
+// meshes, and the error of the same extrapolation for the unloaded tire, whose limit is known from
+// many meshes, is added mode by mode according to the mode's name. Orders of convergence need not
+// be known: with refinement the rows of a smeared section pass the limit and come back slowly. The
+// vertical force has no counterpart. Its correction is a share of its change by refining the
+// section; the share is a least-squares fit to the modes. The error of sectors is computed from the
+// pressed tire itself, because its sectors are narrow at the contact alone.
 #pragma once
 
 #include <map>
@@ -17,43 +18,43 @@
 
 namespace latsch {
 
-/// A limit as few meshes have it.
+/// A limit extrapolated from few meshes.
 struct RoughLimit {
   double value = 0.0;
-  double section = 0.0;  // what the section's refinement changed of it
-  double around = 0.0;   // what halved sectors alone changed
-  double unsure = 0.0;   // by its own extrapolation, beside that
+  double section = 0.0;  // its change by refining the section
+  double around = 0.0;   // its change by halving sectors alone
+  double unsure = 0.0;   // further uncertainty of the extrapolation
 };
 
-/// Which meshes, and what is made of a quantity's values on them.
+/// A set of meshes, and the extrapolation of a quantity's values on them.
 struct FewMeshes {
   std::vector<fe_tire::Refinement> refinements;  // the first is the mesh itself
   RoughLimit (*extrapolate)(const std::vector<double>& values);
 };
 
-/// The mesh, its sectors halved, everything halved. Sectors err by second order, so a third of what
-/// halving them changed is left.
+/// The mesh, the mesh with halved sectors, the mesh with everything halved. Sectors have second
+/// order, so a third of the change by halving them remains.
 const FewMeshes& few_meshes();
 
-/// Also columns halved with the sectors, and both halved twice, these extrapolated together, in
-/// some four times the time. Rows are halved once. (Patches would end anywhere in the few sectors
-/// of meshes refined 1, 2, 3 times.)
+/// Adds meshes with columns and sectors halved once and twice, which are extrapolated together, in
+/// some four times the time. Rows are halved once. (On meshes refined 1, 2, 3 times patches would
+/// end at arbitrary places in the few sectors.)
 const FewMeshes& thorough_meshes();
 
-/// Of meshes as `thorough_meshes` has them those of `few_meshes`.
+/// Selects the meshes of `few_meshes` from those of `thorough_meshes`.
 std::vector<MeshQuantities> few_of_thorough(const std::vector<MeshQuantities>& meshes);
 
-/// What few meshes of the unloaded tire miss of its limit, relative.
+/// Error of the extrapolation from few meshes for the unloaded tire, relative.
 class Missed {
  public:
-  /// `limits` are rows of many meshes, `few` those of the few, of which the values alone count.
+  /// `limits` are rows of many meshes, `few` those of few meshes, of which only the values count.
   Missed(const std::vector<DiscretizationRow>& limits,
          const std::vector<DiscretizationRow>& few,
          const FewMeshes& meshes);
 
-  /// The limit of a row of the pressed tire on the same meshes, and how far it may be off: by as
-  /// much as the unloaded one, as the extrapolation itself, and by half of what halved sectors
-  /// change and of how unlike both tires change.
+  /// Sets the limit of a row of the pressed tire on the same meshes, and its uncertainty: the sum
+  /// of that of the unloaded tire, that of the extrapolation itself, half of the change by halving
+  /// sectors and half of the difference between the changes of both tires.
   void extrapolate(DiscretizationRow& row) const;
 
  private:
@@ -61,9 +62,9 @@ class Missed {
     double missed = 0.0, section = 0.0, around = 0.0, uncertainty = 0.0;
   };
   FewMeshes meshes_;
-  std::map<std::string, Of> of_;  // by label
-  double part_ = 0.0;             // missed, of what the section changed
-  Of all_;  // roots of mean squares; `missed`: of what that part does not show
+  std::map<std::string, Of> of_;  // keys are mode labels
+  double part_ = 0.0;             // error as a share of the change by refining the section
+  Of all_;                        // root mean squares; `missed` is the error beyond that share
 };
 
 }  // namespace latsch

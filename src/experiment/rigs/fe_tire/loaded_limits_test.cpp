@@ -25,8 +25,9 @@ DiscretizationRow values(const std::string& name, std::vector<double> on_meshes)
   return row;
 }
 
-/// On the mesh, its sectors halved, everything halved: sectors err by `around` and second order,
-/// the section by `coarse` and, halved, by `fine`, in parts of the limit.
+/// Values on the mesh, with halved sectors, with everything halved: sectors have the error `around`
+/// and second order, the section has the error `coarse` and, halved, `fine`, as shares of the
+/// limit.
 std::vector<double> few(double limit, double around, double coarse, double fine) {
   return {limit * (1.0 + around + coarse),
           limit * (1.0 + around / 4.0 + coarse),
@@ -39,7 +40,7 @@ DiscretizationRow extrapolated(const Missed& missed, DiscretizationRow row) {
 }
 
 TEST(LoadedLimits, SectorsErrByThemselvesAndTheSectionAsItDoesUnloaded) {
-  // Of the section's error much is left when it is halved; sectors are wider at the top.
+  // Much of the section's error remains when it is halved; sectors are wider at the top.
   const Missed missed({limit("radial n=2", 100.0)},
                       {values("radial n=2", few(100.0, 0.001, -0.010, -0.006))},
                       few_meshes());
@@ -48,8 +49,8 @@ TEST(LoadedLimits, SectorsErrByThemselvesAndTheSectionAsItDoesUnloaded) {
   EXPECT_LT(std::abs(row.converged - 90.0), row.uncertainty);
 }
 
-// As with rows of a smeared section: halved, they err to the other side of the limit. An order
-// would lead away from it.
+// Rows of a smeared section behave like this: halved, their error has the opposite sign. An
+// extrapolation by order would lead away from the limit.
 TEST(LoadedLimits, WhereHalvingGoesBeyondTheLimitItIsKnownFromTheUnloadedTire) {
   const Missed missed({limit("radial n=2", 100.0), limit("lateral n=1", 40.0)},
                       {values("radial n=2", few(100.0, 0.0, -0.006, 0.003)),
@@ -69,7 +70,7 @@ TEST(LoadedLimits, TheUncertaintyIsThatOfTheUnloadedLimitAndOfWhatTheGroundChang
                       few_meshes());
   const auto alike = extrapolated(missed, values("radial n=1 s", few(64.0, 0.0, -0.006, -0.002)));
   EXPECT_NEAR(alike.uncertainty, 0.03 / 60.0 * 64.0, 1e-3);
-  // The section errs by half as much again.
+  // The section's error is half as large again.
   const auto unlike = extrapolated(missed, values("radial n=1 a", few(60.0, 0.0, -0.009, -0.003)));
   EXPECT_GT(std::abs(unlike.converged - 60.0), 0.03);
   EXPECT_LT(std::abs(unlike.converged - 60.0), unlike.uncertainty);
@@ -80,15 +81,15 @@ TEST(LoadedLimits, WithoutUnloadedModesTheSecondOrderIsTakenAndTheFirstIsWithinT
   const auto row = extrapolated(missed, values("n", {104.0, 104.0, 101.0}));
   EXPECT_NEAR(row.converged, 100.0, 1e-9);
   EXPECT_FALSE(row.asymptotic());
-  EXPECT_GE(row.uncertainty, 2.0);  // order 1: 98
+  EXPECT_GE(row.uncertainty, 2.0);  // an order of 1 would give 98
 }
 
-// Sectors and columns by second order; rows, halved once, leave what they leave of the unloaded
-// tire.
+// Sectors and columns have second order; rows, halved once, keep the error that they keep in the
+// unloaded tire.
 TEST(LoadedLimits, ThoroughlySectorsAndColumnsAreExtrapolatedAndRowsAsTheyAreUnloaded) {
   const auto on_meshes = [](double v, double c, double coarse, double fine) {
     return std::vector{v * (1.0 + c + coarse),
-                       v * (1.0 + c + coarse),  // sectors alone: not asked
+                       v * (1.0 + c + coarse),  // sectors alone: not used
                        v * (1.0 + c / 4.0 + coarse),
                        v * (1.0 + c / 16.0 + coarse),
                        v * (1.0 + c / 4.0 + fine)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The finite-element tire standing (static_stiffness.h): equilibria, one after the other.
+// The standing finite-element tire (static_stiffness.h): a sequence of equilibria.
 #include <cmath>
 
 #include "experiment/rigs/fe_tire/channel_slopes.h"
@@ -15,9 +15,10 @@ using fe_tire::GroundPose;
 using fe_tire::TireState;
 
 constexpr double kTypicalStiffness = 2.0e5;  // N/m, for a first guess of the deflection
-constexpr int kSteps = 4;                    // of the ground's way: the patch slides on the way
+constexpr int kSteps = 4;                    // steps of the ground's displacement, because the
+                                             // patch slides during it
 
-/// The wheel goes by `travel` in a direction: the ground goes back.
+/// The wheel's travel in a direction is applied as the opposite displacement of the ground.
 GroundPose moved(GroundPose pose, Direction direction, double travel) {
   switch (direction) {
     case Direction::vertical:
@@ -50,17 +51,18 @@ double reaction(const fe_tire::Standing& standing, Direction direction) {
   return standing.moment.z();
 }
 
-/// The states a stiffness is taken between.
+/// The states between which a stiffness is computed.
 struct Ends {
   TireState first, last;
-  double way;  // m or rad
+  double way;  // m or rad, between the states
 };
 
 Result<Ends> moved_to_ends(FeTire& tire,
                            const TireState& start,
                            Direction direction,
                            double travel) {
-  // Without friction up and down are one path; with it only down goes on from the load.
+  // Without friction, lifting and pressing follow the same path; with friction only pressing
+  // continues from the load.
   const bool both_ways = direction == Direction::vertical && start.ground.mu == 0.0;
   const double from = both_ways ? -travel : 0.0;
   std::vector<GroundPose> poses;
@@ -77,8 +79,8 @@ double stiffness(FeTire& tire, const Ends& ends, Direction direction) {
   return (before - reaction(tire.stand(ends.last), direction)) / ends.way;
 }
 
-/// Slopes of the vertical stiffness under a load that is held: the wheel at both ends moves as it
-/// does under the load.
+/// Slopes of the vertical stiffness under a constant load: the wheel moves at both ends as it does
+/// under the load.
 Result<Eigen::RowVectorXd> slopes_of_stiffness(fe_tire::TireSlopes& slopes,
                                                const TireState& loaded,
                                                const Ends& ends) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The finite-element tire standing: closed forms where everything slides, equalities where two ways
-// lead to one state.
+// Tests of the standing finite-element tire: closed forms if the whole patch slides, equalities if
+// two paths lead to the same state.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -91,20 +91,20 @@ TEST(StandingFeTire, StiffnessesAreOfTheSizeOfATires) {
   const Channels upright = stand_under_load(
       tire,
       {Direction::vertical, Direction::longitudinal, Direction::lateral, Direction::torsional});
-  // Between half and all of the vertical one, as measured of passenger tires.
+  // Between half and all of the vertical stiffness, as measured on passenger tires.
   const double vertical = value(upright, "vertical");
   EXPECT_GT(value(upright, "lateral"), 0.25 * vertical);
   EXPECT_LT(value(upright, "lateral"), vertical);
   EXPECT_GT(value(upright, "longitudinal"), value(upright, "lateral"));
   EXPECT_GT(value(upright, "torsional"), 0.0);
-  // Leaning to either side is the same but for the plies, which the mirror reverses.
+  // Both signs of camber give equal results except for the plies, which the mirror image reverses.
   const Channels left = stand_under_load(tire, {Direction::vertical}, 0.05);
   const Channels right = stand_under_load(tire, {Direction::vertical}, -0.05);
   EXPECT_NEAR(value(left, "vertical"), value(right, "vertical"), 1e-4 * vertical);
   EXPECT_NE(value(left, "vertical"), vertical);
 }
 
-// Of 40 sectors one row of nodes touches, and a bar below it is as good as level ground.
+// One row of nodes is in contact, of 40 sectors, so a bar below it equals level ground.
 TEST(StandingFeTire, APlankLongerThanThePatchIsGroundThatIsHigher) {
   FeTire tire = small_tire(120);
   const std::vector<double> deflections = {0.004, 0.012};

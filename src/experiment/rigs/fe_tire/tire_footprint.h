@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Footprints of the finite-element tire, with their slopes.
 //
-// A node's pressure is a mean weighted by its hat (T.1), of which the share of the surface that it
-// stands for, L long, knows only the force. Spread evenly over that share the force lies too close
-// to the node, spread by the hat, which reaches to the neighbors, too far from it where these do
-// not touch. Between them the even share that fades over b,
+// A node's pressure is a mean weighted by its hat function (T.1); for the share of the surface that
+// the node represents, of length L, only the force is known. Spread evenly over that share, the
+// force is too close to the node; spread by the hat function, which extends to the neighbors, it is
+// too far from the node if these are not in contact. Between both lies the even distribution
+// blurred over b,
 //   b = L / sqrt(2),   its second moment (L^2 + b^2) / 12,                                    (P.1)
-// is midway between the even share, L^2 / 12, and the hat, L^2 / 6, as half the sag is what counts
-// of a mean in (T.2). Along the road and across.
+// which is midway between the even distribution, L^2 / 12, and the hat function, L^2 / 6, as half
+// the sag is what counts in a mean in (T.2). This applies along the road and across it.
 #pragma once
 
 #include <vector>
@@ -20,10 +21,10 @@
 
 namespace latsch::experiment {
 
-/// Each contact point as the rectangle it stands for. `friction`: of the ground.
+/// Returns each contact point as the rectangle it represents. `friction` is that of the ground.
 Footprint footprint_of(const fe_tire::Standing& standing, double friction);
 
-/// In the states of a test, in their order; deflections are ascending.
+/// The tire in the states of a test, in their order; deflections are ascending.
 struct StandingTire {
   fe_tire::Inflated inflated;
   std::vector<fe_tire::TireState> states;
@@ -35,8 +36,8 @@ Result<StandingTire> stand_in_states(fe_tire::FeTire& tire,
 
 std::vector<StandingFootprint> footprints(fe_tire::FeTire& tire, const StandingTire& standing);
 
-/// Of all channels but pressures on sensors, upright and without friction: a load or a deflection
-/// is held while a number moves. `of`: the footprints there.
+/// Slopes of all channels except pressures on sensors, upright and without friction; a load or a
+/// deflection is held constant while a number varies. `of` are the footprints in these states.
 Result<ChannelSlopes> footprint_slopes(const FootprintTest& test,
                                        const StandingTire& standing,
                                        const std::vector<StandingFootprint>& of,

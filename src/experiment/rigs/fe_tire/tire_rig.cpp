@@ -20,10 +20,11 @@ using fe_tire::Inflated;
 using fe_tire::Standing;
 using fe_tire::TireState;
 
-constexpr double kTypicalStiffness = 2.0e5;  // N/m, a first guess of the deflection under a load
+constexpr double kTypicalStiffness = 2.0e5;  // N/m, for a first guess of the deflection under a
+                                             // load
 constexpr int kEvenSteps = 5;
 
-/// Deflections of a way that no test states: even steps.
+/// Deflections, in even steps, of a path that the test does not prescribe.
 std::vector<double> even_steps(double deflection) {
   std::vector<double> steps;
   for (int i = 1; i < kEvenSteps; ++i) steps.push_back(deflection * i / kEvenSteps);
@@ -31,7 +32,7 @@ std::vector<double> even_steps(double deflection) {
   return steps;
 }
 
-/// The way to the deepest of some deflections, through all that are on the ground.
+/// Returns the path to the deepest of the deflections through all that touch the ground.
 std::vector<double> way_through(std::vector<double> deflections) {
   std::erase_if(deflections, [](double deflection) { return deflection <= 0.0; });
   std::sort(deflections.begin(), deflections.end());
@@ -169,7 +170,7 @@ Result<Channels> TireRig::run(const LoadDeflection& test,
   Eigen::MatrixXd length = zero, width = zero, area = zero;
   for (std::size_t i = 0; i < deflections.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    // A deflection counts from the inflated radius, a loaded radius is the height itself.
+    // A deflection is counted from the inflated radius; a loaded radius is the height itself.
     (i < test.deflections.size() ? height : deflection).row(row) = radius;
     if (deflections[i] <= 0.0) continue;
     const auto at = std::find(pressed_->way.begin(), pressed_->way.end(), deflections[i]);
@@ -191,7 +192,7 @@ Result<Channels> TireRig::run(const LoadDeflection& test,
   return with_slopes(*channels, all);
 }
 
-/// A unit of every number.
+/// Slopes per unit of every number.
 struct TireRig::StandSlopes {
   Eigen::VectorXd height, deflection, force;  // m, m, N
 };
@@ -303,7 +304,7 @@ Result<Channels> TireRig::run(const MassTest& test, fe_tire::TireSlopes& slopes,
 
 namespace {
 
-/// The plane nearest to an angle from the contact, rad.
+/// Index of the plane nearest to an angle from the contact, rad.
 int nearest_plane(const fe_tire::Mesh& mesh, double angle) {
   int nearest = 0;
   for (int s = 1; s < mesh.sectors; ++s) {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Virtual tire rig: drives the finite-element tire as the laboratory drove the specimen.
 //
-// Channels of a load-deflection test, one value a deflection in the order asked for: "deflection"
-// m, "loaded_radius" m, "force" N, "patch_length" m, "patch_width" m, "patch_area" m^2. A loaded
-// radius larger than the radius of the inflated tire is no contact: force and patch are 0. Channels
-// of a modal test: those of mode_record.h, and of a loaded one "deflection", "loaded_radius",
-// "force" (one value). Of an inflation: "pressure" Pa, "outer_radius" m, "section_width" m,
-// "growth" m, one value a pressure. Of a mass test: "mass" kg, "spin_inertia" and
-// "diametral_inertia" kg m^2.
+// Channels of a load-deflection test, one value for each deflection in the order of the test:
+// "deflection" m, "loaded_radius" m, "force" N, "patch_length" m, "patch_width" m, "patch_area"
+// m^2. A loaded radius larger than the radius of the inflated tire means no contact: force and
+// patch are 0. Channels of a modal test: those of mode_record.h, and for a loaded tire
+// "deflection", "loaded_radius", "force" (one value). Of an inflation: "pressure" Pa,
+// "outer_radius" m, "section_width" m, "growth" m, one value for each pressure. Of a mass test:
+// "mass" kg, "spin_inertia" and "diametral_inertia" kg m^2.
 //
-// A test goes its own way: a curve is pressed once through its deflections, ascending; a single
-// deflection is reached in five even steps. So its recording does not depend on other tests. The
-// inflated tire and the last way are kept: a test that goes exactly there finds the same bits.
+// Every test has a path of its own: a curve is pressed once through its deflections, ascending; a
+// single deflection is reached in five even steps. So its recording does not depend on other tests.
+// The inflated tire and the last path are kept: a test with exactly that path gets the same bits.
 #pragma once
 
 #include <optional>
@@ -28,15 +28,15 @@ namespace latsch::experiment {
 
 class TireRig {
  public:
-  /// Refers to the tire. `own_pressure`, Pa: of tests that state none.
+  /// Keeps a reference to the tire. `own_pressure`, Pa, applies to tests that state none.
   TireRig(fe_tire::FeTire& tire, double own_pressure) : tire_(tire), own_pressure_(own_pressure) {}
 
   Result<Channels> run(const LoadDeflection& test);
   Result<Channels> run(const ModalTest& test);
   Result<Channels> run(const InflatedSizeTest& test);
   Result<Channels> run(const MassTest& test);
-  /// The same with slopes: of all channels but shapes, those of a patch and of what a modal test
-  /// stands at where they are `asked` for. Without friction and upright.
+  /// Measures with slopes: of all channels except shapes, those of a patch and the standing state
+  /// of a modal test only if they are requested in `asked`. Without friction and upright only.
   using Asked = std::vector<std::string>;
   Result<Channels> run(const LoadDeflection& test, fe_tire::TireSlopes& slopes, const Asked& asked);
   Result<Channels> run(const ModalTest& test, fe_tire::TireSlopes& slopes, const Asked& asked);
@@ -52,19 +52,19 @@ class TireRig {
     Result<std::vector<fe_tire::TireState>> states;  // at the deflections
   };
 
-  /// With slopes where there are any.
+  /// Measures with slopes if there are any.
   Result<Channels> measure(const InflatedSizeTest& test, fe_tire::TireSlopes* slopes);
   const Result<fe_tire::Inflated>& inflated(double pressure);
   const Result<std::vector<fe_tire::TireState>>& pressed(const std::vector<double>& way,
                                                          const fe_tire::Ground& ground);
   struct Vibrating {
-    std::optional<fe_tire::TireState> state;  // on the ground; none: in the air
+    std::optional<fe_tire::TireState> state;  // on the ground; none: not in contact
     std::vector<fe_tire::Mode> modes;
   };
   Result<Vibrating> vibrate(const ModalTest& test);
   Result<fe_tire::TireState> stand(const ModalTest& test, const fe_tire::Inflated& inflated);
   Channels channels_of(const ModalTest& test, const Vibrating& found);
-  struct StandSlopes;  // of the state of a modal test
+  struct StandSlopes;  // slopes of the standing state of a modal test
   Result<StandSlopes> slopes_of_stand(const ModalTest& test,
                                       const fe_tire::TireState& state,
                                       fe_tire::TireSlopes& slopes,
@@ -73,14 +73,14 @@ class TireRig {
   fe_tire::FeTire& tire_;
   double own_pressure_, pressure_ = 0.0;
   std::optional<Result<fe_tire::Inflated>> inflated_;  // at pressure_
-  std::optional<Pressed> pressed_;                     // from inflated_
+  std::optional<Pressed> pressed_;                     // pressed from the state inflated_
 };
 
-/// Points for shapes where no laboratory prescribes them: up to 3 sensors across the outer surface
-/// at up to 24 places around, [3 x points], m, wheel frame.
+/// Default points for shapes: up to 3 sensors across the outer surface at up to 24 places around,
+/// [3 x points], m, wheel frame.
 Eigen::Matrix3Xd default_points(const fe_tire::Mesh& mesh);
 
-/// The node (of the whole ring) of the sensor nearest to every point, and how far off it is, m.
+/// The node (of the whole ring) of the sensor nearest to every point, and its distance, m.
 struct NearestSensors {
   std::vector<int> nodes;
   double largest_distance = 0.0;

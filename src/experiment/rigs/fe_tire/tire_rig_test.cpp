@@ -17,7 +17,7 @@ using fe_tire::Ground;
 
 constexpr double kPressure = 2.6e5;
 
-/// Tire B on a mesh of a few hundred elements: coarse, but all its physics.
+/// Tire B on a mesh of a few hundred elements: coarse, but with all its physics.
 FeTire coarse_tire() {
   auto tire = fe_tire::reference_tire_b();
   tire.section.meridional = 14;
@@ -72,8 +72,9 @@ TEST(TireRig, ARadiusBeyondTheTireCarriesNothing) {
   EXPECT_EQ((*results)["patch_area"][0], 0.0);
 }
 
-// A recording is a function of the tire and the test, whatever else is recorded before it and
-// beside it: the same bits. The modes go exactly where the second curve goes, so that is reused.
+// A recording is a function of the tire and the test, to the last bit, whatever else is recorded
+// before it and beside it. The modal test has exactly the path of the second curve, which is
+// therefore reused.
 TEST(TireRig, ARecordingDoesNotDependOnOtherTests) {
   FeTire tire = coarse_tire();
   ModalTest standing = modal(6);
@@ -92,8 +93,8 @@ TEST(TireRig, ARecordingDoesNotDependOnOtherTests) {
   EXPECT_EQ(*rig.run(deep), *deep_alone);
 }
 
-// Without friction the equilibrium does not depend on the way to it: only the rounding of the
-// Newton iterations does, 1e-6 of the residual, a hundredfold of that in the result.
+// Without friction the equilibrium does not depend on the path: only the rounding of the Newton
+// iterations does, 1e-6 of the residual, a hundredfold of that in the result.
 TEST(TireRig, WithoutFrictionTheWayDoesNotMatter) {
   FeTire tire = coarse_tire();
   const auto short_way = run(tire, curve({0.010})),
@@ -103,8 +104,8 @@ TEST(TireRig, WithoutFrictionTheWayDoesNotMatter) {
   EXPECT_NEAR((*long_way)["force"][2], force, 1e-4 * force);
 }
 
-// What resuming after an interruption and any number of workers stand on: a trial leaves nothing
-// behind.
+// Resuming after an interruption and using any number of workers depend on this: a trial leaves
+// nothing behind.
 TEST(TireRig, ATrialDoesNotDependOnTheTrialsBeforeIt) {
   auto soft_description = fe_tire::reference_tire_b();
   soft_description.section.meridional = 14;
@@ -136,8 +137,8 @@ TEST(TireRig, PressesUntilTheTireCarriesTheLoad) {
   standing.load = 3000.0;
   const auto results = run(tire, standing);
   ASSERT_TRUE(results) << results.failure().reason;
-  // The loading ends where it says 3000 N: whether that is so, a curve to the same deflection in
-  // other steps tells. Without friction the way does not matter; the solver's tolerance does.
+  // The loading ends at 3000 N by its own account; a curve to the same deflection in other steps
+  // checks it. Without friction the path does not matter; the solver's tolerance does.
   const double deflection = (*results)["deflection"][0];
   const auto pressed = run(tire, curve({0.3 * deflection, deflection}));
   ASSERT_TRUE(pressed);

@@ -18,9 +18,9 @@ using numerics::DistinctLevels;
 using numerics::LevelResolution;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr std::size_t kShown = 8;  // levels that are named
+constexpr std::size_t kShown = 8;  // levels named in a message
 
-/// What a rig holds apart: shares of the condition's size, angles for camber.
+/// Resolution of a rig: as shares of the condition's size, for camber as angles.
 struct Resolution {
   double kernel, swept;
 };
@@ -86,7 +86,7 @@ magic_formula::LevelsOfCondition levels_of(Condition condition, std::vector<doub
   const bool is_angle = condition == Condition::camber;
   if (values.empty() || (!is_angle && !(size > 0.0))) return found;
   if (!is_angle)
-    for (double& x : values) x = std::abs(x);  // a load or speed of another convention
+    for (double& x : values) x = std::abs(x);  // other axes may reverse the sign
   const LevelResolution resolution = resolution_of(condition, size);
   const DistinctLevels levels = distinct_levels(values, resolution);
   found.count = levels.count();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The levels of load, camber, pressure and speed that states of a rolling tire have
-// (numerics/signals/distinct_levels.h), for the coefficients of the Magic Formula that they tell.
+// Finds the levels of load, camber, pressure and speed among states of a rolling tire
+// (numerics/signals/distinct_levels.h); they decide which coefficients of the Magic Formula are
+// identifiable.
 #pragma once
 
 #include <functional>
@@ -11,11 +12,12 @@
 
 namespace latsch {
 
-/// `values_of` gives the values of a channel (Fz, gamma, p, Vx) in SI, none where there is none.
+/// `values_of` returns the values of a channel (Fz, gamma, p, Vx) in SI, or none if it does not
+/// exist.
 magic_formula::ConditionLevels condition_levels(
     const std::function<std::vector<double>(const std::string&)>& values_of);
 
-/// Why these values cannot tell a coefficient, one each: magic_formula::reason_against().
+/// Says for each coefficient why these values cannot determine it: magic_formula::reason_against().
 std::vector<std::string> reasons_against(
     const std::vector<std::string>& coefficients,
     const std::function<std::vector<double>(const std::string&)>& values_of);

@@ -12,19 +12,19 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kWheelInertia = 1.0;  // kg m^2, of the wheel that looks for its free rolling speed
-constexpr double kFollow = 20e-3;      // s, in which the axle follows the load
+constexpr double kWheelInertia = 1.0;      // kg m^2, of the wheel that finds its free rolling speed
+constexpr double kFollow = 20e-3;          // s, time constant with which the axle follows the load
 constexpr double kLeastDeflection = 1e-3;  // m
 
-/// Yawed against the belt: with the heading turned right by α the belt carries the wheel to the
-/// left of where it looks.
+/// Carrier yawed relative to the belt: with the heading turned right by α the belt moves the wheel
+/// to the left of its heading.
 Eigen::Matrix3d carrier_at(double alpha, double camber) {
   return (Eigen::AngleAxisd(-alpha, Eigen::Vector3d::UnitZ()) *
           Eigen::AngleAxisd(camber, Eigen::Vector3d::UnitX()))
       .toRotationMatrix();
 }
 
-/// A number from 0 to 1 over `count` steps, behind `first` of them.
+/// Returns a number that rises from 0 to 1 over `count` steps after the first `first` steps.
 double ramp(double step, double first, double count) {
   return std::clamp((step - first) / count, 0.0, 1.0);
 }
@@ -71,7 +71,7 @@ class Track {
   }
 
  private:
-  /// As the standing tire carries it.
+  /// The resistance follows from the deflection of the standing tire under the load.
   FreeRate axle(const HubForces& hub) const {
     const double c = resistance_, load = sweep_.load;
     return {.place = motion_.center.z(),
@@ -111,7 +111,7 @@ class Track {
 
   Tire& tire_;
   const SlipSweep& sweep_;
-  long free_, entry_, swept_;  // steps: free rolling, to the first slip, of the sweep
+  long free_, entry_, swept_;  // steps: of free rolling, to the first slip, of the sweep
   road::PlaneRoad belt_;
   double resistance_ = 0.0;  // N s/m
   WheelMotion motion_;

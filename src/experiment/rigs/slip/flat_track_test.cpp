@@ -21,7 +21,7 @@ ring_tire::RingTire tire_on_track() {
 }
 
 // The wheel slides to its left (α > 0): the road pushes it to the right, with a trail that turns it
-// into its velocity; the force ends at friction times load.
+// into its velocity; the greatest force is friction times load.
 TEST(SlipSweep, SideForceGrowsWithTheAngleAndEndsAtFriction) {
   ring_tire::RingTire tire = tire_on_track();
   const auto channels = run(tire, SlipSweep{.alpha_to = 0.25, .duration = 0.6});
@@ -34,7 +34,7 @@ TEST(SlipSweep, SideForceGrowsWithTheAngleAndEndsAtFriction) {
     while (alpha[i] < angle) ++i;
     return i;
   };
-  EXPECT_LT(Fy[at(0.06)], -500.0);  // behind the sweep by the relaxation length
+  EXPECT_LT(Fy[at(0.06)], -500.0);  // lags the sweep by the relaxation length
   EXPECT_LT(Fy[at(0.12)], Fy[at(0.06)]);
   const std::size_t last = alpha.size() - 1;
   EXPECT_GT(-Fy[last] / Fz[last], 0.8);
@@ -53,7 +53,7 @@ TEST(SlipSweep, BrakingForceEndsAtFriction) {
   EXPECT_GT(Fx.back() / Fz.back(), -1.4);
 }
 
-// The axle has nothing to push against but a few blocks that just touch.
+// Only a few blocks, which just touch, support the axle.
 TEST(SlipSweep, TheAxleFollowsALoadOfOneNewton) {
   ring_tire::RingTire tire = tire_on_track();
   const SlipSweep sweep{.load = 1.0, .alpha_to = 0.02, .duration = 0.5};

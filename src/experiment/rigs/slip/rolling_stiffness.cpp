@@ -11,7 +11,8 @@ namespace latsch::experiment {
 namespace {
 
 constexpr double kFree = 2.0,
-                 kSettled = 2.0;  // m: rolled freely, and with the slip before it counts
+                 kSettled = 2.0;  // m; distance rolled freely and then with the slip before the
+                                  // force is averaged
 
 struct Steady {
   double Fx, Fy, Mz;  // W, means over a turn of the wheel
@@ -34,7 +35,7 @@ Result<Steady> steady(Tire& tire, const RollingStiffnessTest& test, SlipSweep sw
   return Steady{mean("Fx"), mean("Fy"), mean("Mz")};
 }
 
-/// With the value and with its opposite: half the difference.
+/// Half the difference between the value and its opposite.
 template <class Sweep>
 Result<Steady> odd_part(Tire& tire, const RollingStiffnessTest& test, const Sweep& at) {
   const auto plus = steady(tire, test, at(1.0));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a little slip, slip angle or camber does to a tire that rolls: the slopes at free rolling by
-// which tires are known. Of any tire.
+// Characteristic slopes of a rolling tire: its response to a small slip, slip angle or camber at
+// free rolling. For any tire.
 //
 // On the flat track (flat_track.h), its axle following the load, the wheel rolls with the value and
 // with its opposite until both are steady; forces are means over a turn of the wheel:
@@ -11,7 +11,7 @@
 //   camber stiffness      C_γ = -(Fy(γ) - Fy(-γ))/2γ, above 0: toward the side it leans to
 //
 //   kind = "rolling_stiffness"
-//   load = "4 kN"                    # of load and speed also {from = "measurement.rolling"}: the
+//   load = "4 kN"                    # load and speed may be {from = "measurement.rolling"}: the
 //                                    # means of its Fz and Vx
 //   pressure = "2.6 bar"             # the tire's own unless given (rigs/inflation.h)
 //   measures = ["slip", "cornering", "camber"]   # default: all. Channels "slip_stiffness" (N),
@@ -23,7 +23,8 @@
 //   camber = "1 deg"
 //   step = "0.5 ms"                  # less from 144 km/h on: 20 mm of road
 //
-// Forces in W (NOTATION.md). Each difference also holds what friction takes off C at that slip.
+// Forces are in W (NOTATION.md). Each difference includes the reduction of C by friction at that
+// slip.
 #pragma once
 
 #include "base/result.h"
@@ -39,17 +40,17 @@ struct RollingStiffnessTest {
   double angle = 0.25 * 0.0174532925199;  // rad, α
   double camber = 1.0 * 0.0174532925199;  // rad, γ
   double step = 5e-4;                     // s
-  Inflation pressure = {};                // of the tire that is given to it
+  Inflation pressure = {};                // pressure of the tire; the tire's own if not given
 };
 
 struct Cornering {
   double stiffness, trail;  // N/rad, m
 };
 
-/// N.
+/// Result in N.
 Result<double> slip_stiffness(Tire& tire, const RollingStiffnessTest& test);
 Result<Cornering> cornering(Tire& tire, const RollingStiffnessTest& test);
-/// N/rad.
+/// Result in N/rad.
 Result<double> camber_stiffness(Tire& tire, const RollingStiffnessTest& test);
 
 }  // namespace latsch::experiment

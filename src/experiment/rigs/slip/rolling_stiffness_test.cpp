@@ -44,9 +44,9 @@ TEST(RollingStiffness, OfAMagicFormulaIsThatOfItsCoefficients) {
   EXPECT_NEAR(*leaning, 0.8 * 4000.0, 1e-4 * 3200.0);
 }
 
-// A stiff carcass on a tread that sticks is the brush model [Pacejka 2012, 3.2.1]: the same slope
-// along and across, and a trail of a third of half the patch's length, which is that of its longest
-// line.
+// A stiff carcass on a tread that sticks is the brush model [Pacejka 2012, 3.2.1]: the slope is the
+// same along and across, and the trail is a third of half the patch's length, the length of its
+// longest line.
 TEST(RollingStiffness, OfAStiffRingIsThatOfABrush) {
   auto ring =
       ring_tire::read_ring_tire(Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) /
@@ -56,7 +56,7 @@ TEST(RollingStiffness, OfAStiffRingIsThatOfABrush) {
   ring.sidewall.torsion = 1e5;
   ring.belt.bending_out_of_plane = 1e4;
   ring.tread.shear_ratio = 0.01;
-  ring.tread.damping_time = 0.0;  // dampers let go of the road before the patch ends
+  ring.tread.damping_time = 0.0;  // dampers would release the road before the patch ends
   ring_tire::RingTire tire(ring);
   const RollingStiffnessTest test{.load = 4000.0, .step = 1e-4};
   const auto slip = slip_stiffness(tire, test);

@@ -15,7 +15,7 @@ using magic_formula::MagicFormula;
 using magic_formula::State;
 using magic_formula::SteadyState;
 
-/// A slip at the samples, and its slopes: (sample, parameter).
+/// A slip at the samples, and its slopes by (sample, parameter).
 struct Lagged {
   std::vector<double> x;
   Eigen::MatrixXd slopes;
@@ -27,9 +27,9 @@ struct Length {
   Eigen::MatrixXd slopes;
 };
 
-/// The steps of time that are none: slips begin anew at their ends.
+/// Steps of time that are gaps: after each, slips start anew.
 std::vector<bool> gaps_of(const std::vector<double>& times) {
-  constexpr double kMost = 3.0;  // usual steps
+  constexpr double kMost = 3.0;  // in units of the median step
   std::vector<double> steps;
   for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
   if (steps.empty()) return {true};
@@ -41,7 +41,7 @@ std::vector<bool> gaps_of(const std::vector<double>& times) {
   return gaps;
 }
 
-/// dx/ds + x = u over the way s from 0 to a, u linear from u0 to u1.
+/// Solves dx/ds + x = u over the distance s from 0 to a, u linear from u0 to u1.
 struct LagStep {
   double end, by_a;  // x(a), its slope in a
 };
@@ -102,7 +102,8 @@ Channels lagging_answers(const MagicFormula& tire,
   }
   Channels found = answers(tire, lagging);
   if (!parameters.empty()) {
-    std::vector<std::string> variables = parameters;  // and the slips, which change with them
+    std::vector<std::string> variables = parameters;  // and the slips, which change with the
+                                                      // parameters
     variables.insert(variables.end(), {"kappa", "alpha"});
     const auto n = static_cast<Eigen::Index>(parameters.size());
     const Eigen::VectorXd tangent = Eigen::VectorXd::Map(y.x.data(), std::ssize(y.x));

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slips that change while the tire rolls, answered by the steady-state formula with slips that lag:
+// Response of the steady-state formula to slips that change while the tire rolls, by lagged slips:
 //
 //   sigma_x dx/dt + |Vx| x = |Vx| kappa         Fx, Fy, ... = Magic Formula(Fz, x, atan y, ...)
 //   sigma_y dy/dt + |Vx| y = |Vx| tan alpha     [Pacejka 2012, ch. 7, single contact point]
 //
 // with the relaxation lengths sigma of the formula at the load, as the rolling tire has them for
-// USE_MODE 10 (magic_formula_tire.h). Between two samples slip goes linearly, and speed and sigma
-// are their means: exact where these stand, of order 2 else. A step of time other than the usual
-// one (more than three of it, or backward) is a gap, behind which slips begin settled. A sigma of 0
-// is no lag. Loads are those of the table: how they come about does not matter.
+// USE_MODE 10 (magic_formula_tire.h). Between two samples slip is linear, and speed and sigma are
+// the means of both: exact if speed and sigma are constant, otherwise of order 2. A step of time
+// other than the usual one (more than three times as long, or backward) is a gap, after which slips
+// start settled. A sigma of 0 means no lag. Loads are those of the table, whatever their cause.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@
 
 namespace latsch {
 
-/// The answers of slip_states.h, sample by sample, with the lagged slips as "kappa" and "alpha"
-/// (rad); slopes of `channels` in `parameters`, where any are asked for.
+/// Returns the channels of slip_states.h, sample by sample, with the lagged slips as "kappa" and
+/// "alpha" (rad); slopes of `channels` in `parameters`, if any are requested.
 Channels lagging_answers(const magic_formula::MagicFormula& tire,
                          const std::vector<magic_formula::State>& states,
                          const std::vector<double>& times,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lag against the closed forms of a first-order delay.
+// The lag is compared with the closed forms of a first-order delay.
 #include "experiment/rigs/slip/slip_lag.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ struct History {
   std::vector<double> times;
 };
 
-/// Slip ratio by `kappa` and slip angle by `tangent` of the time, at one load and speed.
+/// Slip ratio `kappa` and slip angle `tangent` as functions of time, at constant load and speed.
 template <class Kappa, class Tangent>
 History history(int count, Kappa kappa, Tangent tangent) {
   History all;
@@ -70,7 +70,7 @@ TEST(SlipLag, ARampIsFollowedBehindByARelaxationLength) {
   }
 }
 
-// Behind a jump of time a tire has rolled far: as one that begins there.
+// During a gap in time a tire has rolled far, so it behaves like a tire that starts there.
 TEST(SlipLag, AGapBeginsAnew) {
   const MagicFormula formula(lagging_tire());
   const auto slip = [](double t) { return 0.05 * std::sin(20.0 * t); };

@@ -26,7 +26,7 @@ struct StateColumn {
   const char* name;
   const char* unit;
   double State::*member;
-  const char* otherwise;  // where it is not there
+  const char* otherwise;  // value if the column is missing, in words
 };
 constexpr std::array<StateColumn, 7> kStateColumns = {
     {{"Fz", "N", &State::Fz, ""},
@@ -64,7 +64,7 @@ bool same_name(const std::string& a, const std::string& b) {
   });
 }
 
-/// A column and the state it is; nullptr: none.
+/// A column and the state it contains; nullptr: none.
 struct Meant {
   std::string column;
   const StateColumn* state = nullptr;
@@ -98,8 +98,8 @@ const StateColumn* state_of(const formats::CsvTable& table, const std::string& c
   return nullptr;
 }
 
-/// Every column in the order of the table. Throws InputError where two are one state, Fz is missing
-/// or one looks like a state that is missing.
+/// Returns every column in the order of the table. Throws InputError if two columns are the same
+/// state, Fz is missing, or a column looks like a missing state.
 std::vector<Meant> meant_by(const formats::CsvTable& table) {
   std::vector<Meant> all;
   for (const std::string& column : table.columns()) {
@@ -218,7 +218,7 @@ Ledger ledger_of_states(const formats::CsvTable& table, const std::string& by) {
              may_be.size() == 1 ? "it" : "one of them"),
          table.header_place()});
   }
-  constexpr int kMostChecked = 1'000'000;  // rows: checks hold them all in memory
+  constexpr int kMostChecked = 1'000'000;  // rows; the checks hold all of them in memory
   if (table.rows() > kMostChecked) {
     ledger.doubts.push_back(
         {"",

@@ -53,7 +53,7 @@ TEST(SlipStates, WrongTablesAreNamed) {
   EXPECT_NE(complaint("Fz\nnan\n"), "");
 }
 
-// A slip angle under any name is a slip angle; under none it is said that it is 0.
+// A slip angle is recognized under any name; if there is none, the ledger says that it is 0.
 TEST(SlipStates, KnowTheSpellingsOfAState) {
   for (const char* header : {"FZ [N],SA [deg]",
                              "Radlast [N],Schräglaufwinkel [deg]",

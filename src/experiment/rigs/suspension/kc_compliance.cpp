@@ -13,7 +13,7 @@ constexpr std::array<const char*, 6> kResponses = {
     "dx", "dy", "dz", "about_x", "about_y", "about_z"};
 
 const char* compliance_unit(std::size_t response, std::size_t load) {
-  if (response < 3) return load < 3 ? "m/N" : "1/N";  // m/(N m)
+  if (response < 3) return load < 3 ? "m/N" : "1/N";  // m/(N m) = 1/N
   return load < 3 ? "rad/N" : "rad/(N m)";
 }
 

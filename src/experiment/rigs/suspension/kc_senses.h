@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way what a K&C rig records is positive, by its name: "dy", "toe_R", "Fz", "pad_L",
+// Positive directions of the channels of a K&C rig by their names: "dy", "toe_R", "Fz", "pad_L",
 // "about_z_L_by_Fy_R", "lateral_force_toe_in_phase". Travel, toe, camber, caster and extensions
 // have the same sign in all conventions.
 #pragma once

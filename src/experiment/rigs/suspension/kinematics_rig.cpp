@@ -16,7 +16,8 @@ using suspension::Side;
 using Group = KinematicOutput::Group;
 using State = KinematicState;
 
-// At straight ahead (5) of axle_kinematics.h is 0 / 0; what it tends to is told near it.
+// Straight ahead, (5) of axle_kinematics.h is 0 / 0. Below the first angle it is evaluated at the
+// second one, whose result is close to the limit.
 constexpr double kStraightAhead = 1e-3, kNearStraightAhead = 1e-2;  // rad
 
 bool is_recorded(const KinematicsTest& test, const KinematicOutput& output) {
@@ -79,7 +80,7 @@ double other_travel(const KinematicsTest& test, double travel) {
   return 0.0;
 }
 
-/// The axle on its way through the states of a test.
+/// Moves the axle through the states of a test.
 class AxleOnRig {
  public:
   AxleOnRig(const suspension::CornerGeometry& corner, const KinematicsTest& test)
@@ -117,7 +118,7 @@ class AxleOnRig {
         is_left_ ? s.travel : s.other_travel, is_left_ ? s.other_travel : s.travel, rack);
   }
 
-  /// Angles from where the rack is in the middle.
+  /// Steering angles are relative to the middle position of the rack.
   std::optional<Failure> steer(const Wheels& wheels, State& s) {
     const auto middle = move(straight_, s, 0.0);
     if (!middle) return middle.failure();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rig for rigid kinematics: the chassis is held, both wheels of the axle are moved up and down
-// together, against each other or one alone, and the rack to the sides. The other wheel is the
-// mirror image of the one in the file. Equations and signs: models/suspension/kinematic_outputs.h
-// and axle_kinematics.h.
+// together, in opposite directions or one alone, and the rack is moved to the sides. The other
+// wheel is the mirror image of the one in the file. Equations and signs:
+// models/suspension/kinematic_outputs.h and axle_kinematics.h.
 #pragma once
 
 #include <functional>
@@ -21,12 +21,13 @@ struct KinematicsTest {
 
   Mode mode = Mode::parallel;
   suspension::TravelOf at = suspension::TravelOf::contact;
-  std::vector<double> travel, rack;  // m; as many of each
+  std::vector<double> travel, rack;  // m; equally many of each
   bool with_rates = false, with_anti_roll_bar = false;
-  double outer_share = 0.5;                        // of the lateral force, force-based roll center
-  std::optional<suspension::VehicleData> vehicle;  // anti-dive ...
-  std::optional<double> wheelbase;                 // m; Ackermann
-  std::optional<double> rack_per_turn;             // m of a turn of the steering wheel
+  double outer_share = 0.5;                        // share of the lateral force on the outer wheel,
+                                                   // for the force-based roll center
+  std::optional<suspension::VehicleData> vehicle;  // for anti-dive ...
+  std::optional<double> wheelbase;                 // m; for Ackermann
+  std::optional<double> rack_per_turn;             // m per turn of the steering wheel
 };
 
 /// The axle in one state of the test; `own` is the wheel of the file.
@@ -34,7 +35,7 @@ struct KinematicState {
   double travel, other_travel, rack;
   suspension::WheelKinematics own, other;
   suspension::AxleKinematics axle;
-  double steer_inner, steer_outer, ackermann;  // where the test has a wheelbase
+  double steer_inner, steer_outer, ackermann;  // if the test has a wheelbase
 };
 
 struct KinematicChannel {
@@ -42,7 +43,7 @@ struct KinematicChannel {
   std::function<double(const KinematicState&)> value;
   suspension::Sense of = suspension::Sense::same, by = suspension::Sense::same;  // sign_views.h
 };
-/// What a test records, in this order.
+/// Returns the recorded channels of a test, in this order.
 std::vector<KinematicChannel> kinematic_channels(const KinematicsTest& test);
 
 Result<Channels> run(const suspension::CornerGeometry& corner, const KinematicsTest& test);

@@ -18,18 +18,19 @@ using Eigen::Vector3d;
 using report::Scene;
 
 constexpr int kMostAround = 40;         // points of a tire's ring
-constexpr double kWidthOfRadius = 0.6;  // of a tire whose width nobody tells
+constexpr double kWidthOfRadius = 0.6;  // share of the radius; assumed if the tire's width is
+                                        // unknown
 constexpr double kPost = 0.36;          // m, side of a post's plate
 constexpr double kBefore = 1.2;         // m of road behind the rear axle and before the front one
 constexpr double kBeside = 0.5;         // m of road beside the wheels
 
-/// Every so manieth point of a line that closes.
+/// Returns every k-th point of a closed line.
 Matrix3Xd thinned(const Matrix3Xd& line) {
   const Eigen::Index every = (line.cols() + kMostAround - 1) / kMostAround;
   return line(Eigen::all, Eigen::seq(0, line.cols() - 1, every));
 }
 
-/// Of a tire that knows no belt: its circle, flattened to where the road is.
+/// Returns the circle of a tire without a belt, flattened at the road.
 Matrix3Xd circle(const WheelMotion& wheel, double radius) {
   Matrix3Xd points(3, kMostAround);
   for (int k = 0; k < kMostAround; ++k) {
@@ -55,7 +56,7 @@ void begin_part(Scene::Mesh& mesh, std::string name) {
   mesh.parts.push_back({std::move(name), static_cast<std::uint32_t>(mesh.triangles.size() / 3), 0});
 }
 
-/// Where the links of an axle hang on the chassis.
+/// Region in which the links of an axle are attached to the chassis.
 struct Span {
   double x0 = std::numeric_limits<double>::infinity(), x1 = -x0, z0 = x0, z1 = -x0, y = 0.0;
 };
@@ -251,7 +252,7 @@ void CarFilm::add_to(Scene& scene,
   const auto most = static_cast<std::size_t>(most_steps);
   Scene::Sequence film{.name = name, .along = "time", .unit = "s"};
   if (steps_.size() > most) {
-    // Where the loads change most within so many steps.
+    // Finds the interval of that many steps in which the loads change most.
     std::vector<double> sum = {0.0};
     for (std::size_t k = 1; k < steps_.size(); ++k)
       sum.push_back(sum.back() + (steps_[k].vectors - steps_[k - 1].vectors).squaredNorm());

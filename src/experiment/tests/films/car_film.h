@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car's run in space: chassis, links, springs, tires as they stand, the loads on its wheels, and
-// the road or the posts below it.
+// A car's run in space: chassis, links, springs, deformed tires, the loads on its wheels, and the
+// road or the posts below it.
 //
-// It is seen every kInterval, or at the test's samples where these are fewer, which shows waves of
-// up to some 50 Hz. A run that has more of them than a page takes is shown where its wheel loads
-// move most. Points are told from a place that goes along x with the chassis. The chassis is a
-// sketch between the points its links hang on; it moves as the computed one.
+// Pictures are taken every kInterval, or at the test's samples if these are fewer, which shows
+// waves of up to some 50 Hz. A run with more pictures than a page can hold is shown where its wheel
+// loads vary most. Points are relative to a position that moves along x with the chassis. The
+// chassis is a sketch between the attachment points of its links; it moves as computed.
 #pragma once
 
 #include <array>
@@ -21,15 +21,15 @@ namespace latsch::experiment {
 class CarFilm {
  public:
   static constexpr double kInterval = 4e-3;  // s
-  static constexpr double kLead = 0.03;      // s: what is shown of a run before time 0
+  static constexpr double kLead = 0.03;      // s, shown before time 0
 
   enum class On { road, posts };
   explicit CarFilm(On on) : on_(on) {}
 
-  /// Has to be outlived by this, and this by the car.
+  /// This object has to outlive the watcher, and the car has to outlive this object.
   CarWatcher watcher();
-  /// Meshes and a sequence of that name, of at most so many steps; with the road of the run, where
-  /// it stands still.
+  /// Adds meshes and a sequence of that name with at most that many steps, and the road of the run
+  /// if it does not move.
   void add_to(report::Scene& scene,
               const std::string& name,
               int most_steps,
@@ -37,8 +37,8 @@ class CarFilm {
 
  private:
   struct Ring {
-    std::uint32_t first;   // point of the mesh, two for each around
-    int points;            // around
+    std::uint32_t first;   // index in the mesh; two points for each position around
+    int points;            // number around
     double width, radius;  // m, free
   };
   void see(const car::Car& car, const car::CarState& state, const road::Road& road, double time);
@@ -58,8 +58,9 @@ class CarFilm {
   report::Scene::Mesh mesh_;
   std::vector<report::Scene::Arrow> arrows_;
   std::array<Ring, car::kCorners> rings_{};
-  std::uint32_t contacts_ = 0, posts_ = 0;  // points of the mesh: of each wheel one, four
-  double rear_ = 0.0, front_ = 0.0;         // m, of the road that is shown
+  std::uint32_t contacts_ = 0, posts_ = 0;  // first points in the mesh: one for each wheel, four
+                                            // for each post
+  double rear_ = 0.0, front_ = 0.0;         // m, ends of the road that is shown
   double side_ = 0.0;                       // m, from the car's middle
   double y_ = 0.0;                          // m, of that
   std::vector<report::Scene::Step> steps_;

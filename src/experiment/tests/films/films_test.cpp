@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a page shows of a test is what the test computes: forces balance the loads, a linkage that
-// can be worked out by hand has its forces, wheel loads of a run are its channels.
+// A page shows what the test computes: forces balance the loads, a linkage that can be computed by
+// hand has its forces, wheel loads of a run equal its channels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,8 +25,8 @@ using suspension::DoubleWishbone;
 
 const std::filesystem::path kFilmedStudies = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies";
 
-/// Wishbones that lie level at z = 0.4 and 0.2, a push-rod upright on the upper one, a track-rod
-/// level in the middle; hardly anything gives and joints do not resist turning.
+/// Wishbones level at z = 0.4 and 0.2, a push-rod upright on the upper one, a track-rod level in
+/// the middle; the parts are nearly rigid and joints do not resist rotation.
 DoubleWishbone level_corner() {
   DoubleWishbone corner;
   corner.points = {{{0.15, 0.3, 0.4},
@@ -81,18 +81,18 @@ KcTest loaded(const std::vector<multibody::Vector6d>& loads) {
   return test;
 }
 
-// Balance of the upright under Fy and Fz at the contact point: lower ball joint without Fz, as its
-// wishbone turns freely, moments about it
-//   -0.2 U_y + 0.1 F_z + 0.2 F_y = 0,  U_y + L_y + F_y = 0,  U_z + F_z = 0,  T_y = 0
-// and of the upper wishbone about its axis 0.3 F_z + 0.25 P = 0. Compliance moves points by 1e-5
-// of the lengths.
+// Equilibrium of the upright under Fy and Fz at the contact point: the lower ball joint has no Fz,
+// because its wishbone rotates freely; moments about it
+//    -0.2 U_y + 0.1 F_z + 0.2 F_y = 0,  U_y + L_y + F_y = 0,  U_z + F_z = 0,  T_y = 0
+// and of the upper wishbone about its axis 0.3 F_z + 0.25 P = 0. Compliance moves points by 1e-5 of
+// the lengths.
 TEST(RigFilm, ForcesOfALevelLinkageAreThoseWorkedOutByHand) {
   multibody::Vector6d load;
   load << 0.0, 1000.0, 2000.0, 0.0, 0.0, 0.0;
   const Filmed film = filmed(level_corner(), loaded({load}));
   ASSERT_EQ(film.sequence().steps.size(), 1u);
   constexpr double kNear = 0.2;  // N
-  // On the wishbones: against what they do to the upright.
+  // Forces on the wishbones are opposite to those on the upright.
   EXPECT_LT((film.force(0, "ubj") + Vector3d(0.0, 2000.0, -2000.0)).norm(), kNear);
   EXPECT_LT((film.force(0, "lbj") + Vector3d(0.0, -3000.0, 0.0)).norm(), kNear);
   EXPECT_LT(film.force(0, "trackrod_outer").norm(), kNear);
@@ -100,14 +100,14 @@ TEST(RigFilm, ForcesOfALevelLinkageAreThoseWorkedOutByHand) {
   EXPECT_NEAR(film.tension(0, "lbj"), 3000.0, kNear);
   EXPECT_NEAR(film.tension(0, "pushrod_inner"), -2400.0, kNear);
   EXPECT_NEAR(film.tension(0, "pushrod_outer"), -2400.0, kNear);
-  // Of the lower wishbone's 3000 N each leg has half, along it 0.3 of the leg's length.
+  // Each leg has half of the lower wishbone's 3000 N, over the direction cosine of the leg.
   const double along = 1500.0 * 0.3 / std::hypot(0.3, 0.15);
   EXPECT_NEAR(film.tension(0, "lca_front"), along, kNear);
   EXPECT_NEAR(film.tension(0, "lca_rear"), along, kNear);
   EXPECT_EQ(film.force(0, "load on the wheel"), load.head<3>());
 }
 
-// Where the loads have moved it, and with what bushings add as moments.
+// Equilibrium is checked in the displaced position, including the moments of the bushings.
 TEST(RigFilm, JointsOfTheUprightBalanceItsLoad) {
   multibody::Vector6d first, second;
   first << -3000.0, 1500.0, 4000.0, 20.0, -10.0, 80.0;
@@ -146,11 +146,11 @@ TEST(RigFilm, JointsOfTheUprightBalanceItsLoad) {
     const Vector3d left = seen.force(k, "ubj") + seen.force(k, "lbj") +
                           seen.force(k, "trackrod_outer") -
                           test.loads.col(static_cast<Eigen::Index>(k)).head<3>();
-    EXPECT_LT(left.norm(), 1e-4) << k;  // N, of what equilibrium leaves in sums of 1e4 N
+    EXPECT_LT(left.norm(), 1e-4) << k;  // N, remainder of the equilibrium in sums of 1e4 N
     EXPECT_LT(moments[k], 1e-4) << k;
     EXPECT_EQ(seen.sequence().steps[k].at, test.loads(2, static_cast<Eigen::Index>(k)));
   }
-  // The contact point has moved as the channels say.
+  // The contact point has moved according to the channels.
   const auto at = seen.sequence().arrows[seen.arrow("load on the wheel")].point;
   for (std::size_t k = 0; k < 2; ++k) {
     const Vector3d moved =
@@ -197,8 +197,7 @@ Scene scene_of_test(const std::string& car, const std::string& keys, int most_st
   return scene;
 }
 
-// Links, rocker and springs of both sides weigh nothing on the rig: what the chassis bears is the
-// loads.
+// Links, rocker and springs of both sides have no weight on the rig: the chassis carries the loads.
 TEST(RigFilm, TheChassisBearsTheLoadsOfAnAxle) {
   Filmed film{scene_of_test("kerb/baseline.toml",
                             "kind = \"axle_kc\"\naxle = \"rear\"\nFz = \"1.5 kN\"\n"
@@ -217,7 +216,7 @@ TEST(RigFilm, TheChassisBearsTheLoadsOfAnAxle) {
     const bool is_strut = arrow.name.find("spring") != std::string::npos ||
                           arrow.name.find("bar") != std::string::npos ||
                           arrow.name.find("heave") != std::string::npos;
-    if (is_strut)  // told on the strut, which does the reverse to its rocker
+    if (is_strut)  // recorded on the strut, which acts oppositely on its rocker
       sum -= film.sequence().steps[0].vectors.col(static_cast<Eigen::Index>(k));
     else if (arrow.is_load && arrow.unit == "N")
       sum += film.sequence().steps[0].vectors.col(static_cast<Eigen::Index>(k));
@@ -238,7 +237,7 @@ TEST(CarFilm, ShowsTheLoadsAndTheWayOfItsChannels) {
   const auto channels = test->run(*specimen);
   ASSERT_TRUE(channels);
   const Filmed film{scene_of_test("kerb/baseline.toml", keys, 20)};
-  ASSERT_EQ(film.sequence().steps.size(), 20u);  // of 33, where the loads move most
+  ASSERT_EQ(film.sequence().steps.size(), 20u);  // 20 of 33, in which the loads vary most
   const std::vector<double> times = (*channels)["time"];
   for (const Scene::Step& step : film.sequence().steps) {
     const auto sample = static_cast<std::size_t>(
@@ -252,7 +251,7 @@ TEST(CarFilm, ShowsTheLoadsAndTheWayOfItsChannels) {
     EXPECT_EQ(step.points.cols(), film.scene.meshes.back().points.cols());
     EXPECT_EQ(std::ssize(step.field), step.points.cols());
   }
-  // The road is below it, with the kerb's crests.
+  // The road is drawn below the car, with the kerb's crests.
   ASSERT_EQ(film.scene.meshes.size(), 2u);
   EXPECT_EQ(film.sequence().ground, film.scene.meshes[0].name);
   EXPECT_NEAR(film.scene.meshes[0].points.row(2).maxCoeff(), 0.025, 3e-4);
@@ -294,7 +293,7 @@ TEST(RoadSurface, HasTheLinesItTakes) {
   EXPECT_LT(mesh.points.cols(), 1000);
   for (Eigen::Index k = 0; k < mesh.points.cols(); ++k)
     EXPECT_EQ(mesh.points(2, k), road.height(mesh.points(0, k), mesh.points(1, k), 0.0));
-  // Lines along x: a chord of so many misses the sine by no more than the rule allows.
+  // Lines along x: the sine deviates from each chord by no more than the rule allows.
   EXPECT_NEAR(mesh.points.row(2).maxCoeff(), 0.025, 3e-4);
 }
 

@@ -58,7 +58,8 @@ std::map<int, int> LinkageDrawing::ways_to_frame() const {
 
 void LinkageDrawing::sort_joints() {
   const std::map<int, int> ways = ways_to_frame();
-  // Links of these wheels: what is joined to their uprights, and to that, but by the frame.
+  // Links of these wheels: bodies joined to their uprights, directly or through other links, but
+  // not through the frame.
   std::set<int> seen;
   for (const DrawnWheel& wheel : wheels_) seen.insert(wheel.upright);
   for (std::size_t before = 0; before != seen.size();) {
@@ -127,7 +128,7 @@ void LinkageDrawing::add_rod(const std::string& name, std::uint32_t from, std::u
 
 void LinkageDrawing::add_circle(const DrawnWheel& wheel) {
   constexpr int kPoints = 36;
-  // The wheel turns about the upright's y, as camber and toe are told.
+  // The wheel rotates about the upright's y axis, according to camber and toe.
   const Vector3d down = wheel.contact - wheel.center;
   const double radius = Vector3d(down.x(), 0.0, down.z()).norm();
   const auto first = static_cast<std::uint32_t>(points_.size());
@@ -165,7 +166,7 @@ void LinkageDrawing::add_link(int body) {
   if (inner.empty()) return;
   const Vector3d from = middle(inner), to = outward.empty() ? from : middle(outward);
   for (const int j : inner) {
-    // A rocker turns what it is pushed by: nothing of it is a tension.
+    // The force that pushes a rocker turns it, so it is no tension in the rocker.
     const Force force{
         .joint = j, .is_axial = !outer.empty(), .from = on(body, at_joint(j)), .to = on(body, to)};
     const int number = static_cast<int>(forces_.size());
@@ -256,7 +257,7 @@ report::Scene::Step LinkageDrawing::step(double at,
         (where(force.to, motion.poses) - where(force.from, motion.poses)).normalized();
     auto vector = step.vectors.col(static_cast<Eigen::Index>(f));
     if (force.joint >= 0) {
-      const double side = force.is_outer ? -1.0 : 1.0;  // told on the second body
+      const double side = force.is_outer ? -1.0 : 1.0;  // forces are recorded on the second body
       vector = side * assembly.joint_load(force.joint, motion).head<3>();
       if (force.is_axial) tension = -side * vector.dot(outward);
     } else {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What joins wheels to a frame, as rods in space, with the forces in them: of any mechanism, found
-// by who is joined to whom.
+// The parts that connect wheels to a frame, drawn as rods in space, with the forces in them: for
+// any mechanism, according to the joints between its bodies.
 //
-//   A link's inner joints are those with the frame, and with links that are nearer to it; its outer
-//   ones those it has as first body beside these. A rod goes from every inner joint to the middle
-//   of the outer ones; its tension is that of the inner joint along it. That of an outer joint is
-//   along the line to it from the middle of the inner ones.
+//   A link's inner joints are those with the frame and with links nearer to it; its outer joints
+// are the others at which it is the first body. A rod goes from every inner joint to the middle of
+// the outer ones; its tension is the force of the inner joint along it. The tension at an outer
+// joint is along the line to it from the middle of the inner ones.
 //     T = -F u at an inner joint, F u at an outer one     F: on the link, u: unit vector outward
 //
-// So a rod of two joints has its axial force, a wishbone that of each leg; of links that have mass
-// and move, the one at their inner end.
+// So a rod with two joints has its axial force, and each leg of a wishbone its own; for links with
+// mass in motion the tension is that at their inner end.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,36 +23,36 @@
 namespace latsch::experiment {
 
 struct DrawnWheel {
-  std::string name;                 // "left"; empty: there is one
+  std::string name;                 // "left"; empty if there is only one
   int upright;                      // body
   Eigen::Vector3d center, contact;  // at rest, m
 };
 
 class LinkageDrawing {
  public:
-  /// Bodies of the frame beside the ground. The mechanism has to outlive it.
+  /// `frame` are bodies of the frame besides the ground. The mechanism has to outlive this object.
   LinkageDrawing(const multibody::Mechanism& mechanism,
                  std::vector<int> frame,
                  std::vector<DrawnWheel> wheels);
 
-  /// At rest; points that this does not move may be added behind its own.
+  /// The mesh at rest; points that this object does not move may be appended to its own.
   const report::Scene::Mesh& mesh() const { return mesh_; }
-  /// Of joints and struts, then of the loads that were added.
+  /// Arrows of joints and struts, then of the loads that were added.
   const std::vector<report::Scene::Arrow>& arrows() const { return arrows_; }
   const std::vector<DrawnWheel>& wheels() const { return wheels_; }
 
-  /// A point that moves with a body; its number in the mesh.
+  /// Adds a point that moves with a body; returns its number in the mesh.
   std::uint32_t add_point(int body, const Eigen::Vector3d& at_rest);
   void add_rod(const std::string& name, std::uint32_t from, std::uint32_t to);
   void add_circle(const DrawnWheel& wheel);
   void add_load(const std::string& name, const std::string& unit, std::uint32_t point);
 
-  /// Points, tensions in N (NaN: none), and forces on links at their joints, on struts at their
-  /// second end, of pads on wheels; those of loads are zero.
+  /// Returns points, tensions in N (NaN: none), and forces: on links at their joints, on struts at
+  /// their second end, of pads on wheels; those of loads are zero.
   report::Scene::Step step(double at,
                            const multibody::Assembly& assembly,
                            const multibody::Motion& motion) const;
-  /// Of the first load among the arrows.
+  /// Index of the first load among the arrows.
   Eigen::Index first_load() const { return static_cast<Eigen::Index>(forces_.size()); }
 
  private:
@@ -60,14 +60,14 @@ class LinkageDrawing {
     int body;
     Eigen::Vector3d in_body;
   };
-  /// Of a joint, or of a line of a strut; with a tension between two places, or without.
+  /// Force of a joint, or of a line of a strut; with or without a tension between two places.
   struct Force {
     int joint, strut = -1, line = 0;
     bool is_axial = true, is_outer = false;
     Place from = {multibody::kGround, {}}, to = {multibody::kGround, {}};
   };
   enum class Role { none, inner, outer, pad };
-  /// How many joints a body is from the frame.
+  /// Number of joints between a body and the frame.
   std::map<int, int> ways_to_frame() const;
   void sort_joints();
   void add_link(int body);
@@ -86,14 +86,15 @@ class LinkageDrawing {
   std::vector<int> frame_;
   std::vector<DrawnWheel> wheels_;
   std::vector<int> links_;
-  /// Of links: joints they hang on, their outer ones, and those at which other links hang and push.
+  /// Joints of each link: towards the frame, outer ones, and those at which other links are held
+  /// and push.
   std::map<int, std::vector<int>> inner_, outer_, held_, pushed_;
-  std::map<int, int> force_at_;  // of an outer joint
+  std::map<int, int> force_at_;  // index of the force of an outer joint
   report::Scene::Mesh mesh_;
   std::vector<Eigen::Vector3d> at_rest_;
   std::vector<report::Scene::Arrow> arrows_;
   std::vector<Place> points_;
-  std::vector<int> values_;  // by point: of forces_; -1: none
+  std::vector<int> values_;  // index in forces_ for each point; -1: none
   std::vector<Force> forces_;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of a rig's wheels, with what acts on them: a force and a moment each, behind the joints'.
+/// Draws a rig's wheels with their loads: a force and a moment each, after those of the joints.
 LinkageDrawing drawing_of(const RigState& state) {
   std::vector<DrawnWheel> wheels;
   for (const RigState::Wheel& wheel : state.wheels)
@@ -36,7 +36,7 @@ RigWatcher RigFilm::watcher() {
 bool RigFilm::is_kept(Eigen::Index state) const {
   const auto last = static_cast<double>(told_.values.size()) - 1.0;
   if (last < most_) return true;
-  // The states that are nearest to evenly spaced ones, first and last among them.
+  // Selects the states nearest to evenly spaced ones, including first and last.
   const double spacing = last / (most_ - 1);
   const double nearest = std::round(static_cast<double>(state) / spacing) * spacing;
   return std::lround(nearest) == state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a K&C rig does to a corner or an axle, state by state: its bodies where the loads have moved
-// them, the forces in its links and joints, and those on the wheels.
+// A corner or an axle on a K&C rig, state by state: its bodies in their displaced positions, the
+// forces in its links and joints, and those on the wheels.
 #pragma once
 
 #include <optional>
@@ -14,12 +14,12 @@ namespace latsch::experiment {
 
 class RigFilm {
  public:
-  /// `told`: what its states are told by, a value a state; no more than so many of them are kept.
+  /// `told` identifies the states, one value each; at most `most_steps` of them are kept.
   RigFilm(Channel told, int most_steps) : told_(std::move(told)), most_(most_steps) {}
 
-  /// Has to be outlived by this.
+  /// This object has to outlive the watcher.
   RigWatcher watcher();
-  /// A mesh and a sequence of that name, which says where some of its states are left out.
+  /// Adds a mesh and a sequence of that name, whose text says if states are left out.
   void add_to(report::Scene& scene, const std::string& name);
 
  private:

@@ -11,7 +11,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kAlong = 0.02, kAcross = 0.04;  // m
-constexpr int kMostLines = 4000;                 // sampled in either direction
+constexpr int kMostLines = 4000;                 // samples in either direction
 constexpr std::size_t kMostPoints = 12000;
 
 VectorXd evenly(double from, double to, double spacing) {
@@ -20,7 +20,8 @@ VectorXd evenly(double from, double to, double spacing) {
   return VectorXd::LinSpaced(count, from, to);
 }
 
-/// Marks the columns between two that are kept, which a straight line between them misses.
+/// Marks further columns to be kept between two kept columns if a straight line between these
+/// deviates too much.
 void keep(const MatrixXd& heights,
           const VectorXd& at,
           Eigen::Index from,
@@ -57,7 +58,7 @@ std::vector<Eigen::Index> needed(const MatrixXd& heights, const VectorXd& at, do
 
 report::Scene::Mesh road_surface(const road::Road& road, const RoadArea& area, double tolerance) {
   const VectorXd x = evenly(area.x0, area.x1, kAlong), y = evenly(area.y0, area.y1, kAcross);
-  MatrixXd heights(y.size(), x.size());  // a line across a column
+  MatrixXd heights(y.size(), x.size());  // [lines x columns]
   for (Eigen::Index i = 0; i < x.size(); ++i)
     for (Eigen::Index j = 0; j < y.size(); ++j) heights(j, i) = road.height(x[i], y[j], 0.0);
   std::vector<Eigen::Index> columns = needed(heights, x, tolerance),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys of a study file that the form has fields for; all others are in the text beside it. `latsch help study` says what
-// each of them does.
+// Keys of a study file for which the form has fields; all others are in the text beside it. `latsch help study`
+// explains each of them.
 
 export interface Key {
   name: string;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The study file while it is edited: what is on the disk, what is typed, what the program says to it. The form and the
-// text change one and the same file; where another program has changed it meanwhile, nothing is overwritten unasked.
+// The study file while it is edited: the text on the disk, the edited text, the messages of the program about it. The
+// form and the text change the same file; if another program has changed it meanwhile, nothing is overwritten without
+// asking.
 
 import { api } from '../../lib/api';
 import type { Check, Edit } from '../../lib/contract';
@@ -18,7 +19,7 @@ export class EditedFile {
   isReady = $state(false);
   hasConflict = $state(false);
   #onDisk = $state('');
-  #before: string[] = $state.raw([]); // the texts before what the form or Save has written, the last one last
+  #before: string[] = $state.raw([]); // earlier texts, before changes by the form or Save; the latest is last
   #version = '';
   #timer: ReturnType<typeof setTimeout> | undefined;
   #question = 0;
@@ -29,12 +30,12 @@ export class EditedFile {
     return this.text !== this.#onDisk;
   }
 
-  /** Whether something written from here can be taken back. */
+  /** True if a change written from here can be undone. */
   get canUndo(): boolean {
     return this.#before.length > 0 && !this.isChanged;
   }
 
-  /** The file as it was before the last change from here; what another program wrote meanwhile is a conflict. */
+  /** Restores the file before the last change from here; a change by another program in between is a conflict. */
   async undo(): Promise<void> {
     const text = this.#before.at(-1);
     if (text === undefined) return;
@@ -77,7 +78,7 @@ export class EditedFile {
     });
   }
 
-  /** One change from the form; only where nothing is typed that is not saved. */
+  /** Makes one change from the form; only if there is no unsaved text. */
   async edit(edits: Edit[]): Promise<void> {
     await this.#try('changing the study file', async () => {
       const file = await api.edit(this.open.name, this.#version, edits);
@@ -87,13 +88,13 @@ export class EditedFile {
     });
   }
 
-  /** The file on the disk in place of what is typed. */
+  /** Replaces the edited text by the file on the disk. */
   async takeTheirs(): Promise<void> {
     this.hasConflict = false;
     await this.read();
   }
 
-  /** What is typed over what another program has written meanwhile. */
+  /** Writes the edited text over the changes of another program. */
   async keepMine(): Promise<void> {
     const mine = this.text;
     await this.#try('reading the study file', async () => {
@@ -105,7 +106,7 @@ export class EditedFile {
     if (!this.problem) await this.save();
   }
 
-  /** The file may have changed on the disk: taken where nothing is typed, told where something is. */
+  /** Reads the file, which may have changed: replaces the text if it is unchanged, else reports a conflict. */
   async look(): Promise<void> {
     if (this.isBusy || !this.isReady) return;
     try {
@@ -117,7 +118,7 @@ export class EditedFile {
         this.#take(file.text, file.version);
       }
     } catch {
-      // The foot of the page says that the server is gone.
+      // The foot of the page reports that the server is not reachable.
     }
   }
 

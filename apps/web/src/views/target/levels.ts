@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of a surface of the target as colors and heights: on a logarithmic scale where it spans more than a decade.
+// Converts the values of a surface of the target into colors and heights: on a logarithmic scale if they span more than
+// a decade.
 
 import type { Surface, Told, Value } from '../../lib/contract';
 
@@ -25,14 +26,14 @@ export function spansDecade(surface: Surface): boolean {
   return least > 0 && greatest > 10 * least;
 }
 
-/** Where a minimum of the design lies on a surface: its values of the two variables. */
+/** Positions of the design's minima on a surface: their values of the two variables. */
 export function placesOf(surface: Surface, variables: readonly string[], rows: readonly { values: Told[] }[]): [Value, Value][] {
   const [i, j] = [variables.indexOf(surface.x.name), variables.indexOf(surface.y.name)];
   if (i < 0 || j < 0) return [];
   return rows.map((row) => [numberIn(row.values[i]), numberIn(row.values[j])]);
 }
 
-/** 22.3 of 22.3 and of "22.3 N/mm^2". */
+/** Returns 22.3 for 22.3 and for "22.3 N/mm^2". */
 function numberIn(told: Told | undefined): Value {
   if (typeof told === 'number') return told;
   const value = typeof told === 'string' ? Number.parseFloat(told) : NaN;
