@@ -28,7 +28,7 @@ struct DOptimality {
   double shrinkage = 1.0;  // volume of the ellipsoid before the measurement over that after it, >=
                            // 1
   double widest_before = 0.0, widest_after = 0.0;  // standard deviation of the widest direction
-  Eigen::VectorXd deviations;                      // after the measurement, for every variable; in ranges
+  Eigen::VectorXd deviations;                      // after it, for every variable; in ranges
 };
 
 /// Returns the candidates, most useful first. `J` belongs to the present data, each row divided by

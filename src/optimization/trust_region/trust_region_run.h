@@ -80,7 +80,7 @@ class TrustRegionRun {
   Ending ending_ = Ending::known;
   // Increase of f at an initial radius off the best point, from the last time it was the center.
   double rise_ = 0.0;
-  double f_first_ = std::numeric_limits<double>::infinity();  // at the start, or first success
+  double f_first_ = std::numeric_limits<double>::infinity();     // at the start, or first success
   double f_verified_ = std::numeric_limits<double>::infinity();  // below it, verify once more
   bool is_geometry_doubted_ = false;                             // a step disappointed
   bool has_widened_ = false;  // widened the radius for noise since the last outcome
