@@ -9,7 +9,7 @@
 //                                       s^2 = S / (m - n) if they are alike and independent
 //   C = s^2 (J' J)^-1 J' V J (J' J)^-1  covariance of the variables
 //   u_i +- (t sqrt(C_ii) + |d_i|)       confidence interval, t of Student's distribution
-// |  d = -(J' J)^-1 J' r                 remaining way from u to the least S
+//   d = -(J' J)^-1 J' r                 remaining way from u to the least S
 // [Bard, Nonlinear Parameter Estimation, 1974, ch. 7; Seber, Wild, Nonlinear Regression, 1989,
 // ch. 5]
 //

@@ -3,7 +3,7 @@
 // and a profile with a verdict for every variable.
 //
 // Ask and tell, like an optimizer, but in rounds: all points of wanted() may be evaluated at once.
-// |  1. the center and a step to both sides in each variable for the derivatives (slope_search.h),
+//   1. the center and a step to both sides in each variable for the derivatives (slope_search.h),
 //      2n + 1 points, and more if these suggest a better step length; the center alone if the model
 //      computes its slopes there; moves along directions with little effect, whose derivatives
 //      may be errors of the differences (weak_directions.h)

@@ -6,7 +6,7 @@
 // of confidence.h,
 //   var y = g' C g                          the delta method
 //   y +- (t sqrt(g' C g) + |g' d|)          95 % band
-// |  y +- sqrt(band^2 + (t sigma_y)^2)       range of a measured value whose noise is sigma_y
+//   y +- sqrt(band^2 + (t sigma_y)^2)       range of a measured value whose noise is sigma_y
 // [Bates, Watts, Nonlinear Regression Analysis and Its Applications, 1988, p. 58]. The band of y =
 // u_i is the interval of u_i, inside the cube. If intervals contain more than C, bands do too:
 //   - a direction v_k along which the interval covers all of the cube is open: it takes no part in

@@ -6,7 +6,7 @@
 //
 // In the unit cube, at the best point u:
 //
-// |  step      minimizes |r + J p|^2 with |p| <= Delta and u + p in the region:
+//   step      minimizes |r + J p|^2 with |p| <= Delta and u + p in the region:
 //             levenberg_marquardt_step.h. The unit cube is the scale. Moré's scales D are norms of
 //             the columns of J, so variables with little effect would move far, beyond the validity
 //             of the slopes [Transtrum & Sethna, arXiv:1201.5885 (2012)].

@@ -8,7 +8,7 @@
 //
 //   T[s, s] = 6 (r_0 - r) + 4 J s + 2 J_0 s      the cubic through both ends               (1)
 //   T[s, q] = (J - J_0) q                        a secant
-// |  c       = 1/2 a^2 T[s, s] + a T[s, q]        without the unknown T[q, q]                (2)
+//   c       = 1/2 a^2 T[s, s] + a T[s, q]        without the unknown T[q, q]                (2)
 //
 // (1) is exact for residuals cubic along s, (2) for quadratic ones up to the missing term. The
 // estimate suits steps that continue the way that led to u, or go back.

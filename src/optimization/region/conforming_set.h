@@ -2,7 +2,7 @@
 // Poll directions at a point of a polytope. Steps of length epsilon along the core directions stay
 // inside the polytope, and one of them points downhill unless the point is stationary.
 //
-// |  core        generators of the tangent cone of the constraints within epsilon: its rays, and a
+//   core        generators of the tangent cone of the constraints within epsilon: its rays, and a
 //               simplex in the space along all of these constraints, turned as in generating_set.h.
 //               A step of epsilon along any of them stays inside.
 //   normals     outward normals of these constraints, projected on the equations. They lead onto

@@ -2,7 +2,7 @@
 // The l1 merit function of a line search with constraints, and its slope along a step:
 //
 //   phi = f + sum mu_i max(c_i, 0) + sum mu_j |h_j|                                   (18.27)
-// |  D phi = g'd - (improvement of the linearized constraints along d)                 (18.29)
+//   D phi = g'd - (improvement of the linearized constraints along d)                 (18.29)
 //
 // Every mu stays above its multiplier, which makes phi exact and d a descent direction. After large
 // multipliers mu decreases slowly [Powell 1978]. Equation numbers are those of [Nocedal & Wright,

@@ -4,7 +4,7 @@
 //
 // At the point x, with slopes from differences or from the model itself:
 //
-// |  step      d and multipliers from a quadratic program: sqp_step.h. Its B is 2 J'J if f is
+//   step      d and multipliers from a quadratic program: sqp_step.h. Its B is 2 J'J if f is
 //             |r|^2 with known residuals (Gauss-Newton), otherwise the damped BFGS approximation of
 //             the Hessian of the Lagrangian: damped_bfgs.h.
 //   merit     phi(x) = f + sum mu_i max(c_i, 0) + sum mu_j |h_j|,  mu above the multipliers (18.27)

@@ -2,7 +2,7 @@
 // The step of sequential quadratic programming solves the quadratic program at a point,
 //
 //   minimize 1/2 d'B d + g'd   with   c + J_c d <= 0,  h + J_h d = 0,                 (18.11)
-// |                                    u + d in the region,  |d_i| <= longest
+//                                     u + d in the region,  |d_i| <= longest
 //
 // If the linearized constraints contradict each other or the region, they are relaxed by one small
 // t >= 0:  c + J_c d <= t,  |h + J_h d| <= t. [Nocedal & Wright, Numerical Optimization, 2006, ch.

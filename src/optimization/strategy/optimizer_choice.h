@@ -3,11 +3,11 @@
 //
 //   residual_trust_region  the target is a sum over residuals, smooth between failures, with or
 //                          without linear constraints: fewest evaluations by far
-// |  levenberg_marquardt    such a target, if trials bring the derivatives of their residuals
+//   levenberg_marquardt    such a target, if trials bring the derivatives of their residuals
 //   gss                    no residuals, kinks, or most points fail
 //   sqp                    nonlinear constraints, and residuals or a smooth target
 //   gss_nlc                nonlinear constraints and no residuals
-// |  nelder_mead            on request: few variables, no assumptions
+//   nelder_mead            on request: few variables, no assumptions
 //   genetic                no residuals and many basins, or more variables than a pattern can poll
 //   ensemble               on request: several of these at once, each observing all points
 #pragma once

@@ -8,7 +8,7 @@
 // all of them have the right order of magnitude; moving one alone is in vain. So they are moved
 // together, with the other variables fixed, inside bounds and constraints:
 //
-// |  x_i -> s x_i,   s = 1/2, 2, 1/4, 4, ...     by factors, toward zero and away from it
+//   x_i -> s x_i,   s = 1/2, 2, 1/4, 4, ...     by factors, toward zero and away from it
 //
 // Lost variables are found by tests, not from a model's slopes, because the slopes are wrong where
 // other variables act nonlinearly. The variables are ordered by their slopes, least first; the lost
