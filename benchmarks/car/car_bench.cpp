@@ -278,8 +278,7 @@ void ring_rows(Table& table, const benchmarks::Options& options) {
   };
   row(48, 8, Shape::triangle);
   if (options.is_smoke()) return;
-  row(48, 8, Shape::sine);  // a sine of 256 chords a pitch: hardly a part of the tread has a plane
-                            // below it
+  row(48, 8, Shape::sine);  // a sine of 256 chords: hardly any tread is above one plane
   row(80, 10, Shape::triangle);
 }
 

@@ -36,8 +36,8 @@ std::unique_ptr<Car> car_of(const std::string& name) {
   return std::move(*car);
 }
 
-/// Returns a test on the exit kerb of 100 m or more below the left wheels, recorded from 2 s after
-/// the front axle meets it.
+/// Returns a test on the exit kerb of 100 m or more below the left wheels, recorded for 2 s from
+/// the moment the front axle meets it.
 experiment::KerbTest long_kerb(double speed, double line) {
   experiment::KerbTest test;
   test.kerb = road::Kerb{.shape = road::Kerb::Shape::sine,

@@ -177,8 +177,7 @@ class Studies {
 struct Value {
   double value = 0.0;
   std::string unit;
-  std::optional<double> lower, upper;  // ends of its interval; none: the bounds hold it, not the
-                                       // data
+  std::optional<double> lower, upper;  // ends of its interval; none: set by the bounds
   bool has_interval = false;
 
   bool is_inside(double truth) const {

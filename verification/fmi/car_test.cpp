@@ -109,8 +109,7 @@ TEST_P(CarOf, AnswersOverACleatAsTheCarDrivenDirectlyToTheLastBit) {
                          drive.get(wheel + "spin_rate")}));
     }
     const auto chassis = static_cast<std::size_t>((*car)->parts().chassis);
-    const Eigen::Vector3d place = state.bodies.poses[chassis].place;  // the place of a rigid body
-                                                                      // is its center
+    const Eigen::Vector3d place = state.bodies.poses[chassis].place;  // center of a rigid body
     EXPECT_EQ(bits_of({place.x(), place.y(), place.z()}),
               bits_of({drive.get("chassis.x"), drive.get("chassis.y"), drive.get("chassis.z")}));
   };

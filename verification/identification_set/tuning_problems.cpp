@@ -42,8 +42,7 @@ Vector chain(const Vector& k) {
 
 /// Displacements of body and wheel over a bump.
 Vector quarter_car(const Vector& x) {
-  const double k = x[0], c = x[1], kt = x[2], mu = x[3];  // k, c, kt per mass of the body; mass
-                                                          // ratio
+  const double k = x[0], c = x[1], kt = x[2], mu = x[3];  // k, c, kt per body mass; mass ratio
   const auto states = integrate(
       [&](double t, const Vector& y) {
         const double road = t < 0.1 ? 0.5 * (1.0 - cos(20.0 * std::numbers::pi * t)) : 0.0;

@@ -27,8 +27,7 @@ struct Problem {
   double least;        // f_L
   std::function<Vector(const Vector&)> residuals;
   Vector steps = {};  // first step of every variable; empty: start_step for all
-  std::function<Vector(const Vector&)> jacobian = {};  // n numbers for each residual; empty: not
-                                                       // known
+  std::function<Vector(const Vector&)> jacobian = {};  // n a residual; empty: not known
 
   int n() const { return static_cast<int>(start.size()); }
   double value(const Vector& x) const;

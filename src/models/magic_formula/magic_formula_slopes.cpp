@@ -123,8 +123,7 @@ class Pass {
       const DualNumber one = DualNumber::variable(0.0, static_cast<int>(j), arena_);
       if (const auto i = variables[j].coefficient) {
         DualNumber& x = p.*kDualMembers[*i];
-        x.slopes = (DualNumber(0.0, x.slopes) + one).slopes;  // a variable requested twice has both
-                                                              // directions
+        x.slopes = (DualNumber(0.0, x.slopes) + one).slopes;  // requested twice: both
       } else {
         const SlopeBlock*& slopes = state_.slopes[*variables[j].state];
         slopes = (DualNumber(0.0, slopes) + one).slopes;

@@ -23,8 +23,7 @@ bool transient(int use_mode) { return use_mode / 10 % 10 > 0; }
 double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
   if (at <= 0.0) return 0.0;
   auto i = std::upper_bound(x.begin(), x.end(), at) - x.begin();
-  i = std::clamp<std::ptrdiff_t>(i, 1, std::ssize(x) - 1);  // beyond the ends the last piece
-                                                            // continues
+  i = std::clamp<std::ptrdiff_t>(i, 1, std::ssize(x) - 1);  // the last piece continues
   return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
 }
 

@@ -365,8 +365,7 @@ Finding stays_positive(const Parameters& p, const Lattice& at, const Factor& fac
 struct Row {
   std::string name;
   std::function<Finding(const Parameters&)> look;
-  std::vector<std::string_view> suspects;  // beginnings of the names of coefficients that may cause
-                                           // a failure
+  std::vector<std::string_view> suspects;  // prefixes of coefficients that may cause it
 };
 
 /// Returns the value at which a coefficient has no effect, or its usual value.

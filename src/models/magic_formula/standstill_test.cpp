@@ -154,8 +154,7 @@ TEST(Standstill, ABrakedCarComesToRestWithoutChatter) {
       before = car.v;
     }
     EXPECT_LT(std::abs(car.v), 1e-4) << mode;
-    EXPECT_LT(rise, 1.0) << mode;  // it springs back once, more slowly than the carcass could
-                                   // accelerate it
+    EXPECT_LT(rise, 1.0) << mode;  // it springs back once, more slowly than the carcass would
     EXPECT_LT(turns, 2 * 10 * 5) << mode;  // at most at the 4.4 Hz of mass and carcass
   }
 }
@@ -294,8 +293,7 @@ TEST(Standstill, AForceWithoutSlipComesByRolling) {
     const double V = 0.5 * std::exp(-0.3 * i);
     ride.go(V, 0.0, 0.0, V / 0.295, 1e-3);
   }
-  EXPECT_NEAR(ride.go(0.0, 0.0, 0.0, 0.0, 1.0).force.y(), 0.02 * 4000.0, 0.8);  // and the force
-                                                                                // remains
+  EXPECT_NEAR(ride.go(0.0, 0.0, 0.0, 0.0, 1.0).force.y(), 0.02 * 4000.0, 0.8);  // it remains
 }
 
 /// Returns the formula's torque of turning on the spot: (4.93) at infinite turn slip.

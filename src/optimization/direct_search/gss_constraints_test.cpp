@@ -64,8 +64,7 @@ TEST(GssAmongConstraints, FindsACornerWhereManyPlanesMeet) {
                                    [](const auto& x) { return x[0] + 1.2 * x[1] + x[2] + x[3]; },
                                    {0, -1, 0, 0},
                                    -1.2};
-  EXPECT_NEAR(minimize(problem).f, -1.2, 1e-9);  // exact, because points near the vertex are moved
-                                                 // onto it
+  EXPECT_NEAR(minimize(problem).f, -1.2, 1e-9);  // exact: nearby points are moved onto it
 }
 
 TEST(GssAmongConstraints, GoesAroundPointsThatFailAndKinksOnAConstraint) {

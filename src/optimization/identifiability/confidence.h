@@ -91,8 +91,7 @@ struct Interval {
 /// Uncertainty of the variables that no bound holds, direction by direction. The uncertainty of
 /// values computed from the variables follows from it (prediction_band.h).
 struct FreeDirections {
-  Eigen::MatrixXd axes;        // n x f: each column a direction of the unit cube, 0 in held
-                               // variables
+  Eigen::MatrixXd axes;        // n x f: columns are directions; 0 in held variables
   Eigen::MatrixXd covariance;  // f x f: of the coordinates along the directions
   Eigen::VectorXd left;        // f: remaining way to the least S along each; 0 if flat
   Eigen::MatrixXd following;   // f x n: motion along each per held variable, by the refit

@@ -25,8 +25,7 @@ struct Candidate {
 
 struct DOptimality {
   int candidate = 0;       // index in the list
-  double shrinkage = 1.0;  // volume of the ellipsoid before the measurement over that after it, >=
-                           // 1
+  double shrinkage = 1.0;  // volume of the ellipsoid before over after, >= 1
   double widest_before = 0.0, widest_after = 0.0;  // standard deviation of the widest direction
   Eigen::VectorXd deviations;                      // after it, for every variable; in ranges
 };

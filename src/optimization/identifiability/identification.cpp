@@ -238,8 +238,7 @@ void Identification::take_slopes() {
     }
     at.J.col(i) = scale_.cwiseProduct(search.slope());
     lengths_[i] = search.length();
-    const bool is_straight = search.quality() == SlopeQuality::straight;  // other qualities are
-                                                                          // reported separately
+    const bool is_straight = search.quality() == SlopeQuality::straight;  // others are reported
     made_.curvature[i] = is_straight ? search.bend() * search.bend() * at.J.col(i).norm() : 0.0;
     qualities_.push_back(search.quality());
   }

@@ -128,8 +128,7 @@ LevenbergMarquardtStep LevenbergMarquardtSteps::within(double radius) const {
   double at_low = excess(full_);
   LevenbergMarquardtStep step = damped(high);
   double at_high = excess(step);
-  const bool is_cut = full_.length <= longest;  // the step is short enough, but its promise is
-                                                // spoiled
+  const bool is_cut = full_.length <= longest;  // short enough, but without gain
   for (int k = 0; k < kMostDampings && !is_cut; ++k) {
     if (step.length >= shortest && step.length <= longest) break;
     double mu = low - at_low * (high - low) / (at_high - at_low);

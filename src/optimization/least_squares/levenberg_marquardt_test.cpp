@@ -364,8 +364,7 @@ TEST(LevenbergMarquardtSteps, PromiseSomethingWhereverTheSlopeDoes) {
     constexpr int n = 4;
     Eigen::MatrixXd J(8, n);
     for (double& x : J.reshaped()) x = random.normal();
-    for (int i = 1; i < n; ++i) J.col(i) = J.col(0) + 0.05 * J.col(i);  // columns are nearly
-                                                                        // parallel
+    for (int i = 1; i < n; ++i) J.col(i) = J.col(0) + 0.05 * J.col(i);  // nearly parallel
     Eigen::VectorXd r(8), u(n);
     for (double& x : r) x = random.normal();
     std::vector<DesignVariable> variables;

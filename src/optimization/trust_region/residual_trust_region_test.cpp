@@ -217,8 +217,8 @@ TEST(ResidualTrustRegion, GoesFartherBeforeItEndsInTheNoise) {
     asked.insert(DesignPoint{x}.bits());
     return r;
   });
-  EXPECT_LT(best, 0.2 * 20 * 0.5 * 9e-6);           // a fifth of the ripple's value; the start has
-                                                    // 7.6
+  EXPECT_LT(best, 0.2 * 20 * 0.5 * 9e-6);           // a fifth of the ripple's value; 7.6 at the
+                                                    // start
   EXPECT_GE(std::ssize(asked), found.evaluations);  // no point twice
 }
 

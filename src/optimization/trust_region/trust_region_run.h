@@ -95,8 +95,7 @@ class TrustRegionRun {
   bool is_over_ = false;      // the last restart failed
   bool has_settled_ = false;
   double f_settled_ = std::numeric_limits<double>::infinity();   // best value when it last settled
-  double f_released_ = std::numeric_limits<double>::infinity();  // best value when bounds were last
-                                                                 // left
+  double f_released_ = std::numeric_limits<double>::infinity();  // best value at the last release
   PendingPoints<Wanted> wanted_;
 };
 

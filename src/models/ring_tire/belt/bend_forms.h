@@ -22,8 +22,7 @@ using BendMatrix = Eigen::Matrix<double, kBendForms, kBendForms>;
 /// A place at which the forms are evaluated, and its constants from belt.h.
 struct BendPlace {
   const BendRule& rule;
-  double share, tilt, tilt_twist, s0;  // weight of Simpson's rule; ζ of (4); ζ of (5) over L0²; s
-                                       // at rest
+  double share, tilt, tilt_twist, s0;  // Simpson's weight; ζ of (4); ζ of (5) over L0²; s at rest
   bool between;                        // true in the middle of a segment, where (1) and (5) apply
 
   static BendPlace at_knot(const BeltLaw& law);

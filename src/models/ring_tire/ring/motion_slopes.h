@@ -77,8 +77,7 @@ class MotionSlopes {
   const WheelMotion* to_ = nullptr;
   const road::Road* road_ = nullptr;
   double time_ = 0.0, step_ = 0.0;
-  std::vector<RingState> slopes_;  // derivatives of the state at the beginning, by column; empty:
-                                   // none
+  std::vector<RingState> slopes_;  // derivatives of the first state by column; empty: none
 
   // Data of the current part.
   const RingState* begin_ = nullptr;

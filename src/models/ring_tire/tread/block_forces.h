@@ -33,8 +33,7 @@ struct SegmentStations {
 struct BlockLines {
   int count;
   const double *height, *y;       // one for each line
-  const double* rise = nullptr;   // m, of a bent section: two for each line, at the ends of the
-                                  // segment
+  const double* rise = nullptr;   // m, of a bent section: two a line, at the segment's ends
   const double* share = nullptr;  // share of the second rise at each station
 };
 

@@ -296,7 +296,7 @@ class TreadContact {
   std::vector<double> runout_;                // m, of the tread at the nodes; empty: none
   double highest_runout_ = 0.0;
   bool bends_ = false;                     // sections bend
-  std::vector<double> section_rise_;       // two for each line of a segment; empty: no bending or
+  std::vector<double> section_rise_;       // two a line of a segment; empty: neither bent nor
                                            // run-out
   std::shared_ptr<const TreadTips> tips_;  // at the last commit; null: no block touched
   std::shared_ptr<TreadTips> spare_;       // an earlier one, reused if nobody else holds it
