@@ -8,7 +8,7 @@
 //   d_i = (y(x + Delta e_i) - y(x)) / Delta                                          (2.1)
 // so that r trajectories give r effects of every variable for r (n + 1) evaluations [Morris,
 // Technometrics 33 (1991) 161]. Over the trajectories,
-// mu_i     mean of d_i: the effect, in which positive and negative values cancel
+//   mu_i     mean of d_i: the effect, in which positive and negative values cancel
 //   mu*_i    mean of |d_i|: how much variable i matters   [Campolongo, Cariboni, Saltelli,
 //                                                   Environ. Model. Softw. 22 (2007) 1509]
 //   sigma_i  standard deviation of d_i: large compared with mu* if the effect is nonlinear or

@@ -8,8 +8,8 @@
 //            the last success to its opposite. A point is better if  f(new) < f - alpha D_i^2
 //            (sufficient decrease).
 //   success  x moves to the better point. A fresh set of directions starts with the step that
-//   success  x moves to the better point. A fresh set of directions starts with the step that
 //            succeeded, or with a longer one after several successes in a row.
+//   failure  D_i is contracted. When all directions have failed at one length, the set is turned.
 //   search   after every outcome except its own failure: the minimum, within the range of the step,
 //            of a quadratic through the evaluated points nearest to x. The same decrease counts.
 //   end      when every direction has failed with a step below the tolerance.

@@ -15,7 +15,6 @@
 // which can flatten the simplex onto a constraint: the search may then end on the constraint away
 // from its minimum. A Failure is worse than any value. The search ends when all vertices are within
 // the tolerance of the best.
-// worse than any value. It ends when all vertices are within the tolerance of the best.
 #pragma once
 
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Penalties that turn nonlinear constraints into a part of the target:
 //
-// P(x) = f(x) + rho p(v(x)),      v = max(c_i, 0), |h_j|: the amount each is violated by
+//   P(x) = f(x) + rho p(v(x)),      v = max(c_i, 0), |h_j|: the amount each is violated by
 //
 //   l1       p = sum v            l2       p = |v|_2            linf     p = max v
 //   l2_squared   p = |v|_2^2

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The step of Levenberg's and Marquardt's method from a point u with residuals r and Jacobian J:
 //
-// minimize |r + J p|^2   with   |D p| <= Delta   and   u + p in the region
+//   minimize |r + J p|^2   with   |D p| <= Delta   and   u + p in the region
 //
 // It is the damped step, for some mu >= 0,
 //
-// minimize |r + J p|^2 + mu |D p|^2   with   u + p in the region                            (1)
+//   minimize |r + J p|^2 + mu |D p|^2   with   u + p in the region                            (1)
 //
 // with mu = 0 if that step is short enough, otherwise with the mu that makes |D p| equal to Delta
 // within a tenth [Moré, in: Numerical Analysis, Lecture Notes in Mathematics 630, Springer 1978,

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Strictly convex quadratic programs, small and dense:
 //
-// minimize 1/2 x'G x + g'x      with  E x = f  and  A x <= b
+//   minimize 1/2 x'G x + g'x      with  E x = f  and  A x <= b
 //
 // The solver is the dual active-set method of Goldfarb and Idnani [Math. Programming 27 (1983) 1].
 // It starts at the unconstrained minimum and adds one violated constraint after the other, the
 // worst first. It needs no feasible start, and if there is no feasible point it reports constraints
 // that contradict each other. Every step recomputes the factors with n^3 operations, so it suits up
 // to about a hundred variables. Choose units in which rows of A and E have a length of about 1.
-// about a hundred variables. Choose units in which rows of A and E have a length of about 1.
 #pragma once
 
 #include <Eigen/Core>

@@ -7,8 +7,6 @@
 // This is the plane of the widest gap [Cortes, Vapnik, Machine Learning 20 (1995) 273]. A step that
 // stays on the successful side of the plane follows the edge of a failed region. Its outcome,
 // success or failure, halves the gap and turns the plane.
-// on this side of it goes on along the edge of a failed region; whether it succeeds or fails halves
-// the gap, and turns the plane.
 //
 // The existence of a plane proves little: among few points in many variables there nearly always is
 // one [Cover, IEEE Trans. Electron. Comput. EC-14 (1965) 326]. So an edge needs at least three

@@ -5,7 +5,6 @@
 // A point that failed, or at which the residuals exploded, is surrounded by a ball to avoid, with a
 // radius of a quarter of its distance to the nearest point that succeeded. A single failure thus
 // excludes little, a region of failures is closed off from all sides, and neither is entered twice.
-// little, a region of them is closed off from all sides, and neither is ever entered twice.
 #pragma once
 
 #include <Eigen/Core>

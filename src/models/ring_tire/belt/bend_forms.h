@@ -5,7 +5,6 @@
 //   x', z', x'', z'', y', y'', ψ', ψ
 // The forms keep code short that needs single strains. It runs rarely, unlike the kernels, which
 // process eight places at once.
-// kernels, which work on eight places at once.
 #pragma once
 
 #include <Eigen/Core>

@@ -11,7 +11,6 @@
 // decayed (`least`), up to the border's neighbors: this leaves two thirds of the work. All data
 // that a node's elimination reads are in one panel, column by column, so registers hold several of
 // its blocks.
-// its blocks.
 #pragma once
 
 #include <Eigen/Core>
