@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Problems of Hock and Schittkowski with bounds, linear and nonlinear constraints
+// Problems of Hock and Schittkowski with bounds, linear and nonlinear constraints.
 //
-// Solved: every constraint fulfilled (optimization/problem/score.h) and the target within 1e-4 of
-// the published one, 1 % for the search by penalties, relative to it or absolute where it is below
-// 1. Penalties with kinks are for comparison: they are known to end less accurately.
+// A problem is solved if every constraint is fulfilled (optimization/problem/score.h) and the
+// target is within 1e-4 of the published one, 1 % for the search by penalties; relative, or
+// absolute for values below 1. Penalties with kinks are for comparison: they are known to end less
+// accurately.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -81,7 +82,7 @@ void compare(Table& table,
   table.note(name + ", evaluations", evaluations.substr(2));
 }
 
-/// A smoke run takes the first few.
+/// Returns all problems, or the first few in a smoke run.
 template <class Problem>
 std::vector<Problem> some(std::vector<Problem> all, const Options& options) {
   constexpr std::size_t kFew = 2;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same bits with 1, 2, 4 workers and after 100 x kill -9; no trial lost or repeated (F1)
+// The same bits with 1, 2, 4 workers and after 100 x kill -9; no trial lost or repeated (F1).
 //
 // Two studies are fitted by the program itself: by one, two and four workers without a disturbance,
-// then killed at random moments and resumed until they end. One is of a coarse tire, with trials of
-// some tenths of a second; the other of an outside program that takes milliseconds, so that many
-// kills strike a commit.
+// then killed at random moments and resumed until they end. One has a coarse tire with trials of
+// some tenths of a second. The other has an outside program that takes milliseconds, so that many
+// kills hit a commit.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -32,8 +32,7 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr std::uint64_t kSeed = 1;
 
-// The size of the mesh makes a trial short; what is found is not looked at. A step tolerance is put
-// behind it.
+// The mesh makes a trial short; the result is not judged. A step tolerance is appended.
 constexpr const char* kStudy = R"(title = "A coarse tire B, to be killed"
 model = "tire.toml"
 [variable.matrix]
@@ -71,7 +70,7 @@ fs::path write_tire_study(const fs::path& folder, const CoarseMesh& mesh, double
   return folder / "study.toml";
 }
 
-/// False where it had ended before it was killed.
+/// Returns false if the child had ended before it was killed.
 bool kill_after(pid_t child, Seconds time) {
   std::this_thread::sleep_for(time);
   ::kill(child, SIGKILL);
@@ -82,7 +81,7 @@ struct Prey {
   std::string name;
   std::function<fs::path(const fs::path& folder)> write;
   int kills;
-  double longest;  // time to a kill, as a share of that of the undisturbed run
+  double longest;  // latest time of a kill, relative to the undisturbed run
 };
 
 std::string undisturbed(const Prey& prey, int workers) {
@@ -101,7 +100,8 @@ struct Killed {
   bool same_bits = true;
 };
 
-/// Workers of the study in `folder` that outlive it. A busy system takes its time to end them.
+/// Returns the number of workers of the study in `folder` that outlive it. A busy system needs time
+/// to end them.
 int left_running(const fs::path& folder) {
   constexpr Seconds kPatience{2.0};
   const auto give_up = std::chrono::steady_clock::now() + kPatience;
@@ -113,7 +113,8 @@ int left_running(const fs::path& folder) {
   return static_cast<int>(left);
 }
 
-/// One study, killed until it ends or has been often enough, then resumed to its end.
+/// Runs one study, killed until it ends or has been killed often enough, and then resumed to its
+/// end.
 void kill_and_resume(const Prey& prey,
                      Seconds longest,
                      RandomStream& random,

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Good files changed in some 25 ways: same numbers, refused, or told by name; none silent
+// Good files changed in some 25 ways: read the same, refused, or reported by name; none silent.
 //
 //   ./bench.sh doors [--named] [--smoke]
 //
-// The files are the tables of measurements and the Magic Formula tires of the repository, one of
-// each head. A mutant counts as
-//   same      its numbers are those of the good file to 1e-12, where the change leaves its meaning
-//   refused   by an error that names the file
-//   told      a doubt of the ledger, an unknown name in it, or a note names what was changed
-//   rest      the changed column is no channel of its name and dimension any more: whoever needs it
-//             is refused, and all other channels have the same numbers
-//   silent    anything else: --named lists them
+// The files are the tables of measurements and the Magic Formula tires of the repository, one for
+// each header. A mutant counts as
+//   same      if its numbers equal those of the good file to 1e-12 and the change keeps its meaning
+//   refused   if an error names the file
+//   told      if a doubt of the ledger, an unknown name in it, or a note names the change
+//   rest      if the changed column is no channel of its name and dimension any more: users of that
+//             channel are refused, and all other channels have the same numbers
+//   silent    otherwise: --named lists them
 #include <fmt/format.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 constexpr double kSame = 1e-12;
 constexpr int kFewestFiles = 40;
 
-/// What a reader made of a file: numbers by name, and every sentence that names something.
+/// Result of reading a file: numbers by name, and every sentence that names something.
 struct Reading {
   std::map<std::string, std::vector<double>> numbers;
   std::vector<std::string> told;
@@ -55,13 +55,13 @@ Reading read_table(const fs::path& file) {
   return reading;
 }
 
-/// A table of deflections or radii and forces, by its own reader.
+/// Reads a table of deflections or radii and forces with its special reader.
 Reading read_forces(const fs::path& file) {
   const LoadDeflectionCurve curve = formats::read_load_deflection(file);
   return {{{"position", curve.position}, {"force", curve.force}}, {}};
 }
 
-/// A table of modes, by its own reader.
+/// Reads a table of modes with its special reader.
 Reading read_mode_table(const fs::path& file) {
   Reading reading;
   for (const auto& mode : formats::read_modes(file).modes)
@@ -94,7 +94,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// Names in any case: a file in capitals may keep its own spelling of what has no name of ours.
+/// Compares names without case: a file in capitals may keep its own spelling of unknown names.
 bool is_same(const Reading& a, const Reading& b) {
   std::map<std::string, const std::vector<double>*> there;
   for (const auto& [name, values] : b.numbers) there[lower(name)] = &values;
@@ -106,7 +106,7 @@ bool is_same(const Reading& a, const Reading& b) {
   return true;
 }
 
-/// Whether what both have is the same, and a channel of the good file is gone.
+/// True if all common channels are the same and a channel of the good file is missing.
 bool is_rest(const Reading& good, const Reading& read) {
   bool one_is_gone = false;
   for (const auto& [name, values] : good.numbers) {
@@ -117,7 +117,8 @@ bool is_rest(const Reading& good, const Reading& read) {
   return one_is_gone;
 }
 
-/// Whether the reader says more than of the good file, of what was changed where that has a name.
+/// True if the reader reports more than for the good file, or names the change if the change has a
+/// name.
 bool tells(const Mutant& mutant, const Reading& good, const Reading& read) {
   const std::set<std::string> usual(good.told.begin(), good.told.end());
   for (const std::string& sentence : read.told)
@@ -142,7 +143,7 @@ class Doors {
   void go_through(const fs::path& file, const std::vector<Mutant>& mutants, Reader reader) {
     const fs::path copy = folder_ / ("changed" + file.extension().string());
     write_text_file(copy, read_text_file(file));
-    const Reading good = reader(copy);  // of the same name, which sentences hold
+    const Reading good = reader(copy);  // copied to one name, because sentences contain it
     ++counts.files;
     for (const Mutant& mutant : mutants) {
       const fs::path changed = folder_ / ("changed" + file.extension().string());
@@ -169,7 +170,7 @@ class Doors {
       } else if (mutant.allowed == Allowed::the_rest && is_rest(good, read)) {
         ++counts.rest;
       } else if (is_same(good, read)) {
-        ++counts.same;  // the change is without effect on what is read
+        ++counts.same;  // the change has no effect on the numbers read
       } else {
         ++counts.silent;
         counts.named.push_back(file.string() + ": " + mutant.change + " (" + mutant.touched + ")");
@@ -185,7 +186,7 @@ class Doors {
   ScratchFolder folder_;
 };
 
-/// The tables of the repository that are measurements, one of each head, and its tires.
+/// Returns the tables of the repository that are measurements, one for each header, and its tires.
 std::vector<fs::path> good_files() {
   const fs::path tree = LATSCH_SOURCE_DIR;
   std::vector<fs::path> files;
@@ -198,7 +199,7 @@ std::vector<fs::path> good_files() {
   return files;
 }
 
-/// Tables with a reader of their own are read by it.
+/// Returns the reader of a table: its special reader if it has one.
 Doors::Reader reader_of(const TableText& table) {
   const auto has = [&](const char* name) {
     return std::find(table.names.begin(), table.names.end(), name) != table.names.end();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch test of 10^5 steady states, the whole process; tables of any length in bounded memory (MB
-// as argument)
+// `latsch test` of 10^5 steady states in a whole process, and memory for tables of any length.
+//
+// An argument sets the size of the table in MB; the memory has to be bounded.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -27,7 +28,7 @@ struct Cost {
   bool done = false;
 };
 
-/// What another process costs, from its start to its end.
+/// Returns the cost of another process, from its start to its end.
 Cost cost_of(const std::function<int()>& run) {
   const auto start = std::chrono::steady_clock::now();
   const pid_t child = ::fork();
@@ -39,7 +40,7 @@ Cost cost_of(const std::function<int()>& run) {
   return {wall.count(), 1024.0 * static_cast<double>(used.ru_maxrss), status == 0};
 }
 
-/// States of a tire until the file is so large; gives their number back.
+/// Writes states of a tire until the file has the given size, and returns their number.
 long write_states(const fs::path& file, long rows, double bytes) {
   std::ofstream out(file, std::ios::binary);
   out << "Fz [N],alpha [deg],kappa,gamma [deg],p [bar]\n";
@@ -75,7 +76,7 @@ Cost evaluate(const fs::path& states, const fs::path& output) {
   });
 }
 
-/// Every number of a table, block by block.
+/// Reads every number of a table, block by block.
 Cost read_all(const fs::path& file) {
   return cost_of([&] {
     const auto table = formats::CsvTable::read(file);

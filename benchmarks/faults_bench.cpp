@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// 1,000 injected hangs, crashes, garbage answers, exits, exceptions, floods: no study lost
+// 1,000 injected hangs, crashes, garbage outputs, exits, exceptions, floods: no study lost.
 //
-// Beside it what else may happen to a study: a full disk, a damaged journal, a second run on one
-// journal, Ctrl-C.
+// Further faults are a full disk, a damaged journal, a second run on one journal, and Ctrl-C.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -57,7 +56,7 @@ constexpr std::array kNames{"none",
                             "out of memory"};
 constexpr int kKinds = 8;
 
-/// Every third of the points goes wrong, in a random way of its own.
+/// Returns the fault of a point: every third point fails in a random way.
 Fault fault_of(int point) {
   return point % 3 != 0 ? none : static_cast<Fault>(1 + RandomStream(1, point).below(kKinds));
 }
@@ -166,7 +165,7 @@ void evaluator_faults(Table& table, int points) {
                  longest <= 1.0);
 }
 
-/// A point after the other, nothing else to propose: a point that hangs has all workers to itself.
+/// Proposes one point after the other and nothing else, so a point that hangs has all workers.
 class OneByOne : public Optimizer {
  public:
   explicit OneByOne(std::vector<DesignPoint> points) : points_(std::move(points)) {}
@@ -184,7 +183,7 @@ class OneByOne : public Optimizer {
   int expired_ = 0;
 };
 
-/// So many points without a fault and `hanging` ones that hang, these at the end.
+/// Returns `good` points without a fault, followed by `hanging` ones that hang.
 std::vector<DesignPoint> points_with_hangs(int good, int hanging) {
   std::vector<DesignPoint> points, last;
   for (int i = 0; good > 0 || hanging > 0; ++i) {
@@ -195,7 +194,8 @@ std::vector<DesignPoint> points_with_hangs(int good, int hanging) {
   return points;
 }
 
-/// A search that comes to points which always hang; what it starts beyond the first of each.
+/// Runs a search that reaches points which always hang, and counts the evaluations it starts beyond
+/// the first of each.
 void hanging_points(Table& table, const Options& options) {
   constexpr int kGood = 20, kHanging = 3;
   const std::vector<int> counts = options.size(std::vector<int>{1, 2, 4}, std::vector<int>{2});
@@ -229,7 +229,7 @@ void hanging_points(Table& table, const Options& options) {
   }
 }
 
-/// kill -9 of a worker of ours, whatever it is at.
+/// Kills a worker of this process with kill -9, whatever it is doing.
 void kill_a_worker(RandomStream& random) {
   std::vector<pid_t> children;
   for (const pid_t pid : processes_with(std::string("\0worker", 7))) {
@@ -241,7 +241,7 @@ void kill_a_worker(RandomStream& random) {
   if (!children.empty()) ::kill(children[random.below(children.size())], SIGKILL);
 }
 
-/// Points hang, their workers are killed and the disk becomes full, all at once; then it is
+/// Points hang, their workers are killed and the disk becomes full, all at once; then the run is
 /// resumed.
 void several_at_once(Table& table, const Options& options) {
   const int good = options.size(200, 60), hanging = options.size(6, 2);
@@ -333,7 +333,8 @@ Trial stored_trial(int number) {
   return {{{1.0 * number}}, {channels, 1.5, 1.25, 0}};
 }
 
-/// Whether what is read from a damaged journal is what was written, and all of it or a complaint.
+/// True if the trials read from a damaged journal are those written, and either all are there or
+/// there is a complaint.
 bool is_honest(const JournalReport& report, int trials) {
   for (const auto& row : report.rows) {
     const auto read = row.decode();
@@ -376,7 +377,7 @@ void damaged_journal(Table& table, int damages) {
             fmt::format("{}", dishonest),
             "0",
             dishonest == 0);
-  // A bit lies in one row at most.
+  // A bit is in one row only.
   table.row("trials that a bit flip costs, at most",
             fmt::format("{}", most_lost),
             "<= 1",
@@ -424,7 +425,7 @@ void second_run(Table& table) {
             read == 1 && healthy);
 }
 
-/// A study whose program never ends.
+/// Writes a study whose program never ends.
 fs::path write_endless_study(const fs::path& folder) {
   write_text_file(folder / "in.txt", "{x}\n");
   write_text_file(folder / "measured.csv", "y [1]\n1\n");
@@ -459,7 +460,7 @@ pid_t start_run(const fs::path& study) {
   ::_exit(1);
 }
 
-/// Processes that work in that folder: an outside program that outlived its run.
+/// Counts processes that work in that folder: outside programs that outlived their run.
 int count_left_in(const fs::path& folder) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator("/proc")) {
@@ -470,12 +471,13 @@ int count_left_in(const fs::path& folder) {
   return count;
 }
 
-/// s from the signal, sent `times` times, to the end of a run whose trials never end.
+/// Returns the time, s, from a signal, sent `times` times, to the end of a run whose trials never
+/// end.
 double time_to_stop(int signal, int times, int& left) {
   const ScratchFolder folder;
   const fs::path study = write_endless_study(folder.path());
   const pid_t child = start_run(study);
-  while (!fs::exists(folder / "study.scratch")) {  // a trial has begun
+  while (!fs::exists(folder / "study.scratch")) {  // wait until a trial has begun
     if (::waitpid(child, nullptr, WNOHANG) != 0) throw std::runtime_error("latsch run ended early");
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
@@ -488,7 +490,7 @@ double time_to_stop(int signal, int times, int& left) {
   ::waitpid(child, &status, 0);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   for (int i = 0; i < 20 && count_left_in(folder.path()) > 0; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));  // for the system to end them
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));  // time for the system to end them
   }
   left += count_left_in(folder.path());
   return time.count();

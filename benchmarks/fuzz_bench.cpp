@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A million spoiled files for every reader: numbers or an InputError, never anything else
+// A million spoiled files for every reader: each gives numbers or an InputError, nothing else.
 //
 //   ./bench.sh fuzz [--inputs N] [--reader NAME] [--first I]
 //
 // Small good files are spoiled by one to four changes each (base/spoiled_text_testing.h), the i-th
-// input always in the same way; what was read is then used as a program uses it. Every reader runs
-// in a process of its own with 4 GB of memory: a crash, ten seconds without an answer and any
-// exception that is no InputError are counted and named with the number of the input, which
-// `--first I --inputs 1` repeats.
+// input always in the same way; the result is then used as a program uses it. Every reader runs in
+// a separate process with 4 GB of memory. A crash, ten seconds without a result, and any exception
+// except InputError are counted and reported with the number of the input; `--first I --inputs 1`
+// repeats an input.
 //
 // With the sanitizers, whose complaints end the process and count as crashes:
 //   cmake --preset asan && cmake --build --preset asan --target bench_fuzz
@@ -56,7 +56,7 @@ namespace {
 constexpr std::uint64_t kSeed = 20260;
 constexpr rlim_t kMemory = 4ul << 30;  // bytes
 constexpr auto kHang = std::chrono::seconds(10);
-constexpr int kMostNamed = 5;  // inputs of one reader named on the terminal
+constexpr int kMostNamed = 5;  // inputs of one reader listed on the terminal
 
 struct Reader {
   std::string name;
@@ -65,9 +65,9 @@ struct Reader {
   std::function<void(const std::string&)> use;
 };
 
-/// What a reader's process tells the one that watches it, also when it dies.
+/// Shared state of a reader's process, readable after its death by the process that watches it.
 struct Progress {
-  std::atomic<long> next;  // input under way
+  std::atomic<long> next;  // current input
   std::atomic<long> rejected;
   std::atomic<long> unclassified;
 };
@@ -194,7 +194,8 @@ Reader crg_reader() {
           }};
 }
 
-/// An element of a MAT file: type, length, contents padded to eight bytes; this machine's order.
+/// Returns an element of a MAT file: type, length, contents padded to eight bytes; in this
+/// machine's byte order.
 std::string mat_element(std::uint32_t type, const std::string& contents, bool padded = true) {
   std::string bytes(8, '\0');
   const auto size = static_cast<std::uint32_t>(contents.size());
@@ -303,7 +304,7 @@ Reader bus_reader() {
           }};
 }
 
-/// The form alone, as whoever knows its sections asks it.
+/// Returns a reader of the form alone, as used by callers that know its sections.
 Reader teim_orbit_reader() {
   Reader reader = tir_reader();
   reader.name = "TeimOrbit";
@@ -379,9 +380,9 @@ std::string input(const Reader& reader, long number) {
   return spoiled(seed, reader.pieces, random);
 }
 
-/// The reader's process: from `progress.next` to `end`.
+/// Runs in the reader's process, from `progress.next` to `end`.
 [[noreturn]] void work(const Reader& reader, long end, Progress& progress) {
-#if !defined(__SANITIZE_ADDRESS__)  // whose shadow needs terabytes of addresses
+#if !defined(__SANITIZE_ADDRESS__)  // its shadow memory needs terabytes of addresses
   const rlimit limit{kMemory, kMemory};
   ::setrlimit(RLIMIT_AS, &limit);
 #endif
@@ -406,7 +407,7 @@ std::string input(const Reader& reader, long number) {
   ::_exit(0);
 }
 
-/// Waits until the process ends or does not get on.
+/// Waits until the process ends or makes no progress; returns true in the latter case.
 bool hung(pid_t child, const Progress& progress, int& status) {
   auto since = std::chrono::steady_clock::now();
   long last = progress.next;
@@ -447,7 +448,7 @@ void run(const Reader& reader, long first, long inputs, Table& table) {
                progress.next.load(),
                hangs_now ? "hangs" : "crashes");
     ++progress.next;
-    if (crashes + hangs > 100) break;  // it will not get better
+    if (crashes + hangs > 100) break;  // further crashes are not worth counting
   }
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studio's server under attack: 4xx, little memory, soon answered pings, nothing else readable
+// The studio's server under attack: 4xx, little memory, fast pings, nothing else readable.
 //
 //   ./bench.sh hostile_http [--alone]
 //
-// `latsch serve` runs in a process of its own, over a folder with a study and beside files that are
-// none of its business. With --alone it is the server of src/studio/http by itself, with a handler
-// of a few lines, which publishes a hundred events a second.
+// `latsch serve` runs in a separate process, over a folder with a study and beside files that it
+// must not read. With --alone it is the server of src/studio/http by itself, with a handler of a
+// few lines, which publishes a hundred events a second.
 //
-// All the time a person's page asks for /api/ping a hundred times a second, on a connection that is
-// kept and on new ones. Memory is the peak of the server's process over that after a few dozen
-// usual requests. The seed of the spoiled requests is fixed.
+// All the time a user's page requests /api/ping a hundred times a second, on a kept connection and
+// on new ones. Memory is the increase of the server's peak over that after a few dozen usual
+// requests. The seed of the spoiled requests is fixed.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -46,7 +46,7 @@ constexpr int kSlow = 1000, kEventClients = 200;
 constexpr std::uint64_t kSeed = 20260;
 const std::string kSecret = "nobody may read this";
 
-/// Until somebody sends SIGTERM or the benchmark is gone.
+/// Serves until SIGTERM arrives or the benchmark has ended.
 int serve() {
   const pid_t benchmark = ::getppid();
   sigset_t end;
@@ -67,7 +67,7 @@ int serve() {
   return 0;
 }
 
-/// What all replies are held against.
+/// Checks applied to all replies.
 struct Seen {
   long replies = 0;
   long with_secrets = 0;
@@ -88,7 +88,7 @@ class Attack {
          std::chrono::milliseconds duration)
       : server_(server), pings_(pings), table_(table), seen_(seen), duration_(duration) {}
 
-  /// Each of these is answered with 4xx.
+  /// Requires that each of these requests is refused with 4xx.
   void refused(const std::string& what, const std::vector<std::string>& requests) {
     repeated(what, [&] {
       std::vector<Reply> replies;
@@ -98,8 +98,8 @@ class Attack {
     });
   }
 
-  /// One row: the same again and again for `duration`; how many of the replies are 4xx, which they
-  /// are.
+  /// Adds one row: repeats the attack for `duration` and counts the replies with 4xx, which all
+  /// have to be.
   void repeated(const std::string& what, const std::function<std::vector<Reply>()>& attack) {
     std::map<int, long> count;
     long all = 0, refused = 0;
@@ -136,7 +136,7 @@ class Attack {
   std::vector<double> all_pings_;
 };
 
-/// Sends up to so much while the server takes it, then looks what it says.
+/// Sends up to `bytes` while the server accepts them, then returns its reply.
 Reply reply_to_endless(std::uint16_t port,
                        const std::string& beginning,
                        std::size_t bytes,
@@ -152,7 +152,7 @@ Reply reply_to_endless(std::uint16_t port,
   return client.reply(15s);
 }
 
-/// A smoke run sends less of the gigabyte that it announces.
+/// Sends endless bodies. A smoke run sends less of the gigabyte that it announces.
 void endless(const AttackedServer& server, std::size_t sent, Attack& attack) {
   const std::string piece(1 << 20, 'x');
   const std::string length = fmt::format("Content-Length: {}\r\n", kGigabyte);
@@ -190,7 +190,8 @@ void endless(const AttackedServer& server, std::size_t sent, Attack& attack) {
   });
 }
 
-/// A thousand at once that never end their request, opened anew as fast as the server ends them.
+/// Opens a thousand sockets at once that never end their request, and reopens them as fast as the
+/// server ends them.
 void slow_sockets(const AttackedServer& server,
                   std::chrono::milliseconds duration,
                   Attack& attack,
@@ -227,7 +228,7 @@ void slow_sockets(const AttackedServer& server,
   attack.ping_note("slow sockets");
 }
 
-/// Half of them read nothing.
+/// Opens event clients of which half read nothing.
 void event_clients(const AttackedServer& server, Attack& attack, Table& table) {
   std::vector<RawClient> clients;
   for (int i = 0; i < kEventClients; ++i) {
@@ -249,7 +250,7 @@ void event_clients(const AttackedServer& server, Attack& attack, Table& table) {
   attack.ping_note("event clients");
 }
 
-/// Every status but 5xx is right for what may still be a good request.
+/// Sends spoiled requests. Every status except 5xx is allowed, because a request may still be good.
 void spoiled_requests(
     const AttackedServer& server, int count, Attack& attack, Table& table, Seen& seen) {
   const std::vector<std::string> seeds = {
@@ -373,7 +374,7 @@ int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "--serve") == 0) return serve();
   rlimit files{};
   ::getrlimit(RLIMIT_NOFILE, &files);
-  files.rlim_cur = files.rlim_max;  // a thousand sockets of ours
+  files.rlim_cur = files.rlim_max;  // for a thousand sockets of this process
   ::setrlimit(RLIMIT_NOFILE, &files);
   return run_benchmark(
       argc, argv, {{"--alone", "", "the server by itself, with a handler of its own"}}, attack);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// `auto` as shipped on 48 identification-like problems, smooth, rough, noisy, with a failing corner
+// `auto` as shipped on 48 identification problems, smooth, rough, noisy, with a failing corner.
 //
-// Half of the problems were there to tune on, half are held out (verification/identification_set).
-// Beside SciPy's least_squares, with differences of its own and of 1e-2, and NLopt's BOBYQA and
-// COBYLA in the same run, and DFO-LS 1.6.5: its figures were taken on 47 other problems of the same
-// kind (233 runs) and are a table here. What to reach: no cell behind any of them, and at 20 (n +
-// 1) .93 and .90 of all. `--tuning`: that half alone, and which runs are not solved.
+// Half of the problems were available for tuning, half are held out
+// (verification/identification_set). The peers are SciPy's least_squares, with its own differences
+// and those of 1e-2, NLopt's BOBYQA and COBYLA in the same run, and DFO-LS 1.6.5, whose figures
+// were measured on 47 other problems of the same kind (233 runs) and are a table here. Required: no
+// cell is worse than any of them, and at 20 (n + 1) .93 and .90 of all. `--tuning` runs that half
+// alone and lists the unsolved runs.
 //
-// A run that ends shows the same digits whatever the rounding: the smooth problems again, with
-// residuals off by 1e-12 of themselves.
+// A run that ends gives the same digits whatever the rounding: the smooth problems are repeated
+// with a relative error of 1e-12 in the residuals.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlopt.h>
@@ -32,7 +33,7 @@ using identification_set::Variant;
 
 constexpr double kTaus[] = {1e-3, 1e-5};
 
-/// One problem in one variant: what every solver reached, evaluation by evaluation.
+/// One problem in one variant: the values every solver reached, evaluation by evaluation.
 struct Trial {
   std::string problem;
   Variant variant;
@@ -41,7 +42,7 @@ struct Trial {
   double start, least;
   std::map<std::string, std::vector<double>> exact;
 
-  /// In units of n + 1; infinite: not reached.
+  /// Returns the evaluations in units of n + 1; infinite: not reached.
   double solved(const std::string& solver, double tau) const {
     const double below = least + tau * (start - least);
     const auto& values = exact.at(solver);
@@ -83,7 +84,7 @@ Trial run(const DisturbedProblem& problem, SciPy& scipy) {
   return trial;
 }
 
-using Shares = std::vector<double>;  // one a budget
+using Shares = std::vector<double>;  // one for each budget
 
 Shares shares(const std::vector<Trial>& trials,
               const std::string& solver,
@@ -102,7 +103,8 @@ Shares shares(const std::vector<Trial>& trials,
   return found;
 }
 
-/// DFO-LS 1.6.5 on 47 other problems of this kind: all, rough (its noise setting), failing corner.
+/// Returns the shares of DFO-LS 1.6.5 on 47 other problems of this kind: all, rough (its noise
+/// setting), failing corner.
 Shares dfo_ls(const std::string& group, double tau) {
   if (group == "all")
     return tau > 1e-4 ? Shares{.674, .837, .893, .901} : Shares{.481, .760, .837, .854};
@@ -166,7 +168,8 @@ void list_unsolved(const std::vector<Trial>& trials) {
   }
 }
 
-/// The root of the least sum of squares a run finds with residuals off by `rounding`.
+/// Returns the root of the least sum of squares that a run finds with a relative residual error of
+/// `rounding`.
 double end_of(const identification_set::Problem& problem, double rounding) {
   ResidualTrustRegion method(problem.space);
   double least = std::numeric_limits<double>::infinity();

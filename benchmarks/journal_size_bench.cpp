@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a journal takes beside the plain numbers in it, and how long it takes to write and to read
+// Size of a journal relative to its plain numbers, and the time to write and to read it.
 //
-// The channels are those real searches left behind: a Magic Formula 6.1 answering 600 measured
-// states, fitted to a race tire and profiled; flexible rings over a cleat, a design of points
-// across the bounds of a study. Both are computed, to the rounding of their sums, at states that
-// carry a measurement's noise. What noise of the model itself costs is shown by channels to which
-// some was added: no prediction tells it, so it is kept in full.
+// The channels are those of real searches: a Magic Formula 6.1 with 600 measured states, fitted to
+// a race tire and profiled; flexible rings over a cleat, a design of points across the bounds of a
+// study. Both are computed, to the rounding of their sums, at states with a measurement's noise.
+// The cost of noise of the model itself is shown by channels to which noise was added: it cannot be
+// predicted, so it is stored in full.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -28,13 +28,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kRipple = 1e-6;  // of every value
+constexpr double kRipple = 1e-6;  // share of every value
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The study with every second of its 1200 states.
+/// Returns the study with every second of its 1200 states.
 correlation::Study magic_formula(const fs::path& folder) {
   const fs::path from = fs::path(LATSCH_SOURCE_DIR) / "studies" / "race_tire_mf";
   fs::copy(from, folder, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
@@ -48,12 +48,12 @@ correlation::Study magic_formula(const fs::path& folder) {
   }
   half.close();
   correlation::Study study = correlation::read_study(folder / "study.toml", experiment::language());
-  study.optimizer.method = "residual_trust_region";  // a search of many trials
+  study.optimizer.method = "residual_trust_region";  // a search with many trials
   study.asks_slopes = false;
   return study;
 }
 
-/// The fit of the study and its profiles, up to so many trials.
+/// Runs the fit of the study and its profiles, up to `most` trials.
 std::vector<Trial> search(const correlation::Study& study, long most) {
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
   ThreadExecutor executor([&] { return correlation::evaluator(study); }, 2);
@@ -93,14 +93,14 @@ std::vector<Trial> with_ripple(std::vector<Trial> trials) {
 }
 
 struct Cost {
-  double share = 0.0;              // of the file over the plain numbers
-  double write = 0.0, read = 0.0;  // s, a trial
-  double plain = 0.0;              // bytes a trial
+  double share = 0.0;              // size of the file over that of the plain numbers
+  double write = 0.0, read = 0.0;  // s for each trial
+  double plain = 0.0;              // bytes for each trial
   bool is_same = true;
 };
 
 Cost cost_of(const std::vector<Trial>& trials) {
-  constexpr std::size_t kGroup = 16;  // as commits of several workers gather
+  constexpr std::size_t kGroup = 16;  // size of a group of commits from several workers
   const ScratchFolder folder;
   const fs::path file = folder / "a.latsch";
   Cost cost;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every kernel set this processor has: its time in units of a yardstick, and whether bits are the
-// same
+// Every kernel set of this processor: its time in units of a yardstick, and identity of the bits.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +27,7 @@ using namespace latsch::benchmarks;
 
 constexpr std::size_t kStates = 4096;
 
-/// What a kernel gave and what it cost.
+/// Results and cost of a kernel.
 struct Run {
   std::vector<double> results;
   Beside cost;
@@ -78,7 +77,7 @@ Run many_at_once(int rounds) {
   return run;
 }
 
-/// 0.15 s at 60 km/h over a cleat of 10 x 30 mm; the cost of a step of 0.5 ms.
+/// Runs 0.15 s at 60 km/h over a cleat of 10 x 30 mm and returns the cost of a step of 0.5 ms.
 Run ring_over_cleat(int rounds) {
   auto ring = ring_tire::passenger_ring();
   ring.nodes = 80;
@@ -114,7 +113,8 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// FNV-1a of the bits: the same on every processor with fused multiply-adds.
+/// Returns the FNV-1a hash of the bits, which is the same on every processor with fused
+/// multiply-adds.
 std::uint64_t digest(const std::vector<double>& values) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const double value : values)
@@ -125,7 +125,7 @@ std::uint64_t digest(const std::vector<double>& values) {
   return hash;
 }
 
-/// In SI units, where they are small, else relative.
+/// Returns the largest difference, absolute in SI units for small values, relative for large ones.
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// `auto` as shipped where variables are lost at the start: smooth and noisy, beside SciPy and
-// BOBYQA
+// `auto` as shipped with variables lost at the start: smooth and noisy, with SciPy and BOBYQA.
 //
-// Half of the problems decided what the search does about lost variables, half were looked at once
-// afterwards (verification/identification_set/lost_problems.cpp). Solved within 20 and 50 (n + 1)
-// evaluations to 1e-5 of what there is to gain. What to reach: in no cell behind the better of
-// both.
+// Half of the problems decided the handling of lost variables, half were evaluated once afterward
+// (verification/identification_set/lost_problems.cpp). A problem counts as solved within 20 and 50
+// (n + 1) evaluations to 1e-5 of the possible gain. Required: no cell is worse than the better of
+// both peers.
 #include <fmt/format.h>
 #include <nlopt.h>
 
@@ -68,7 +67,7 @@ void row(Table& table, SciPy& scipy, bool is_held_out, Variant variant, int most
 
 int bench(const Options& options) {
   Table table("lost_variables", options);
-  const int most = options.size(1000, 1);  // problems a row
+  const int most = options.size(1000, 1);  // largest number of problems in a row
   SciPy scipy;
   for (const bool is_held_out : {false, true}) {
     for (const Variant variant : {Variant::smooth, Variant::noisy}) {

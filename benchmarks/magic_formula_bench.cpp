@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Magic Formula 5.2, 6.1, 6.2: agreement with an independent program, one evaluation, 10^6 at once,
-// slopes
+// Magic Formula 5.2, 6.1, 6.2: agreement with an independent program; time of one, many, slopes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -69,8 +68,9 @@ void agreement(benchmarks::Table& table) {
   }
 }
 
-/// A reach in seconds is meant for a processor with AVX2 at about 3.4 GHz, where an arc tangent of
-/// the C library takes that long; elsewhere the same number of arc tangents is asked for.
+/// Time of an arc tangent of the C library, s, on a processor with AVX2 at about 3.4 GHz, for which
+/// the limits in seconds are meant. On other processors the limit is the same number of arc
+/// tangents.
 constexpr double kAtanThere = 9.5e-9;
 
 void row(benchmarks::Table& table, const std::string& what, const Beside& cost, double reach) {
@@ -108,7 +108,7 @@ void speed(const benchmarks::Options& options, benchmarks::Table& table) {
   table.note("sum of side forces, so that nothing is left out", fmt::format("{:.3f} N", sum));
 }
 
-/// Exact slopes of a fit's size beside the evaluations that differences would take.
+/// Compares exact slopes of a fit's size with the evaluations that differences would need.
 void slopes(const benchmarks::Options& options, benchmarks::Table& table) {
   const auto sample = verification::sample_tire(Version::mf61);
   if (!sample) return;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The residual trust region and GSS on 53 Moré-Wild problems: smooth, noisy, failing, in parallel
+// The residual trust region and GSS on 53 Moré-Wild problems: smooth, noisy, failing, in parallel.
 //
-// What to reach: for the trust region above DFO-LS 1.6.5 (.925/.981/.981 and .792/.943/.962), for
-// GSS every figure of HOPSPACK 2.0. With 1 % noise on every residual solved is what the true
-// residuals say. Where points have no outcome, 5 % and 20 % of them, NLopt's solvers are left out:
-// they know no failed point. DFO-LS falls from .925 to .396 at 5 % (tau 1e-3 @10).
+// Required: the trust region is above DFO-LS 1.6.5 (.925/.981/.981 and .792/.943/.962), and GSS
+// reaches every figure of HOPSPACK 2.0. With 1 % noise on every residual the true residuals decide
+// whether a problem is solved. With points without outcome, 5 % and 20 % of them, NLopt's solvers
+// are left out, because they do not support failed points. DFO-LS falls from .925 to .396 at 5 %
+// (tau 1e-3 @10).
 //
-// In parallel: 16 simulated workers whose trials take 0.5 to 1.5 units of a virtual time, through
+// In parallel, 16 simulated workers with trials of 0.5 to 1.5 units of a virtual time run through
 // the scheduler that runs studies. HOPSPACK 2.0 keeps 10.3 of 16 workers busy and solves
 // .283/.566/.642 at 2/5/10 (n + 1) units.
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ namespace {
 constexpr int kWorkers = 16;
 constexpr int kOutstanding =
     20;  // a quarter more: no worker waits for the trial that is observed next
-const std::vector<double> kTimes{2, 5, 10};  // of n + 1 mean trials
+const std::vector<double> kTimes{2, 5, 10};  // multiples of n + 1 mean trials
 
 struct Busy {
   double work = 0.0, time = 0.0;
@@ -39,7 +40,7 @@ Result<Score> sum_of_squares(const Channels& channels) {
   return score;
 }
 
-/// What the method has decided on, without speculation: no worker is left for that.
+/// The chosen points of a method without speculation, for which no worker is left.
 class Decided : public Optimizer {
  public:
   explicit Decided(Optimizer& method) : method_(method) {}
@@ -86,7 +87,7 @@ Solved run(const more_wild::Problem& problem, Busy& busy) {
   return observed.solved();
 }
 
-/// What all sections run on: a smoke run on the first problems alone.
+/// The problems of all sections; in a smoke run the first ones alone.
 using Problems = std::vector<more_wild::Problem>;
 
 Profile measured(const Solver& solver, const std::vector<Disturbance>& draws, const Problems& on) {
@@ -110,7 +111,7 @@ void smooth(Table& table, const Problems& on) {
   }
   note(table, "NLopt BOBYQA", measured(nlopt(NLOPT_LN_BOBYQA), none, on));
   note(table, "NLopt Nelder-Mead", measured(nlopt(NLOPT_LN_NELDERMEAD), none, on));
-  // COBYLA of NLopt 2.7.1 can loop for ever and is left out.
+  // COBYLA of NLopt 2.7.1 can loop without end and is left out.
 }
 
 void noisy(Table& table, const Problems& on) {
@@ -143,7 +144,7 @@ void failing(Table& table, const Problems& on) {
   const Profile whole = measured(residual_trust_region(), {{}}, on);
   const Profile some = measured(residual_trust_region(), draws(0.05), on);
   const Profile many = measured(residual_trust_region(), draws(0.2), on);
-  // Three points: .030 of the share.
+  // Three points are .030 of the share.
   reach(table, "5 % fail, tau 1e-3 @10", some.tau_1e3[0], whole.tau_1e3[0] - 0.03);
   reach(table, "5 % fail, tau 1e-3 @50", some.tau_1e3[1], whole.tau_1e3[1] - 0.03);
   reach(table, "20 % fail, tau 1e-3 @50", many.tau_1e3[1], 0.85);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Optimizers on many problems of one kind, by which constants of a search are judged
+// Optimizers on many problems of one kind, by which constants of a search are judged.
 //
-// The 53 Moré-Wild problems, each five times moved, rotated and scaled (varied_problems.h): 795, in
-// three states: smooth; with 1 % noise on every residual; with a tenth of the points without
-// outcome. One problem more or less is .001 of a share: what single sets of 53 leave to chance.
+// The 53 Moré-Wild problems are each moved, rotated and scaled five times (varied_problems.h): 795
+// problems in three states: smooth; with 1 % noise on every residual; with a tenth of the points
+// without outcome. One problem more or less is .001 of a share, while single sets of 53 leave the
+// result to chance.
 //
-//   more_wild_varied                    the methods as shipped, beside solvers of NLopt
-//   more_wild_varied --contraction 0.5  GSS as shipped beside one of another contraction, also by
-//                                       family
+//   more_wild_varied                    the methods as shipped, with solvers of NLopt
+//   more_wild_varied --contraction 0.5  GSS as shipped and with another contraction, also by family
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlopt.h>
@@ -30,7 +30,7 @@ struct Family {
   std::vector<more_wild::Problem> problems;
 };
 
-/// Every family five times, in a smoke run the first problems of it.
+/// Returns every family five times; in a smoke run only the first problems.
 std::vector<Family> families(const Options& options) {
   const int variants = options.size(5, 1);
   std::vector<Family> all = {{"moved", {}}, {"rotated", {}}, {"scaled", {}}};
@@ -55,7 +55,7 @@ struct State {
 const State kStates[] = {
     {"smooth", {}}, {"noise", {.noise = 0.01}}, {"failing", {.failures = 0.1}}};
 
-/// Of every family in turn, then of all problems.
+/// Returns the profile of every family in turn, then of all problems.
 std::vector<Profile> profiles(const Solver& solver,
                               const std::vector<Family>& families,
                               const Disturbance& disturbance) {
@@ -71,7 +71,8 @@ std::vector<Profile> profiles(const Solver& solver,
   return found;
 }
 
-/// A row a budget and tau: the share of a method, and the largest of its peers' as what to reach.
+/// Adds a row for each budget and tau: the share of a method, and the largest of its peers as the
+/// required value.
 void beside(Table& table,
             const std::string& what,
             const Profile& own,
@@ -109,7 +110,7 @@ int methods_as_shipped(const Options& options) {
   return table.exit_code();
 }
 
-/// Two columns: as shipped, and of the other contraction.
+/// Compares two columns: as shipped, and with the other contraction.
 int judge_contraction(double other, const Options& options) {
   Table table("more_wild_varied", options);
   const auto problems = families(options);

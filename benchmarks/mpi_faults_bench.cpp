@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ranks of an MPI job are killed, throw or lose their master: no hang, nothing finished lost (F8)
+// Ranks of an MPI job are killed, throw or lose their master: no hang, nothing finished lost (F8).
 //
 //   bench_mpi_faults [REPETITIONS]          recovery on: with mpirun --enable-recovery
 //
 // The program itself runs under mpirun on a small study and is disturbed after a random number of
-// trials. Every history ends in a resume, and its trajectory is compared with an undisturbed one.
+// trials. Every history ends in a resume, and its path is compared with an undisturbed one.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -31,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kRanks = 4;  // one leads
+constexpr int kRanks = 4;  // including the master
 constexpr double kPause = 0.05;
 constexpr double kLongest = 30.0;  // s, from a disturbance to the end of the job
 
@@ -47,7 +47,7 @@ pid_t start_job(const fs::path& study, Recovery recovery) {
   return start(arguments);
 }
 
-/// The process that is this rank of the job on that study, or the worker it has.
+/// Returns the process of this rank of the job on that study, or of its worker.
 pid_t process_of(const fs::path& study, int rank, const std::string& verb) {
   for (const pid_t pid : processes_with(study.string())) {
     const fs::path process = fs::path("/proc") / std::to_string(pid);
@@ -68,20 +68,20 @@ pid_t process_of(const fs::path& study, int rank, const std::string& verb) {
 struct Fault {
   std::string name;
   Recovery recovery;
-  bool finishes;  // the job itself, without a resume
+  bool finishes;  // the job itself ends without a resume
   std::function<void(const fs::path& study)> strike;
 };
 
 void kill_rank(const fs::path& study, int rank) { ::kill(process_of(study, rank, "run"), SIGKILL); }
 
-/// The rank can start no worker any more, as where a node lost its disk: it throws.
+/// Makes a rank throw, because it cannot start a worker any more, as if a node lost its disk.
 void make_throw(const fs::path& study) {
   const std::string whole = read_text_file(study);
   write_text_file(study, "no study");
   const pid_t rank = process_of(study, 1, "run");
   ::kill(process_of(study, 1, "worker"), SIGKILL);
   const auto start = Clock::now();
-  // The ranks keep the study they have read; a resume needs it again.
+  // The ranks keep the study they have read; a resume needs the file again.
   while (::kill(rank, 0) == 0 && Clock::now() - start < std::chrono::seconds(3)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
@@ -118,7 +118,7 @@ void live_through(const Fault& fault, const std::string& reference, long trials,
   counts.finished += end_of(job) == 0;
   counts.longest =
       std::max(counts.longest, std::chrono::duration<double>(Clock::now() - struck).count());
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // for the system to end them
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // time for the system to end them
   counts.left_running += std::ssize(processes_with(folder.path().string()));
   if (end_of(start_latsch("resume", file, 2)) != 0) throw std::runtime_error("resume failed");
   const std::vector<Trial> after = trials_of(study);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an evaluation costs beside the model: in this process, in a worker, with its journal entry
+// Overhead of an evaluation beside the model: in this process, in a worker, with its journal entry.
 //
-// The quickest of five passes each: whatever else the machine does makes the others slower.
+// Times are the least of five passes, because other work on the machine slows passes down.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace latsch::benchmarks {
 namespace {
 
-// So many channels has a trial of a tire study: forces and frequencies.
+// A trial of a tire study has as many channels: forces and frequencies.
 Result<Channels> model(const DesignPoint& point) {
   Channels channels;
   channels.add({"stiffness/Fz", "N", std::vector<double>(5, point.values[0])});
@@ -93,7 +93,8 @@ double time_with_journal() {
   return (now() - start) / static_cast<double>(plan.points.size());
 }
 
-/// Every step waits for the disk: one worker, and no point is proposed before the last is known.
+/// Every step waits for the disk: there is one worker, and no point is proposed before the last
+/// outcome is known.
 double time_of_a_step_with_journal() {
   const ScratchFolder folder;
   Journal journal = Journal::open(folder / "overhead.latsch", {{"model", "none"}});

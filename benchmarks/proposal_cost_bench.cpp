@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a proposal of a search costs, by the number of variables and of points already known
+// Cost of a proposal of a search as a function of the number of variables and of known points.
 //
-// Times are of this machine; what has to hold anywhere is that the cost of a proposal does not grow
-// with the history as copying it would, and that many variables are no trap.
+// Times depend on the machine. On any machine the cost of a proposal must not grow with the history
+// as copying it would, and many variables must not be a trap.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -41,7 +41,7 @@ double seconds(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Steps until converged or `most`: seconds a step.
+/// Steps until converged or `most` steps are done; returns seconds per step.
 double a_step(Optimizer& method, int look_ahead, int most, int& steps) {
   steps = 0;
   const double time = seconds([&] {
@@ -53,7 +53,7 @@ double a_step(Optimizer& method, int look_ahead, int most, int& steps) {
   return time / std::max(1, steps);
 }
 
-/// Seconds a look ahead of four proposals takes when `known` points are known.
+/// Returns the seconds of a look ahead of four proposals with `known` known points.
 double with_history(Optimizer& method, const DesignSpace& space, int known) {
   RandomStream random(7, 0);
   for (int k = 0; k < known; ++k) {

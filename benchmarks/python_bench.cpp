@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Python adds: to a turn of ask and tell over the same turn in C++; to a start, by import
+// Overhead of Python: for a turn of ask and tell compared with C++; for a start, by import.
 //
-// Both make the same search once, which is checked by its last point to the bit, and repeat it on
-// the outcomes they have: a turn is propose and observe alone, the best of five repetitions.
+// Both languages run the same search once, which is checked by its last point to the bit, and
+// repeat it with the stored outcomes: a turn is propose and observe alone, the best of five
+// repetitions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,9 +27,9 @@ namespace {
 
 using namespace latsch;
 
-constexpr std::size_t kMostTurns = 400;  // as in ask_tell_turns.py
+constexpr std::size_t kMostTurns = 400;  // see ask_tell_turns.py
 constexpr int kRepeats = 5;
-constexpr double kMostOverhead = 20e-6;  // s a turn
+constexpr double kMostOverhead = 20e-6;  // s for each turn
 constexpr double kMostImport = 0.2;      // s
 
 std::string output_of(const std::string& arguments) {
@@ -122,7 +123,7 @@ void compare(benchmarks::Table& table, Method method, int n) {
             ours.last == theirs.last && ours.count == theirs.count);
 }
 
-/// Median of `count`, the files read before.
+/// Returns the median of `count` imports with the files already read.
 double import_seconds(int count) {
   std::vector<double> times;
   for (int k = 0; k < 1 + count; ++k)
@@ -142,7 +143,7 @@ int bench(const benchmarks::Options& options) {
     table.skip("the Python package", "pybind11 or Python's headers are missing");
     return table.exit_code();
   }
-  compare(table, Method::gss, 4);  // of more variables it takes itself too long to be compared
+  compare(table, Method::gss, 4);  // with more variables a turn takes too long for the comparison
   compare(table, Method::residual_trust_region, 4);
   compare(table, Method::levenberg_marquardt, 4);
   if (!options.is_smoke()) compare(table, Method::levenberg_marquardt, 12);

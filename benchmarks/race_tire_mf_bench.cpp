@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Magic Formula 6.1 fitted to the measured cornering of a race tire by the study that `latsch new
-// --magic-formula` writes: recordings a stage, errors over the whole run, a pressure held out
+// Magic Formula 6.1 fitted to the measured cornering of a race tire by a generated study.
+//
+// The study is written by `latsch new --magic-formula`. Rows: recordings of each stage, errors over
+// the whole run, and a pressure held out.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +31,7 @@ using namespace latsch::correlation;
 constexpr const char* kRun =
     LATSCH_SOURCE_DIR "/../shared/data/measured/ttc_hoosier_43075_cornering_10Hz.csv";
 
-/// The study as the program writes it for the run.
+/// Returns the study as the program writes it for the run.
 std::string written_study(const fs::path& folder) {
   const std::string command = fmt::format(
       "{} new {} --magic-formula {} --axes {} --column 'time = t_s [s]' --column 'Vx = V_kph "
@@ -45,7 +47,7 @@ std::string written_study(const fs::path& folder) {
   return read_text_file(folder / "study.toml");
 }
 
-/// All that the stages of a study came to.
+/// Results of all stages of a study.
 struct Fitted {
   Study study;
   std::vector<long> recordings;
@@ -68,7 +70,7 @@ Fitted fitted(const fs::path& file) {
   return result;
 }
 
-/// rms(measured - computed) / rms(measured) of an experiment.
+/// Returns rms(measured - computed) / rms(measured) of an experiment.
 double relative_error(const Study& study, const std::string& name, const Channels& trial) {
   for (const StudyExperiment& experiment : study.experiments) {
     if (experiment.name != name) continue;
@@ -84,14 +86,14 @@ double relative_error(const Study& study, const std::string& name, const Channel
   throw std::runtime_error("no experiment " + name);
 }
 
-/// The same study of the side force alone.
+/// Returns the study with the side force alone.
 std::string of_side_force(const std::string& study) {
   const std::string text =
       std::regex_replace(study, std::regex("(experiment[.]Mz|stage[.]Mz).*\n"), "");
   return std::regex_replace(text, std::regex(", \"(Q|PPZ)[A-Z0-9]+\""), "");
 }
 
-/// The same study with those pressures fitted and the other ones predicted.
+/// Returns the study with those pressures fitted and the other ones predicted.
 std::string held_out(const std::string& study, const std::string& fitted, const std::string& held) {
   std::string text = std::regex_replace(study, std::regex("\"PPY4\", |, \"PPY4\""), "");
   const std::smatch all = [&] {
@@ -166,7 +168,7 @@ int bench(const benchmarks::Options& options) {
   std::string study = written_study(folder);
   table.note("lines of TOML written",
              fmt::format("{}", std::count(study.begin(), study.end(), '\n')));
-  study = std::regex_replace(  // all of the run, in a smoke run every hundredth sample
+  study = std::regex_replace(  // all of the run; in a smoke run every hundredth sample
       study, std::regex(", every = \\d+"), options.size("", ", every = 100"));
   write_text_file(folder / "study.toml", study);
   const Fitted found = fitted(folder / "study.toml");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drum recordings: as SciPy, to a fraction of a sample, the rig found again, and in seconds
+// Drum recordings: agreement with SciPy, alignment within a sample, the rig identified, time.
 //
-// SciPy runs as a program of its own on the same samples (python3-scipy). The recordings come from
-// a rig of which everything is known (measurement/synthetic_rig.h): 92 Hz, 6 % damping, A/f^2 =
-// 0.45, c = 0.55, drifting speed, no period a whole number of samples, noise of 15 N.
+// SciPy runs as a separate program on the same samples (python3-scipy). The recordings come from a
+// rig of which everything is known (measurement/synthetic_rig.h): 92 Hz, 6 % damping, A/f^2 = 0.45,
+// c = 0.55, drifting speed, no period a whole number of samples, noise of 15 N.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -51,7 +51,7 @@ put("welch", signal.welch(x, 2000.0, nperseg=1024)[1])
 put("csd", signal.csd(x, y, 2000.0, nperseg=1024)[1])
 )py";
 
-/// A folder that goes away.
+/// A temporary folder.
 struct Scratch {
   fs::path path = fs::temp_directory_path() / fmt::format("latsch_rig_bench_{}", getpid());
   Scratch() { fs::create_directory(path); }
@@ -70,7 +70,7 @@ std::vector<double> read(const fs::path& file) {
   return values;
 }
 
-/// The largest difference over the largest value.
+/// Returns the largest difference over the largest value.
 double difference(const fs::path& file, const std::vector<double>& ours) {
   std::ifstream in(file);
   double largest = 0.0, difference = 0.0, theirs = 0.0;
@@ -103,8 +103,8 @@ void compare_with_scipy(Table& table) {
   auto coefficients = f.b;
   coefficients.insert(coefficients.end(), f.a.begin(), f.a.end());
   row("butter", "butter, order 4, 60 Hz at 2 kHz", coefficients);
-  // filtfilt is a function of b, a and x: with the same ones. The last bits of the coefficients
-  // alone move the answer by 1e-16 / (2 pi 0.03)^4 and their number.
+  // filtfilt depends on b, a and x, so it is compared with equal ones. The last bits of the
+  // coefficients alone change the result by 1e-16 / (2 pi 0.03)^4 times their number.
   const auto theirs = read(scratch.path / "butter");
   const RationalFilter same{{theirs.begin(), theirs.begin() + 5},
                             {theirs.begin() + 5, theirs.end()}};
@@ -151,7 +151,7 @@ RigFile known_file(const std::vector<double>& speeds) {
   return rig;
 }
 
-/// Scatter of the starts of the passages against the hits, samples.
+/// Returns the scatter of the starts of the passages relative to the hits, in samples.
 double jitter(const SyntheticRun& run, const ProcessedPlateau& p) {
   const auto hits = synthetic_hits(known_rig(), run);
   std::vector<double> offsets;
@@ -182,8 +182,7 @@ void align(Table& table, double hold) {
         scatter = std::max(scatter, jitter(run, plateau));
       }
     }
-    // Without noise interpolation and drift remain; with it the noise's part, some 1/20 of a
-    // sample.
+    // Without noise only interpolation and drift remain; noise adds about 1/20 of a sample.
     const double reach = noise == 0.0 ? 0.01 : 0.1;
     table.row(fmt::format("alignment against the hits, noise {:g} N", noise),
               fmt::format("{:.4f} samples", worst),
@@ -239,7 +238,8 @@ void find_rig(Table& table) {
   }
 }
 
-/// Ten channels, 2 kHz: three plateaus of `hold` s, every channel averaged. Ten minutes: 196 s.
+/// Processes ten channels at 2 kHz: three plateaus of `hold` s, every channel averaged. For ten
+/// minutes hold is 196 s.
 void process_ten_minutes(Table& table, double hold) {
   const std::vector<double> speeds{30 * kKph, 60 * kKph, 90 * kKph};
   RigFile rig = known_file(speeds);
@@ -300,7 +300,7 @@ int main(int argc, char** argv) {
     Table table("rig_data", options);
     compare_with_scipy(table);
     align(table, 20.0);
-    if (!options.is_smoke()) find_rig(table);  // what it finds needs the long record
+    if (!options.is_smoke()) find_rig(table);  // this needs the long record
     process_ten_minutes(table, options.size(196.0, 8.0));
     return table.exit_code();
   });

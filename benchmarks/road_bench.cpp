@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one question costs on every kind of road, and that it does not grow with the size of the
-// file
+// Cost of one query on every kind of road, and its independence of the size of the file.
 //
-// A tire's questions: a footprint of 0.2 m x 0.2 m that moves along the road, heights alone. Times
-// are those of the process, the best of five. The indices keep their promise where a road of a
-// hundred times the data costs at most twice as much a question: a search through all of it would
-// cost a hundred times, a tree's one level for every doubling.
+// The queries are those of a tire: a footprint of 0.2 m x 0.2 m that moves along the road, heights
+// alone. Times are those of the process, the best of five. The indices pass if a query on a road
+// with a hundred times the data costs at most twice as much: a full search would cost a hundred
+// times as much, a tree one level for every doubling.
 //
-// The tandem cams of the rigid ring over the same roads: effective height and slope against the
-// definition taken by its word, the highest of points 0.01 mm apart and of those beside the edges.
+// The tandem cams of the rigid ring roll over the same roads: effective height and slope are
+// compared with the literal definition, the highest of points 0.01 mm apart and of those beside the
+// edges.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ constexpr int kSteps = 200;
 constexpr int kPoints = 30;  // along and across the footprint
 constexpr double kFootprint = 0.2;
 
-/// s a question, along the circle or line `place` draws over 0 ... 1.
+/// Returns s for each query, along the circle or line that `place` describes over 0 ... 1.
 template <class Place>
 double cost(const Road& road, const Place& place) {
   double best = 1e300, sum = 0.0;
@@ -70,7 +70,7 @@ TriangleRoad triangles(int n) {
   return TriangleRoad(std::move(mesh));
 }
 
-/// A closed track: a circle of rows every 0.1 m.
+/// Returns a closed track: a circle with rows every 0.1 m.
 CrgRoad track(int rows) {
   CrgGrid grid;
   grid.u_increment = 0.1;
@@ -91,7 +91,8 @@ struct Effective {
   double w, slope;
 };
 
-/// A cam with half axes a, b of order c, its middle over x, by its word; `edges`: of the road.
+/// Returns the height of a cam with half axes a, b of order c, with its middle over x, by the
+/// literal definition; `edges` are those of the road.
 double standing(
     const Road& road, double a, double b, double c, double x, const double (&edges)[2]) {
   constexpr double kApart = 1e-5;
@@ -108,12 +109,12 @@ double standing(
   return highest;
 }
 
-/// Largest differences over the places of a wheel.
+/// Adds the largest differences over the places of a wheel.
 void cams(Table& table, const std::string& what, const Road& road, const double (&edges)[2]) {
   magic_formula::Parameters p;
   p.UNLOADED_RADIUS = 0.31;
   p.ELLIPS_NWIDTH = 1.0;
-  constexpr double kHalf = 0.055;  // m, of the patch
+  constexpr double kHalf = 0.055;  // m, half of the patch
   const double a = p.ELLIPS_LENGTH * p.UNLOADED_RADIUS, b = p.ELLIPS_HEIGHT * p.UNLOADED_RADIUS;
   const double l_s = p.ELLIPS_SHIFT * 2.0 * kHalf;
   const rigid_ring::TandemCams cams(p);

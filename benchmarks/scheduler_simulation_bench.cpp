@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// 10,000 seeded histories of a search in virtual time in which everything goes wrong that may
+// 10,000 seeded histories of a search in virtual time in which everything may go wrong.
 //
 // Points hang or fail, workers die or stall (and in every third history some are lost before they
-// begin), in each of the sixteen mixes of these and with a
-// timeout; messages are late, overtake each other and come twice, the store refuses, the master
-// dies and is started again with another number of workers, one to eight. In every second sixteen
-// of histories the timeout is so short that what stalls expires too.
+// begin), in each of the sixteen mixtures of these and with a timeout. Messages are late, overtake
+// each other and arrive twice, the store refuses, and the master dies and is started again with
+// another number of workers, one to eight. In every second group of sixteen histories the timeout
+// is so short that stalled workers expire too.
 //
-//   bench_scheduler_simulation [HISTORIES [FIRST_SEED]]    a seed that was printed is one history
+//   bench_scheduler_simulation [HISTORIES [FIRST_SEED]]    a printed seed repeats one history
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,8 +23,8 @@ namespace {
 
 struct Counts {
   long histories = 0, restarts = 0, repeats = 0, evaluations = 0, expired = 0;
-  std::map<std::string, long> wrong;  // what does not hold, and in how many histories
-  int most_starts_over = 0;           // beyond retries + 2
+  std::map<std::string, long> wrong;  // violated rule, and number of histories that violate it
+  int most_starts_over = 0;           // number beyond retries + 2
 };
 
 void add(const History& history, Counts& counts) {
@@ -40,14 +40,15 @@ void add(const History& history, Counts& counts) {
   fmt::print(stderr, "seed {}: {}\n", history.seed, history.wrong);
 }
 
-/// 1, 2, 4, 8 workers x 3 seeds of the faults, the master never dies: how many trajectories differ.
+/// Runs 1, 2, 4, 8 workers x 3 seeds of the faults without death of the master, and counts the
+/// paths that differ.
 long count_other_bits(Undisturbed& reference) {
   const SearchProblem& problem = reference.problem();
   long differ = 0;
   for (const int workers : {1, 2, 4, 8}) {
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
       FaultyStore store(0.0, seed);
-      Faults faults = faults_of(15 + 32 * seed);  // all of them, with a patient timeout
+      Faults faults = faults_of(15 + 32 * seed);  // all faults, with a long timeout
       faults.master = faults.store = 0.0;
       FaultyWorld world(problem.evaluator, workers, faults, store, seed);
       RunOptions options;
@@ -61,7 +62,7 @@ long count_other_bits(Undisturbed& reference) {
   return differ;
 }
 
-/// s in virtual time, mean of so many searches in which one trial of twenty stalls.
+/// Returns the mean virtual time, s, of `searches` searches in which one trial of twenty stalls.
 double time_with_stalls(const SearchProblem& problem,
                         int workers,
                         bool stop_unwanted,

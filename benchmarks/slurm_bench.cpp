@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Slurm of one node: srun latsch run, an array of studies, ranks killed: the bits of one process
+// A Slurm of one node: srun latsch run, an array of studies, ranks killed: the bits of one process.
 //
 //   bench_slurm [REPETITIONS]
 //
-// It is started here, on ports of its own, and ended again (one_node_slurm.h; needs root). Every
-// history ends in a resume, and its trajectory is compared with that of one process.
+// Slurm is started here, on separate ports, and ended again (one_node_slurm.h; needs root). Every
+// history ends in a resume, and its path is compared with that of one process.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -30,9 +30,9 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kCores = 8;    // that Slurm is told; most of them sleep
-constexpr int kRanks = 4;    // of a job; one leads
-constexpr int kStudies = 4;  // of an array, each on two ranks
+constexpr int kCores = 8;    // number configured in Slurm; most of them sleep
+constexpr int kRanks = 4;    // ranks of a job, including the master
+constexpr int kStudies = 4;  // studies of an array, each on two ranks
 constexpr double kPause = 0.05;
 constexpr double kLongest = 30.0;  // s, from a disturbance to the end of the job
 
@@ -41,7 +41,7 @@ std::string srun(const std::string& verb, const fs::path& study, const std::stri
       "timeout 300 srun {} {} {} {}", options, program().string(), verb, study.string());
 }
 
-/// A study of the array: each begins elsewhere.
+/// Writes a study of the array with a different start for each number.
 fs::path write_study_of_array(const fs::path& folder, int number) {
   fs::create_directories(folder);
   const fs::path study = write_small_study(folder, kPause);
@@ -52,7 +52,7 @@ fs::path write_study_of_array(const fs::path& folder, int number) {
   return study;
 }
 
-/// The trajectory of one process on a copy of the study.
+/// Returns the path of one process on a copy of the study.
 std::string undisturbed(const fs::path& study) {
   const ScratchFolder folder;
   fs::copy(study.parent_path(), folder.path(), fs::copy_options::recursive);
@@ -61,7 +61,7 @@ std::string undisturbed(const fs::path& study) {
   return trajectory(correlation::read_study(copy, experiment::language()));
 }
 
-/// kill -9 of `latsch run` on that task of the step that has the study.
+/// Kills `latsch run` with kill -9 on that task of the step that runs the study.
 void kill_task(const fs::path& study, int task) {
   for (const pid_t pid : processes_with(study.string())) {
     const fs::path process = fs::path("/proc") / std::to_string(pid);
@@ -82,7 +82,8 @@ void kill_task(const fs::path& study, int task) {
   throw std::runtime_error(fmt::format("the step has no task {}", task));
 }
 
-/// Processes that were started with this Slurm's settings, or name its folder.
+/// Counts processes that were started with this Slurm's settings, or whose command line contains
+/// its folder.
 long processes_of(const fs::path& folder) {
   long count = 0;
   for (const auto& entry : fs::directory_iterator("/proc")) {
@@ -111,7 +112,7 @@ void plain(Table& table, const std::string& reference) {
             said.exit_code == 0 && same);
 }
 
-/// Without PMIx nothing makes one job of the tasks.
+/// Without PMIx the tasks do not form one job, which has to be refused.
 void refused(Table& table) {
   for (const char* kind : {"none", "pmi2"}) {
     const ScratchFolder folder;
@@ -137,7 +138,7 @@ struct Counts {
   double longest = 0.0;  // s, from the fault to the end of the job
 };
 
-/// A step whose task is killed after so many trials, and its resume.
+/// Runs a step whose task is killed after `trials` trials, and its resume.
 void live_through(int task, long trials, const std::string& reference, Counts& counts) {
   const ScratchFolder folder;
   const fs::path file = write_small_study(folder.path(), kPause);
@@ -160,7 +161,7 @@ void live_through(int task, long trials, const std::string& reference, Counts& c
   counts.finished += said.exit_code == 0;
   counts.longest =
       std::max(counts.longest, std::chrono::duration<double>(Clock::now() - struck).count());
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // for the system to end them
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // time for the system to end them
   counts.left += std::ssize(processes_with(folder.path().string()));
   const Said resumed = said_by(srun("resume", file, fmt::format("-n {}", kRanks)));
   if (resumed.exit_code != 0) throw std::runtime_error("resume failed: " + resumed.text);
@@ -189,7 +190,8 @@ void report(Table& table, const std::string& fault, const Counts& counts) {
             counts.same_bits == counts.histories);
 }
 
-/// An array of studies, each on two ranks; in two of them a rank is killed, then all go on.
+/// Runs an array of studies, each on two ranks; in two of them a rank is killed, then all are
+/// resumed.
 void array(Table& table) {
   const ScratchFolder folder;
   std::vector<fs::path> files;

@@ -13,7 +13,7 @@ import resource
 import subprocess
 import sys
 
-MOST = 15.0  # s of processor time, of one
+MOST = 15.0  # s of processor time for one run
 MOST_OF_ALL = 180.0
 SKIPPED = 77
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether 95 % intervals hold the truth 95 times of 100, and every verdict is the right one
+// Coverage of 95 % intervals, and correctness of every verdict.
 //
 // 500 synthetic data sets of a decay y = A exp(-k t) + c, observed at 20 times with Gaussian noise
-// of 2 % of A, by linear interval and profile. Then three models, a decay, a damped oscillation and
-// a force over slip, under noise
+// of 2 % of A, are analyzed by linear interval and profile. Then three models, a decay, a damped
+// oscillation and a force over slip, have noise of unknown size:
 //   independent   200 samples
 //   colored       200 samples, neighbors correlated by 0.8
-//   oversampled   a tenth as many samples would do: noise through a low pass of the second order
+//   oversampled   a tenth as many samples would suffice: noise through a second-order low pass
 //                 whose corner is at a fortieth of the rate, 400 samples
-// of unknown size, and a twin: five numbers of a Magic Formula tire from its own side force and
-// moment with 2 % of noise, fitted by auto from their usual initial values. Each is fitted by least
-// squares and asked for its intervals. The standard error of a coverage of 0.95 over 500 data sets
-// is 0.0097: 93 to 97 % is two of them.
+// There is also a twin: five numbers of a Magic Formula tire from its own side force and moment
+// with 2 % of noise, fitted by auto from their usual initial values. Each model is fitted by least
+// squares, and its intervals are computed. The standard error of a coverage of 0.95 over 500 data
+// sets is 0.0097; the limits of 93 to 97 % are two standard errors.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -70,7 +70,7 @@ Analyzed analyze(const DesignSpace& space,
   return a;
 }
 
-/// The least squares, by refits from the initial point until nothing is gained.
+/// Returns the least squares, by refits from the initial point until nothing is gained.
 DesignPoint fitted(const DesignSpace& space, const Model& model) {
   DesignPoint point = space.initial();
   std::vector<int> all(space.size());
@@ -92,7 +92,7 @@ DesignPoint fitted(const DesignSpace& space, const Model& model) {
 
 struct Coverage {
   std::vector<int> linear = std::vector<int>(3), profile = std::vector<int>(3);
-  int identifiable = 0;  // verdicts
+  int identifiable = 0;  // number of such verdicts
   long evaluations = 0;
 };
 
@@ -182,7 +182,7 @@ std::vector<Curve> curves() {
 struct Noise {
   std::string name;
   int samples;
-  std::function<Eigen::VectorXd(int, RandomStream&)> draw;  // of variance 1
+  std::function<Eigen::VectorXd(int, RandomStream&)> draw;  // noise of variance 1
 };
 
 std::vector<Noise> noises() {
@@ -200,7 +200,7 @@ std::vector<Noise> noises() {
     }
     return e;
   };
-  // Two equal poles p: variance (1 + p^2) / (1 - p^2)^3 of its output.
+  // The output of two equal poles p has the variance (1 + p^2) / (1 - p^2)^3.
   const auto low_pass = [](int count, RandomStream& random) {
     constexpr int kRunUp = 400;
     const double p = std::exp(-2.0 * M_PI / 40.0);
@@ -254,7 +254,7 @@ void noise_rows(Table& table, const Curve& curve, const Noise& noise, int sets) 
 
 constexpr int kMostEvaluations = 200;
 
-/// The study of a race tire with five of its numbers.
+/// Returns the study of a race tire with five of its numbers.
 correlation::Study twin_study() {
   correlation::Study study = correlation::read_study(
       std::filesystem::path(LATSCH_SOURCE_DIR) / "studies" / "race_tire_mf" / "study.toml",
@@ -272,7 +272,7 @@ correlation::Study twin_study() {
   return study;
 }
 
-/// The best point that the study's own optimizer finds.
+/// Returns the best point that the study's own optimizer finds.
 DesignPoint fitted_by_auto(const correlation::Study& study, const Evaluator& evaluate) {
   const Objective objective = correlation::objective(study);
   const auto optimizer = correlation::make_optimizer(study);
@@ -339,7 +339,8 @@ void twin_row(Table& table, int twins) {
             counts(held),
             ">= 90",
             least >= 90);
-  // PCY1 and PEY1 bend the curve alike: only the profile sees how far both may go together.
+  // PCY1 and PEY1 have similar effects on the curve: only the profile shows how far both may change
+  // together.
   table.note("  the linear intervals of the same fits", counts(held_by_linear));
 }
 
@@ -357,7 +358,7 @@ DesignVariable variable(const char* name, double lower, double fitted, double up
 constexpr Verdict kIdentifiable = Verdict::identifiable, kOneSided = Verdict::one_sided,
                   kFlat = Verdict::flat, kSeveral = Verdict::several_minima;
 
-/// Noise 1 % in all; every verdict follows from the formula.
+/// The noise is 1 %; every verdict follows from the formula.
 std::vector<Case> constructed_cases() {
   const auto series = [](double a, double b) { return a * b / (a + b); };
   return {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studio's page on the real program in a browser: first point, 50,000 trials, stop, sizes, axe
+// The studio's page in a browser: first point, 50,000 trials, stop, sizes, accessibility (axe).
 //
 //   ./bench.sh studio          needs the page (Node) and Debian's chromium
 //
 // The journals are written by `latsch doe` on a Magic Formula of two numbers, 224 and 71 levels
-// each; the study that is watched has an outside program that sleeps.
+// each; the watched study has an outside program that sleeps.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -25,12 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kPause = 0.4;  // s, of a trial of the study that is watched
+constexpr double kPause = 0.4;  // s, duration of a trial of the watched study
 constexpr double kKilobyte = 1024.0;
 
 fs::path program() { return fs::read_symlink("/proc/self/exe").parent_path() / "latsch"; }
 
-/// Side force over slip angle of a Magic Formula, two coefficients to be found.
+/// Writes a study of side force over slip angle of a Magic Formula with two unknown coefficients.
 fs::path write_force_study(const fs::path& folder) {
   fs::create_directories(folder);
   fs::copy_file(fs::path(LATSCH_SOURCE_DIR) / "studies/race_tire_mf/tire.tir", folder / "tire.tir");
@@ -74,7 +74,7 @@ void evaluate_grid(const fs::path& study, int levels) {
   if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
 }
 
-/// Figures that the script of the browser prints, by name.
+/// Returns the figures that the browser's script prints, by name.
 std::map<std::string, double> figures(const fs::path& folder, const Options& options) {
   const fs::path page = program().parent_path().parent_path() / "apps/web/page";
   const fs::path printed = folder / "figures.txt";
@@ -96,7 +96,7 @@ bool is_script(const studio::Asset& asset) {
   return asset.path.ends_with(".js") && !asset.path.starts_with("/report/");
 }
 
-/// Bytes of all scripts, and of those that index.html loads before anything is asked for.
+/// Returns the bytes of all scripts, and of those that index.html loads at first.
 std::pair<double, double> script_sizes() {
   double all = 0.0, first = 0.0;
   for (const studio::Asset& asset : studio::web_assets()) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tire twins from 20 random starts: evaluations of the residual trust region beside those of GSS
+// Tire twins from 20 random starts: evaluations of the residual trust region and of GSS.
 //
 //   ./bench.sh tire_fits [residuals | gss]     both unless one of them is named
 //
-// The meshes are coarse (20 columns, 30 sectors): what is compared is the number of evaluations,
-// which a coarse tire tells as well as a fine one. GSS needs ten times as many and starts from
-// three of the twenty points: its median is one of three and is called so.
+// The meshes are coarse (20 columns, 30 sectors): the number of evaluations is compared, for which
+// a coarse tire is as good as a fine one. GSS needs ten times as many and starts from three of the
+// twenty points: its median is one of three and is labeled so.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,19 +27,19 @@ namespace {
 constexpr CoarseMesh kMesh{.meridional = 20, .sectors = 30};
 constexpr int kStarts = 20;
 constexpr int kGssStarts = 3;  // the first of them
-constexpr int kMostEvaluations = 300;  // a start
+constexpr int kMostEvaluations = 300;  // for each start
 constexpr int kReach = 60;        // evaluations without a Jacobian
-constexpr double kTarget = 5e-3;  // of the target function
+constexpr double kTarget = 5e-3;  // value of the target function
 constexpr double kModulusError = 0.01;
 
-/// How often, and how many evaluations a start at most.
+/// Number of starts, and largest number of evaluations for each.
 struct Effort {
   int starts, evaluations;
 };
 
 struct Tries {
   int starts = 0;
-  std::vector<int> evaluations = {};  // of the starts that were solved, until they were
+  std::vector<int> evaluations = {};  // evaluations of each solved start until it was solved
   int solved() const { return static_cast<int>(evaluations.size()); }
   int most() const { return *std::max_element(evaluations.begin(), evaluations.end()); }
   int median() {
@@ -67,14 +67,14 @@ bool found(const correlation::Study& study, const DesignPoint& point, const Scor
   return true;
 }
 
-/// How a start ended.
+/// Result of a start.
 struct Solved {
-  std::optional<int> evaluations;  // until the moduli were found; none: they were not
-  int failed = 0;                  // of the evaluations
-  std::string reason;              // of the first that failed
-  double least = 1e300;            // target
-  DesignPoint best;                // of it
-  std::string ending;              // of the method, in words
+  std::optional<int> evaluations;  // until the moduli were found; none: not found
+  int failed = 0;                  // number of failed evaluations
+  std::string reason;              // reason of the first failure
+  double least = 1e300;            // least value of the target
+  DesignPoint best;                // point with that value
+  std::string ending;              // reason the method ended, in words
 };
 
 Solved solve(const correlation::Study& study,
@@ -149,7 +149,7 @@ std::string text(Tries tries) {
                      tries.most());
 }
 
-/// Tries of a method on a twin of the tire called `title`.
+/// Returns the tries of a method on a twin of the tire called `title`.
 Tries tries_of(Method method,
                const std::string& title,
                const correlation::Study& study,
@@ -176,7 +176,7 @@ void by_residuals(Table& table, const Twins& tires, const Effort& effort) {
   }
 }
 
-/// Nothing to reach: for comparison.
+/// Adds rows without requirement, for comparison.
 void by_directions(Table& table, const Twins& tires, const Effort& effort) {
   for (const auto& [tire, study] : tires) {
     table.note(fmt::format("{}: GSS, {} starts", what(tire, study), effort.starts),
@@ -202,12 +202,12 @@ int run(const Options& options) {
               target < 1e-8);
   }
   if (options.is_smoke()) tires.pop_back();
-  // The methods are compared without the slopes that the studies' own search asks for.
+  // The methods are compared without the slopes that the studies' own search uses.
   for (auto& [tire, study] : tires) study.asks_slopes = false;
   if (half != "gss") by_residuals(table, tires, options.size(Effort{kStarts, kMostEvaluations}, Effort{1, 8}));
   if (half != "residuals") by_directions(
         table, tires, options.size(Effort{kGssStarts, kMostEvaluations}, Effort{1, 4}));
-  if (half == "gss") return 0;  // figures to compare with, nothing to reach
+  if (half == "gss") return 0;  // figures for comparison, without requirement
   return table.exit_code();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trials a second of two worker processes against one, on the finite-element tire B
+// Trials per second of two worker processes compared with one, on the finite-element tire B.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,9 +21,9 @@ namespace latsch::benchmarks {
 namespace {
 
 constexpr double kReach = 1.8;
-constexpr int kRounds = 2;  // the better of them counts: other programs only ever slow it down
+constexpr int kRounds = 2;  // the better one counts, because other programs only slow a round down
 
-/// Every worker has done one trial, so that reading the study and the symbolic work are behind it.
+/// Lets every worker do one trial, so that reading the study and the symbolic work are done before.
 void warm_up(Executor& executor, const DesignPoint& point) {
   const int workers = executor.workers();
   for (int i = 0; i < workers; ++i) executor.start(point);

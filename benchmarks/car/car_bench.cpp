@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car of bodies and bushings on a kerb: times real time, refinement, order, energy; on rings.
+// A car of bodies and bushings on a kerb: CPU over real time, refinement, order, energy; on rings.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ using Forces = std::array<double, kCorners>;
 constexpr double kSpeed = 60.0, kStep = 2e-4, kDuration = 0.3;  // m/s, s, s
 constexpr int kRounds = 15, kRingRounds = 5;
 
-/// 800 mm a pitch, 25 mm deep, below the left wheels: at 60 m/s 75 Hz.
+/// A kerb with a pitch of 800 mm and a depth of 25 mm below the left wheels: 75 Hz at 60 m/s.
 road::ProfileRoad kerb(road::Kerb::Shape shape, double height = -0.025) {
   return road::kerb_road({.shape = shape,
                           .pitch = 0.8,
@@ -50,7 +50,8 @@ struct Run {
   std::vector<Forces> pushrods;
 };
 
-/// Push-rod forces each `every` steps, none: nothing but steps. Empty where a step has no solution.
+/// Drives and records push-rod forces every `every` steps; 0 records none. Returns nothing if a
+/// step has no solution.
 std::optional<Run> drive(Car& car,
                          const CarState& from,
                          const road::Road& road,
@@ -69,7 +70,7 @@ std::optional<Run> drive(Car& car,
   return run;
 }
 
-/// Mean over the push-rods of rms(a - b) over rms(b - b at first).
+/// Returns the mean over the push-rods of rms(a - b) over rms(b - b at first).
 double error(const std::vector<Forces>& a, const std::vector<Forces>& b, const Forces& rest) {
   double mean = 0.0;
   for (std::size_t rod = 0; rod < kCorners; ++rod) {
@@ -174,17 +175,17 @@ CarParameters without_damping(CarParameters car) {
   return car;
 }
 
-/// Of bodies, springs, weight and tires.
+/// Returns the energy of bodies, springs, weight and tires.
 double energy_of(const Car& car, const CarState& state, const multibody::Assembly& assembly) {
-  constexpr double kTire = 117e3;  // N/m, of spring_tires()
+  constexpr double kTire = 117e3;  // N/m, stiffness of spring_tires()
   double sum = assembly.kinetic_energy(state.bodies.poses, state.bodies.rates) +
                assembly.potential_energy({.poses = state.bodies.poses});
   for (const double Fz : car.vertical_forces(state)) sum += 0.5 * Fz * Fz / kTire;
   return sum;
 }
 
-/// The largest change over `duration` of energy over that of a heave and roll it starts with, as
-/// quick as tires allow that stay on the road.
+/// Returns the largest change of energy over `duration`, relative to the energy of an initial heave
+/// and roll as fast as possible without the tires leaving the road.
 double energy_change(bool locked, double step, double duration) {
   const auto car = made(without_damping(race_car(locked)), spring_tires(0.0), {.dissipation = 0.0});
   car->guide.lateral = car->guide.yaw = car->guide.along = 0.0;
@@ -227,7 +228,7 @@ void energy_rows(Table& table, double duration) {
     }
 }
 
-/// The race car as high as tires of this radius want it.
+/// Returns the race car at the height that fits tires of this radius.
 CarParameters on_tires(double radius) {
   CarParameters car = race_car(true);
   const Eigen::Vector3d up(0.0, 0.0, radius - car.front.corner.wheel_center.z());
@@ -277,7 +278,7 @@ void ring_rows(Table& table, const benchmarks::Options& options) {
   };
   row(48, 8, Shape::triangle);
   if (options.is_smoke()) return;
-  row(48, 8, Shape::sine);  // of 256 chords a pitch: hardly a piece of tread has a plane below it
+  row(48, 8, Shape::sine);  // a sine of 256 chords: hardly any tread is above one plane
   row(80, 10, Shape::triangle);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car's doors: rest under air of several weights, rigid joints, balance with drag, tires of both
-// sides, transfer functions of four posts at their defaults.
+// Checks of a car: rest under downforce, rigid joints, drag, mirrored tires, four posts.
+//
+// The checks are: rest under downforce of several weights, rigid joints, balance with drag, tires
+// of both sides, and transfer functions of four posts at their defaults.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -36,8 +38,8 @@ void make_rigid(car::CarParameters& parameters) {
     }
 }
 
-/// Of the race car with bump stops: downforce of so many weights at that speed, more the lower the
-/// floor is, and drag.
+/// Returns the race car with bump stops, downforce of `times` weights at that speed, larger the
+/// lower the floor is, and drag.
 car::CarParameters pressed(bool rigid, double speed, double times, double drag) {
   car::CarParameters parameters = car::race_car(false);
   if (rigid) make_rigid(parameters);
@@ -69,7 +71,8 @@ struct Rested {
   double force = 0.0, moment = 0.0, slowed = 0.0;  // relative, relative, m/s
 };
 
-/// Sums over forces of the road against weight and air, by hand; moments about the ground's line.
+/// Compares the forces of the road with weight and air, and their moments about a line on the
+/// ground.
 void judge(const Car& car, const car::CarState& state, double speed, Rested& rested) {
   const car::CarParameters& of = car.parameters();
   const car::AeroMap& air = *of.aero;
@@ -125,8 +128,9 @@ Rested rest_under_air(bool rigid, bool smoke) {
   return rested;
 }
 
-/// Wheel rate over the spring's of a corner at rest, by virtual work: the twist of an upright that
-/// five rods leave while its contact rises, what its wishbone and rocker make of it.
+/// Returns the wheel rate over the spring rate of a corner at rest, by virtual work: the twist of
+/// an upright that five rods allow while its contact rises, and the resulting motion of wishbone
+/// and rocker.
 double ratio_of_rates(const car::Axle& axle) {
   using W = suspension::DoubleWishbone;
   const auto& p = axle.corner.points;
@@ -144,7 +148,7 @@ double ratio_of_rates(const car::Axle& axle) {
   rows.row(row) << 0.0, 0.0, 1.0, (axle.corner.contact - c).cross(Vector3d::UnitZ()).transpose();
   const Eigen::Matrix<double, 6, 1> twist =
       rows.partialPivLu().solve(Eigen::Matrix<double, 6, 1>::Unit(5));
-  // The push-rod of both axles stands on the upper wishbone, which turns about its own axis.
+  // The push-rod of both axles is attached to the upper wishbone, which rotates about its own axis.
   const Vector3d axis = (p[W::kUcaRear] - p[W::kUcaFront]).normalized(),
                  lever = axis.cross(p[W::kUbj] - p[W::kUcaFront]),
                  ball = twist.head<3>() + twist.tail<3>().cross(p[W::kUbj] - c);
@@ -181,8 +185,8 @@ double error_of_wheel_rate() {
   return worst;
 }
 
-/// The largest |H - H of the linear model|/|H| from 0.5 to 20 Hz, of all sensors; at the defaults
-/// but for the amplitude: at 3 mm the tires of this car leave the plates.
+/// Returns the largest |H - H of the linear model|/|H| from 0.5 to 20 Hz for all sensors, at the
+/// defaults except for the amplitude: at 3 mm the tires of this car leave the plates.
 double error_of_responses(experiment::PostMode mode, double amplitude) {
   const auto car = Car::make(car::race_car(false), car::spring_tires());
   const road::PlaneRoad flat;
@@ -200,7 +204,7 @@ double error_of_responses(experiment::PostMode mode, double amplitude) {
     const Eigen::VectorXcd H = linear->response(f[i]) * Eigen::Vector4d(sign.data());
     for (std::size_t k = 0; k < linear->names.size(); ++k) {
       const std::string& sensor = linear->names[k];
-      if (mode == experiment::PostMode::roll && sensor == "body_z") continue;  // none, by symmetry
+      if (mode == experiment::PostMode::roll && sensor == "body_z") continue;  // zero, by symmetry
       const auto found = std::polar(measured["tf_" + sensor][i], measured["phase_" + sensor][i]);
       const auto expected = H[static_cast<Eigen::Index>(k)];
       worst = std::max(worst, std::abs(found - expected) / std::abs(expected));

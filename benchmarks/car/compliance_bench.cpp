@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bushings of synthetic cars from sixteen K&C numbers: how close the fit, what its bands hold.
+// Bushings of synthetic cars from sixteen K&C numbers: error of the fit, coverage of its bands.
 //
-//   compliance [CARS] [SEED]     1000 cars of the seed nobody looked at before, unless given
+//   compliance [CARS] [SEED]     default: 1000 cars of a seed not used in development
 //
-// The study is studies/compliance/axes.toml: thirty stiffnesses with a prior. All goes the way of
-// `latsch run`: the study read from its file, its search, a journal, the intervals.
+// The study is studies/compliance/axes.toml: thirty stiffnesses with a prior. Everything runs as in
+// `latsch run`: the study is read from its file, its search, a journal, the intervals.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,21 +32,21 @@ using benchmarks::cpu_seconds;
 using correlation::Study;
 using correlation::StudyExperiment;
 
-constexpr double kLevel = 0.9;      // of the bands
-constexpr double kLevelOff = 0.03;  // that coverage may be off
-constexpr int kFitted = 100;        // cars of the first rows
+constexpr double kLevel = 0.9;      // level of the bands
+constexpr double kLevelOff = 0.03;  // allowed deviation of the coverage
+constexpr int kFitted = 100;        // number of cars in the first rows
 constexpr double kClose = 0.05;
-constexpr int kFewestClose = 14;  // of sixteen
+constexpr int kFewestClose = 14;  // out of sixteen
 
-/// One number, fitted or held out, of one car.
+/// One number of one car, fitted or held out.
 struct Number {
-  double error = 0.0;  // of the fit against the car, over the latter
+  double error = 0.0;  // error of the fit relative to the car's value
   bool inside = false;
 };
 
 struct FittedCar {
   std::vector<Number> measured, held_out;
-  double time = 0.0;       // s of CPU, of the fit with its journal
+  double time = 0.0;       // s of CPU for the fit with its journal
   double wall_time = 0.0;  // s
   std::size_t steps = 0;
 };
@@ -55,7 +55,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// dy/du of a channel of one value.
+/// Returns dy/du of a channel with one value.
 Eigen::VectorXd slopes_of(const Study& study, const DesignPoint& point, const Channel& channel) {
   Score score;
   score.residuals = channel.values;
@@ -102,9 +102,9 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// How many of the numbers of all cars lie inside their bands.
+/// Share of the numbers of all cars that are inside their bands.
 struct Coverage {
-  double all = 0.0, least = 1.0, most = 0.0;  // of a single output
+  double all = 0.0, least = 1.0, most = 0.0;  // least, most: of a single output
   std::string text() const {
     return fmt::format("{:.1f} % ({:.1f} .. {:.1f} %)", 100 * all, 100 * least, 100 * most);
   }
@@ -125,7 +125,7 @@ Coverage coverage_of(const std::vector<FittedCar>& cars, std::vector<Number> Fit
   return coverage;
 }
 
-/// The first cars: how close the fit comes, and how long it takes.
+/// Adds rows for the first cars: error and time of the fit.
 void add_fits(const std::vector<FittedCar>& cars, benchmarks::Table& table) {
   std::vector<double> errors, times, wall_times, steps;
   int close = 0;
@@ -172,7 +172,7 @@ void add_coverage(const std::vector<FittedCar>& cars, benchmarks::Table& table) 
             held_out.holds());
 }
 
-/// The best of a search of the study at `file`, by the cost of `by`.
+/// Result of a search of the study at `file`, judged by the cost of `by`.
 struct Searched {
   double cost = 0.0;
   std::size_t trials = 0;
@@ -191,7 +191,7 @@ Searched searched(const std::filesystem::path& file, const Study& by) {
   return {correlation::objective(by)(best, *recording)->value, run.steps.size()};
 }
 
-/// The thesis' way beside ours on one car, studies/compliance.
+/// Compares the thesis' method with ours on one car, studies/compliance.
 void add_pattern_search(const std::filesystem::path& folder, benchmarks::Table& table) {
   namespace fs = std::filesystem;
   fs::copy(fs::path(LATSCH_SOURCE_DIR) / "studies" / "compliance", folder / "study");

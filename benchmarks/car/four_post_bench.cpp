@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sweep of 20 s on four posts, in CPU seconds of one core: a car on vertical springs, on Magic
-// Formulas and on flexible rings; and how far the first is from its linear model.
+// A sweep of 20 s on four posts: CPU seconds of one core for three kinds of tires, and linearity.
+//
+// The car is on vertical springs, on Magic Formulas and on flexible rings. For the springs the
+// deviation from the linear model is reported.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -45,7 +47,7 @@ void time_of(
                  time < 0.5 * duration);
 }
 
-/// The largest |H1 - H|/|H| of all sensors at lines between the resonances, 10 to 25 Hz.
+/// Returns the largest |H1 - H|/|H| of all sensors at lines between the resonances, 10 to 25 Hz.
 double error_of_responses() {
   const auto car = car::Car::make(car::race_car(false), car::spring_tires());
   const road::PlaneRoad flat{road::PlaneRoad::Settings{}};

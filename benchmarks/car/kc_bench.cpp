@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A corner of ten bushings: statics and compliance matrices a second; a curve of rigid links.
+// A corner of ten bushings: statics and compliance matrices per second; a curve of rigid links.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using latsch::suspension::race_corner;
 
 constexpr int kRounds = 15;
 
-/// Forces up to 5 kN and moments up to 200 N m in any direction.
+/// Returns forces up to 5 kN and moments up to 200 N m in any direction.
 std::vector<Load> random_loads(const DoubleWishbone& corner, int count) {
   latsch::RandomStream random(15, 1);
   std::vector<Load> loads;
@@ -36,7 +36,7 @@ std::vector<Load> random_loads(const DoubleWishbone& corner, int count) {
   return loads;
 }
 
-/// 100 points from -30 to 30 mm with rates.
+/// Computes 100 points from -30 to 30 mm with rates.
 void kinematics(latsch::benchmarks::Table& table, int rounds) {
   using namespace latsch::suspension;
   constexpr int kPoints = 100, kCurves = 20;

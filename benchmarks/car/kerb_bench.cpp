@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car on kerbs: time of a grid of runs, aero forces from noisy push-rods, models beside a track.
+// A car on kerbs: time of a grid of runs, aero forces from noisy push-rods, a measured track.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,7 +36,8 @@ std::unique_ptr<Car> car_of(const std::string& name) {
   return std::move(*car);
 }
 
-/// The exit kerb of 100 m or more below the left wheels, 2 s from the front axle's meeting it on.
+/// Returns a test on the exit kerb of 100 m or more below the left wheels, recorded for 2 s from
+/// the moment the front axle meets it.
 experiment::KerbTest long_kerb(double speed, double line) {
   experiment::KerbTest test;
   test.kerb = road::Kerb{.shape = road::Kerb::Shape::sine,
@@ -56,8 +57,8 @@ experiment::KerbTest long_kerb(double speed, double line) {
   return test;
 }
 
-/// Whether a tire that carries load has an area at every sample. One that leaves the road may
-/// touch it without load.
+/// True if every tire that carries load has an area at every sample. A tire that leaves the road
+/// may touch it without load.
 bool areas_are_known(const Channels& channels) {
   for (const char* corner : {"FL", "FR", "RL", "RR"}) {
     const auto& area = channels[std::string("area_") + corner];
@@ -101,8 +102,8 @@ void time_of_a_grid(Table& table, const benchmarks::Options& options) {
             known == static_cast<int>(tests.size()));
 }
 
-/// Known loaders on level road, push-rods with noise, low-passed, over a stretch; what the loaders
-/// are solved to.
+/// Known loaders act on level road. The push-rods have noise and are low-passed over a stretch; the
+/// row shows the error of the computed loaders.
 void aero_forces(Table& table, int draws) {
   constexpr double kEdge = 10.0;                     // Hz
   constexpr double kStretch = 0.5, kSettling = 0.1;  // s
@@ -162,7 +163,7 @@ void beside_the_track(Table& table) {
   ModelComparisonFile file =
       read_model_comparison(kStudy / "comparison.toml", experiment::language());
   file.uncertainties.clear();
-  file.fits.clear();  // the models' files have their numbers
+  file.fits.clear();  // the models' files contain their numbers
   for (ComparedModel& model : file.models) model.fits.clear();
   file.pictures.reset();
   const ModelComparison comparison = compare_models(file, experiment::language(), 2);
@@ -199,7 +200,7 @@ int kerb(const benchmarks::Options& options) {
   Table table("kerb", options);
   time_of_a_grid(table, options);
   aero_forces(table, options.size(200, 10));
-  if (!options.is_smoke()) beside_the_track(table);  // minutes
+  if (!options.is_smoke()) beside_the_track(table);  // takes minutes
   return table.exit_code();
 }
 

@@ -19,8 +19,8 @@ bool has_calculix() { return std::system("command -v ccx > /dev/null 2>&1") == 0
 
 namespace {
 
-/// The load step, the last one that writes displacements of all nodes at its end alone, then writes
-/// after every increment: how often forces are printed, too.
+/// Makes the load step print forces at every increment. That step is the last one that writes
+/// displacements of all nodes at its end alone; afterward it writes after every increment.
 void print_every_force(std::string& text) {
   constexpr std::string_view kEnd = "RF\n*NODE FILE,FREQUENCY=100";
   const auto at = text.find(kEnd);
@@ -28,7 +28,7 @@ void print_every_force(std::string& text) {
   text.replace(at, kEnd.size(), "RF\n*NODE FILE,FREQUENCY=1");
 }
 
-/// Upward is y in the deck, whose load step begins at the time 1.
+/// Reads the forces. Upward is y in the deck, whose load step begins at time 1.
 std::vector<std::pair<double, double>> forces_of(const std::string& dat) {
   std::vector<std::pair<double, double>> forces;
   constexpr std::string_view kTitle = "for set GROUND and time";

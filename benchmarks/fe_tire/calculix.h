@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// CalculiX, where it is installed, on a deck of a mesh of ours, one thread.
+// Runs CalculiX, if it is installed, on a deck of one of our meshes, with one thread.
 #pragma once
 
 #include <optional>
@@ -14,29 +14,29 @@
 
 namespace latsch::benchmarks {
 
-/// Whether ccx is on the path.
+/// True if ccx is on the path.
 bool has_calculix();
 
 struct CalculixRun {
   formats::CcxResults results;
   double cpu_seconds = 0.0;
-  /// At every increment of the load step, where asked: share of the way, N upward on the tire.
+  /// At every increment of the load step, if requested: share of the travel, N upward on the tire.
   std::vector<std::pair<double, double>> ground_forces;
 };
 
 struct DeckChanges {
-  std::string model_cards = {};  // put before the first boundary condition
-  bool every_force = false;      // of the ground, not the last one alone
+  std::string model_cards = {};  // inserted before the first boundary condition
+  bool every_force = false;      // prints the ground's force at every increment, not the last alone
 };
 
-/// None where it did not finish.
+/// Returns nothing if CalculiX did not finish.
 std::optional<CalculixRun> run_calculix(const fe_tire::Mesh& mesh,
                                         const fe_tire::Materials& materials,
                                         const formats::CcxRun& run,
                                         const DeckChanges& changes = {});
 
-/// A whole trial of a tire: inflated, ground moved by `travel` from `clear` below the undeformed
-/// tire, `modes` modes there or of the unloaded tire.
+/// Returns a whole trial of a tire: inflation, motion of the ground by `travel` from `clear` below
+/// the undeformed tire, and `modes` modes there or of the unloaded tire.
 formats::CcxRun calculix_trial(const std::string& title,
                                const fe_tire::Mesh& mesh,
                                double pressure,

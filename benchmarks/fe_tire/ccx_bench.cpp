@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Agreement with CalculiX 2.20 on the same decks; CPU time against it, one thread
+// Agreement with CalculiX 2.20 on the same decks; CPU time compared with it, one thread.
 //
-// First part: the decks ../shared/data/ccx beside the project, computed by CalculiX, read through
-// our own .inp reader and computed with the comparison elements. Second part: the tires A and B of
-// [Hempel & Oertel 2016], exported by our own writer, computed by both programs now.
-// A whole trial: inflate, 25 mm in five steps, 20 modes of the loaded (B) or unloaded (A) tire. The
-// shipped tires, default element and cords as rebars on half as many unknowns again, are measured
-// beside the same run of CalculiX, which has no rebars.
+// In the first part, the decks ../shared/data/ccx beside the project, computed by CalculiX, are
+// read by our own .inp reader and computed with the comparison elements. In the second part, the
+// tires A and B of [Hempel & Oertel 2016], exported by our own writer, are computed by both
+// programs. A whole trial inflates the tire, presses it by 25 mm in five steps, and computes 20
+// modes of the loaded (B) or unloaded (A) tire. The shipped tires, with the default element and
+// cords as rebars on half as many unknowns again, are compared with the same run of CalculiX, which
+// has no rebars.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,17 +32,17 @@ using namespace fe_tire;
 const std::filesystem::path kDecks = LATSCH_SOURCE_DIR "/../shared/data/ccx";
 constexpr double kTravel = 0.025;  // m
 constexpr int kModes = 20;
-constexpr double kClear = 2e-3;  // m, from the undeformed tire to the ground
-constexpr double kRatio = 30.0;  // CPU of CalculiX to ours
+constexpr double kClear = 2e-3;  // m, distance of the undeformed tire from the ground
+constexpr double kRatio = 30.0;  // CPU time of CalculiX over ours
 
 struct Trial {
-  double growth = 0.0;  // m, radial, of the crown
+  double growth = 0.0;  // m, radial growth of the crown
   double Fz = 0.0;      // N, at the last deflection
   std::vector<double> frequencies;
 };
 
-/// Ground at `ground_radius` from the wheel center, moved by `travel` in five steps; none where
-/// travel is 0.
+/// Moves the ground, at `ground_radius` from the wheel center, by `travel` in five steps; no ground
+/// if travel is 0.
 Trial run_trial(FeTire& tire,
                 double pressure,
                 double ground_radius,
@@ -86,13 +87,13 @@ void compare_row(Table& table, const std::string& what, double error, double rea
             error <= reach);
 }
 
-/// The decks that lie beside the project.
+/// Compares with the decks beside the project.
 void compare_decks(Table& table) {
   if (!std::filesystem::exists(kDecks)) {
     table.note("agreement with the decks", "skipped: no ../shared/data/ccx beside the project");
     return;
   }
-  // Crown growth is printed by none of the decks; CalculiX' result file gave 0.833 mm.
+  // None of the decks prints the growth of the crown; CalculiX' result file contained 0.833 mm.
   constexpr double kGrowth = 0.833e-3;
   for (const bool loaded : {true, false}) {
     const std::string name = loaded ? "tire_b_loaded" : "tire_b_unloaded";
@@ -116,9 +117,9 @@ void compare_decks(Table& table) {
   }
 }
 
-/// CPU seconds of a trial of a tire as it is shipped, mesh and symbolic work included: the median
-/// of some, for one lasts a second, of which a machine that others use too makes a third more or
-/// less, where the minute of CalculiX evens that out.
+/// Returns the CPU seconds of a trial of a shipped tire, including mesh and symbolic work. It is
+/// the median of several, because one trial takes a second, to which other work on the machine adds
+/// or removes a third; the minute of CalculiX averages this.
 double seconds_as_shipped(const TireDescription& description, bool loaded_modes) {
   constexpr int kTrials = 7;
   std::vector<double> seconds;
@@ -137,7 +138,7 @@ double seconds_as_shipped(const TireDescription& description, bool loaded_modes)
   return seconds[kTrials / 2];
 }
 
-/// One tire in both programs, and as it is shipped.
+/// Compares one tire in both programs, and the shipped tire.
 void race(Table& table,
           const std::string& name,
           const TireDescription& description,
@@ -168,12 +169,13 @@ void race(Table& table,
   const formats::CcxResults& expected = calculix->results;
 
   const int crown =
-      1 + mesh.sensors[2];  // number in the deck; it lies at the bottom, outward is -y
+      1 + mesh.sensors[2];  // number in the deck; the node is at the bottom, outward is -y
   compare_row(table,
               name + ": crown growth, both programs now",
               std::abs(ours.growth * 1e3 / -expected.displacement.at(crown).y() - 1.0),
               1e-3);
-  // Facets as long as the patch of a coarse mesh: each program sums up their pressure its way.
+  // Facets are as long as the patch of a coarse mesh, and each program integrates their pressure in
+  // its own way.
   const double Fz = std::abs(ours.Fz / expected.total_force.at("GROUND").y() - 1.0);
   table.full_row(name + ": Fz, both programs now",
                  fmt::format("{:.4f} %", 100.0 * Fz),
@@ -202,8 +204,9 @@ void race(Table& table,
             theirs >= kRatio * as_shipped);
 }
 
-/// Rows that meet on plies and end at tied corners, equations between nodes in the deck: tire B's
-/// shipped section in 24 sectors, cords smeared, comparison element, off the ground.
+/// Compares rows that meet on plies and end at tied corners, which are equations between nodes in
+/// the deck: tire B's shipped section in 24 sectors, cords smeared, comparison element, off the
+/// ground.
 void compare_ties(Table& table) {
   TireDescription description = shipped_tire("passenger_225_50R16");
   description.section.sectors = 24;
@@ -236,7 +239,7 @@ void compare_ties(Table& table) {
 
 }  // namespace
 
-/// In a smoke run on a mesh that CalculiX solves in a second.
+/// Returns the tire, in a smoke run on a mesh that CalculiX solves in a second.
 TireDescription for_race(TireDescription tire, const Options& options) {
   tire.section.meridional = options.size(tire.section.meridional, 13);
   tire.section.sectors = options.size(tire.section.sectors, 12);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fz at every step from the first millimeter on, here and in CalculiX, on the same mesh
+// Fz at every step from the first millimeter on, here and in CalculiX, on the same mesh.
 //
-// Tires B and A of [Hempel & Oertel 2016], comparison element, cords smeared, sectors of 6 and 4
-// degrees: in the first millimeters the patch is shorter than a facet of the tread, and what Fz is
-// depends on how the pressure on a facet is summed up. Both programs see the facets of the mesh and
-// one penalty; CalculiX cuts faces by the ground's and has points of its own on the pieces. How far
-// a mesh of such facets is from a tread, ./bench.sh footprint says of finer ones. On friction the
-// way is part of the answer: there our loads every 2.5 mm, as studies ask for, stand beside
-// CalculiX' steps of a fifth.
+// Tires B and A of [Hempel & Oertel 2016] have the comparison element, smeared cords, and sectors
+// of 6 and 4 degrees. In the first millimeters the patch is shorter than a facet of the tread, and
+// Fz depends on how the pressure on a facet is integrated. Both programs use the facets of the mesh
+// and one penalty; CalculiX intersects facets with those of the ground and has separate integration
+// points on the pieces. The error of such a mesh compared with finer ones is shown by ./bench.sh
+// footprint. With friction the load path affects the result: our loads every 2.5 mm, as in studies,
+// are compared with CalculiX' steps of a fifth.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -26,17 +26,18 @@ namespace {
 
 using namespace fe_tire;
 
-constexpr double kReach = 0.01, kFrictionReach = 0.003;  // of the step's Fz
+constexpr double kReach = 0.01, kFrictionReach = 0.003;  // relative to the step's Fz
 
 struct Way {
-  double step;  // m, ours
+  double step;  // m, our step
   int steps;
   double mu = 0.0;
   int theirs = 1;  // steps of CalculiX for one of ours
   double reach = kReach;
 };
 
-/// CalculiX halves steps in which it does not find an equilibrium; those asked for are among all.
+/// Returns the force at a share of the travel. CalculiX halves steps in which it does not find an
+/// equilibrium; the requested ones are among them.
 double at_share(const std::vector<std::pair<double, double>>& forces, double share) {
   for (const auto& [reached, force] : forces)
     if (std::abs(reached - share) < 1e-4) return force;
@@ -80,7 +81,7 @@ void compare(Table& table,
 
 }  // namespace
 
-/// In a smoke run on a mesh that CalculiX solves in a second.
+/// Returns the tire, in a smoke run on a mesh that CalculiX solves in a second.
 TireDescription on_mesh(TireDescription tire, const Options& options) {
   tire.section.meridional = options.size(tire.section.meridional, 13);
   tire.section.sectors = options.size(tire.section.sectors, 24);

@@ -17,12 +17,12 @@ using fe_tire::CordLayer;
 using fe_tire::Element;
 using fe_tire::Mesh;
 
-constexpr int kGroundNumbers = 8;        // nodes of the block below the tire; its element is one
-constexpr double kMm = 1e3;              // of a meter
-constexpr double kMm2 = 1e6;             // of a m^2
-constexpr double kMPa = 1e-6;            // of a Pa
-constexpr double kTonnesPerMm3 = 1e-12;  // of a kg/m^3
-constexpr double kSteep = 0.05;          // sine of the least angle
+constexpr int kGroundNumbers = 8;        // nodes of the block below the tire, which is one element
+constexpr double kMm = 1e3;              // per meter
+constexpr double kMm2 = 1e6;             // per m^2
+constexpr double kMPa = 1e-6;            // per Pa
+constexpr double kTonnesPerMm3 = 1e-12;  // per kg/m^3
+constexpr double kSteep = 0.05;          // sine of the smallest angle
 
 /// Signs of xi, eta, zeta at the corners (mesh.h).
 constexpr double kSigns[8][3] = {{-1, -1, -1},
@@ -55,7 +55,7 @@ Eigen::Vector3d position(const Corners& X, const Place& p) {
   return x;
 }
 
-/// How the cord through a place runs on the facet zeta = const.
+/// Direction of the cord through a place on the facet zeta = const.
 struct Course {
   double slope;         // dxi / deta
   double width_per_xi;  // m between two cords that are dxi = 1 apart
@@ -69,11 +69,11 @@ Course course(const Corners& X, const Place& p, double angle) {
       (position(X, {p.xi, p.eta + h, p.zeta}) - position(X, {p.xi, p.eta - h, p.zeta}));
   const Eigen::Vector3d n = along_xi.cross(along_eta).normalized();
   const Eigen::Vector3d x = position(X, p);
-  // The circle about the y axis through x, seen in the facet, toward increasing theta.
+  // The direction of the circle about the y axis through x, in the facet, toward increasing theta.
   Eigen::Vector3d circle(-x.z(), 0.0, x.x());
   circle = (circle - n * n.dot(circle)).normalized();
   const Eigen::Vector3d cord = std::cos(angle) * circle + std::sin(angle) * n.cross(circle);
-  // cord = a along_xi + b along_eta
+  // cord = a along_xi + b along_eta.
   Eigen::Matrix<double, 3, 2> facet;
   facet << along_xi, along_eta;
   const Eigen::Matrix2d metric = facet.transpose() * facet;
@@ -84,7 +84,7 @@ Course course(const Corners& X, const Place& p, double angle) {
   return {a / b, along_xi.cross(cord).norm()};
 }
 
-/// A piece of a cord in an element of every sector.
+/// A piece of a cord in an element, in every sector.
 struct Piece {
   int element, layer;
   Place from, to;
@@ -117,7 +117,7 @@ class Drawing {
   }
 
  private:
-  /// Cords wound around the tire.
+  /// Places cords wound around the tire.
   void draw_hoops(int element, const fe_tire::RebarPlacement& rebar) {
     const Corners X = mesh_.coordinates(mesh_.elements[element]);
     for (int k = 0; k < family_.along; ++k) {
@@ -132,8 +132,8 @@ class Drawing {
     }
   }
 
-  /// A cord from the edge eta = -1 to the other one; where it leaves the sector, the one that comes
-  /// in on the other side, its rotated copy, goes on.
+  /// Places a cord from the edge eta = -1 to the opposite one. If it leaves the sector, the cord
+  /// that enters on the other side, its rotated copy, continues it.
   void draw(int element, const fe_tire::RebarPlacement& rebar, double xi) {
     const CordLayer& layer = materials_.layers[rebar.layer];
     const Corners X = mesh_.coordinates(mesh_.elements[element]);
@@ -155,7 +155,8 @@ class Drawing {
     }
   }
 
-  /// The midpoint rule; half way on, a cord may be in the next sector, where it runs as here.
+  /// Returns the slope by the midpoint rule. Halfway along, a cord may be in the next sector, where
+  /// its direction is the same.
   static double middle_slope(const Corners& X, const Place& from, double step, double angle) {
     const double first = course(X, from, angle).slope;
     double xi = from.xi + 0.5 * step * first;
@@ -169,7 +170,7 @@ class Drawing {
            const fe_tire::RebarPlacement& rebar,
            const Place& from,
            const Place& to) {
-    constexpr double kNothing = 1e-6;  // of an element: a corner that is just cut
+    constexpr double kNothing = 1e-6;  // share of an element: a corner that is barely cut
     if (to.eta - from.eta < kNothing) return;
     const CordLayer& layer = materials_.layers[rebar.layer];
     const Place middle{0.5 * (from.xi + to.xi), 0.5 * (from.eta + to.eta), from.zeta};
@@ -232,10 +233,10 @@ class Cards {
           pieces_[p].area * kMm2);
   }
 
-  /// Force over elongation, linear between points close to each other.
+  /// Adds springs with force over elongation, linear between closely spaced points.
   void add_springs(const fe_tire::Materials& materials) {
-    constexpr int kPoints = 20;       // to either side
-    constexpr double kStrain = 0.05;  // at most
+    constexpr int kPoints = 20;       // number on each side
+    constexpr double kStrain = 0.05;  // largest strain
     for (int p = 0; p < count(); ++p) {
       const double EA = materials.layers[pieces_[p].layer].E_tension * pieces_[p].area;
       add("*SPRING,ELSET=CORD{},NONLINEAR\n\n", p);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cords as rebars here, as springs and trusses tied to the rubber in CalculiX: the same tire
+// Cords as rebars here, as springs and trusses tied to the rubber in CalculiX: the same tire.
 //
-// A 205/55R16 with all its plies, comparison element, rubber alike in both: inflated, its modes off
-// the ground, and pressed on the ground. What differs is the cords alone (cord_trusses.h), drawn
-// one by one there, three a sector in pieces of a sixth of an element; what their number leaves is
-// seen by fewer. They have no mass and bear compression as they bear tension. CalculiX' trusses
-// are held against its springs on a mesh as coarse as their unknowns allow.
+// A 205/55R16 with all its plies, the comparison element and equal rubber in both programs is
+// inflated, its modes are computed off the ground, and it is pressed on the ground. Only the cords
+// differ (cord_trusses.h): in CalculiX they are separate, three a sector in pieces of a sixth of an
+// element; a run with fewer shows the remaining error. Cords have no mass and equal moduli in
+// compression and tension. CalculiX' trusses are compared with its springs on a mesh as coarse as
+// their unknowns require.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -24,7 +25,8 @@ namespace {
 using namespace fe_tire;
 
 constexpr int kModes = 20, kSteps = 5;
-constexpr double kClear = 2e-3, kTravel = 27e-3;  // m, undeformed tire to ground; of the ground
+// M, undeformed tire to ground; travel of the ground.
+constexpr double kClear = 2e-3, kTravel = 27e-3;
 constexpr double kForce = 3e-3, kFrequency = 5e-3, kPieces = 1e-3;
 constexpr CordFamily kFew{2, 4}, kMany{3, 6};
 
@@ -65,7 +67,7 @@ Answer ours(const TireDescription& description) {
   return answer;
 }
 
-/// What of it is asked of CalculiX.
+/// The results requested from CalculiX.
 struct Asked {
   bool modes = true, load = false;
 };
@@ -113,13 +115,13 @@ void within(
   table.row(what, value, fmt::format("<= {:g} %", 100.0 * reach), std::abs(error) <= reach);
 }
 
-/// On the mesh of a smoke run the cords' pieces are too few to be judged by.
+/// On the mesh of a smoke run the pieces of cords are too few for a judgment.
 void compare_rebars(Table& table,
                     const TireDescription& tire,
                     const CordFamily& few_cords,
                     const CordFamily& many_cords,
                     bool is_judged) {
-  const double factor = is_judged ? 1.0 : 20.0;  // of what they may be apart
+  const double factor = is_judged ? 1.0 : 20.0;  // factor on the tolerances
   const Answer here = ours(tire);
   const Answer few = theirs(tire, few_cords, {}, table);
   const Answer many = theirs(tire, many_cords, {.load = true}, table);

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Footprint and load of shipped tires from the first millimeter on, against refined meshes
+// Footprint and load of shipped tires from the first millimeter on, compared with refined meshes.
 //
-// Length, width, area and peak pressure of the patch, and Fz, of every shipped tire as the test
-// "footprint" sees it, on a mesh of its own with short elements below the tread, and Fz on the
-// tire's own mesh, which all other tests use: judged from the first millimeter on, for before it a
-// patch is shorter than an element. The judge is the same tire with every sector of the
-// first of its zones, which holds the contact, split in four, and so is every element along the
-// section: in two where its columns are half as long. A mesh shows pressures as means over what a
-// node stands for, a finer one over less: so peaks are compared as sensors of 15 mm see them,
-// wherever they lie (P.1). Lengths of elements were chosen on all four tires, of a few that were
-// tried. The race tire is pressed to 10 mm: beyond, it stands on its tread's edges. Before all that
-// friction, of every shipped tire: asked for every 2.5 mm, as studies do, against steps of a tenth.
+// The quantities are length, width, area and peak pressure of the patch, and Fz, of every shipped
+// tire. The test "footprint" uses a separate mesh with short elements below the tread; Fz is also
+// computed on the tire's own mesh, which all other tests use. Rows are judged from the first
+// millimeter on, because before that a patch is shorter than an element. The reference is the same
+// tire with every sector of the first of its zones, which contains the contact, divided into four,
+// and so every element along the section, or into two if its columns are half as long. A mesh shows
+// pressures as means over the area of a node, smaller for a finer mesh, so peaks are compared as
+// measured by sensors of 15 mm, wherever they are (P.1). Lengths of elements were chosen on all
+// four tires from a few candidates. The race tire is pressed to 10 mm: beyond that it stands on the
+// edges of its tread. The first rows show friction for every shipped tire: loads every 2.5 mm, as
+// in studies, compared with steps of a tenth.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,13 +32,15 @@ namespace {
 
 using namespace fe_tire;
 
-constexpr double kEarly = 2.5e-3;  // m, the first millimeters
-constexpr double kFirst = 1e-3;    // m, a patch as long as an element of a tire's own mesh
-// Of the judge: sums of its many elements round beyond the default.
+constexpr double kEarly = 2.5e-3;  // m, end of the first millimeters
+// M, from which a patch is as long as an element of the tire's own mesh.
+constexpr double kFirst = 1e-3;
+// Tolerance of the reference: sums of its many elements have more rounding than the default allows.
 constexpr double kTolerance = 3e-4;
 constexpr double kSensor = 15e-3;  // m, side of a sensor
 
-/// Four times as many elements around where the tire may touch, `along` times along the section.
+/// Returns the tire with four times as many elements around in the contact zone, and
+/// `along_section` times as many along the section.
 FeTire refined(TireDescription tire, int along_section) {
   constexpr int kParts = 4;
   SectorZone& contact = tire.section.sector_zones.front();
@@ -78,7 +81,7 @@ std::vector<Standing> pressed(FeTire& tire,
   return standing;
 }
 
-/// "+0.3 -1.2 ..." and the worst of them.
+/// A list "+0.3 -1.2 ..." and the worst of its errors.
 struct Errors {
   std::string text;
   double worst = 0.0;
@@ -106,7 +109,8 @@ void compare(const std::string& name, double deepest, int along_section, Table& 
           "{} {:.4g} ({:.4g})  ", quantity.name, quantity.of(ours[i]), quantity.of(judge[i]));
     table.note(fmt::format("{}, {:.4g} mm, SI (refined)", name, 1e3 * deflections[i]), text);
   }
-  // Errors of a quantity early and deeper, judged from some deflection on, below it told.
+  // Errors of a quantity, early and deeper; they are judged from some deflection on, and only
+  // printed below it.
   const auto rows = [&](const std::string& what,
                         const Quantity& quantity,
                         const std::vector<Standing>& of,
@@ -139,7 +143,7 @@ void compare_friction(const std::string& name, const Options& options, Table& ta
   constexpr double kStep = 2.5e-3;  // m
   constexpr int kFewParts = 3;
   const int load_count = options.size(4, 1), fine_parts = options.size(10, 4);
-  // Fz at the loads, every one reached in `parts`.
+  // Returns Fz at the loads, each reached in `parts` steps.
   const auto loads = [&](int parts) {
     std::vector<double> deflections, Fz;
     for (int i = 1; i <= load_count * parts; ++i) deflections.push_back(kStep * i / parts);
@@ -162,8 +166,8 @@ void compare_friction(const std::string& name, const Options& options, Table& ta
       fmt::format("{} %, at most {:.2f} %", errors_of_few.text, 100.0 * errors_of_few.worst));
 }
 
-/// Friction on a coarse tire, and the patch of the same: symmetric, and as large as load and
-/// pressure make it within a factor.
+/// Shows friction on a coarse tire, and its patch: symmetric, and of the area that load and
+/// pressure imply within a factor.
 void smoke(const Options& options, Table& table) {
   compare_friction("passenger_205_55R16", options, table);
   FeTire tire(tire_for(options, "passenger_205_55R16"));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// CPU time of a trial of the finite-element tire against the size of its mesh
+// CPU time of a trial of the finite-element tire as a function of the size of its mesh.
 //
-// Tire B as shipped (inflated, pressed 25 mm in five steps, 20 modes there) with two and four times
-// its sectors, and with twice the elements along and through the wall. Nested dissection of a ring
-// costs as many times more as it has more sectors; what touches the ground is a dense matrix, whose
-// share grows.
+// Tire B as shipped (inflated, pressed by 25 mm in five steps, 20 modes there) is computed with two
+// and four times its sectors, and with twice the elements along and through the wall. The cost of
+// nested dissection of a ring is proportional to its sectors; the part that touches the ground is a
+// dense matrix, whose share grows.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -22,11 +22,11 @@ using namespace fe_tire;
 
 constexpr double kTravel = 0.025;  // m
 constexpr int kModes = 20, kSteps = 5;
-constexpr double kReach = 1.2;  // exponent in the sectors
+constexpr double kReach = 1.2;  // largest exponent in the sectors
 
 struct Trial {
   int unknowns = 0;
-  double seconds = 0.0;  // CPU, the tire made included
+  double seconds = 0.0;  // CPU, including the making of the tire
 };
 
 Trial run_trial(const TireDescription& description, const Refinement& refinement) {

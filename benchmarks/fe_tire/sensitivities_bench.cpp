@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes of a tire's loads and modes in ten numbers: their CPU time in trials, against differences
+// Slopes of a tire's loads and modes in ten numbers: CPU time in trials, accuracy by differences.
 //
 //   ./bench.sh sensitivities [SEED]           all tires, some of their numbers drawn at random
 //   ./bench.sh sensitivities all [TIRE [PATH]]  all numbers, of one tire, one of its numbers
 //
-// A trial inflates, presses the tire in five steps and finds 20 modes: of the loaded tire, of tire
-// A of the unloaded one, as in its study. Slopes are those of the five loads and of all modes in
-// ten numbers of the tire's file; their time is what the trial with slopes takes beyond the one
-// without.
+// A trial inflates the tire, presses it in five steps and finds 20 modes: of the loaded tire, or
+// for tire A of the unloaded one, as in its study. Slopes are those of the five loads and of all
+// modes in ten numbers of the tire's file; their time is the additional time of the trial with
+// slopes.
 //
-// Judge are whole trials with a number moved, every one solved to the last digits, and polynomials
-// fitted to them, which know their own error (fitted_slope.h). What trials are off is seen where a
-// number moves by next to nothing. Points that come to touch or leave make kinks of loads and jumps
-// of modes, and slopes are those between two of them: so moved tires stand on the points that touch
-// under each load where nothing has moved (Ground::held), as far as steps go. That loads of tires
-// left to themselves have the same slopes a row says, of a step so short that their points seldom
-// change in it.
+// The reference is whole trials with one number changed, each solved to the last digits, and
+// polynomials fitted to them, which estimate their own error (fitted_slope.h). The error of the
+// trials is measured with tiny changes of a number. Points that begin to touch or to leave cause
+// kinks of loads and jumps of modes, and slopes are those between two such events. Changed tires
+// therefore touch at the same points as the unchanged one under each load (Ground::held), as far as
+// steps allow. One row shows that free tires have the same loads' slopes, with a step so short that
+// their points seldom change.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,9 +41,9 @@ namespace {
 using namespace fe_tire;
 
 constexpr int kLoads = 5, kModes = 20;
-constexpr int kRepeats = 5;  // of what is timed, plain and sloped in turn
+constexpr int kRepeats = 5;  // repetitions of timed work, without and with slopes in turn
 constexpr double kShare = 0.5, kError = 1e-6;
-constexpr std::size_t kDrawn = 2;  // numbers a tire
+constexpr std::size_t kDrawn = 2;  // numbers for each tire
 constexpr std::uint64_t kSeed = 1;
 
 struct Case {
@@ -97,7 +97,7 @@ std::vector<Case> cases() {
 
 struct Trial {
   Inflated inflated;
-  std::vector<TireState> states;  // of the loads, the last one that of the modes
+  std::vector<TireState> states;  // states at the loads; the modes belong to the last
   std::vector<Mode> modes;
 };
 
@@ -116,7 +116,7 @@ Trial run(FeTire& tire, double pressure, const Case& of, int modes) {
   return trial;
 }
 
-/// Of loads, then of frequencies [answers x numbers].
+/// Returns the slopes of loads, then of frequencies [results x numbers].
 Eigen::MatrixXd slopes_of(const Trial& trial, bool loaded_modes, TireSlopes& slopes) {
   const auto of_inflated = value_of(slopes.of_inflated(trial.inflated));
   Eigen::MatrixXd all(kLoads + kModes, slopes.variables());
@@ -130,8 +130,8 @@ Eigen::MatrixXd slopes_of(const Trial& trial, bool loaded_modes, TireSlopes& slo
   return all;
 }
 
-/// CPU seconds of a trial from the tire's file on; with slopes in these numbers unless there are
-/// none.
+/// Returns the CPU seconds of a trial, including reading the tire's file, with slopes in these
+/// numbers unless the list is empty.
 double time_of(const Case& of, const Document& numbers, const std::vector<std::string>& paths) {
   const TireDescription description = read_tire(numbers.root());
   const double start = cpu_seconds();
@@ -163,7 +163,7 @@ void time_row(Table& table, const Case& of, const Document& numbers) {
 /// Points that touch under every load.
 using Branch = std::vector<TouchingPoints>;
 
-/// States under all loads, of points that are held.
+/// Returns the states under all loads with the touching points held.
 std::vector<TireState> stand_on(FeTire& tire,
                                 const Inflated& inflated,
                                 const Case& of,
@@ -179,10 +179,11 @@ std::vector<TireState> stand_on(FeTire& tire,
   return states;
 }
 
-/// A tire whose trials are solved until nothing is left that differences would enlarge.
+/// Returns a tire whose trials are solved so accurately that differences show no error of the
+/// solution.
 FeTire exact_tire(const TireDescription& description) {
   SolverSettings settings{.element = description.element};
-  settings.tolerance = 1e-10;  // rounding where the tread stands leaves a third of it
+  settings.tolerance = 1e-10;  // a third of it is left by rounding where the tread touches
   settings.mode_tolerance = 1e-9;
   return {build_mesh(description), build_materials(description), settings};
 }
@@ -194,7 +195,7 @@ Eigen::VectorXd forces(FeTire& tire, const std::vector<TireState>& states) {
   return all;
 }
 
-/// Loads of a tire that is left to itself, and the points that touch.
+/// Returns the loads of a free tire, and the points that touch.
 std::pair<Eigen::VectorXd, Branch> free_loads(const Document& numbers, const Case& of) {
   const TireDescription description = read_tire(numbers.root());
   FeTire tire = exact_tire(description);
@@ -205,14 +206,14 @@ std::pair<Eigen::VectorXd, Branch> free_loads(const Document& numbers, const Cas
   return {forces(tire, states), branch};
 }
 
-/// Answers of a trial, as plain values.
+/// Results of a trial as plain values.
 struct Exact {
   Eigen::VectorXd loads;
   std::vector<Mode> modes;
 };
 
 Exact exact(const Document& numbers, const Case& of, const Branch& branch) {
-  constexpr int kSpare = 2;  // modes that may come down among the others
+  constexpr int kSpare = 2;  // modes that may move down among the others
   const TireDescription description = read_tire(numbers.root());
   FeTire tire = exact_tire(description);
   const Inflated inflated = value_of(tire.inflate(description.pressure));
@@ -222,8 +223,9 @@ Exact exact(const Document& numbers, const Case& of, const Branch& branch) {
                                    : tire.modes(inflated, kModes + kSpare))};
 }
 
-/// The frequency of mode i of `at` in another trial: loaded ones by their shape, unloaded ones,
-/// whose pairs have any phase, by place among those of their circumferential number.
+/// Returns the frequency of mode i of `at` in another trial. Loaded modes are matched by shape.
+/// Unloaded modes, whose pairs have any phase, are matched by their rank among those of their
+/// circumferential number.
 std::optional<double> followed(const Exact& at, int i, const Exact& other, bool loaded) {
   constexpr double kSame = 0.8;
   const Mode& mode = at.modes[static_cast<std::size_t>(i)];
@@ -243,7 +245,7 @@ std::optional<double> followed(const Exact& at, int i, const Exact& other, bool 
   return std::nullopt;
 }
 
-/// The numbers with one of them moved by a share of its size.
+/// Returns the numbers with one of them changed by a share of its size.
 Document moved(const Document& numbers, const std::string& path, double share) {
   Document other = numbers;
   const double number = numbers.get(path);
@@ -251,7 +253,7 @@ Document moved(const Document& numbers, const std::string& path, double share) {
   return other;
 }
 
-/// What trials say of the slopes in one number.
+/// The slopes in one number according to trials.
 class Judge {
  public:
   using Slopes = std::vector<std::optional<FittedSlope>>;
@@ -262,7 +264,7 @@ class Judge {
         branch_(free_loads(numbers, of).second),
         at_(exact(numbers, of, branch_)) {
     for (int i = 0; i < kLoads + kModes; ++i) noise_[i] = kRounding * std::abs(value(i));
-    constexpr double kNothing = 1e-8;  // of a number
+    constexpr double kNothing = 1e-8;  // share of a number
     for (const double by : {kNothing, 2.0 * kNothing, 3.0 * kNothing}) {
       const Exact below = at(kMoves, -by), above = at(kMoves, by);
       for (int i = 0; i < kLoads + kModes; ++i) {
@@ -273,7 +275,7 @@ class Judge {
   }
 
   double value(int i) const { return *answer(at_, i); }
-  /// Of loads or of modes, the largest, as a share of them.
+  /// Returns the largest relative noise of loads or of modes.
   double noise(int first, int count) const {
     double largest = 0.0;
     for (int i = first; i < first + count; ++i)
@@ -281,12 +283,12 @@ class Judge {
     return largest;
   }
 
-  /// Of every answer. Steps are halved until all are known well enough; where that does not do,
-  /// more of them are taken between, those of use to what is unsure.
+  /// Returns the slopes of all results. Steps are halved until all slopes are known well enough. If
+  /// that is not sufficient, more steps are added in between, where they help the uncertain slopes.
   Slopes slopes(const std::string& path) const {
     constexpr int kHalvings = 9, kFewest = 4;
     constexpr double kWidest = 6.4e-2;                       // step, as a share of the number
-    constexpr double kBeyond = 1.5, kTooShort = 1.0 / 30.0;  // of the reach of fits
+    constexpr double kBeyond = 1.5, kTooShort = 1.0 / 30.0;  // relative to the range of the fits
     std::vector<std::vector<StepValues>> steps(kLoads + kModes);
     Slopes found(steps.size());
     const double number = numbers_.get(path);
@@ -305,9 +307,10 @@ class Judge {
     return found;
   }
 
-  /// How far slopes of loads are from those of tires left to themselves, by the same short step.
+  /// Returns the difference between slopes of loads with held points and those of free tires, by
+  /// the same short step.
   double off_free_loads() const {
-    constexpr double kShort = 1e-5;  // as a share of the number
+    constexpr double kShort = 1e-5;  // share of the number
     const double number = numbers_.get(kMoves), way = 2.0 * kShort * std::abs(number);
     const Document below = moved(numbers_, kMoves, -kShort);
     const Document above = moved(numbers_, kMoves, kShort);
@@ -321,18 +324,18 @@ class Judge {
     return off;
   }
 
-  /// What errors are a share of: what a change of a number by its own size makes, or a hundredth of
-  /// the answer itself.
+  /// Returns the scale of an error: the change for a change of the number by its own size, or a
+  /// hundredth of the result itself.
   double size(int i, double slope, double number) const {
     return std::max(std::abs(slope), 1e-2 * std::abs(value(i)) / std::abs(number));
   }
 
  private:
-  static constexpr const char* kMoves = "pressure";  // moves every answer, of any tire
-  static constexpr double kSafety = 2.0;             // of noise that is seen some times
-  static constexpr double kRounding = 1e-13;         // of the answer, at least
+  static constexpr const char* kMoves = "pressure";  // affects every result, of any tire
+  static constexpr double kSafety = 2.0;             // factor on noise seen several times
+  static constexpr double kRounding = 1e-13;         // least noise, relative to the result
 
-  /// The widest reach of fits that do not know their slope well enough; 0 where all do.
+  /// Returns the widest range of fits whose slope is not known well enough; 0 if all are.
   double reach_of_unsure(const Slopes& slopes, double number) const {
     constexpr double kEnough = 0.5 * kError;
     double reach = 0.0;
@@ -362,7 +365,7 @@ class Judge {
     return exact(moved(numbers_, path, share), of_, branch_);
   }
 
-  /// None where the mode is not found again.
+  /// Returns nothing if the mode is not found again.
   std::optional<double> answer(const Exact& trial, int i) const {
     if (i < kLoads) return trial.loads[i];
     return followed(at_, i - kLoads, trial, of_.loaded_modes);
@@ -407,7 +410,7 @@ std::string in_words(const Errors& errors) {
   return text;
 }
 
-/// Of loads and modes in all numbers of the case, of a trial as exact.
+/// Returns the slopes of loads and modes in all numbers of the case, from an equally exact trial.
 Eigen::MatrixXd exact_slopes(const Case& of, const Document& numbers) {
   const TireDescription description = read_tire(numbers.root());
   SolverSettings settings{.element = description.element};
@@ -419,7 +422,7 @@ Eigen::MatrixXd exact_slopes(const Case& of, const Document& numbers) {
   return slopes_of(trial, of.loaded_modes, slopes);
 }
 
-/// Of every number a row, of the branch another.
+/// Adds a row for every number, and one for the touching points.
 void error_rows(Table& table, const Case& of, const Document& numbers) {
   constexpr double kFree = 1e-4;
   const Judge judge(of, numbers);
@@ -450,7 +453,7 @@ void draw(std::vector<std::string>& paths, RandomStream& random) {
     paths.erase(paths.begin() + static_cast<std::ptrdiff_t>(random.below(paths.size())));
 }
 
-/// A coarse tire, and slopes of its loads beside those of one short step: to the digits of that.
+/// Compares slopes of loads of a coarse tire with those of one short step, within its accuracy.
 void smoke(Table& table) {
   constexpr double kShort = 1e-5, kReach = 1e-3;
   Case of = cases()[1];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tires of studies/tires, and the value of what a simulation of one gives.
+// The tires of studies/tires, and access to the result of a simulation.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@
 
 namespace latsch::benchmarks {
 
-/// Of "passenger_225_50R16", without the ending of the file.
+/// Returns the file of a tire named for example "passenger_225_50R16", without the file's ending.
 inline std::filesystem::path tire_file(const std::string& name) {
   return std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires" / (name + ".toml");
 }
@@ -25,18 +25,19 @@ inline fe_tire::TireDescription shipped_tire(const std::string& name) {
   return fe_tire::read_tire(Document::read(tire_file(name)).root());
 }
 
-/// The same on a coarse mesh, for smoke runs.
+/// Returns the tire on a coarse mesh, for smoke runs.
 inline fe_tire::TireDescription coarse_tire(const std::string& name, const CoarseMesh& mesh = {}) {
   const std::string text = with_coarse_mesh(read_text_file(tire_file(name)), mesh);
   return fe_tire::read_tire(Document::parse(text, name).root());
 }
 
-/// The shipped tire, in a smoke run the coarse one.
+/// Returns the shipped tire, or in a smoke run the coarse one.
 inline fe_tire::TireDescription tire_for(const Options& options, const std::string& name) {
   return options.is_smoke() ? coarse_tire(name) : shipped_tire(name);
 }
 
-/// Throws the reason where there is none: the benchmark then ends (options.h, run_benchmark).
+/// Returns the value. Throws the reason of a failure, with which the benchmark ends (options.h,
+/// run_benchmark).
 template <class T>
 T value_of(Result<T> result) {
   if (!result) throw std::runtime_error(result.failure().reason);

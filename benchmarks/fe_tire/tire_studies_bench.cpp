@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the studies of tires A and B claim: one place, stiffness that goes over, a foreign truth
+// Claims of the studies of tires A and B: uniqueness, transfer of stiffness, a foreign truth.
 //
 //   ./bench.sh tire_studies [uniqueness | tire_a | transfer | foreign_truth]   all: ten minutes
 //
-// The studies are run by the program as a person runs them, in copies of their folders with
-// journals of their own. Uniqueness: fits of force and modes from three places, two of them
-// opposite corners of the grid, end at one; with the carcass held at half and at twice what they
-// find, and the matrix fitted, the force alone is met as well (a valley), force and modes are not:
-// their error excludes both at 99 %.
-// How far apart fits of the force alone end says nothing of the valley: they walk down to its floor
-// however flat it is. Tire A: more moduli, then densities, each bring the error down. Transfer: the
-// signs of Fig. 8 of [Hempel & Oertel 2016] with the intervals of the fits. Foreign truth: what
-// CalculiX has computed lies in the study, committed, for it takes CalculiX minutes; measure.py
-// there computes it anew.
+// The studies are run by the program as by a user, in copies of their folders with separate
+// journals. Uniqueness: fits of force and modes from three starts, two of them opposite corners of
+// the grid, end at one point. With the carcass held at half and at twice its value and the matrix
+// fitted, the force alone is matched as well (a valley); force and modes are not: their error
+// excludes both values at 99 %. The distance between ends of fits of the force alone does not
+// measure the valley, because fits move down to its floor however flat it is. Tire A: more moduli,
+// then densities, each reduce the error. Transfer: the signs of Fig. 8 of [Hempel & Oertel 2016]
+// with the intervals of the fits. Foreign truth: the results of CalculiX are committed in the
+// study, because they take minutes; measure.py there computes them again.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,18 +43,20 @@ using Json = nlohmann::json;
 
 using Settings = std::map<std::string, std::string>;  // initial values by variable
 
-constexpr double kLevel = 1e-4;  // of the target: 1 % of error, root mean square
-constexpr double kSame = 0.02;   // two fits that end so near each other end at one place
+constexpr double kLevel = 1e-4;  // level of the target: 1 % of error, root mean square
+constexpr double kSame = 0.02;   // relative distance up to which two fits end at one point
 constexpr double kExcluded = 0.99,
-                 kNotExcluded = 0.95;  // levels, of what one place and a valley is
-constexpr double kWider = 4.0;         // times the factor an interval with modes spans
-constexpr double kFall = 2.0;  // times, of tire A's error [Hempel & Oertel 2016: 15 to 7.4 %]
+                 // Confidence levels that distinguish a single point from a valley.
+                 kNotExcluded = 0.95;
+// Factor between the lengths of intervals without and with modes.
+constexpr double kWider = 4.0;
+constexpr double kFall = 2.0;  // factor of tire A's error [Hempel & Oertel 2016: 15 to 7.4 %]
 
-// Of the moduli, on the shipped mesh and on a twofold one. The deck's own mesh is worth 1 % of the
-// rubber and 3 % of the carcass (studies/foreign_truth/README.md).
+// Tolerance of the moduli, on the shipped mesh and on one refined twofold. The deck's own mesh
+// changes the rubber by 1 % and the carcass by 3 % (studies/foreign_truth/README.md).
 constexpr double kMeshReach = 0.03;
 
-/// A copy of studies/, journals left out.
+/// A copy of studies/ without journals.
 class Studies {
  public:
   Studies() {
@@ -71,7 +72,7 @@ class Studies {
 
   fs::path at(const std::string& file) const { return folder_.path() / file; }
 
-  /// The same study under another name, with other initial values.
+  /// Writes the study under another name with other initial values.
   std::string started_at(const std::string& study,
                          const std::string& name,
                          const Settings& initial) const {
@@ -83,7 +84,8 @@ class Studies {
     return write_beside(study, name, text);
   }
 
-  /// The study of uniqueness without a variable for the carcass: its modulus is this one, N/mm^2.
+  /// Writes the study of uniqueness without a variable for the carcass: its modulus is `carcass`,
+  /// N/mm^2.
   std::string held_at(double carcass, bool with_modes) const {
     const std::string study = "tire_b_uniqueness/study.toml";
     const std::string name = fmt::format("held_at_{:.0f}{}", carcass, with_modes ? "_modes" : "");
@@ -103,7 +105,8 @@ class Studies {
     return write_beside(study, name, text);
   }
 
-  /// The study of the shipped element on the mesh of its own [refined], in that one's place.
+  /// Writes the study of the shipped element on the mesh of its own [refined], in place of its
+  /// mesh.
   std::string on_refined_mesh(const std::string& study, const std::string& tire_file) const {
     std::string text = read_text_file(at(study)), tire = read_text_file(at(tire_file));
     const std::regex number("\nmodel\\.mesh\\.(\\w+) = (\\d+)");
@@ -121,19 +124,19 @@ class Studies {
     return write_beside(study, "refined", text);
   }
 
-  /// The same tire on a coarse mesh.
+  /// Puts the tire on a coarse mesh.
   void coarsen(const std::string& tire) const {
     write_text_file(at(tire), with_coarse_mesh(read_text_file(at(tire))));
   }
 
-  /// The same study without intervals, ended after two steps.
+  /// Writes the study without intervals, ended after two steps.
   std::string shortened(const std::string& study) const {
     std::string text = read_text_file(at(study)) + "\n[optimizer]\nmax_steps = 2\n";
     text = std::regex_replace(text, std::regex("\\[run\\]"), "[run]\nintervals = false");
     return write_beside(study, fs::path(study).stem().string() + "_shortened", text);
   }
 
-  /// What `latsch VERB STUDY ARGUMENTS --json` answers.
+  /// Returns the output of `latsch VERB STUDY ARGUMENTS --json`.
   Json ask(const std::string& verb,
            const std::string& study,
            const std::string& arguments = {}) const {
@@ -174,13 +177,13 @@ class Studies {
 struct Value {
   double value = 0.0;
   std::string unit;
-  std::optional<double> lower, upper;  // of its interval; none: the bounds hold it, not the data
+  std::optional<double> lower, upper;  // ends of its interval; none: set by the bounds
   bool has_interval = false;
 
   bool is_inside(double truth) const {
     return has_interval && (!lower || truth >= *lower) && (!upper || truth <= *upper);
   }
-  /// From the lower end to the upper one, infinity where one is open.
+  /// Returns the upper end over the lower one; infinite if one is open.
   double factor() const {
     return lower && upper ? *upper / *lower : std::numeric_limits<double>::infinity();
   }
@@ -215,13 +218,14 @@ Values fitted(const Studies& studies, const std::string& study) {
 
 // --- uniqueness ---
 
-/// Where fits of force and modes start beside the study's own place: two opposite corners of its
+/// Starts of fits of force and modes in addition to the study's own: two opposite corners of its
 /// grid, N/mm^2.
 const std::vector<Settings> kCorners = {{{"matrix", "14 N/mm^2"}, {"carcass", "50 N/mm^2"}},
                                         {{"matrix", "36 N/mm^2"}, {"carcass", "3200 N/mm^2"}}};
-constexpr std::array<double, 3> kHeld = {0.5, 1.0, 2.0};  // times the carcass found with modes
+// Multiples of the carcass found with modes.
+constexpr std::array<double, 3> kHeld = {0.5, 1.0, 2.0};
 
-/// How far apart fits from several starts end: the largest ratio of a variable.
+/// Returns the largest ratio of a variable between the ends of fits from several starts.
 double farthest(const std::vector<Values>& ends) {
   double ratio = 1.0;
   for (const auto& [name, first] : ends.front()) {
@@ -235,23 +239,23 @@ double farthest(const std::vector<Values>& ends) {
   return ratio;
 }
 
-/// Of a table of measurements, its head left out.
+/// Returns the number of rows in a table of measurements, without its header.
 int rows_of(const fs::path& file) {
   const std::string text = read_text_file(file);
   return static_cast<int>(std::ranges::count(text, '\n')) - 1;
 }
 
-/// Times the least target, the mean of `values` squared errors by two variables, from which on one
-/// that is held is excluded at this level: F = (values - 2) (ratio - 1) of 1 and values - 2 degrees
-/// of freedom, which is t^2 [Bates & Watts, Nonlinear Regression Analysis and Its Applications,
-/// Wiley 1988, section 6.1: profile t].
+/// Returns the factor of the least target from which on a held variable is excluded at this level.
+/// The least target is the mean of `values` squared errors with two variables: F = (values - 2)
+/// (ratio - 1) with 1 and values - 2 degrees of freedom, which is t^2 [Bates & Watts, Nonlinear
+/// Regression Analysis and Its Applications, Wiley 1988, section 6.1: profile t].
 double excluded_from(double level, int values) {
   const double nu = values - 2.0, t = numerics::student_t_quantile(0.5 * (1.0 + level), nu);
   return 1.0 + t * t / nu;
 }
 
 void compare_valley(const Studies& studies, double carcass, Table& table) {
-  std::array<double, kHeld.size()> force{}, modes{};  // targets, the matrix fitted
+  std::array<double, kHeld.size()> force{}, modes{};  // targets with the matrix fitted
   for (std::size_t i = 0; i < kHeld.size(); ++i) {
     force[i] = studies.ask("run", studies.held_at(kHeld[i] * carcass, false)).at("target");
     modes[i] = studies.ask("run", studies.held_at(kHeld[i] * carcass, true)).at("target");
@@ -307,8 +311,8 @@ void compare_uniqueness(const Studies& studies, Table& table) {
 
 // --- transfer ---
 
-/// Whether a modulus is higher with one mode than with five, or lower, and by more than both
-/// intervals overlap.
+/// Compares whether a modulus is higher with one mode than with five, or lower, and whether the
+/// intervals do not overlap.
 void compare_sign(
     const std::string& name, const Value& five, const Value& one, bool rises, Table& table) {
   const bool is_right = rises ? one.value > five.value : one.value < five.value;
@@ -376,7 +380,7 @@ void compare_truth(const Studies& studies,
   }
 }
 
-/// Every way a study is changed for this table, run once on a coarse tire: two steps a fit.
+/// Runs every variation of a study in this table once on a coarse tire: two steps for each fit.
 void smoke(const Studies& studies, Table& table) {
   const std::string modes = "tire_b_uniqueness/study.toml";
   studies.coarsen("tires/passenger_225_50R16.toml");
@@ -413,7 +417,7 @@ int run(const Options& options) {
   if (asks("foreign_truth")) {
     compare_truth(
         studies, "same mesh and element", "foreign_truth/same_mesh.toml", 1e-3, false, table);
-    // Intervals with what [refined] says of the mesh, then without.
+    // With intervals that include [refined]'s mesh error, then without.
     compare_truth(studies,
                   "shipped element, quadratic deck",
                   "foreign_truth/shipped_element.toml",

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Default element against extrapolated meshes; modes by harmonics against the full solve
+// Default element compared with extrapolated meshes; modes by harmonics with the full solve.
 //
-// Tires with the default element: all that are shipped, with cords as rebars, inflated and pressed
+// The tires have the default element: all shipped ones, with cords as rebars, inflated and pressed
 // on the ground; three sizes drawn at random, inflated; A and B with smeared cords, inflated and,
-// B, pressed. Every mesh is refined in all three directions with nodes on the true contour and the
-// same physical boundary. Inflation and unloaded modes are one sector's: refined 2, 3 and 4 times
-// and extrapolated; the loaded ring is judged as users see it by default, of three tires thoroughly
-// (loaded_limits.h), which shows how right the default is. `--sizes` judges others, on the ground
-// too. Tires are judged as many at a time as the machine has cores.
+// for B, pressed. Every mesh is refined in all three directions with nodes on the true contour and
+// the same physical boundary. Inflation and unloaded modes use one sector, refined 2, 3 and 4 times
+// and extrapolated. The loaded ring is judged with the default method that users get, and for three
+// tires thoroughly (loaded_limits.h), which shows the accuracy of the default. `--sizes` judges
+// other sizes, on the ground too. As many tires are judged at a time as the machine has cores.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,19 +43,20 @@ namespace {
 
 using namespace fe_tire;
 
-constexpr double kReach = 0.01;        // of the default element with 1.5 times the paper's unknowns
-constexpr double kTravel = 0.025;      // m, of the tires as shipped
+// Error of the default element with 1.5 times the paper's unknowns.
+constexpr double kReach = 0.01;
+constexpr double kTravel = 0.025;      // m, for the tires as shipped
 constexpr double kRaceTravel = 0.015;  // m
 constexpr double kSmearedTravel = 0.010;  // m
 constexpr double kSizesTravel = 0.022;    // m
 constexpr double kLimitsAgree = 0.003;
 constexpr int kUnknownsOfB = 15480 * 3 / 2, kUnknownsOfA = 27000 * 3 / 2;
-constexpr double kFullRatio = 50.0;  // harmonics against the full eigen-solve
+constexpr double kFullRatio = 50.0;  // CPU time of the full eigen-solve over that of harmonics
 constexpr int kModes = 20;
-constexpr int kRuns = 5;  // of modes, timed
+constexpr int kRuns = 5;  // number of timed runs of modes
 
-/// Median CPU seconds of both kinds of work, taken in turn: so many runs, of the short one their
-/// square.
+/// Returns the median CPU seconds of both kinds of work, taken in turn: `runs` of the long one and
+/// runs squared of the short one.
 std::pair<double, double> times_of(int runs,
                                    const std::function<void()>& short_one,
                                    const std::function<void()>& long_one) {
@@ -149,14 +150,14 @@ void add_rows(const std::string& name,
 struct Case {
   std::string name;
   std::function<TireDescription()> tire;
-  double travel = 0.0;          // m, on the ground; 0: inflated alone
+  double travel = 0.0;          // m, on the ground; 0: inflated only
   int unknowns = kUnknownsOfB;  // at most
-  bool thoroughly = false;      // the loaded ring, in one or two minutes
-  bool is_judged = true;        // else the judges alone, one by the other
+  bool thoroughly = false;      // judges the loaded ring thoroughly, which takes one or two minutes
+  bool is_judged = true;        // else only the references are compared with each other
 };
 
-/// How far limits of few loaded meshes are from those found thoroughly, relative, the farthest, and
-/// how many farther than both say of themselves.
+/// Compares limits of a few loaded meshes with those found thoroughly: the largest relative
+/// difference, and the number of differences larger than both estimates of their error.
 void compare_limits(const std::string& name, const DiscretizationStudy& found, Table& table) {
   double farthest = 0.0;
   int outside = 0;
@@ -214,7 +215,7 @@ void add_rows(const Case& of, const Judged& judged, Table& table) {
   if (of.thoroughly) compare_limits(of.name, study, table);
 }
 
-/// As many at a time as the machine has cores; rows in the order of the cases.
+/// Judges as many cases at a time as the machine has cores; rows are in the order of the cases.
 void study(const std::vector<Case>& cases, Table& table) {
   std::vector<std::promise<Judged>> judged(cases.size());
   std::atomic<std::size_t> next = 0;
@@ -234,7 +235,7 @@ void study(const std::vector<Case>& cases, Table& table) {
     add_rows(cases[k], judged[k].get_future().get(), table);
 }
 
-/// A passenger tire of any size, as `latsch new --size` writes its file.
+/// Returns a passenger tire of any size as written by `latsch new --size`.
 Case of_size(const std::string& size, double travel) {
   const std::string from = cli::template_of(size);
   const std::string text = cli::sized_tire(read_text_file(tire_file(from)), size);
@@ -256,13 +257,13 @@ std::vector<Case> random_sizes(std::uint64_t seed) {
     const int width = drawn(165, 315, 10), aspect = drawn(30, 70, 5), rim = drawn(14, 21, 1);
     try {
       cases.push_back(of_size(fmt::format("{}/{}R{}", width, aspect, rim), 0.0));
-    } catch (const InputError&) {  // nobody makes it
+    } catch (const InputError&) {  // no such tire exists
     }
   }
   return cases;
 }
 
-/// Of sizes that are named, between commas, also on the ground.
+/// Judges the given sizes, separated by commas, also on the ground.
 int run_sizes(const std::string& sizes, const Options& options) {
   Table table("verification", options);
   std::istringstream each(sizes);
@@ -273,12 +274,12 @@ int run_sizes(const std::string& sizes, const Options& options) {
   return table.exit_code();
 }
 
-/// The comparison tire with columns and as many sectors as matter, in the zones of the tire as
-/// shipped: its own, all alike, are CalculiX'.
+/// Returns the comparison tire with columns and the required number of sectors, in the zones of the
+/// shipped tire: its own sectors, all alike, are those of CalculiX.
 TireDescription smeared(TireDescription tire, const TireDescription& as, int unknowns) {
-  // The deck of tire B holds the outer half of the bead: its stiff inner half then hangs on an
-  // edge, a singularity that spoils the convergence of any element. Held by the inner half it has
-  // as many unknowns and no such edge.
+  // The deck of tire B holds the outer half of the bead. Its stiff inner half then hinges on an
+  // edge, a singularity that spoils the convergence of any element. Held at the inner half the tire
+  // has as many unknowns and no such edge.
   if (tire.section.clamp == BeadClamp::outside) tire.section.clamp = BeadClamp::inside;
   tire.section.ends = as.section.ends;
   tire.section.sector_zones = as.section.sector_zones;
@@ -287,7 +288,7 @@ TireDescription smeared(TireDescription tire, const TireDescription& as, int unk
   return with_columns(std::move(tire), placed.columns);
 }
 
-/// Modes by harmonics against the full solve on a coarse tire, and a study of its meshes.
+/// Compares modes by harmonics with the full solve on a coarse tire, and studies its meshes.
 int smoke(const Options& options) {
   Table table("verification", options);
   const TireDescription tire = coarse_tire("passenger_225_50R16", {.meridional = 13, .sectors = 12});
@@ -329,7 +330,8 @@ int run(const Options& options) {
   cases.push_back({.name = "tire B, smeared",
                    .tire = [&] { return smeared(reference_tire_b(), b, kUnknownsOfB); },
                    .travel = kSmearedTravel});
-  // The default judge where rows leave most, on the fewest unknowns: those of the paper.
+  // The default reference is tested where rows have the largest error, with the fewest unknowns:
+  // those of the paper.
   cases.push_back({.name = "tire B, smeared, as many unknowns as the paper's",
                    .tire = [&] { return smeared(reference_tire_b(), b, kUnknownsOfB * 2 / 3); },
                    .travel = kSmearedTravel,

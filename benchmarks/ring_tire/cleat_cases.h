@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The load cases of studies/cleat_fit, the specimen measured in them, and its noise: what
-// bench_cleat_fit fits and what it counts intervals by.
+// The load cases of studies/cleat_fit, the specimen measured in them, and its noise: used by
+// bench_cleat_fit for its fits and for counting intervals.
 #pragma once
 
 #include <atomic>
@@ -17,26 +17,26 @@
 
 namespace latsch::benchmarks::cleat {
 
-constexpr double kHighest = 200.0;           // Hz, compared up to
-constexpr double kNoise[2] = {50.0, 100.0};  // N, of Fx and Fz in one passage, every sample
-constexpr double kRecord = 24.5;             // s, of one load case
+constexpr double kHighest = 200.0;           // Hz, limit of the comparison
+constexpr double kNoise[2] = {50.0, 100.0};  // N, noise of Fx and Fz in one passage, every sample
+constexpr double kRecord = 24.5;             // s, duration of one load case
 constexpr const char* kChannels[2] = {"Fx", "Fz"};
 
-/// How finely a tire is simulated.
+/// Discretization of a simulated tire.
 struct Numerics {
   int nodes, blocks, lines;
 };
 constexpr Numerics kModel{100, 16, 4}, kSpecimen{140, 15, 6};
-constexpr int kPassages = 8;  // of the specimen, at half the model's step
+constexpr int kPassages = 8;  // passages of the specimen, at half the model's step
 
-/// Dry friction of the specimen's sidewall, radially: none, or a fifth more stiffness before it
-/// slips, which its five elements do between 1.4 and 6.8 mm.
+/// Radial dry friction of the specimen's sidewall: none, or a fifth more stiffness before slip,
+/// which occurs in its five elements between 1.4 and 6.8 mm.
 struct Friction {
   double stiffening = 0.0, force = 0.0;  // N/m
 };
 constexpr Friction kFriction{0.2, 500.0};
 
-/// `work` of 0 .. count - 1, on all cores.
+/// Runs `work` for 0 .. count - 1 on all cores.
 template <class Work>
 void at_once(std::size_t count, const Work& work) {
   std::atomic<std::size_t> next = 0;
@@ -48,8 +48,8 @@ void at_once(std::size_t count, const Work& work) {
   go();
 }
 
-/// A number of the tire: where it stands, what it is in the specimen over what is known before, and
-/// how far it may be off.
+/// A number of the tire: its place in the file, its value in the specimen relative to the known
+/// one, and the range of its possible error.
 struct Number {
   const char* path;
   double truth, range;
@@ -67,41 +67,42 @@ constexpr Number kNumbers[12] = {{"sidewall.radial.stiffness", 1.12, 1.5},
                                  {"tread.shore_a", 0.95, 1.15},
                                  {"tread.damping_time", 1.30, 2.0}};
 
-/// A load case of studies/cleat_fit, with the step and the passages of the model.
+/// A load case of studies/cleat_fit with the step and the passages of the model.
 struct Case {
   std::string name;
   bool fitted;
   experiment::DrumTest test;
   std::string words = {};
   std::vector<double> measured[2] = {};  // densities
-  std::vector<double> force[2] = {};     // N, the average they are of
+  std::vector<double> force[2] = {};     // N, the averages of which these are the densities
   std::vector<double> noiseless[2] = {};
 };
 
 std::filesystem::path study_folder();
 std::vector<Case> cases();
 
-/// What was known of the tire before.
+/// Returns the tire as known before.
 Document file();
 ring_tire::RingParameters tire_at(const Document& known, const DesignPoint& point);
 ring_tire::RingParameters with(ring_tire::RingParameters ring, const Numerics& numerics);
 ring_tire::RingParameters with(ring_tire::RingParameters ring, const Friction& friction);
-/// Upright on a straight cleat all lines across the width see the same: one does.
+/// Reduces the lines: upright on a straight cleat all lines across the width are equivalent, so one
+/// suffices.
 Numerics enough(Numerics numerics, const Case& of);
 
-/// N, of an average over the passages that a record holds.
+/// Returns the noise, N, of an average over the passages that a record contains.
 double noise(const experiment::DrumTest& test, int channel);
 std::vector<double> with_noise(std::vector<double> force, double deviation, RandomStream random);
 std::vector<double> density(const std::vector<double>& force);
 double rms(const std::vector<double>& values);
 
-/// `draw` of the noise: 0 is that of the study's own measurements. Throws InputError where the
-/// specimen has no solution.
+/// Measures the specimen with draw number `draw` of the noise; 0 is that of the study's own
+/// measurements. Throws InputError if the specimen has no solution.
 void measure(std::vector<Case>& all,
              const ring_tire::RingParameters& specimen,
              int draw = 0,
              int passages = kPassages);
-/// As the files of a study, into its folder `measured`.
+/// Writes the measurements as files of a study into its folder `measured`.
 void write(const std::vector<Case>& all, const std::filesystem::path& study);
 
 }  // namespace latsch::benchmarks::cleat

@@ -1,40 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
-// Twelve numbers of a ring tire from two cleat runs on the drum, shown on nine others
+// Twelve numbers of a ring tire from two cleat runs on the drum, checked on nine others.
 //
 //   bench_cleat_fit                    the specimen is the ring of studies/ring_tires
 //   bench_cleat_fit --specimen fe      or a ring derived from the FE tire of that size
 //   bench_cleat_fit --specimen friction  or the first with dry friction in its sidewall
-//   bench_cleat_fit --genetic 180      so many evaluations of the genetic algorithm besides
-//   bench_cleat_fit --draws 5          the study's intervals alone, over so many draws of the noise
-//   bench_cleat_fit --write            the measurements for studies/cleat_fit, of these load cases
+//   bench_cleat_fit --genetic 180      adds that many evaluations of the genetic algorithm
+//   bench_cleat_fit --draws 5          only the study's intervals, over 5 draws of the noise
+//   bench_cleat_fit --write            writes the measurements of studies/cleat_fit
 //
 // The specimen is the ring with other numbers, finer than the model (kSpecimen, kModel) and with
-// noise. Errors are those of the thesis: RMS between power spectral densities, of Fx and Fz, every
-// density in units of its own root mean square. How far held-out cases fall behind fitted ones is
-// decided by what a fit can absorb of two cases and not of nine others:
-//   passages  Which segments and blocks the cleat meets changes Fx over the low cleat by 5 to 18 %.
-//             The lab averages over passages at any angle of the wheel; so do specimen and model.
-//             The cost is smooth only then: ripples of a single passage are local minima.
-//             Blocks a segment and passages have no common divisor, or passages meet the blocks
-//             alike: 12 blocks and three passages change Fx by 4 N, 16 blocks by 0.8 N.
-//   numerics  What the model's mesh and step change has to stay below the noise, or the numbers
-//             take it in ("mesh and step over noise").
-//   window    Welch's is as long as the record. The blow is in its middle, where it counts fully;
-//             an eighth after the beginning it would count 0.13, and the noise behind it 1.
+// noise. Errors are those of the thesis: RMS differences between power spectral densities of Fx and
+// Fz, every density in units of its own root mean square. The difference between held-out and
+// fitted cases depends on what a fit can absorb of two cases and not of nine others:
+//   passages  Segments and blocks that the cleat meets change Fx over the low cleat by 5 to 18 %.
+//             The laboratory averages over passages at any angle of the wheel; so do specimen and
+//             model. Only then is the cost smooth: ripples of one passage are local minima. The
+//             numbers of blocks a segment and of passages have no common divisor, otherwise all
+//             passages meet the blocks alike: 12 blocks and three passages change Fx by 4 N, 16
+//             blocks by 0.8 N.
+//   numerics  The effect of the model's mesh and step has to stay below the noise; otherwise the
+//             fitted numbers absorb it ("mesh and step over noise").
+//   window    Welch's window is as long as the record. The impact is in its middle, where it counts
+//             fully; an eighth after the beginning it would count 0.13, and the noise behind it 1.
 //   noise     kNoise is that of one passage. A record of kRecord is the average of the more
 //             passages the faster the drum: 26 at 30 km/h, as in the thesis.
-// The residual method fits forces over time, the other cost of the thesis: where peaks of two
-// densities do not overlap their difference has no slope. Forces count by their noise, which is
-// white and known, and beside them what was known of the numbers before: the likeliest numbers,
-// where two cases leave some of them open. The genetic
-// algorithm fits the densities, as the thesis did. The floor is what the model shows at the
-// specimen's own numbers; "noise alone", what another draw of the noise would change.
+// The residual method fits forces over time, the other cost of the thesis: if the peaks of two
+// densities do not overlap, their difference has no slope. Forces are weighted by their noise,
+// which is white and known, and the prior of the numbers is added: this gives the likeliest numbers
+// if two cases leave some of them open. The genetic algorithm fits the densities, as the thesis
+// did. The floor is the error of the model with the specimen's own numbers; "noise alone" is the
+// effect of another draw of the noise.
 //
-// What has to be reached is told in units of the floor: a fit that is worse everywhere does not
-// pass because it is equally bad in all cases. Friction is a law the fitted model does without:
-// no numbers reach the floor then, which is the model's with friction, and what is asked is that
-// held-out cases suffer no more from what is missing than fitted ones. Passages are simulated at
-// once, one a core; nothing depends on how many there are.
+// Requirements are in units of the floor: a fit that is bad everywhere does not pass because it is
+// equally bad in all cases. Friction is a law that the fitted model does not have. No numbers reach
+// the floor then, which is that of the model with friction; the requirement is that held-out cases
+// suffer no more from the missing law than fitted ones. Passages are simulated in parallel, one on
+// each core; the result does not depend on their number.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -63,11 +64,11 @@ namespace {
 using namespace latsch;
 using namespace latsch::benchmarks::cleat;
 
-constexpr int kMostEvaluations = 200;  // of the residual method, at the end of its search
+constexpr int kMostEvaluations = 200;  // for the residual method, to the end of its search
 constexpr int kPopulation = 60;
-constexpr double kReach[2] = {1.25, 1.5};  // times the floor: fitted cases, held-out ones
+constexpr double kReach[2] = {1.25, 1.5};  // multiples of the floor: fitted cases, held-out ones
 constexpr double kMissingLaw = 1.5;        // held-out cases over fitted ones, with a law missing
-/// Forces over time less their means, in units of their noise; or densities, in units of the
+/// Forces over time minus their means, in units of their noise; or densities, in units of the
 /// measured one's rms.
 enum class Compared { times, densities };
 
@@ -92,7 +93,7 @@ void add_densities(const std::vector<double>& model,
   for (std::size_t i = 0; i < model.size(); ++i) all.push_back((model[i] - measured[i]) / scale);
 }
 
-/// Of both forces.
+/// Returns the differences of both forces.
 std::vector<double> differences(const Channels& channels, const Case& of, Compared compared) {
   std::vector<double> all;
   for (int c = 0; c < 2; ++c) {
@@ -106,7 +107,7 @@ std::vector<double> differences(const Channels& channels, const Case& of, Compar
   return all;
 }
 
-/// Of both forces over several passages.
+/// Returns the means of both forces over several passages.
 Result<Channels> mean(std::span<const Result<Channels>> passages) {
   Channels mean;
   for (const char* name : kChannels) {
@@ -123,8 +124,8 @@ Result<Channels> mean(std::span<const Result<Channels>> passages) {
   return mean;
 }
 
-/// PSD RMS that another draw of the noise makes, of the fitted or the held-out cases: the noise is
-/// known from what is measured before the cleat comes.
+/// Returns the PSD RMS between two draws of the noise for the fitted or the held-out cases. The
+/// noise is known from the measurement before the cleat.
 double scatter(const std::vector<Case>& all, bool fitted) {
   constexpr int kDraws = 20;
   std::vector<double> differences;
@@ -162,7 +163,7 @@ class Fit {
     return score;
   }
 
-  /// Best of at most `most` evaluations.
+  /// Returns the best point of at most `most` evaluations.
   DesignPoint run(Optimizer& optimizer, int most, const DesignPoint& initial, Compared compared) {
     evaluations_ = 0;
     DesignPoint best = initial;
@@ -186,9 +187,9 @@ class Fit {
     std::string worst_case;
     double mesh_over_noise[2] = {};  // held out, fitted
   };
-  /// Densities against the measured ones. Beside them, what forces over time are off from the
-  /// specimen's without noise, in units of their noise: at its own numbers what mesh and step
-  /// change.
+  /// Returns the errors of the densities compared with the measured ones, and the deviation of
+  /// forces over time from the specimen's without noise, in units of their noise: with the
+  /// specimen's own numbers this is the effect of mesh and step.
   Errors errors(const DesignPoint& point, const Friction& friction = {}) {
     double sums[2] = {}, counts[2] = {};
     std::vector<double> times[2];
@@ -215,7 +216,7 @@ class Fit {
   }
 
   int evaluations() const { return evaluations_; }
-  /// In time.
+  /// Returns the number of residuals over time.
   std::size_t residuals() const {
     std::size_t count = static_cast<std::size_t>(space_.size());
     for (const Case& one : cases_) {
@@ -225,12 +226,12 @@ class Fit {
   }
 
  private:
-  /// Of every case, or of the fitted ones alone; of the others nothing but a Failure.
+  /// Simulates every case, or the fitted ones alone; the others are a Failure.
   std::vector<Result<Channels>> simulate(const DesignPoint& point,
                                          const Friction& friction,
                                          bool fitted_alone) const {
     const auto ring = with(tire_at(known_, point), friction);
-    std::vector<std::pair<std::size_t, int>> passages;  // every case's
+    std::vector<std::pair<std::size_t, int>> passages;  // those of every case
     for (std::size_t i = 0; i < cases_.size(); ++i) {
       for (int k = 0; k < cases_[i].test.passages && (cases_[i].fitted || !fitted_alone); ++k)
         passages.emplace_back(i, k);
@@ -252,7 +253,7 @@ class Fit {
     return runs;
   }
 
-  /// What was known before.
+  /// Adds the residuals of the prior.
   void add_known(const DesignPoint& point, std::vector<double>& residuals) const {
     for (int i = 0; i < space_.size(); ++i) {
       residuals.push_back(space_[i].prior->residual(point.values[static_cast<std::size_t>(i)]));
@@ -293,7 +294,7 @@ void say_errors(benchmarks::Table& table, const std::string& what, const Fit::Er
 struct Specimen {
   std::string name;
   Document known;     // its twelve numbers are these times Number::truth
-  Friction friction;  // that the model does not have
+  Friction friction;  // friction, which the model does not have
 };
 
 void say_reached(benchmarks::Table& table,
@@ -320,7 +321,7 @@ void fit_specimen(const Specimen& specimen,
   const DesignSpace space = space_of(specimen.known);
   const DesignPoint truth = truth_of(space);
   std::vector<Case> all = cases();
-  all.resize(options.size(all.size(), std::size_t{3}));  // two of them fitted
+  all.resize(options.size(all.size(), std::size_t{3}));  // two of them are fitted
   if (options.is_smoke())
     for (Case& one : all) one.test.passages = 1;
   measure(all,
@@ -337,8 +338,7 @@ void fit_specimen(const Specimen& specimen,
   say_errors(table, "floor: the model at the specimen's numbers", floor);
   if (specimen.friction.force > 0.0) say_errors(table, "without friction", fit.errors(truth));
 
-  // Both forces and what was known, all in units of their noise, as a study of stated noise is
-  // searched.
+  // Both forces and the prior are in units of their noise, as in a study with stated noise.
   const double m = static_cast<double>(fit.residuals());
   ResidualTrustRegion method(space, {.noise_alone = m + 2.0 * std::sqrt(2.0 * m)});
   const DesignPoint found = fit.run(
@@ -363,8 +363,8 @@ void fit_specimen(const Specimen& specimen,
   say_errors(table, fmt::format("genetic algorithm, {} evaluations", asked), fit.errors(bred));
 }
 
-/// The shipped ring with the numbers that the FE tire of its size asks for, and its twelve numbers
-/// as far off as those of the other specimen were.
+/// Returns the shipped ring with the numbers derived from the FE tire of its size, with its twelve
+/// numbers off by the factors of the other specimen.
 Document derived_from_fe(const Document& ring) {
   const ScratchFolder scratch;
   const std::string command = fmt::format(

@@ -17,9 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 using correlation::Study;
 
-constexpr int kFewest = 11;  // of twelve intervals: fewer hold in one of nine fits, were all right
+// Least number out of twelve intervals: if all were right, fewer would hold in one of nine fits.
+constexpr int kFewest = 11;
 
-/// Of the specimen, in the order of the study's variables.
+/// Returns the truth of the specimen in the order of the study's variables.
 DesignPoint truth_of(const Study& study) {
   DesignPoint truth = study.space.initial();
   for (int i = 0; i < study.space.size(); ++i)

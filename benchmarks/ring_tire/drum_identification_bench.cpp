@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two numbers of a ring tire from two noisy cleat passages on the drum, by `auto` as shipped
+// Two numbers of a ring tire from two noisy cleat passages on the drum, by `auto` as shipped.
 //
 // A coarse ring rolls once over the cleat at 30 and at 60 km/h: stiffness and damping of its
-// sidewall are to be found from forces with 20 N of noise, whose truth is known. Which segments and
-// blocks the cleat meets makes the forces ripple over both numbers. What to reach: from every start
+// sidewall are identified from forces with 20 N of noise; the truth is known. The segments and
+// blocks that the cleat meets make the forces ripple over both numbers. Required: from every start
 // a target of at most 1.1 times that at the truth, a sum of squares in units of the noise.
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ namespace {
 using namespace latsch;
 
 constexpr double kNoise = 20.0;                       // N, every sample of Fx and Fz
-constexpr double kStiffness = 0.55e6;                 // N/m^2, of the truth
+constexpr double kStiffness = 0.55e6;                 // N/m^2, true value
 constexpr double kDamping = 55.0;                     // N s/m^2
 constexpr int kNodes = 100, kBlocks = 6, kLines = 1;  // a coarse ring
 constexpr int kMostTrials = 200;

@@ -53,12 +53,12 @@ RingParameters without_losses() {
 
 struct Drift {
   double most;  // J
-  double work;  // J, of the road on the belt, either way
+  double work;  // J, absolute work of the road on the belt
 };
 
-/// Over the cleat in steps of h. Kinetic energy and that of belt and sidewall, less the work of
-/// road and rim, which goes by the trapezoidal rule like the steps; the blocks' springs are the
-/// road's side.
+/// Returns the drift over the cleat in steps of h. It is the kinetic energy and that of belt and
+/// sidewall, minus the work of road and rim by the trapezoidal rule, like the steps; the blocks'
+/// springs count as part of the road.
 std::optional<Drift> drift_of(double h) {
   RingSettings settings = kUntilRounding;
   settings.dissipation = 0.0;

@@ -37,12 +37,13 @@ RingParameters ring_of(int nodes, int blocks, int lines) {
 namespace {
 
 constexpr double kStep = 2e-4, kSpeed = 60.0;
-constexpr double kSample = 1e-3;  // s, between forces compared
+constexpr double kSample = 1e-3;  // s, interval of the compared forces
 
-/// What the rows are measured with.
+/// The ring of the measured rows.
 RingParameters small_ring() { return ring_of(48, 8, 6); }
 
-/// Four valleys one after the other, each 0.8 m long, 0.8 m wide and 25 mm deep; or four hills.
+/// Returns four valleys one after the other, each 0.8 m long, 0.8 m wide and 25 mm deep; or four
+/// hills.
 road::ProfileRoad kerb(double height = -0.025) {
   return road::kerb_road({.shape = road::Kerb::Shape::triangle,
                           .pitch = 0.8,
@@ -65,7 +66,7 @@ struct Run {
   std::vector<double> Fx, Fz;
 };
 
-/// Nothing where the ring finds no state. `on_drum`: the hub stands.
+/// Returns nothing if the ring finds no state. If `on_drum`, the hub stands still.
 std::optional<Run> roll(const RingParameters& ring,
                         const RingSettings& settings,
                         const road::Road& road,
@@ -137,7 +138,7 @@ void car_row(Table& table, const RingRounds& rounds) {
   const road::ProfileRoad road = kerb();
   double least = 1e9;
   for (int round = 0; round < rounds.count; ++round) {
-    RingTire tire(small_ring());  // model and memory for work, which four states share
+    RingTire tire(small_ring());  // the model and work memory shared by four states
     std::vector<RingState> states;
     std::vector<WheelMotion> motions;
     for (int i = 0; i < 4; ++i) {
@@ -166,8 +167,9 @@ void car_row(Table& table, const RingRounds& rounds) {
 
 namespace {
 
-/// Of the kerb's steps in ascending order, by how much slopes are off differences of trials; and
-/// CPU time of all steps with slopes and without. Empty where a step finds no state.
+/// Results of the kerb's steps: the errors of slopes compared with differences of trials, in
+/// ascending order, and the CPU time of all steps with slopes and without. Empty if a step finds no
+/// state.
 struct SlopeRun {
   std::vector<double> off;
   double with = 1e9, without = 1e9;
@@ -217,7 +219,7 @@ void slopes_rows(Table& table, const RingRounds& rounds) {
             worst(fine.off),
             "<= 1e-5",
             fine.off.back() <= 1e-5);
-  // One-sided where a block is about to touch or to slip: motion_slopes.h.
+  // The slopes are one-sided if a block is about to touch or to slip: motion_slopes.h.
   const auto kinks =
       std::count_if(run.off.begin(), run.off.end(), [](double x) { return x > 1e-5; });
   table.note("the same, 48 x 8 x 6",
@@ -232,7 +234,7 @@ namespace {
 
 enum class Told { all, height, nothing };
 
-/// s of CPU time, or nothing where the ring finds no state.
+/// Returns s of CPU time, or nothing if the ring finds no state.
 std::optional<double> roll_free(const road::Road& road, Told told, const RingRounds& rounds) {
   RingTire tire(small_ring());
   WheelMotion motion = rolling(tire, kSpeed);

@@ -7,30 +7,30 @@
 
 namespace latsch::benchmarks {
 
-/// How often a time is taken, of which the least counts, and how long the ring rolls.
+/// Number of times a time is measured, of which the least counts, and the duration of rolling.
 struct RingRounds {
   int count = 15;
   double duration = 0.09;  // s
 };
 
-/// A passenger tire's ring with memory in its sidewall.
+/// Returns a passenger tire's ring with memory in its sidewall.
 ring_tire::RingParameters ring_of(int nodes, int blocks, int lines);
 
-/// One ring in steps of 0.2 ms at 60 m/s over a kerb 25 mm deep and at 40 m/s over one 25 mm high,
-/// and how far it is from the refined solution, beside 80 segments x 50 blocks x 10 lines in steps
-/// of 0.5 ms.
+/// Adds one ring in steps of 0.2 ms at 60 m/s over a kerb 25 mm deep and at 40 m/s over one 25 mm
+/// high, its error compared with the refined solution, and 80 segments x 50 blocks x 10 lines in
+/// steps of 0.5 ms.
 void kerb_rows(Table& table, const RingRounds& rounds);
-/// Two rings over the deep kerb, two beside it, in steps of 0.2 ms: four states that take turns
-/// with one tire's memory.
+/// Adds two rings over the deep kerb and two beside it, in steps of 0.2 ms: four states that take
+/// turns with one tire's memory.
 void car_row(Table& table, const RingRounds& rounds);
-/// Over the deep kerb: the derivatives of trials, beside differences, and what they cost.
+/// Adds the derivatives of trials over the deep kerb, compared with differences, and their cost.
 void slopes_rows(Table& table, const RingRounds& rounds);
-/// Over the deep kerb: a wheel that spins freely, then on an axle that moves too, beside one whose
-/// motion is told.
+/// Adds a wheel over the deep kerb that spins freely, and one whose axle moves too, compared with
+/// one whose motion is prescribed.
 void free_wheel_rows(Table& table, const RingRounds& rounds);
-/// Tread that bottoms out, beside linear rubber.
+/// Adds a tread that bottoms out, compared with linear rubber.
 void bottoming_rows(Table& table, const RingRounds& rounds);
-/// A smooth drum, beside a flat road.
+/// Adds a smooth drum, compared with a flat road.
 void drum_row(Table& table, const RingRounds& rounds);
 
 }  // namespace latsch::benchmarks

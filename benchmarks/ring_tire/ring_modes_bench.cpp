@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modes of the flexible ring against the closed forms, and how the error falls with more nodes.
+// Modes of the flexible ring compared with the closed forms; the error as a function of the nodes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace latsch::ring_tire;
 
-/// Belt that does not stretch and turns as one in tilt: what the closed forms assume.
+/// Returns a ring whose belt does not stretch and tilts as one, as the closed forms assume.
 RingParameters closed_form_ring(int nodes) {
   RingParameters ring = passenger_ring();
   ring.nodes = nodes;
@@ -32,7 +32,8 @@ double error_at(int nodes, int n) {
   return std::abs(found / in_plane_frequency(ring, n) - 1.0);
 }
 
-/// The lowest modes at a height of the axle over the road; 960 blocks a line whatever the nodes.
+/// Returns the lowest modes at a height of the axle over the road, with 960 blocks in a line for
+/// any number of nodes.
 std::vector<StandingMode> standing(int nodes, double depth, int count) {
   RingParameters ring = passenger_ring();
   ring.nodes = nodes;
@@ -45,7 +46,7 @@ std::vector<StandingMode> standing(int nodes, double depth, int count) {
   return modes ? *modes : std::vector<StandingMode>{};
 }
 
-/// Largest relative difference of the frequencies; 1 where one side failed.
+/// Returns the largest relative difference of the frequencies; 1 if one side failed.
 double difference(const std::vector<StandingMode>& a, const std::vector<StandingMode>& b) {
   if (a.empty() || a.size() != b.size()) return 1.0;
   double largest = 0.0;
@@ -54,7 +55,7 @@ double difference(const std::vector<StandingMode>& a, const std::vector<Standing
   return largest;
 }
 
-/// The standing ring: off the road, and on it with more nodes.
+/// Adds the standing ring: off the road, and on it with more nodes.
 void standing_rows(latsch::benchmarks::Table& table) {
   constexpr int kCount = 10;
   const auto free = standing(80, -0.01, kCount);
@@ -104,7 +105,7 @@ int ring_modes(const latsch::benchmarks::Options& options) {
             std::abs(lateral) <= 1e-4);
   table.row(
       "tilt, 200 nodes", fmt::format("{:.1e}", std::abs(tilt)), "<= 1e-3", std::abs(tilt) <= 1e-3);
-  if (!options.is_smoke()) standing_rows(table);  // half a minute of 320 nodes
+  if (!options.is_smoke()) standing_rows(table);  // half a minute with 320 nodes
   return table.exit_code();
 }
 

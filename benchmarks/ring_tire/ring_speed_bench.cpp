@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flexible ring over a cleat: CPU time beside real time, cost with more of it, energy, order.
+// The flexible ring over a cleat: CPU time over real time, cost of refinement, energy, order.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -30,12 +30,12 @@ WheelMotion rolling(double height, double speed) {
 
 struct Cost {
   double time;         // CPU time over simulated time
-  double evaluations;  // of all forces, a step
+  double evaluations;  // evaluations of all forces in a step
 };
 constexpr Cost kFailed{1e9, 1.0};
 
-/// kFailed where the ring finds no state. 0.3 s at 60 km/h over a
-/// cleat of 15 x 30 mm, steps of 0.5 ms.
+/// Returns the cost of 0.3 s at 60 km/h over a cleat of 15 x 30 mm in steps of 0.5 ms; kFailed if
+/// the ring finds no state.
 Cost run(const RingParameters& ring, bool show) {
   const road::ProfileRoad road = road::cleat_road(2.0, 0.015, 0.03, 0.005);
   RingTire tire(ring);
@@ -75,8 +75,8 @@ Cost run(const RingParameters& ring, bool show) {
   return cost;
 }
 
-/// The machine is shared: the best of several rounds is the nearest to the program's own time, and
-/// rounds in which all tires take their turn meet the same machine, which ratios need.
+/// The machine is shared, so the least time of several rounds is nearest to the program's own. All
+/// tires take turns in each round under the same conditions, which ratios need.
 std::vector<Cost> least_costs(const std::vector<RingParameters>& tires, int rounds) {
   std::vector<Cost> least;
   for (const RingParameters& ring : tires) least.push_back(run(ring, true));
@@ -88,8 +88,8 @@ std::vector<Cost> least_costs(const std::vector<RingParameters>& tires, int roun
   return least;
 }
 
-/// Largest growth of energy from one step to the next, relative to the energy the load left, after
-/// the road fell away under the tire.
+/// Returns the largest growth of energy from one step to the next after the road is removed below
+/// the tire, relative to the energy of the load.
 double energy_growth() {
   RingTire tire(ring_of(80, 10, 6), {.tolerance = 1e-3});
   WheelMotion motion;
@@ -109,7 +109,7 @@ double energy_growth() {
   return growth / first;
 }
 
-/// Order of the vertical force on a smooth road that rises and falls under the tire.
+/// Returns the order of the vertical force on a smooth road that rises and falls under the tire.
 double order_on_a_smooth_road() {
   std::vector<double> forces;
   for (const int parts : {80, 160, 320}) {
@@ -130,13 +130,13 @@ double order_on_a_smooth_road() {
   return std::log2((forces[1] - forces[0]) / (forces[2] - forces[1]));
 }
 
-/// What a wheel that rolls at a speed over a smooth road shows of its discretization.
+/// The effects of the discretization on a wheel that rolls at a speed over a smooth road.
 struct Ripple {
   double moment = 0.0;                 // N m about the axle, mean
   double Fx = std::nan(""), Fz = 0.0;  // N, amplitude at the frequency of the segments
 };
 
-/// One revolution after one of running in. NaN where the ring finds no state.
+/// Measures one revolution after one of running in. NaN if the ring finds no state.
 Ripple ripple_of(const RingParameters& ring, double speed, double step, double radius) {
   RingTire tire(ring);
   const road::PlaneRoad road;
@@ -168,7 +168,8 @@ Ripple ripple_of(const RingParameters& ring, double speed, double step, double r
   return ripple;
 }
 
-/// Of the wheel that rolls freely: its radius by two secants from the moment about the axle.
+/// Returns the ripple of a wheel that rolls freely: its radius is found by two secant steps from
+/// the moment about the axle.
 Ripple free_ripple(const RingParameters& ring, double speed, double step) {
   double before = 0.3070, radius = 0.3076;
   double last = ripple_of(ring, speed, step, before).moment;
@@ -183,8 +184,8 @@ Ripple free_ripple(const RingParameters& ring, double speed, double step) {
   return now;
 }
 
-/// Beside the ring of chords that this one took the place of in November 2026, whose tread hung on
-/// Catmull-Rom splines: 80 segments x 12 or 50 blocks showed these amplitudes of Fx.
+/// Compares with a ring of chords, whose tread was attached to Catmull-Rom splines: with 80
+/// segments x 12 or 50 blocks it had these amplitudes of Fx.
 void ripple_rows(benchmarks::Table& table) {
   struct Case {
     double speed, step, chords;
@@ -205,7 +206,8 @@ void ripple_rows(benchmarks::Table& table) {
   }
 }
 
-/// Beside the step it saves: 0.2 ms over a cleat at 60 km/h, 100 x 12 x 10.
+/// Compares the cost of a state with that of the step it saves: 0.2 ms over a cleat at 60 km/h, 100
+/// x 12 x 10.
 void state_row(benchmarks::Table& table, int steps) {
   const road::ProfileRoad road = road::cleat_road(2.0, 0.015, 0.03, 0.005);
   RingTire tire(ring_of(100, 12, 10));
@@ -240,7 +242,7 @@ int ring_speed(const benchmarks::Options& options) {
   benchmarks::Table table("ring_speed", options);
   const benchmarks::RingRounds rounds =
       options.size(benchmarks::RingRounds{}, benchmarks::RingRounds{1, 0.02});
-  if (options.is_smoke()) {  // without the rows that take the refined rings
+  if (options.is_smoke()) {  // without the rows that need the refined rings
     benchmarks::momentum_row(table);
     benchmarks::slopes_rows(table, rounds);
     benchmarks::free_wheel_rows(table, rounds);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A server of the studio in a process of its own, watched while it is attacked.
+// A server of the studio in a separate process, watched while it is attacked.
 #pragma once
 
 #include <sys/types.h>
@@ -17,8 +17,8 @@ namespace latsch::benchmarks {
 
 class AttackedServer {
  public:
-  /// Starts the program and waits until it prints http://HOST:PORT/?token=TOKEN. It may have as
-  /// many files open as a login may by default, 1,024. Throws std::runtime_error.
+  /// Starts the program and waits until it prints http://HOST:PORT/?token=TOKEN. Its limit of open
+  /// files is the default of a login, 1,024. Throws std::runtime_error.
   explicit AttackedServer(const std::vector<std::string>& command);
   ~AttackedServer();
   AttackedServer(const AttackedServer&) = delete;
@@ -26,19 +26,20 @@ class AttackedServer {
 
   std::uint16_t port() const { return port_; }
   const std::string& token() const { return token_; }
-  /// "GET /x HTTP/1.1" with Host, these fields and, where there is one, the body and its length.
+  /// Returns "GET /x HTTP/1.1" with Host, these fields and, if there is one, the body and its
+  /// length.
   std::string request(const std::string& line,
                       const std::string& fields = "",
                       const std::string& body = "") const;
-  /// The same with the token.
+  /// Returns the request with the token.
   std::string trusted(const std::string& line,
                       const std::string& fields = "",
                       const std::string& body = "") const;
 
-  /// Bytes of memory at most since the process began; -1 where it is gone.
+  /// Returns the peak of memory since the process began, bytes; -1 if the process has ended.
   double peak_memory() const;
   bool is_running() const;
-  /// Seconds until it ended after SIGTERM; -1 where it did not within ten.
+  /// Returns the seconds until the process ended after SIGTERM; -1 if it did not within ten.
   double terminate();
 
  private:
@@ -48,13 +49,13 @@ class AttackedServer {
   std::string token_;
 };
 
-/// Asks for /api/ping a hundred times a second, in turns on a new connection and on a kept one.
+/// Requests /api/ping a hundred times a second, alternately on a new connection and on a kept one.
 class Pings {
  public:
   explicit Pings(const AttackedServer& server);
   ~Pings();
 
-  /// Seconds each took since the last call; those that were not answered took ten.
+  /// Returns the seconds each request took since the last call; unanswered requests count as ten.
   std::vector<double> take();
 
  private:
@@ -68,7 +69,8 @@ class Pings {
   std::thread thread_;
 };
 
-/// The value that the share (0.99) of all does not exceed; 0 where there is none.
+/// Returns the value that the share (for example 0.99) of all values does not exceed; 0 if there is
+/// none.
 double quantile(std::vector<double> values, double share);
 
 }  // namespace latsch::benchmarks

@@ -12,7 +12,7 @@
 namespace latsch::benchmarks {
 namespace {
 
-/// Keys of [mesh] that say how long and wide its elements are.
+/// Keys of [mesh] that set the length and width of its elements.
 constexpr std::array kReplaced{
     "columns", "split_columns", "spacing", "meridional", "sectors", "sector_zones"};
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A finite-element tire on a coarse mesh: for benchmarks that need a trial that is cheap, not one
-// that is right.
+// A finite-element tire on a coarse mesh, for benchmarks that need a cheap trial rather than an
+// accurate one.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ struct CoarseMesh {
   int meridional = 13, sectors = 24;
 };
 
-/// The text of a tire file with another mesh: its own columns, spacing and sector zones are left
-/// out. Rows, plies and rubbers stay. Throws InputError where the file read again does not have
+/// Returns the text of a tire file with another mesh: its own columns, spacing and sector zones are
+/// removed. Rows, plies and rubbers stay. Throws InputError if the resulting file does not have
 /// that mesh.
 std::string with_coarse_mesh(const std::string& tire, const CoarseMesh& mesh = {});
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Synthetic front corners on a K&C rig: what stands on it is known, so it can be said what the fit
-// of studies/compliance/axes.toml finds, and whether its bands hold it.
+// Synthetic front corners on a K&C rig. Their parameters are known, so the fit of
+// studies/compliance/axes.toml and its bands can be checked.
 //
-// A car: hardpoints off by up to 10 mm in each direction, every stiffness drawn from the prior that
-// the study states, its sixteen numbers measured with the noise that the study states, and each
-// stiffness started at 3 to 15 times what it is (uniform in the logarithm).
+// A car has hardpoints displaced by up to 10 mm in each direction, every stiffness drawn from the
+// prior that the study states, its sixteen numbers measured with the noise that the study states,
+// and each stiffness started at 3 to 15 times its value (uniform in the logarithm).
 #pragma once
 
 #include <filesystem>
@@ -15,9 +15,9 @@
 namespace latsch::benchmarks {
 
 struct CompliantCar {
-  correlation::Study study;  // as a user would have written it, with its measured numbers
+  correlation::Study study;  // the study a user would write, with its measured numbers
   DesignPoint truth;
-  Channels recording;  // of the car as it is, predicted experiments included
+  Channels recording;  // recording of the true car, including predicted experiments
 };
 
 class CompliantCars {

@@ -22,7 +22,8 @@ correlation::Study study_of_folder(const std::string& name) {
 
 namespace {
 
-/// A folder that goes with the program; workers read their study in it as long as that runs.
+/// A folder that is removed with the program; workers read their study in it as long as the program
+/// runs.
 const fs::path& scratch_folder() {
   static const ScratchFolder folder;
   return folder.path();

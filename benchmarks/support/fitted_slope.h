@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// A slope from values to both sides of a point, and how far it may be off.
+// A slope from values on both sides of a point, with an estimate of its error.
 //
-// What is odd in them, (f(h) - f(-h)) / 2, is s h and odd powers beyond. Polynomials of odd powers
-// are fitted to it in the sense of least squares, over several reaches and to several degrees: wide
-// steps drown what values are off, many of them average it, powers take what bends. Of all fits
-// that one is taken whose estimated error is least: the largest of the noise in it, which adds by
-// squares, for values err each for itself, and of its distance to the fits of one power and of one
-// step less. (One power more in their place says too little: half of 300 slopes were then farther
-// off than said. Differences at halved steps, extrapolated power by power [Ridders, Adv. Eng.
-// Software 4 (1982) 75-76], know less of noisy values: each power takes a step and enlarges what
-// that is off.)
+// The odd part of the values, (f(h) - f(-h)) / 2, is s h plus higher odd powers. Polynomials of odd
+// powers are fitted to it by least squares, over several ranges and with several degrees: wide
+// steps and many steps reduce the effect of errors in the values, powers represent the curvature.
+// The fit with the least estimated error is chosen. The error is the larger of the noise in the
+// fit, which adds by squares because values have independent errors, and of its distance to the
+// fits with one power and with one step less. (Comparing with one power more underestimates the
+// error: half of 300 slopes were then farther off than estimated. Differences at halved steps,
+// extrapolated power by power [Ridders, Adv. Eng. Software 4 (1982) 75-76], are worse for noisy
+// values: each power needs a step and amplifies its error.)
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ namespace latsch::benchmarks {
 
 struct FittedSlope {
   double value = 0.0, error = 0.0;  // estimated
-  double reach = 0.0;               // of the fit: its widest step
+  double reach = 0.0;               // widest step of the fit
 };
 
 /// Values at the point minus and plus a step.
@@ -27,7 +27,7 @@ struct StepValues {
   double step = 0.0, below = 0.0, above = 0.0;
 };
 
-/// `noise`: what values may be off. Nothing of less than four steps.
+/// `noise` is the error of the values. Returns nothing with fewer than four steps.
 std::optional<FittedSlope> fitted_slope(std::vector<StepValues> steps, double noise);
 
 }  // namespace latsch::benchmarks

@@ -20,7 +20,7 @@ std::vector<StepValues> values(const std::function<double(double)>& f, double fi
   return all;
 }
 
-// exp'(0) = 1; five halvings of 0.1 leave h^10 of it, below rounding over the step.
+// exp'(0) = 1; five halvings of 0.1 leave an error of h^10, below rounding over the step.
 TEST(FittedSlope, IsThatOfASmoothFunctionWithinItsError) {
   const auto f = [](double h) { return std::exp(h); };
   const auto slope = fitted_slope(values(f, 0.1, 5), 1e-16);
@@ -30,7 +30,8 @@ TEST(FittedSlope, IsThatOfASmoothFunctionWithinItsError) {
   EXPECT_LT(slope->error, 1e-10);
 }
 
-// Noise of 1e-9 at steps around 1e-3 makes 1e-6 of the slope, and the estimate says so.
+// Noise of 1e-9 at steps around 1e-3 causes an error of 1e-6 in the slope, which the estimate
+// contains.
 TEST(FittedSlope, KnowsTheNoiseOfItsValues) {
   int call = 0;
   const auto f = [&](double h) { return std::exp(h) + (call++ % 3 - 1) * 1e-9; };
@@ -41,9 +42,9 @@ TEST(FittedSlope, KnowsTheNoiseOfItsValues) {
   EXPECT_LT(slope->error, 1e-5);
 }
 
-// Of 300 functions that bend as modes near each other do, with noise of half the bound stated, 99
-// of a hundred slopes are known as well as is said: in 0.1 + h + 30 h^2 - 2000 h^3 at steps from
-// 5e-3 on.
+// Among 300 functions with the curvature of modes near each other and noise of half the stated
+// bound, 99 of a hundred slopes are as accurate as estimated: in 0.1 + h + 30 h^2 - 2000 h^3 at
+// steps from 5e-3 on.
 TEST(FittedSlope, ErrorsThatAddBySquaresCoverNoiseOfTheTrials) {
   constexpr int kFunctions = 300;
   constexpr double kBound = 1e-10;

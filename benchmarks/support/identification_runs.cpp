@@ -24,7 +24,7 @@ using identification_set::DisturbedProblem;
 using identification_set::HalfSpace;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kPatience = 10'000;  // ms without a word from a child
+constexpr int kPatience = 10'000;  // ms without output from a child
 
 Score score(std::vector<double> residuals) {
   Score score{0.0, std::move(residuals)};
@@ -72,7 +72,7 @@ namespace {
 
 struct Nlopt {
   Recorded recorded;
-  double worst = 0.0;  // of the values so far
+  double worst = 0.0;  // worst of the values so far
   int to_parent;
   nlopt_opt solver;
 };
@@ -140,7 +140,7 @@ void solve_by_scipy(SciPy& scipy, Recorded& recorded, double difference) {
 
 namespace {
 
-/// Among the points of the half space a'u <= b, from two starts.
+/// Returns the least value in the half space a'u <= b, from two starts.
 double least_beside(const DisturbedProblem& problem, const HalfSpace* closed) {
   const DesignSpace& space = problem.problem().space;
   std::vector<LinearConstraint> rows;
@@ -175,7 +175,7 @@ double least_beside(const DisturbedProblem& problem, const HalfSpace* closed) {
 
 double reference(const DisturbedProblem& problem) {
   if (problem.corner().empty()) return least_beside(problem, nullptr);
-  // What does not fail is outside of one of the half spaces.
+  // Points that do not fail are outside of at least one of the half spaces.
   double least = kInfinity;
   for (const HalfSpace& half : problem.corner()) {
     least = std::min(least, least_beside(problem, &half));

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// FNV-1a: which points fail must not depend on the standard library.
+/// FNV-1a hash, because the points that fail must not depend on the standard library.
 std::uint64_t number_of(const std::vector<double>& x) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char byte : DesignPoint{x}.bits()) {
@@ -44,7 +44,7 @@ void run(Optimizer& optimizer, Observed& observed, int most_evaluations) {
 
 double nlopt_value(unsigned n, const double* x, double*, void* data) {
   const Result<Score> outcome = (*static_cast<Observed*>(data))({x, x + n});
-  constexpr double kNone = 1e300;  // where residuals overflow: NLopt has no word for it
+  constexpr double kNone = 1e300;  // for residuals that overflow, which NLopt cannot express
   return outcome ? outcome->value : kNone;
 }
 
@@ -185,7 +185,7 @@ void note(Table& table, const std::string& solver, const Profile& profile) {
 }
 
 void reach(Table& table, const std::string& what, double share, double at_least) {
-  // Shares and what they have to reach are known to three digits.
+  // Shares and their required values have three digits.
   table.full_row(what,
             fmt::format("{:.3f}", share),
             fmt::format(">= {:.3f}", at_least),

@@ -43,7 +43,7 @@ std::string utf16(const std::string& text) {
   return wide;
 }
 
-/// The same quantity in another unit, with what a number is divided by.
+/// A unit, another unit of the same quantity, and the divisor of a number.
 struct Other {
   const char *unit, *other;
   double divisor;
@@ -57,7 +57,8 @@ constexpr Other kOthers[] = {{"N", "kN", 1e3},
                              {"km/h", "m/s", 3.6},
                              {"cm^2", "mm^2", 1e-2}};
 
-/// Columns that are known by their sign: a recording in which all of them are turned is none.
+/// True for columns that are recognized by their sign: a recording with all of them reversed is
+/// meaningless.
 bool has_a_sign(const std::string& name) {
   const std::string plain = in_case(name, std::tolower);
   for (const char* one : {"fz", "force", "loaded_radius", "deflection", "frequency", "p", "load"})
@@ -93,7 +94,7 @@ class TableMutants {
   void add_text(const std::string& change, std::string text, Allowed allowed) {
     all.push_back({change, std::move(text), "", allowed});
   }
-  /// The names of the columns change.
+  /// Adds a mutant with changed names of the columns.
   void add_named(const std::string& change, const std::function<std::string(std::string)>& to) {
     add(change, std::nullopt, Allowed::same_numbers, [&](TableText& t) {
       for (std::string& name : t.names) name = to(name);
@@ -203,7 +204,7 @@ void change_form(const TableText& good, TableMutants& mutants) {
     for (std::string& cell : row) std::replace(cell.begin(), cell.end(), '.', ',');
   same("decimal commas and semicolons", german.text(";"));
   if (good.names.size() > 1) same("decimal commas and commas", german.text(","));
-  if (good.names.size() > 1)  // that the end of a number is missing cannot be seen
+  if (good.names.size() > 1)  // a missing end of a number cannot be seen
     mutants.add_text("half a file",
                      text.substr(0, text.size() - good.rows.back().back().size() - 2),
                      Allowed::told);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Good files changed as people and programs change them: a column renamed, a unit dropped, another
-// encoding. Each mutant knows what a reader may do with it.
+// encoding. Each mutant states how a reader may handle it.
 #pragma once
 
 #include <functional>
@@ -10,18 +10,19 @@
 
 namespace latsch::benchmarks {
 
-/// What a reader has to do with a mutant, beside refusing it, which is always right.
+/// The required behavior of a reader for a mutant. Refusing it is always right.
 enum class Allowed {
-  same_numbers,  // the meaning is the same, or the reader tells by name what is not
-  told,          // the meaning is another one: the reader has to name the column or key
-  the_rest,      // no channel has that name and dimension any more, so whoever needs it is refused;
-                 // all others have the same numbers
+  same_numbers,  // the meaning is the same, or the reader names what is not
+  told,          // the meaning differs: the reader has to name the column or key
+  // No channel has that name and dimension any more, so its users are refused; all others have the
+  // same numbers.
+  the_rest,
 };
 
 struct Mutant {
   std::string change;  // "renames a column"
   std::string text;
-  std::string touched;  // the column or key that was changed; empty: all of the file
+  std::string touched;  // changed column or key; empty: the whole file
   Allowed allowed = Allowed::same_numbers;
 };
 
@@ -33,13 +34,13 @@ struct TableText {
 
   std::string text(const std::string& separator = ",", const std::string& line_end = "\n") const;
 };
-/// nullopt for a file of another form.
+/// Returns nullopt for a file of another form.
 std::optional<TableText> table_text(const std::string& text);
 
-/// The mutants of a table. A change that this table has no place for is left out.
+/// Returns the mutants of a table. Changes that do not apply to this table are left out.
 std::vector<Mutant> mutants_of_table(const TableText& good);
 
-/// The mutants of a file of sections and keys (.tir).
+/// Returns the mutants of a file of sections and keys (.tir).
 std::vector<Mutant> mutants_of_sections(const std::string& good);
 
 }  // namespace latsch::benchmarks

@@ -30,10 +30,10 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kStart = std::chrono::seconds(30);  // until it has to be there
-constexpr auto kEnd = std::chrono::seconds(5);     // of a daemon that was asked to end
+constexpr auto kStart = std::chrono::seconds(30);  // time limit of a start
+constexpr auto kEnd = std::chrono::seconds(5);     // time limit of a daemon's end
 
-/// Nobody has them now; that somebody takes one meanwhile is not likely.
+/// Returns ports that are free now; another program is unlikely to take one in the meantime.
 std::array<int, 2> free_ports() {
   std::array<int, 2> sockets{}, ports{};
   for (int i = 0; i < 2; ++i) {
@@ -64,7 +64,7 @@ void make_folder(const fs::path& folder, mode_t mode) {
   ::chmod(folder.c_str(), mode);
 }
 
-/// What the job says in which this very program may run.
+/// Removes the settings of a job in which this program itself may run.
 void forget_other_launchers() {
   std::vector<std::string> names;
   for (char** entry = environ; *entry; ++entry) {
@@ -143,7 +143,7 @@ OneNodeSlurm::~OneNodeSlurm() { end(); }
 
 void OneNodeSlurm::write_settings(int cores) const {
   make_folder(folder_, 0755);
-  make_folder(folder_ / "munge", 0711);  // whoever has a job asks it for a credential
+  make_folder(folder_ / "munge", 0711);  // whoever has a job requests a credential there
   make_folder(folder_ / "state", 0700);
   make_folder(folder_ / "spool", 0755);
   std::random_device chance;
@@ -194,7 +194,7 @@ void OneNodeSlurm::start_daemon(const std::vector<std::string>& arguments, const
   const pid_t master = ::getpid();
   const pid_t child = ::fork();
   if (child == 0) {
-    ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // however this process ends
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // in whatever way this process ends
     if (::getppid() != master) ::_exit(1);
     const int out = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
     ::dup2(out, STDOUT_FILENO);
@@ -220,7 +220,7 @@ void OneNodeSlurm::end() noexcept {
   if (daemons_.size() == 3) {
     (void)std::system("timeout 5 scancel --user=root --signal=KILL --full > /dev/null 2>&1");
     (void)std::system("timeout 5 scancel --user=root > /dev/null 2>&1");
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));  // for the steps to end
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));  // time for the steps to end
   }
   while (!daemons_.empty()) {  // the last first: all of them need munged
     end_daemon(daemons_.back());

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Slurm of one node, this machine, with its own keys, state and ports on the loopback interface,
-// in a folder of its own; it lives as long as this object, or as the process that has it.
+// A Slurm of one node, this machine, with separate keys, state and ports on the loopback interface,
+// in a separate folder. It exists as long as this object, or the process that has it.
 //
-// Needs root, who runs slurmctld, slurmd and munged here; without cgroups (linuxproc) and without
-// binding, so that it also starts in a container. [slurm.conf(5), munged(8); Debian 12: 22.05.8]
+// It needs root, who runs slurmctld, slurmd and munged here, and works without cgroups (linuxproc)
+// and without binding, so that it also starts in a container. [slurm.conf(5), munged(8); Debian 12:
+// 22.05.8]
 #pragma once
 
 #include <sys/types.h>
@@ -17,11 +18,11 @@ namespace latsch::benchmarks {
 
 class OneNodeSlurm {
  public:
-  /// What is missing here; nullopt where it can be started.
+  /// Returns what is missing on this machine; nullopt if Slurm can be started.
   static std::optional<std::string> missing();
 
-  /// Waits until the node is idle. Throws std::runtime_error, with what the daemons said last,
-  /// where that does not come about.
+  /// Waits until the node is idle. Throws std::runtime_error with the last output of the daemons if
+  /// it does not become idle.
   OneNodeSlurm(const std::filesystem::path& folder, int cores);
   /// Cancels its jobs and ends its daemons.
   ~OneNodeSlurm();
@@ -38,7 +39,7 @@ class OneNodeSlurm {
   std::vector<pid_t> daemons_;
 };
 
-/// What a command printed, on both streams, and its exit code.
+/// Output of a command on both streams, and its exit code.
 struct Said {
   std::string text;
   int exit_code = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line of a benchmark, read the same way by all of them. Every benchmark knows
-// --smoke: the same code on a case so small that it ends within seconds. The tests run that
-// (smoke.py), so that no benchmark can rot.
+// The command line of a benchmark, read in the same way by all of them. Every benchmark supports
+// --smoke: the same code on a case so small that it ends within seconds. The tests run it
+// (smoke.py), so that no benchmark becomes outdated.
 //
 //   int run(const Options& options) {
 //     Table table("crash", options);
@@ -19,36 +19,36 @@
 
 namespace latsch::benchmarks {
 
-/// An option that a benchmark knows beside --smoke and --help.
+/// An option of a benchmark in addition to --smoke and --help.
 struct Option {
-  std::string name;   // "--draws"; without the dashes it stands alone, by its place: "SEED"
-  std::string value;  // what the value is called, "N"; empty: a flag. Unused where it stands alone.
+  std::string name;   // "--draws"; without dashes it is positional: "SEED"
+  std::string value;  // name of the value, "N"; empty: a flag. Unused for a positional option.
   std::string help;
 };
 
 class Options {
  public:
-  /// Throws InputError for an option that is not known or has no value: it lists those there are.
+  /// Throws InputError with a list of options for one that is unknown or has no value.
   Options(std::string program,
           const std::vector<std::string>& arguments,
           std::vector<Option> known = {});
 
   bool is_smoke() const { return has("--smoke"); }
-  /// `full`, in a smoke run `few`.
+  /// Returns `full`, or `few` in a smoke run.
   template <class T>
   T size(T full, T few) const {
     return is_smoke() ? few : full;
   }
 
   bool has(std::string_view name) const;
-  /// The value as it was given, or `fallback`.
+  /// Returns the value as given, or `fallback`.
   std::string text(std::string_view name, std::string fallback = {}) const;
-  /// A whole number of at least 0, or `fallback`. Throws InputError where it is none.
+  /// Returns a whole number of at least 0, or `fallback`. Throws InputError for anything else.
   long integer(std::string_view name, long fallback) const;
-  /// A finite number, or `fallback`. Throws InputError where it is none.
+  /// Returns a finite number, or `fallback`. Throws InputError for anything else.
   double number(std::string_view name, double fallback) const;
 
-  /// What --help prints.
+  /// Returns the text of --help.
   std::string usage() const;
 
  private:
@@ -57,8 +57,8 @@ class Options {
   std::map<std::string, std::string, std::less<>> given_;
 };
 
-/// What main() does: reads the options, runs the benchmark and returns its exit code. Prints what
-/// the benchmark throws, a study that cannot be read for instance, and returns 2.
+/// Implements main(): reads the options, runs the benchmark and returns its exit code. Prints what
+/// the benchmark throws, for instance for a study that cannot be read, and returns 2.
 int run_benchmark(int argc,
                   char** argv,
                   std::vector<Option> known,

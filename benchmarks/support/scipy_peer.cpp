@@ -13,9 +13,10 @@
 namespace latsch::benchmarks {
 namespace {
 
-// Reads "n bounds difference" and the start, then asks with "? x ..." and reads residuals, "failed"
-// or "stop", and says "." at the end. A difference below 0: residuals, then the rows of their
-// Jacobian; bounds of 2: n lower and n upper ones after the start.
+// The script reads "n bounds difference" and the start. It then requests residuals with "? x ...",
+// reads them, "failed" or "stop", and prints "." at the end. With a difference below 0 it reads
+// residuals, then the rows of their Jacobian. With bounds of 2, n lower and n upper bounds follow
+// the start.
 constexpr const char* kScript = R"(
 import sys, numpy as np
 from scipy.optimize import least_squares
@@ -70,7 +71,8 @@ SciPy::SciPy() {
     dup2(down[0], STDIN_FILENO);
     dup2(up[1], STDOUT_FILENO);
     for (const int end : {down[0], down[1], up[0], up[1]}) close(end);
-    // By its path: from a bare name Python would look for its library beside another python3.
+    // Python is started by its path: from a bare name it would look for its library beside another
+    // python3.
     execl("/usr/bin/python3", "/usr/bin/python3", "-c", kScript, nullptr);
     _exit(127);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// SciPy's least_squares beside our methods, in a process of its own that asks for residuals over a
-// pipe: its differences count as evaluations, and the problems are the same to the bit.
+// SciPy's least_squares for comparison with our methods, in a separate process that requests
+// residuals over a pipe: its differences count as evaluations, and the problems are the same to the
+// bit.
 #pragma once
 
 #include <cstddef>
@@ -26,9 +27,11 @@ class SciPy {
   SciPy(const SciPy&) = delete;
   SciPy& operator=(const SciPy&) = delete;
 
-  /// From `start`, in the unit cube or without bounds; `difference`: relative step, 0: its own.
+  /// Solves from `start`, in the unit cube or without bounds; `difference` is the relative step, 0:
+  /// its own.
   void solve(const std::vector<double>& start, bool in_cube, double difference, const Ask& ask);
-  /// Method trf with the Jacobian of the answers and variables scaled by it; no bounds: free.
+  /// Solves by method trf with the Jacobian of the answers and variables scaled by it; without
+  /// bounds they are free.
   void solve_by_slopes(const std::vector<double>& start,
                        const std::vector<double>& lower,
                        const std::vector<double>& upper,

@@ -11,7 +11,7 @@
 namespace latsch::benchmarks {
 namespace {
 
-/// `text` filled with blanks to `width` characters; a character of UTF-8 counts once.
+/// Returns `text` filled with blanks to `width` characters; a character of UTF-8 counts once.
 std::string padded(std::string_view text, std::size_t width) {
   const auto characters =
       static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {

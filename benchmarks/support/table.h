@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table every benchmark ends in: processor and kernel set, then what was measured, the value,
-// what it has to reach, and whether it does.
+// The table at the end of every benchmark: processor and kernel set, then what was measured, the
+// value, the requirement, and whether it is met.
 //
 //   Table table("ccx", options);
 //   table.row("Fz of the deck", fmt::format("{:.3f} %", 1e2 * error), "<= 0.2 %", error < 2e-3);
@@ -17,10 +17,10 @@
 
 namespace latsch::benchmarks {
 
-/// Prints each row when it is known, so that an interrupted run shows how far it came.
+/// Prints each row when it is known, so that an interrupted run shows its progress.
 class Table {
  public:
-  /// The exit code of a smoke run that lacks a program or a file: tests count it as skipped.
+  /// Exit code of a smoke run that lacks a program or a file: tests count it as skipped.
   static constexpr int kSkipped = 77;
 
   Table(std::string_view name, const Options& options);
@@ -29,13 +29,13 @@ class Table {
   void row(std::string_view what, std::string_view value, std::string_view reach, bool ok);
   /// A row that only the full run judges.
   void full_row(std::string_view what, std::string_view value, std::string_view reach, bool ok);
-  /// A figure without anything to reach.
+  /// Adds a figure without requirement.
   void note(std::string_view what, std::string_view value);
-  /// Says what this machine lacks. A full run fails then, a smoke run counts as skipped.
+  /// Reports what this machine lacks. A full run fails then, a smoke run counts as skipped.
   void skip(std::string_view what, std::string_view reason);
 
-  /// Prints the closing line. 0 where every judged row is ok and there is a row, kSkipped where a
-  /// smoke run was skipped and nothing fell short, 1 otherwise.
+  /// Prints the closing line. Returns 0 if every judged row is ok and there is a row, kSkipped if a
+  /// smoke run was skipped and no row failed, 1 otherwise.
   int exit_code() const;
 
  private:

@@ -16,7 +16,7 @@
 namespace latsch::benchmarks {
 namespace {
 
-/// Where results go, so that nothing is left out.
+/// Receives results, so that the compiler removes nothing.
 volatile double sink;
 
 double time_of_atan() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What times are measured in, so that a figure of one processor says something of another: the
-// same run also measures an arc tangent of the C library, a fused multiply-add or a stream of
-// memory, in turn with what is measured.
+// The unit of measured times, which makes figures of different processors comparable: the same run
+// also measures an arc tangent of the C library, a fused multiply-add or a stream of memory, in
+// turn with the measured code.
 #pragma once
 
 #include <functional>
@@ -9,17 +9,17 @@
 
 namespace latsch::benchmarks {
 
-/// s, of this process.
+/// Returns the processor time of this process, s.
 double cpu_time();
 
 enum class Yardstick {
   atan,          // std::atan of the C library, of one number
-  multiply_add,  // a fused multiply-add of one lane, of the kernel set in use
-  byte,          // read from one array and written to another, both beyond the caches
+  multiply_add,  // a fused multiply-add of one lane, with the kernel set in use
+  byte,          // a byte read from one array and written to another, both beyond the caches
 };
 
 /// CPU seconds of a run and of one yardstick, each the least of several rounds in which both take
-/// their turn: other work on the machine makes neither shorter.
+/// turns: other work on the machine cannot shorten either.
 struct Beside {
   double time, yardstick;
   double ratio() const { return time / yardstick; }
@@ -27,9 +27,9 @@ struct Beside {
 };
 Beside beside(Yardstick yardstick, int rounds, const std::function<void()>& run);
 
-/// "31.2 atan (0.296 us)"
+/// Returns for example "31.2 atan (0.296 us)".
 std::string in_units(const Beside& cost, Yardstick yardstick);
-/// 0.296 us, 12.3 ns ...
+/// Returns for example 0.296 us or 12.3 ns.
 std::string as_time(double seconds);
 
 }  // namespace latsch::benchmarks

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Patch test: on a distorted mesh, a uniform deformation is an equilibrium and gives the exact
 // uniform stress, whatever the shape of the elements. [Irons & Razzaque 1972; MacNeal & Harder
-// 1985, Finite Elements Anal. Des. 1] Finite deformation; nodes inside must carry no force
-// (relative to a face's resultant), the resultants on the faces must be P N A. Tolerance 1e-10:
-// rounding times the bulk modulus.
+// 1985, Finite Elements Anal. Des. 1] The deformation is finite. Inner nodes must carry no force
+// (relative to a face's resultant), and the resultants on the faces must be P N A. The tolerance
+// 1e-10 is rounding times the bulk modulus.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -69,7 +69,7 @@ bool inside(int i, int j, int k) { return i % kElements && j % kElements && k % 
 
 class Patch : public testing::TestWithParam<Case> {
  protected:
-  /// Nodes inside are moved by up to a quarter of an element.
+  /// Moves inner nodes by up to a quarter of an element.
   SmallModel distorted() {
     Sequence random;
     Materials materials;
@@ -104,7 +104,7 @@ class Patch : public testing::TestWithParam<Case> {
   }
 };
 
-/// What acts on the nodes inside, and the resultant on the face i = kElements (normal x).
+/// Forces on the inner nodes, and the resultant on the face i = kElements (normal x).
 struct Forces {
   double inside = 0.0;
   Eigen::Vector3d face = Eigen::Vector3d::Zero();
@@ -129,7 +129,8 @@ TEST_P(Patch, UniformDeformationIsAnEquilibriumOfUniformStress) {
   const Eigen::Matrix3d P = first_piola(kF);
   const Forces forces = sort(model, f);
   EXPECT_LT(forces.inside, 1e-10 * P.norm() * kSize * kSize);
-  // sum of f x X over all nodes is the volume integral of P [virtual work of a uniform gradient]
+  // The sum of f x X over all nodes is the volume integral of P [virtual work of a uniform
+  // gradient].
   Eigen::Matrix3d virial = Eigen::Matrix3d::Zero();
   for (int a = 0; a < model.grid().nodes(); ++a)
     virial += f.segment<3>(3 * a) * model.X().col(a).transpose();
@@ -138,8 +139,8 @@ TEST_P(Patch, UniformDeformationIsAnEquilibriumOfUniformStress) {
 
 TEST_P(Patch, NewtonFindsItQuadratically) {
   SmallModel model = distorted();
-  // Dilated by 0.5 %, where K = 500 G a hydrostatic tension of 2.5 G: more tears rubber [Gent &
-  // Lindley 1959, Proc. R. Soc. A 249, 195-205], and kF's own 3.5 % would be 17 G.
+  // The dilatation is 0.5 %, where K = 500 G gives a hydrostatic tension of 2.5 G. More tears
+  // rubber [Gent & Lindley 1959, Proc. R. Soc. A 249, 195-205], and kF's own 3.5 % would give 17 G.
   const Eigen::VectorXd exact = uniform(model, kF * std::cbrt(1.005 / kF.determinant()));
   Eigen::VectorXd u = exact;
   std::vector<char> held(model.unknowns(), 1);
@@ -149,7 +150,8 @@ TEST_P(Patch, NewtonFindsItQuadratically) {
         for (int c = 0; c < 3; ++c) {
           const int dof = 3 * model.grid().node(i, j, k) + c;
           held[dof] = 0;
-          // Near: where K = 500 G, undamped steps from twice as far may end elsewhere.
+          // The start is near the solution: with K = 500 G, undamped steps from twice as far may
+          // end elsewhere.
           u[dof] += 5e-6 * (c - 1.0) * (i % 2 ? 1 : -1);
         }
       }
@@ -167,7 +169,8 @@ TEST_P(Patch, NewtonFindsItQuadratically) {
 std::string case_name(const testing::TestParamInfo<Case>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Kinds, Patch, testing::ValuesIn(cases()), case_name);
 
-// Straight cords along x at 25 degrees, elements sheared and unequal in the plane of the layer.
+// Straight cords along x are at 25 degrees; elements are sheared and unequal in the plane of the
+// layer.
 class CordPatch : public testing::TestWithParam<Kind> {};
 
 TEST_P(CordPatch, UniformDeformationIsAnEquilibrium) {
@@ -192,7 +195,7 @@ TEST_P(CordPatch, UniformDeformationIsAnEquilibrium) {
   const Eigen::Matrix3Xd u = kF * model.X() - model.X();
   const Eigen::VectorXd f = model.forces(u.reshaped(), nullptr);
   EXPECT_LT(sort(model, f).inside, 1e-10 * 2e9 * 3e-4 * kSize * 0.05);
-  // virial of the cords: S l (x) d times their volume
+  // The virial of the cords is S l (x) d times their volume.
   materials.layers.clear();
   SmallModel rubber(
       {kElements, kElements, kElements},
@@ -220,10 +223,10 @@ INSTANTIATE_TEST_SUITE_P(Kinds,
                                          Kind{ElementKind::solid_shell}),
                          kind_name);
 
-// Six rigid motions and nothing else without energy, also when squeezed: an element that
-// hourglasses under compression shows a negative eigenvalue here. Block between lubricated plates,
-// sides free, homogeneous deformation of incompressible rubber, lambda x 1/sqrt(lambda) x
-// 1/sqrt(lambda).
+// There are six rigid motions and no other motion without energy, also under compression: an
+// element that hourglasses under compression shows a negative eigenvalue here. The block is between
+// lubricated plates with free sides, in a homogeneous deformation of incompressible rubber, lambda
+// x 1/sqrt(lambda) x 1/sqrt(lambda).
 class Squeezed : public testing::TestWithParam<Kind> {};
 
 TEST_P(Squeezed, BlockStaysStable) {
@@ -257,8 +260,9 @@ TEST_P(Squeezed, BlockStaysStable) {
   }
 }
 
-// Long, narrow elements of a tread under hydrostatic stress, which buckles nothing: held at the
-// bottom and the sides, on a lubricated plate at the top. (Rubber tears from 2.5 G of tension on.)
+// Long, narrow elements of a tread are under hydrostatic stress, which does not buckle anything.
+// They are held at the bottom and the sides, with a lubricated plate at the top. (Rubber tears from
+// a tension of 2.5 G on.)
 TEST_P(Squeezed, LongElementsStayStableUnderHydrostaticStress) {
   constexpr double kShear = 2e6, kBulk = 1e9;
   Materials materials;
@@ -280,7 +284,7 @@ TEST_P(Squeezed, LongElementsStayStableUnderHydrostaticStress) {
       }
     }
   }
-  for (const double tension : {-2.0, -1.0, -0.5, 0.5, 0.9}) {  // times the shear modulus
+  for (const double tension : {-2.0, -1.0, -0.5, 0.5, 0.9}) {  // multiples of the shear modulus
     const double stretch = std::cbrt(1.0 + tension * kShear / kBulk);
     const Eigen::Matrix3Xd u = (stretch - 1.0) * model.X();
     Eigen::MatrixXd K;
@@ -290,10 +294,10 @@ TEST_P(Squeezed, LongElementsStayStableUnderHydrostaticStress) {
   }
 }
 
-// Long, narrow elements of a wall whose cords, across them, are in compression N: as the carcass of
-// a tire where belts narrow that grow. Held at the sides, between lubricated plates, rubber has the
-// energy of G |grad u|^2 at least (Korn), cords take N |du/dy|^2 from it: below N = G t of a row of
-// thickness t nothing buckles but waves along the cords of the length of an element.
+// Long, narrow elements of a wall have cords across them in compression N, as in the carcass of a
+// tire below growing belts. They are held at the sides, between lubricated plates. Rubber has at
+// least the energy of G |grad u|^2 (Korn), from which cords take N |du/dy|^2. Below N = G t for a
+// row of thickness t only waves along the cords with the length of an element buckle.
 TEST_P(Squeezed, LongElementsStayStableUnderCordsInCompression) {
   constexpr double kShear = 3.3e6, kRow = 0.005, kCords = 0.3e-3;
   const Grid grid{4, 8, 2};
@@ -308,7 +312,7 @@ TEST_P(Squeezed, LongElementsStayStableUnderCordsInCompression) {
       }
     }
   }
-  for (const double share : {0.1, 0.3, 0.5}) {  // of G t
+  for (const double share : {0.1, 0.3, 0.5}) {  // multiples of G t
     Materials materials;
     materials.solids = {{Hyperelastic{.C10 = 0.5 * kShear, .C01 = 0.0, .K = 50 * kShear}, 1e3}};
     materials.layers = {{.E_tension = 6e9,

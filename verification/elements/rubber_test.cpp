@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Incompressible neo-Hooke rubber under internal pressure, inner radius A = 1, outer B = 2, inner
-// radius a after inflation, b^2 = a^2 + B^2 - A^2 and b^3 = a^3 + B^3 - A^3.
+// Incompressible neo-Hooke rubber under internal pressure, with inner radius A = 1, outer radius B
+// = 2, and inner radius a after inflation; b^2 = a^2 + B^2 - A^2 and b^3 = a^3 + B^3 - A^3.
 //   p = int_a^b (sigma_theta - sigma_r) d r / r       (cylinder; twice that for the sphere)
 //   cylinder, plane strain:  sigma_theta - sigma_r = mu (lambda^2 - lambda^-2)
 //   sphere:                  sigma_theta - sigma_r = mu (lambda^2 - lambda^-4),  lambda = r / R
 // [Ogden 1984] Non-Linear Elastic Deformations, section 5.3. The values below are those integrals.
-// One column of elements along the radius, its nodes moved along their rays: by symmetry that is
-// the whole body. Bulk modulus 1e5 mu; 40 elements, 2 degrees: within 0.2 %, reach 0.5 %.
+// The model is one column of elements along the radius whose nodes move along their rays, which by
+// symmetry represents the whole body. Bulk modulus 1e5 mu; 40 elements, 2 degrees: the error is
+// within 0.2 %, the tolerance 0.5 %.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -22,7 +23,7 @@ namespace {
 constexpr int kLayers = 40;
 constexpr double kHalfAngle = std::numbers::pi / 180.0;
 
-/// p / mu that holds the inner surface at radius a.
+/// Returns p / mu that holds the inner surface at radius a.
 double pressure_of(bool sphere, double a, ElementKind kind) {
   const Grid grid{1, 1, kLayers};
   const auto ray = [&](int i, int j) {
@@ -30,7 +31,7 @@ double pressure_of(bool sphere, double a, ElementKind kind) {
     return sphere ? Eigen::Vector3d(Eigen::Vector3d(s, -t, -1.0).normalized())
                   : Eigen::Vector3d(Eigen::Vector3d(s, 0.0, -1.0).normalized());
   };
-  const Eigen::Vector3d along(0.0, sphere ? 0.0 : 0.02, 0.0);  // the cylinder's length
+  const Eigen::Vector3d along(0.0, sphere ? 0.0 : 0.02, 0.0);  // length of the cylinder
   Materials materials;
   materials.solids = {{Hyperelastic{.C10 = 0.5, .C01 = 0.0, .K = 1e5}, 1.0}};
   SmallModel model(
@@ -40,7 +41,7 @@ double pressure_of(bool sphere, double a, ElementKind kind) {
       },
       kind,
       materials);
-  // one unknown a layer: its radial displacement w
+  // There is one unknown for each layer: its radial displacement w.
   Eigen::MatrixXd T = Eigen::MatrixXd::Zero(model.unknowns(), kLayers + 1);
   for (int k = 0; k <= kLayers; ++k) {
     for (int j = 0; j < 2; ++j) {
@@ -53,7 +54,7 @@ double pressure_of(bool sphere, double a, ElementKind kind) {
   for (int step = 1; step <= kSteps; ++step) {
     const double inner = 1.0 + (a - 1.0) * step / kSteps;
     const double power = sphere ? 3.0 : 2.0;
-    for (int k = 0; k <= kLayers; ++k) {  // start from the incompressible solution
+    for (int k = 0; k <= kLayers; ++k) {  // starts from the incompressible solution
       const double R = 1.0 + double(k) / kLayers;
       w[k] = std::pow(std::pow(R, power) + std::pow(inner, power) - 1.0, 1.0 / power) - R;
     }
@@ -101,7 +102,7 @@ TEST(Inflation, ThickSphere) {
   }
 }
 
-// Why the plain element is for comparison only.
+// The plain element locks, so it is for comparison only.
 TEST(Inflation, PlainElementLocks) {
   EXPECT_GT(pressure_of(false, 1.1, ElementKind::full_integration), 2.0 * kRows[0].cylinder);
 }

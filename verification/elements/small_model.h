@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A handful of elements with prescribed displacements, assembled densely: what the published
-// problems of this folder need and no more.
+// A handful of elements with prescribed displacements, assembled densely: exactly what the
+// published problems of this folder need.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,8 +14,7 @@ namespace latsch::verification {
 
 using namespace fe_tire;
 
-/// Nodes on an (nx + 1) x (ny + 1) x (nz + 1) grid, xi along x; `place` maps grid indices to
-/// positions.
+/// Nodes on an (nx + 1) x (ny + 1) x (nz + 1) grid, xi along x.
 struct Grid {
   int nx = 1, ny = 1, nz = 1;
   int node(int i, int j, int k) const { return (k * (ny + 1) + j) * (nx + 1) + i; }
@@ -30,12 +29,12 @@ class SmallModel {
              Materials materials,
              std::vector<RebarPlacement> rebars = {});
 
-  /// Internal forces at displacement u [3 nodes] and, where given, the tangent.
+  /// Returns internal forces at displacement u [3 nodes] and computes the tangent if K is given.
   Eigen::VectorXd forces(const Eigen::VectorXd& u, Eigen::MatrixXd* K);
   Eigen::MatrixXd mass() const;
 
-  /// Newton's method for the displacements not `held`, from u; the held ones keep their values.
-  /// Returns the number of iterations, -1 where it fails.
+  /// Solves by Newton's method for the displacements not `held`, starting at u; the held ones keep
+  /// their values. Returns the number of iterations, or -1 if it fails.
   int solve(Eigen::VectorXd& u, const std::vector<char>& held, const Eigen::VectorXd& load);
 
   const Grid& grid() const { return grid_; }
@@ -54,13 +53,13 @@ class SmallModel {
   std::vector<double> residuals_;
 };
 
-/// The lowest `count` eigenvalues of K x = lambda M x over the unknowns not held.
+/// Returns the lowest `count` eigenvalues of K x = lambda M x over the unknowns not held.
 std::vector<double> eigenvalues(const Eigen::MatrixXd& K,
                                 const Eigen::MatrixXd& M,
                                 const std::vector<char>& held,
                                 int count);
 
-/// Repeatable numbers in [-1, 1].
+/// A repeatable sequence of numbers in [-1, 1].
 class Sequence {
  public:
   double next() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The car in packages of both versions: its life cycle, states, instances beside each other; and
-// that what comes out is what the car says when it is driven directly, to the last bit.
+// The car in packages of both versions: its life cycle, its states, and several instances at once.
+// Its outputs equal those of the car driven directly, to the last bit.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -18,7 +18,7 @@ constexpr const char* kCar = "kerb/baseline.toml";
 constexpr const char* kCleat =
     "kind = \"cleat\"\nheight = \"10 mm\"\nlength = \"25 mm\"\nplace = \"1.9 m\"\n";
 constexpr double kStep = 1e-3, kSpeed = 15.0, kRackRate = 0.02;
-constexpr int kSteps = 30, kCarSteps = 5;  // of the car in a step
+constexpr int kSteps = 30, kCarSteps = 5;  // steps of the car in one communication step
 
 using Bits = std::vector<std::uint64_t>;
 
@@ -28,7 +28,7 @@ Bits bits_of(const std::vector<double>& values) {
   return bits;
 }
 
-/// A car that runs over a cleat with its rack going to the left, driven at the rear.
+/// A car driven at the rear that runs over a cleat with its rack moving to the left.
 class Drive {
  public:
   Drive(const Package& package, double torque = 100.0)
@@ -51,7 +51,7 @@ class Drive {
     ASSERT_EQ(slave_->step(kStep * from, kStep), Status::ok)
         << (slave_->log.empty() ? "" : slave_->log.back().second);
   }
-  /// All outputs.
+  /// Returns all outputs.
   Bits answer() {
     std::vector<double> values;
     for (const Variable& variable : package_.variables) {
@@ -109,7 +109,7 @@ TEST_P(CarOf, AnswersOverACleatAsTheCarDrivenDirectlyToTheLastBit) {
                          drive.get(wheel + "spin_rate")}));
     }
     const auto chassis = static_cast<std::size_t>((*car)->parts().chassis);
-    const Eigen::Vector3d place = state.bodies.poses[chassis].place;  // a rigid one: its center
+    const Eigen::Vector3d place = state.bodies.poses[chassis].place;  // center of a rigid body
     EXPECT_EQ(bits_of({place.x(), place.y(), place.z()}),
               bits_of({drive.get("chassis.x"), drive.get("chassis.y"), drive.get("chassis.z")}));
   };
@@ -133,7 +133,7 @@ TEST_P(CarOf, AnswersOverACleatAsTheCarDrivenDirectlyToTheLastBit) {
     expect_same(*state, inputs);
     highest = std::max(highest, (*car)->vertical_forces(*state)[0]);
   }
-  EXPECT_GT(highest, 1.2 * at_rest);  // the cleat was there
+  EXPECT_GT(highest, 1.2 * at_rest);  // the cleat had an effect
 }
 
 TEST_P(CarOf, GoesBackToAStateAndOnToTheSameBitsAlsoInAnotherInstance) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The packages as the standards have them [FMI 2.0.5, 2.1 and 4.2; FMI 3.0.2, 2.2 and 4.2]: the
-// life cycle, states, instances beside each other, statuses of what is wrong; and that what comes
-// out is what the tire says when it is asked directly, to the last bit.
+// The packages follow the standards [FMI 2.0.5, 2.1 and 4.2; FMI 3.0.2, 2.2 and 4.2]: life cycle,
+// states, several instances at once, and statuses of errors. The outputs equal those of the tire
+// called directly, to the last bit.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -49,7 +49,7 @@ void expect_same_bits(const Answer& a, const Answer& b) {
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(bits(a[i]), bits(b[i])) << i;
 }
 
-/// A wheel that goes straight on with yaw and inclination, pressed by 15 mm.
+/// A wheel that moves straight ahead with yaw and inclination, pressed by 15 mm.
 class Drive {
  public:
   Drive(const Package& package, Slave& slave, double height)
@@ -95,7 +95,7 @@ Answer answer_of(const HubForces& hub) {
       hub.force.x(), hub.force.y(), hub.force.z(), hub.moment.x(), hub.moment.y(), hub.moment.z()};
 }
 
-/// The same tire, asked directly.
+/// The tire called directly.
 struct Direct {
   explicit Direct(const std::string& model)
       : specimen([&] {
@@ -156,7 +156,7 @@ TEST_P(EveryTire, AnswersOverACleatAsTheTireAskedDirectlyToTheLastBit) {
     expect_same_bits(drive.answer(), answer_of(*hub));
     highest = std::max(highest, hub->force.z());
   }
-  EXPECT_GT(highest, 1.1 * rest->force.z());  // the cleat was there
+  EXPECT_GT(highest, 1.1 * rest->force.z());  // the cleat had an effect
 }
 
 TEST_P(EveryTire, GoesBackToAStateAndOnToTheSameBits) {
@@ -283,7 +283,7 @@ TEST_P(EveryVersion, RefusesWhatIsWrongAndGoesOn) {
   EXPECT_EQ(slave->copy(nullptr), Status::error);
 
   ASSERT_EQ(slave->get(package.reference("wheel.z"), value), Status::ok);
-  EXPECT_GT(value, 0.2);  // none of these has changed it
+  EXPECT_GT(value, 0.2);  // none of these calls has changed it
   EXPECT_EQ(slave->step(0.0, kStep), Status::ok);
   ASSERT_EQ(slave->get(kTimeReference, value), Status::ok);
   EXPECT_EQ(value, kStep);
@@ -335,7 +335,7 @@ TEST_P(EveryVersion, FollowsInputsWhileItIsInitialized) {
   ASSERT_EQ(slave->enter(0.0), Status::ok);
   double at_touch = 0.0, pressed = 0.0, ran = 0.0;
   ASSERT_EQ(slave->get(Fz, at_touch), Status::ok);
-  EXPECT_NEAR(at_touch, 0.0, 1e-6);  // wheel.z starts where the tire touches the road first
+  EXPECT_NEAR(at_touch, 0.0, 1e-6);  // wheel.z starts where the tire first touches the road
   ASSERT_EQ(slave->set(z, direct.height), Status::ok);
   ASSERT_EQ(slave->get(Fz, pressed), Status::ok);
   EXPECT_GT(pressed, 1000.0);
@@ -405,7 +405,7 @@ TEST(LoadedRadius, IsThatOfAnInclinedWheelOnASlope) {
   motion.center = {1.0, 0.0, 0.6};
   const double gamma = 0.3;
   motion.carrier = Eigen::AngleAxisd(gamma, Eigen::Vector3d::UnitX()).toRotationMatrix();
-  // The road below the center is at 0.3 m; down the wheel's plane it is farther by 1/cos.
+  // The road below the center is at 0.3 m; along the wheel's plane it is farther by 1/cos.
   EXPECT_NEAR(loaded_radius(motion, *road, 0.0), 0.3 / std::cos(gamma), 1e-12);
   motion.carrier =
       Eigen::AngleAxisd(std::acos(-1.0) / 2.0, Eigen::Vector3d::UnitX()).toRotationMatrix();

@@ -71,7 +71,7 @@ namespace {
 
 using Log = std::vector<std::pair<Status, std::string>>;
 
-/// As an importer prints what it is told: the message is a format.
+/// Formats a message as an importer does: the message is a format string.
 void log2(void* environment, fmi2::Text, fmi2::Status status, fmi2::Text, fmi2::Text format, ...) {
   char text[4096];
   std::va_list arguments;

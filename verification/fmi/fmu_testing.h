@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a package of FMI 2.0 or 3.0, unpacked and loaded by its C functions alone, as a
-// foreign program does it. Both versions behind one face, so that one test drives both.
+// For tests: a package of FMI 2.0 or 3.0, unpacked and loaded by its C functions alone, as another
+// program loads it. Both versions have one interface, so one test drives both.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@
 
 namespace latsch::exchange {
 
-/// Writes what a ZIP file holds below the folder.
+/// Writes the contents of a ZIP file below the folder.
 void unpack(const std::string& bytes, const std::filesystem::path& folder);
 
 /// A loaded binary: its functions by their names.
@@ -27,7 +27,7 @@ class Binary {
   Binary(const Binary&) = delete;
   Binary& operator=(const Binary&) = delete;
 
-  /// nullptr where it shows none of that name.
+  /// Returns nullptr if the binary exports no such name.
   void* find(const std::string& name) const;
   template <class F>
   F* function(const std::string& name) const {
@@ -40,7 +40,7 @@ class Binary {
 
 /// An unpacked package.
 struct Package {
-  /// Of a file of `studies`; `road` is the text of a .toml, empty: none given.
+  /// Makes a package of a file in `studies`. `road` is the text of a .toml; empty: no road given.
   Package(FmiVersion version, const std::string& model, const std::string& road);
 
   std::filesystem::path file(const std::string& name) const { return folder / name; }
@@ -53,15 +53,15 @@ struct Package {
   std::unique_ptr<Binary> binary;
 };
 
-/// An instance made from a package. `log` has what it said.
+/// An instance made from a package. `log` contains its messages.
 class Slave {
  public:
   virtual ~Slave() = default;
 
   virtual bool there() const = 0;
-  virtual Status initialize(double start) = 0;  // the whole of it, from `instantiated`
+  virtual Status initialize(double start) = 0;  // the whole initialization, from `instantiated`
   virtual Status enter(double start) = 0;       // its first half
-  virtual Status leave() = 0;                   // its second
+  virtual Status leave() = 0;                   // its second half
   virtual Status set(unsigned reference, double value) = 0;
   virtual Status get(unsigned reference, double& value) = 0;
   virtual Status step(double time, double step) = 0;
@@ -75,7 +75,7 @@ class Slave {
   std::vector<std::pair<Status, std::string>> log;
 };
 
-/// `token` and `resources` empty: those of the package.
+/// Empty `token` and `resources` stand for those of the package.
 std::unique_ptr<Slave> instantiate(const Package& package,
                                    const std::string& token = "",
                                    const std::string& resources = "");

@@ -14,8 +14,9 @@ namespace latsch::identification_set {
 namespace {
 
 constexpr double kRipple = 1e-3, kNoise = 1e-3;
-constexpr double kFewestWaves = 20.0, kMostWaves = 100.0;  // over a range
-constexpr double kFromStart = 0.02, kFromTruth = 0.03;     // of the corner's edge, in the unit cube
+constexpr double kFewestWaves = 20.0, kMostWaves = 100.0;  // number over a range
+// Distance from the corner's edge, in the unit cube.
+constexpr double kFromStart = 0.02, kFromTruth = 0.03;
 constexpr int kNormals = 64, kPoints = 4096;
 
 double square(const Vector& r) {
@@ -24,7 +25,7 @@ double square(const Vector& r) {
   return sum;
 }
 
-/// FNV-1a: what is drawn for a point must not depend on the standard library.
+/// FNV-1a hash, because random numbers for a point must not depend on the standard library.
 std::uint64_t number_of(const Vector& x) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char byte : DesignPoint{x}.bits()) {
@@ -33,14 +34,14 @@ std::uint64_t number_of(const Vector& x) {
   return hash;
 }
 
-/// How far u lies inside the corner; negative outside.
+/// Returns the depth of u inside the corner; negative outside.
 double depth(const std::vector<HalfSpace>& corner, const Eigen::VectorXd& u) {
   double least = std::numeric_limits<double>::infinity();
   for (const HalfSpace& half : corner) least = std::min(least, half.a.dot(u) - half.b);
   return least;
 }
 
-/// A half space behind which kCorner of the cube lies.
+/// Returns a half space that contains kCorner of the cube.
 HalfSpace half_space(Eigen::VectorXd a, const std::vector<Eigen::VectorXd>& points) {
   a.normalize();
   Vector along;
@@ -80,7 +81,8 @@ std::vector<std::vector<HalfSpace>> candidates(int n) {
   return all;
 }
 
-/// The corner whose edge is as near to the truth as there is one, not at the start.
+/// Returns the corner whose edge is as near to the truth as possible and that does not contain the
+/// start.
 std::vector<HalfSpace> corner_of(const Problem& problem, int number) {
   const Eigen::VectorXd start = to_vector(problem.space.to_unit(problem.space.initial()));
   const Eigen::VectorXd truth =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The half of the problems that is looked at once, when a method is decided.
+// The half of the problems that is evaluated once, after a method is decided.
 #include <Eigen/Core>
 #include <cmath>
 #include <complex>
@@ -22,7 +22,7 @@ Model over(const Vector& t, const std::function<double(double, const Vector&)>& 
   };
 }
 
-/// Side force at three loads over slip, peak, shape and stiffness depending on the load.
+/// Side force at three loads as a function of slip; peak, shape and stiffness depend on the load.
 Vector loads(const Vector& x) {
   Vector values;
   for (const double load : {0.5, 1.0, 1.5}) {
@@ -64,7 +64,7 @@ Vector duffing(const Vector& x) {
   return values;
 }
 
-/// Elements of Iwan's model, their stop rounded: force over a path that turns twice.
+/// Elements of Iwan's model with rounded stops: force along a path that reverses twice.
 Vector iwan(const Vector& x) {
   Vector values;
   double last = 0.0, s1 = 0.0, s2 = 0.0;
@@ -79,7 +79,8 @@ Vector iwan(const Vector& x) {
   return values;
 }
 
-/// Frequencies of eight masses in a ring between springs of two kinds and to the ground.
+/// Frequencies of eight masses in a ring, with two kinds of springs between them and springs to the
+/// ground.
 Vector ring_of_masses(const Vector& x) {
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(8, 8);
   for (int i = 0; i < 8; ++i) {
@@ -141,7 +142,8 @@ Vector ten_stiffnesses(const Vector& E) {
   return values;
 }
 
-/// Distances to six marks from a place that is sought, scale and offset of the instrument too.
+/// Distances to six marks from an unknown place; scale and offset of the instrument are unknown
+/// too.
 Vector distances(const Vector& x) {
   Vector values;
   for (int i = 0; i < 6; ++i) {
@@ -151,7 +153,7 @@ Vector distances(const Vector& x) {
   return values;
 }
 
-/// Brush tire: side force and aligning moment; beyond full sliding the force stays.
+/// Brush tire: side force and aligning moment; beyond full sliding the force is constant.
 Vector brush(const Vector& x) {
   Vector values;
   for (const double slip : grid(0.005, 0.3, 25)) {
@@ -163,7 +165,7 @@ Vector brush(const Vector& x) {
   return values;
 }
 
-/// Answer of two resonances, coupled to the speed, to a short blow at two speeds.
+/// Response of two resonances, coupled to the speed, to a short impact at two speeds.
 Vector blow(const Vector& x) {
   Vector values;
   for (const double speed : {1.0, 2.2}) {

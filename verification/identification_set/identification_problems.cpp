@@ -8,7 +8,7 @@
 namespace latsch::identification_set {
 namespace {
 
-constexpr double kLogarithmic = 9.99;  // upper over lower from here on
+constexpr double kLogarithmic = 9.99;  // upper over lower from which on a variable is logarithmic
 
 DesignSpace space_of(const std::vector<Number>& numbers) {
   std::vector<DesignVariable> variables;
@@ -23,7 +23,7 @@ DesignSpace space_of(const std::vector<Number>& numbers) {
   return DesignSpace(variables);
 }
 
-/// The error of a datum must not depend on the standard library: FNV-1a of the name.
+/// FNV-1a hash of the name, because the error of a datum must not depend on the standard library.
 std::uint64_t number_of(const std::string& name) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char byte : name) {

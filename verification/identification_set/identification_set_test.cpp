@@ -28,7 +28,7 @@ TEST(IdentificationSet, TheTruthExplainsTheDataAndTheStartDoesNot) {
     const DisturbedProblem smooth(problem, Variant::smooth, 0);
     const double start = smooth.exact(problem.space.initial().values);
     EXPECT_TRUE(std::isfinite(start)) << problem.name;
-    // An error of 1 % of the data at most against 0.1 % where errors are that small.
+    // The errors of the data are at most 1 %, and 0.1 % unless stated otherwise.
     EXPECT_LT(smooth.exact(problem.truth), 0.02 * start) << problem.name;
     EXPECT_EQ(smooth.shown(problem.truth)->size(),
               smooth.shown(problem.space.initial().values)->size());

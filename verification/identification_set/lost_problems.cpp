@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Problems of which variables are lost at the start: nothing is felt of a peak outside of the data,
-// of a stop that is never touched, of a decay that is over before the first sample. Starts are off
-// by factors of two to a hundred, boxes are centered at neither start nor truth.
+// Problems with variables that are lost at the start: a peak outside of the data, a stop that is
+// never touched, or a decay that is over before the first sample has no effect. Starts are off by
+// factors of two to a hundred; boxes are centered at neither start nor truth.
 //
-// What a search does about lost variables was decided by the first half; the second was looked at
-// once, afterwards.
+// The handling of lost variables was decided by the first half; the second was evaluated once,
+// afterward.
 #include <algorithm>
 #include <cmath>
 #include <complex>

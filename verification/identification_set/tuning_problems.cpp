@@ -40,9 +40,9 @@ Vector chain(const Vector& k) {
   return values;
 }
 
-/// Body and wheel over a bump: their displacements.
+/// Displacements of body and wheel over a bump.
 Vector quarter_car(const Vector& x) {
-  const double k = x[0], c = x[1], kt = x[2], mu = x[3];  // per mass of the body; mass ratio
+  const double k = x[0], c = x[1], kt = x[2], mu = x[3];  // k, c, kt per body mass; mass ratio
   const auto states = integrate(
       [&](double t, const Vector& y) {
         const double road = t < 0.1 ? 0.5 * (1.0 - cos(20.0 * std::numbers::pi * t)) : 0.0;
@@ -97,7 +97,7 @@ Vector lotka_volterra(const Vector& x) {
   return values;
 }
 
-/// Twelve stiffnesses of which sixteen frequencies and four forces feel different shares.
+/// Twelve stiffnesses that affect sixteen frequencies and four forces in different shares.
 Vector twelve_stiffnesses(const Vector& E) {
   Vector values;
   for (int i = 0; i < 20; ++i) {
@@ -113,7 +113,7 @@ Vector twelve_stiffnesses(const Vector& E) {
   return values;
 }
 
-/// Loads at five radii that feel a sum of three moduli and little else.
+/// Loads at five radii that depend on a sum of three moduli and little else.
 Vector hardly_three(const Vector& x) {
   Vector values;
   for (int i = 0; i < 5; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A double wishbone and its static values as Lotus Suspension Analysis prints them (README.md).
+// A double wishbone and its static values as printed by Lotus Suspension Analysis (README.md).
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace latsch::verification {
 suspension::CornerGeometry lotus_corner();
 
 struct PrintedValue {
-  std::string output;       // as kinematic_outputs() names it
+  std::string output;       // name in kinematic_outputs()
   double value, tolerance;  // SI
 };
 std::vector<PrintedValue> lotus_printed_values();

@@ -29,8 +29,8 @@ TEST(LotusShark, StaticValuesAreThePrintedOnes) {
   }
 }
 
-// What no link lengths decide: the axis about which the rack turns a wheel with its spring held
-// is the line through its ball joints. The damper on the upper wishbone holds both.
+// This result does not depend on link lengths: the axis about which the rack turns a wheel with its
+// spring held is the line through its ball joints. The damper on the upper wishbone holds both.
 TEST(LotusShark, TheAxisOfRotationByTheRackIsTheKingpin) {
   const CornerGeometry corner = lotus_corner();
   CornerGeometry five_links = corner;

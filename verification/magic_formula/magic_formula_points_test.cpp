@@ -39,8 +39,8 @@ INSTANTIATE_TEST_SUITE_P(MagicFormula,
                                                                 : "Mf62";
                          });
 
-/// All slopes of all outputs of the sample tires in those states beside differences of the plain
-/// formula, every variable at a time.
+/// Compares all slopes of all outputs of the sample tires in those states with differences of the
+/// plain formula, one variable at a time.
 TEST_P(Points, SlopesAreWhatDifferencesTendTo) {
   const auto tire = sample_tire(GetParam());
   if (!tire) GTEST_SKIP() << "no sample tires in " << LATSCH_SAMPLE_TIRES;
@@ -60,7 +60,7 @@ TEST_P(Points, SlopesAreWhatDifferencesTendTo) {
   }
 }
 
-/// What the 6.1 and 5.2 sample tires give in MF-Tyre's convention, to the digits published with the
+/// Values of the 6.1 and 5.2 sample tires in MF-Tyre's convention, to the digits published with the
 /// requirement.
 TEST(MagicFormula, PublishedSamples) {
   struct Sample {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dual numbers  a + b e,  e e = 0:  a function of them is  f(a) + f'(a) b e,  so a formula gives
-// its own derivative, exact but for rounding.
+// Dual numbers  a + b e,  e e = 0:  a function of a dual number is  f(a) + f'(a) b e,  so a formula
+// computes its own derivative, exact except for rounding.
 #pragma once
 
 #include <cmath>
@@ -47,7 +47,7 @@ inline Dual hypot(const Dual& a, const Dual& b) {
   const double length = std::hypot(a.value, b.value);
   return {length, (a.value * a.slope + b.value * b.slope) / length};
 }
-/// Of a base that varies with a constant exponent, or a constant base above 0.
+/// Computes a power with a varying base and a constant exponent, or with a constant base above 0.
 inline Dual pow(const Dual& a, const Dual& b) {
   const double power = std::pow(a.value, b.value);
   double slope = b.value * std::pow(a.value, b.value - 1.0) * a.slope;
@@ -55,7 +55,7 @@ inline Dual pow(const Dual& a, const Dual& b) {
   return {power, slope};
 }
 
-/// Derivatives of f at x, a row of x.size() a value.
+/// Returns the derivatives of f at x, a row of x.size() numbers for each value.
 template <class Function>
 std::vector<double> jacobian_of(const Function& f, const std::vector<double>& x) {
   const std::size_t n = x.size();

@@ -47,13 +47,13 @@ Vector chebyshev_start(int n) {
   return start;
 }
 
-/// f_L: MGH for those in it; Bdqrtic by SciPy's Levenberg-Marquardt to 1e-15.
+/// f_L is that of MGH for the functions in it; Bdqrtic: by SciPy's Levenberg-Marquardt to 1e-15.
 std::vector<Problem> make_problems() {
   const std::vector<double> near{1}, both{1, 10};
   std::vector<Problem> all;
   // r = x_i - mean.. - 1: the least value is m - n.
   add(all, {"linear, full rank", linear_full_rank, linear_full_rank, equal(9, 1)}, 45, 36.0, both);
-  // m (m - 1) / (2 (2 m + 1)) and (m^2 + 3 m - 6) / (2 (2 m - 3))
+  // The least values are m (m - 1) / (2 (2 m + 1)) and (m^2 + 3 m - 6) / (2 (2 m - 3)).
   add(all,
       {"linear, rank 1", linear_rank_one, linear_rank_one, equal(7, 1)},
       35,

@@ -5,9 +5,9 @@
 // counts as solved to tau at the first x with  f(x) <= f_L + tau (f(x_0) - f_L).
 // [Moré & Wild, Benchmarking derivative-free optimization algorithms, SIAM J. Optim. 20 (2009) 172]
 //
-// f_L is the least value known in reach of the start, zero where the residuals can vanish. The
-// function of Freudenstein and Roth has two minima, 0 and 48.98; descent from either start leads
-// to the second, and that is its f_L, as in the tables of published solvers.
+// f_L is the least value known in the neighborhood of the start, zero if the residuals can vanish.
+// The function of Freudenstein and Roth has two minima, 0 and 48.98; descent from either start
+// leads to the second, which is its f_L, as in the tables of published solvers.
 #pragma once
 
 #include <functional>
@@ -26,25 +26,25 @@ struct Problem {
   int residual_count;  // m
   double least;        // f_L
   std::function<Vector(const Vector&)> residuals;
-  Vector steps = {};  // the first step of every variable; empty: start_step for all
-  std::function<Vector(const Vector&)> jacobian = {};  // n numbers a residual; empty: not known
+  Vector steps = {};  // first step of every variable; empty: start_step for all
+  std::function<Vector(const Vector&)> jacobian = {};  // n a residual; empty: not known
 
   int n() const { return static_cast<int>(start.size()); }
   double value(const Vector& x) const;
-  /// f_L + tau (f(x_0) - f_L)
+  /// Returns f_L + tau (f(x_0) - f_L).
   double solved_below(double tau) const;
 };
 
-/// In the order of the paper's table.
+/// Problems in the order of the paper's table.
 const std::vector<Problem>& problems();
 
-/// The step every solver starts with: max(1, |x_0|_inf).
+/// Returns the step every solver starts with: max(1, |x_0|_inf).
 double start_step(const Problem& problem);
-/// Of every variable.
+/// Returns the first step of every variable.
 Vector start_steps(const Problem& problem);
 
-/// The problems have no bounds, a design space has: a box so wide, x_0 -+ kBoxWidth / 2 start
-/// steps, that no iterate comes near its faces, yet 1e-12 of a start step is resolved.
+/// The problems have no bounds but a design space needs them: the box, x_0 -+ kBoxWidth / 2 start
+/// steps, is so wide that no iterate comes near its faces, yet 1e-12 of a start step is resolved.
 inline constexpr double kBoxWidth = 2e3;
 DesignSpace space(const Problem& problem);
 

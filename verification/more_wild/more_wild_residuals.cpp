@@ -18,7 +18,7 @@ constexpr T square(const T& a) {
   return a * a;
 }
 
-/// sum over j = first..last of  j x_j
+/// Returns the sum over j = first..last of  j x_j.
 template <class T>
 T weighted_sum(const std::vector<T>& x, int first, int last) {
   T sum = 0.0;
@@ -31,7 +31,7 @@ int size(const std::vector<T>& x) {
   return static_cast<int>(x.size());
 }
 
-/// v (sin(ln v)^5 + cos(ln v)^5)
+/// Returns v (sin(ln v)^5 + cos(ln v)^5).
 template <class T>
 T mancino_term(const T& v) {
   return v * (pow(sin(log(v)), 5) + pow(cos(log(v)), 5));
@@ -68,7 +68,7 @@ std::vector<T> rosenbrock(const std::vector<T>& x, int) {
 
 template <class T>
 std::vector<T> helical_valley(const std::vector<T>& x, int) {
-  // Its angle jumps across the negative x_2 axis, between -1/4 and 3/4 of a turn.
+  // The angle jumps across the negative x_2 axis, between -1/4 and 3/4 of a turn.
   T turn = 0.25;
   if (x[0] != 0.0) turn = atan(x[1] / x[0]) / (2.0 * std::numbers::pi);
   if (x[0] < 0.0) turn += 0.5;
@@ -141,7 +141,7 @@ std::vector<T> watson(const std::vector<T>& x, int m) {
   std::vector<T> r(m);
   for (int i = 1; i <= 29; ++i) {
     const double t = i / 29.0;
-    T sum = 0.0, slope = 0.0;  // of the polynomial with coefficients x at t
+    T sum = 0.0, slope = 0.0;  // value of the polynomial with coefficients x at t, and its slope
     for (int j = size(x); j >= 1; --j) {
       slope = slope * t + sum;
       sum = sum * t + x[j - 1];

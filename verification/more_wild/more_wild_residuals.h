@@ -2,7 +2,7 @@
 // Residuals and standard starts of the functions, each with its number in
 //   [MGH]  Moré, Garbow, Hillstrom, Testing unconstrained optimization software,
 //          ACM TOMS 7 (1981) 17, and the four of [Moré & Wild 2009] that are not in it.
-// Indices in the formulas count from 1 as there. T: double, or Dual for derivatives.
+// Indices in the formulas count from 1 as in these papers. T: double, or Dual for derivatives.
 #pragma once
 
 #include <vector>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Moré-Wild problems as others would have put them: for choosing a method without looking at
-// the problems it is judged by.
+// Variations of the Moré-Wild problems, for choosing a method without using the problems it is
+// judged by.
 //
 //   moved     from  x_0 + 0.1 max(|x_i|, 0.1 |x_0|_inf) N(0, 1)
-//   rotated   the same in y:  x = x_0 + Q (y - x_0), Q a random rotation
-//   scaled    the same in y:  x_i = x_0i + s_i (y_i - x_0i),  s_i = 10^U(-1, 1)
+//   rotated   in variables y:  x = x_0 + Q (y - x_0), Q a random rotation
+//   scaled    in variables y:  x_i = x_0i + s_i (y_i - x_0i),  s_i = 10^U(-1, 1)
 //
-// f_L stays what it is for the standard start. From a moved one the way may lead to another
-// minimum: shares of solved problems compare methods, they need not come to 1.
+// f_L remains that of the standard start. From a moved start the search may lead to another
+// minimum: shares of solved problems compare methods and need not reach 1.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levenberg-Marquardt with exact Jacobians on NIST's certified regressions and the least-squares
-// problems of Moré, Garbow and Hillstrom in Moré and Wild's set, beside SciPy's least_squares.
+// Levenberg-Marquardt with exact Jacobians on NIST's certified regressions and on the least-squares
+// problems of Moré, Garbow and Hillstrom in Moré and Wild's set, compared with SciPy's
+// least_squares.
 #include "optimization/least_squares/levenberg_marquardt.h"
 
 #include <fmt/format.h>
@@ -38,9 +39,9 @@ Score score_at(const Problem& problem, const std::vector<double>& x) {
   return {problem.value(x), problem.residuals(x), problem.jacobian(x)};
 }
 
-/// The first Delta as if every variable might change by its value, as SciPy begins.
+/// Chooses the first Delta so that every variable may change by its value, as in SciPy.
 LevenbergMarquardtOptions options_of(const Problem& problem) {
-  const double steps = problem.steps.empty() ? 1.0 : 10.0;  // which are tenths of the start
+  const double steps = problem.steps.empty() ? 1.0 : 10.0;  // steps are tenths of the start
   return {.initial_step = steps / more_wild::kBoxWidth, .step_tolerance = 1e-13};
 }
 
@@ -60,7 +61,7 @@ Found by_levenberg_marquardt(const Problem& problem, const DesignSpace& space) {
   return found_by(method, problem);
 }
 
-/// Ended where a study ends it.
+/// Returns the result with the ending criteria of a study.
 Found by_a_study(const Problem& problem) {
   OptimizerSettings settings;
   settings.levenberg_marquardt = options_of(problem);
@@ -87,7 +88,7 @@ Found by_scipy(benchmarks::SciPy& scipy,
   return found;
 }
 
-/// To six digits of the least sum, or to seven of the residuals where these vanish.
+/// True if the least sum agrees to six digits, or the residuals to seven if they vanish.
 bool is_solved(const Problem& problem, double least) {
   return least <= (1.0 + 1e-6) * problem.least + 1e-14 * problem.value(problem.start);
 }
@@ -99,14 +100,14 @@ std::vector<Problem> all_problems() {
   return all;
 }
 
-/// Starts from which descent leads to another minimum, or away to infinity.
+/// Starts from which descent leads to another minimum, or to infinity.
 const std::set<std::string> kElsewhere{
     "BoxBOD, start 1", "Bard (3, 15) x 10", "Chebyquad (10, 10)", "Osborne 2 (11, 65) x 10"};
 
 bool has_scipy() { return std::system("/usr/bin/python3 -c 'import scipy' 2>/dev/null") == 0; }
 
-// Differences of a ten-millionth are off by rounding and curvature, up to 1e-5 of the largest
-// derivative of a variable.
+// Differences over a ten-millionth have an error by rounding and curvature of up to 1e-5 of the
+// largest derivative of a variable.
 TEST(Jacobians, AreTheDerivativesOfTheResiduals) {
   for (const Problem& problem : all_problems()) {
     const Eigen::Index n = problem.n(), m = problem.residual_count;
@@ -140,8 +141,9 @@ TEST(LevenbergMarquardt, FindsTheCertifiedSums) {
   }
 }
 
-// It ends where a step promises less than 1e-10 of the sum. An error e of b is one of e^2 in the
-// sum: five digits, of which weakly held parameters such as ENSO's lose up to two.
+// The method ends if a step promises less than 1e-10 of the sum. An error e of b changes the sum by
+// e^2: five digits are accurate, of which weakly determined parameters such as ENSO's lose up to
+// two.
 TEST(LevenbergMarquardt, FindsTheCertifiedParameters) {
   for (const std::string& name : names()) {
     const Dataset data = read_dataset(name);
@@ -173,8 +175,8 @@ TEST(LevenbergMarquardt, NeedsHalfAsManyEvaluationsAgainAsSciPyAtMost) {
   EXPECT_LE(own, 1.5 * others);
 }
 
-// A study ends it where more steps would gain less than the noise of one measured value is worth:
-// of m residuals, f / m.
+// A study ends the search if more steps would gain less than the noise of one measured value: f / m
+// for m residuals.
 TEST(LevenbergMarquardt, EndsInAStudyWithinTheNoiseOfOneValue) {
   int early = 0, all = 0;
   for (const Problem& problem : all_problems()) {
@@ -190,8 +192,8 @@ TEST(LevenbergMarquardt, EndsInAStudyWithinTheNoiseOfOneValue) {
   EXPECT_LT(early, all);
 }
 
-// The first parameter may go half of the way to its certified value. Not of Lanczos' problems,
-// whose three terms change places then: there are several minima.
+// The bound allows the first parameter half of the way to its certified value. Lanczos' problems
+// are left out, because their three terms then change places: there are several minima.
 TEST(LevenbergMarquardt, EndsWhereSciPyDoesWhenABoundCutsTheSolutionOff) {
   if (!has_scipy()) GTEST_SKIP() << "SciPy is not installed (Debian: python3-scipy)";
   benchmarks::SciPy scipy;

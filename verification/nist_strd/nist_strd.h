@@ -21,21 +21,21 @@ struct Dataset {
   std::string name;
   std::vector<double> start_1 = {}, start_2 = {};
   std::vector<double> certified = {};          // b
-  double sum = 0.0;                            // of squares at the certified b
-  std::vector<std::vector<double>> rows = {};  // x, y; of Nelson x1, x2, y
+  double sum = 0.0;                            // sum of squares at the certified b
+  std::vector<std::vector<double>> rows = {};  // x, y; for Nelson x1, x2, y
 };
 
-/// Throws InputError where the table is not one.
+/// Throws InputError if the table cannot be read.
 Dataset read_dataset(const std::string& name);
 std::vector<std::string> names();
-/// Throws std::out_of_range for a name that is not one.
+/// Throws std::out_of_range for an unknown name.
 std::vector<double> residuals(const Dataset& dataset, const std::vector<double>& b);
-/// dr/db, a row of the variables a residual; from the formulas themselves (dual.h).
+/// Returns dr/db, a row of the variables for each residual; from the formulas themselves (dual.h).
 std::vector<double> jacobian(const Dataset& dataset, const std::vector<double>& b);
 
-/// "Misra1a, start 1", the least value being the certified one; the first step of a variable is a
-/// tenth of its start. Without MGH10 and MGH17 from start 2, which are Meyer's and Osborne's first
-/// problem of the Moré-Wild set.
+/// Returns problems named "Misra1a, start 1" and so on. The least value is the certified one; the
+/// first step of a variable is a tenth of its start. MGH10 and MGH17 from start 2 are left out,
+/// because they are Meyer's and Osborne's first problem of the Moré-Wild set.
 std::vector<more_wild::Problem> problems();
 
 }  // namespace latsch::nist_strd

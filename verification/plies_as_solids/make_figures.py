@@ -23,8 +23,8 @@ import numpy as np
 
 HERE = Path(__file__).parent
 SECTORS = 120
-HARMONICS = 1  # up to
-MODES = 4      # of each
+HARMONICS = 1  # largest number of waves
+MODES = 4      # number for each
 
 
 def number(text):
@@ -112,7 +112,7 @@ def deck(tire, angle, ply_thickness, size):
               number(p["young_modulus"]) * number(p["cord_area"]) / number(p["spacing"]))
              for name, p in tire["layer"].items()]
     half = ply_thickness / 2
-    # Levels: None stands for the faces of the wall; every gap is one row of elements.
+    # None stands for the faces of the wall; every gap between levels is one row of elements.
     inner = plies[0][2] - half
     outer = plies[-1][2] + half
     levels = [("in", 0), ("in", 1 / 3), ("in", 2 / 3)]
@@ -135,7 +135,8 @@ def deck(tire, angle, ply_thickness, size):
     text = ["*NODE,NSET=NALL"]
     node = {}
     angle_of = [0.0, math.pi / SECTORS, 2 * math.pi / SECTORS]
-    # Nodes on a grid of half elements: (around 0..2, along, through), those quadratic elements have.
+    # Nodes are on a grid of half elements: (around 0..2, along, through), without those that
+    # quadratic elements do not have.
     for a in range(3):
         for i in range(2 * columns + 1):
             for k in range(2 * rows + 1):
@@ -161,7 +162,7 @@ def deck(tire, angle, ply_thickness, size):
             text.append(",".join(map(str, [elements[i, k]] + numbers[:10])) + ",")
             text.append(",".join(map(str, numbers[10:])))
     text += ["*ORIENTATION,NAME=CYLINDER,SYSTEM=CYLINDRICAL", "0,0,0,0,1,0"]
-    # Rubber alone, then every ply column by column.
+    # Rubber alone comes first, then every ply column by column.
     ply_rows = {levels.index(p[2] - half): p for p in plies}
     plain = [elements[i, k] for i in range(columns) for k in range(rows)
              if k not in ply_rows or abs(0.5 * (s[i] + s[i + 1])) > ply_rows[k][3]]
@@ -177,8 +178,8 @@ def deck(tire, angle, ply_thickness, size):
             if abs(middle) > to:
                 continue
             _, tangent = wall.at(middle, d)  # (y, r), toward the -y bead
-            # CalculiX' cylinder about +y: radial, around (which sense does not matter to growth and
-            # frequencies: the mirrored tire has the same), axial.
+            # CalculiX' cylinder axes about +y: radial, around (its sense does not matter for growth
+            # and frequencies, because the mirrored tire has the same), axial.
             around = np.array([0, 1, 0])
             along_wall = np.array([tangent[1], 0, tangent[0]])
             v = along(math.cos(math.radians(alpha)) * around +
@@ -195,7 +196,7 @@ def deck(tire, angle, ply_thickness, size):
         # Face 6 of an element is on the side of the first plane, face 4 on that of the second.
         text.append(f"*SURFACE,NAME={name},TYPE=ELEMENT")
         text += [f"{e},S{(6, 4)[face]}" for e in elements.values()]
-    # Those of the first plane follow the second one.
+    # The nodes of the first plane follow those of the second.
     rim = [n for (a, i, k), n in node.items() if i in (0, 2 * columns) and a > 0]
     text.append("*NSET,NSET=RIM")
     text += [",".join(map(str, rim[j:j + 12])) + "," for j in range(0, len(rim), 12)]
@@ -209,7 +210,7 @@ def deck(tire, angle, ply_thickness, size):
     p = number(tire["pressure"])
     text += ["*STEP,NLGEOM,INC=100", "*STATIC", "0.25,1.0", "*DLOAD", f"INNER,P1,{p:.10g}",
              "*NODE PRINT,NSET=CROWN,FREQUENCY=100", "U", "*END STEP"]
-    # The program counts the load stiffness of a pressure twice in such a step: half of it here.
+    # CalculiX counts the load stiffness of a pressure twice in such a step, so it is halved here.
     text += ["*STEP,PERTURBATION", "*FREQUENCY,STORAGE=YES", f"{MODES},", "*DLOAD,OP=NEW",
              f"INNER,P1,{p / 2:.10g}",
              f"*SELECT CYCLIC SYMMETRY MODES,NMIN=0,NMAX={HARMONICS}", "*END STEP"]

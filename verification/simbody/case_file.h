@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A case that Simbody and Latsch both read: bodies on bushings, loads, tires on a road. README.md
-// has the fields. All SI; x forward, y left, z up; every place and axis is that at rest.
+// lists the fields. Units are SI; x forward, y left, z up; places and axes are those at rest.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ namespace latsch::verification {
 
 struct LoadCase {
   std::string name;
-  std::vector<multibody::Load> loads;  // besides those that are always there
+  std::vector<multibody::Load> loads;  // in addition to those that are always applied
 };
 
 /// F = k (R - (z_c - h)) + c (h' - z_c'), upward at the wheel center, while it is above zero.
@@ -26,7 +26,8 @@ struct LinearTire {
   double radius, stiffness, damping;  // m, N/m, N s/m
 };
 
-/// `count` times H/2 (1 - cos 2π s/L), the first from `start` on, where right <= y <= left.
+/// A road profile: `count` times H/2 (1 - cos 2π s/L), the first from `start` on, for right <= y <=
+/// left.
 struct KerbStretch {
   double pitch, height, start;  // m
   int count;
@@ -43,28 +44,29 @@ struct CaseFile {
   Eigen::Vector3d gravity;
   std::vector<multibody::Body> bodies;
   std::vector<multibody::Joint> joints;
-  /// Springs to the ground along and about what nothing else holds in statics. Loads have no part
-  /// there, so nor do these: they only say which of many equilibria is meant.
+  /// Springs to the ground along and about directions that nothing else holds in statics. Loads
+  /// have no component there, so these springs carry no load: they only select one of many
+  /// equilibria.
   std::optional<multibody::Joint> held_in_statics;
   std::vector<multibody::Load> loads;
-  std::vector<LoadCase> load_cases;  // one at least
+  std::vector<LoadCase> load_cases;  // at least one
   std::vector<LinearTire> tires;
   std::optional<KerbStretch> road;
   double speed = 0.0, time = 0.0, output_step = 0.0;  // m/s, s, s
   std::vector<OutputPoint> outputs;
 };
 
-/// Throws InputError.
+/// Throws InputError if the file cannot be read.
 CaseFile read_case_file(const std::filesystem::path& file);
 
-/// Loads of this case, of every case and of gravity.
+/// Returns the loads of this case, of every case and of gravity.
 std::vector<multibody::Load> loads_of(const CaseFile& file, const LoadCase& load_case);
 
-/// Joints with those that are needed in statics: what holds, and tires on level ground as vertical
-/// springs, which they are as long as they touch it.
+/// Returns the joints together with those needed in statics: the held springs, and tires on level
+/// ground as vertical springs, which is exact as long as they touch it.
 std::vector<multibody::Joint> joints_in_statics(const CaseFile& file);
 
-/// Of an output point from where it is at rest, m.
+/// Returns the displacement of an output point from its place at rest, m.
 Eigen::Vector3d displacement(const CaseFile& file,
                              const OutputPoint& output,
                              const multibody::Poses& poses);

@@ -26,7 +26,7 @@ FRONT = {  # mm
     "trackrod_outer": (1490.000, 553.400, 118.540),
     "trackrod_inner_rack": (1490.000, 266.310, 119.872),
 }
-REAR = {  # mm; the toe-link is what the track-rod is in front
+REAR = {  # mm; the toe-link corresponds to the track-rod in front
     "uca_chassis_front": (125.161, 318.339, 314.902),
     "uca_chassis_rear": (-160.644, 318.236, 310.835),
     "lca_chassis_front": (88.707, 307.596, 143.145),
@@ -48,7 +48,7 @@ FIVE_LINKS = {  # mm, inner and outer; the corner of studies/suspensions/five_li
     "pushrod": ((-30, 560, 620), (-10, 660, 260)),
 }
 RUBBER = {"upper_front": 4e6, "upper_rear": 4e6, "lower_front": 2e6, "lower_rear": 6e6, "toe_link": 6e6}  # N/m, inner ends
-RADIUS = 0.235  # m, of the free tire
+RADIUS = 0.235  # m, radius of the free tire
 BUSHING = {
     "stiffness": [3e7] * 3,
     "rotational_stiffness": [200.0] * 3,
@@ -67,7 +67,7 @@ JOINTS = [  # name, body a, body b
     ("trackrod_inner_rack", "chassis", "track_rod"),
     ("trackrod_outer", "track_rod", "upright"),
 ]
-TUBE_RADIUS = 0.008  # m, of rods and of the tubes of wishbones
+TUBE_RADIUS = 0.008  # m, radius of rods and of the tubes of wishbones
 
 
 def meters(points, side):
@@ -85,8 +85,8 @@ def tubes(name, mass, ends):
         along = [q - p for p, q in zip(a, b)]
         length2 = sum(x * x for x in along)
         arm = [p - q for p, q in zip(middle, center)]
-        # about its middle: m/12 (l^2 1 - l l') of a line, m r^2 about its axis and half of it across;
-        # Steiner's part m (d^2 1 - d d')
+        # A tube about its middle: m/12 (l^2 1 - l l') of a line, m r^2 about its axis and half of
+        # it across; Steiner's part m (d^2 1 - d d').
         for i in range(3):
             for j in range(3):
                 unit = 1.0 if i == j else 0.0

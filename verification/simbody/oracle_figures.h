@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures of the oracle: those committed, and those it prints now where it could be built.
+// Figures of the oracle: those committed, and those it prints now if it could be built.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace latsch::verification {
 
-/// A table of text with a head.
+/// A table of text with a header.
 struct Figures {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;
@@ -18,11 +18,11 @@ struct Figures {
   std::size_t column(const std::string& name) const;
 };
 
-/// Throws InputError.
+/// Throws InputError if the file cannot be read.
 Figures read_figures(const std::filesystem::path& file);
 
-/// What `simbody_oracle ARGUMENTS` prints; nothing where the program was not built because Simbody
-/// is not there. Throws InputError where it fails.
+/// Returns the output of `simbody_oracle ARGUMENTS`; nothing if the program was not built because
+/// Simbody is not installed. Throws InputError if it fails.
 std::optional<Figures> figures_of_oracle(const std::string& arguments);
 
 }  // namespace latsch::verification

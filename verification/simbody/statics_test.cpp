@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statics of the cases that Simbody reads as well, against its figures: those committed, and those
-// it prints now where it is installed.
+// Statics of the cases that Simbody reads as well, compared with its figures: those committed, and
+// those it prints now if it is installed.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -20,14 +20,14 @@ namespace {
 using Eigen::Vector3d;
 using namespace multibody;
 
-// Both leave less than 1e-7 N, against 1e5 N/m at least of what a car of bushings and tires has:
-// 1e-12 m, and energies differ by loads of some kN times that.
+// Both programs have residuals below 1e-7 N, with stiffnesses of at least 1e5 N/m in a car of
+// bushings and tires: 1e-12 m. Energies differ by loads of some kN times that.
 constexpr double kSame = 1e-10;  // m, rad, J
 
 std::string folder(const std::string& file) { return LATSCH_SIMBODY_CASES "/" + file; }
 
-/// By load case, kind and name: travel of a "point", "rotation" vector of a body, "energy" (J) of
-/// all bushings as the first of three.
+/// Results by load case, kind and name: travel of a "point", "rotation" vector of a body, "energy"
+/// (J) of all bushings as the first of three.
 using Moved = std::map<std::array<std::string, 3>, Vector3d>;
 
 Moved moved(const Figures& figures) {
@@ -75,7 +75,7 @@ Moved moved_by_us(const CaseFile& file) {
   return moved;
 }
 
-/// Work of the load of a case on its way from nothing in equal steps, J.
+/// Returns the work of the load of a case as it grows from zero in equal steps, J.
 double work(const CaseFile& file, const LoadCase& load_case, int steps) {
   const Mechanism mechanism(file.bodies, file.joints);
   Equilibrium statics(mechanism, {.force = 1e-7});
@@ -123,7 +123,7 @@ TEST(SimbodyStatics, CarStandsWhereSimbodyPutsIt) {
       moved_by_us(file), moved(read_figures(folder("car_21_bodies_rest_simbody.csv"))), kSame);
 }
 
-// The file of a study, read as a K&C rig reads it, beside the case that the oracle reads.
+// The file of a study, read as a K&C rig reads it, agrees with the case that the oracle reads.
 TEST(SimbodyStatics, FiveLinksStandWhereSimbodyPutsThem) {
   const CaseFile file = read_case_file(folder("five_links.json"));
   ASSERT_EQ(file.load_cases.size(), 15u);
@@ -184,8 +184,8 @@ std::array<double, 6> wheel(const CaseFile& file, const Moved& moved, const std:
           (now.caster - rest.caster) / kDegree};
 }
 
-// The load grows in n steps: its work by the trapezoidal rule is that of order 2 in 1/n, and with
-// the next term removed of order 4. In 16 steps some 1e-12 of it are missing.
+// The load grows in n steps. Its work by the trapezoidal rule has an error of order 2 in 1/n, and
+// of order 4 with the next term removed. In 16 steps the relative error is about 1e-12.
 TEST(SimbodyStatics, EnergyOfTheBushingsIsTheWorkOfTheLoad) {
   const CaseFile file = read_case_file(folder("fsae_corner.json"));
   const Moved simbodys = moved(read_figures(folder("fsae_corner_simbody.csv")));

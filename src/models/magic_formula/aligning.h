@@ -2,10 +2,10 @@
 // The aligning moment: pneumatic trail, residual torque, arm of the longitudinal force.
 //
 // (4.E31)-(4.E49), (4.E71)-(4.E78) [Pacejka 2012] in the form of [Besselink et al. 2010]: trail
-// (A58), (A60) with gamma where the book has |gamma|, equivalent slip angles (A54), (A55), arm s
-// (A56). The trail carries LFZO, as in MF-Tyre. MF 5.2 multiplies the trail with the side force as
-// it is, 6.1 and 6.2 with that at gamma = 0 (4.E74). The torque of turning on the spot and of turn
-// slip is (4.91)-(4.103); (4.99) stands as MF-Tyre evaluates it.
+// (A58), (A60) with gamma in place of the book's |gamma|, equivalent slip angles (A54), (A55), arm
+// s (A56). The trail contains LFZO, as in MF-Tyre. MF 5.2 multiplies the trail by the actual side
+// force, 6.1 and 6.2 by that at gamma = 0 (4.E74). The torque of turning on the spot and of turn
+// slip is (4.91)-(4.103); (4.99) is evaluated as in MF-Tyre.
 #if defined(LATSCH_MAGIC_FORMULA_ALIGNING) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_MAGIC_FORMULA_ALIGNING
 #undef LATSCH_MAGIC_FORMULA_ALIGNING
@@ -23,14 +23,14 @@ struct Aligning {
   R Dt, alphar_eq;
 };
 
-/// What spin does to the residual torque: its peak (4.E47) and shape (4.E45), (4.E46).
+/// Effect of spin on the residual torque: its peak (4.E47) and shape (4.E45), (4.E46).
 template <class R>
 struct SpinTorque {
   R zeta6, Drp;
   R share;  // Mz_phi90 / |D_rphi|: its arc cosine is that of zeta_7 (4.100)
 };
 
-/// cos(2/pi acos(x) a), continued analytically for x > 1 (acos x = i arcosh x).
+/// Returns cos(2/pi acos(x) a), continued analytically for x > 1 (acos x = i arcosh x).
 template <class R>
 LATSCH_INLINE R cosine_of_share(const R& x, const R& a) {
   const R inside = smaller(x, R(1.0));
@@ -62,7 +62,7 @@ LATSCH_INLINE SpinTorque<R> spin_torque(const TireOf<R>& tire,
   const R Mzp90 = Mzp_inf * (2.0 / kPi) * atan(p.QCRP2 * R0 * abs(o.phit)) * Gyk;  // (4.103)
   // On a straight path both vanish; their quotient tends to that of their slopes.
   const R straight = Mzp_inf * (2.0 / kPi) * p.QCRP2 * Gyk / abs(BDrp * CDrp * DDrp);
-  // Without load there is no torque to have a share of.
+  // Without load there is no torque to take a share of.
   s.share = select(Fz == 0.0, R(1.0), select(s.Drp == 0.0, straight, Mzp90 / abs(s.Drp)));
   return s;
 }
@@ -83,8 +83,8 @@ LATSCH_INLINE R residual_peak(const TireOf<R>& tire,
          o.cos_alpha_star;  // (4.E47) without zeta_8 - 1
 }
 
-/// atan sqrt(tan^2 angle + drag^2) of two slip angles, and the arc tangent of `third`. While the
-/// tangents are on their way, the curves of the side force begin.
+/// Computes atan sqrt(tan^2 angle + drag^2) for two slip angles, and the arc tangent of `third`.
+/// The curves of the side force begin while the tangents are being computed.
 LATSCH_INLINE void equivalent_angles(const Lane (&angles)[2],
                                      const Lane& drag,
                                      const Lane& third,
@@ -111,8 +111,8 @@ LATSCH_INLINE void equivalent_angles(
   arcs[2] = atan(third);
 }
 
-/// Everything but what needs the other forces; the curve of the trail goes into `shapes`, where
-/// those of the side force must be and begin.
+/// Computes everything that does not need the other forces. The curve of the trail goes into
+/// `shapes`, which must already contain those of the side force; their evaluation begins here.
 template <class R>
 LATSCH_INLINE Aligning<R> aligning_terms(const TireOf<R>& tire,
                                          const Conventions& conventions,

@@ -16,7 +16,7 @@ struct Row {
 using enum Condition;
 
 constexpr Row kRows[] = {
-    // Fx; the factor exp(PKX3 dfz) beside 1 + PKX2 dfz bends the stiffness over the load
+    // Fx. The factor exp(PKX3 dfz) with 1 + PKX2 dfz makes the stiffness nonlinear in the load.
     {"PDX2", load, 1},
     {"PDX3", camber, 1, true},
     {"PEX2", load, 1},
@@ -89,7 +89,7 @@ constexpr Row kRows[] = {
     {"SSZ3", camber, 1},
     {"SSZ4", camber, 1},
     {"SSZ4", load, 1},
-    // Mx, My, friction over speed
+    // Mx, My, friction as a function of speed
     {"QSX2", camber, 1},
     {"QSY3", speed, 1},
     {"QSY4", speed, 4},

@@ -8,7 +8,7 @@
 namespace latsch::magic_formula {
 namespace {
 
-/// 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 (3)
+/// Returns 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 (3).
 template <class K>
 K stiffening(const TireConstantsOf<K>& tire, const K& omega, const K& x, const K& y) {
   using std::abs;
@@ -22,8 +22,9 @@ K at_least(const K& x, double lower) {
 
 }  // namespace
 
-/// rho_z = rho_zfr + rho_zg; Fz = [1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - ((rho_z/R0)^q_FCy2
-/// q_FCy (Fy - S_Fyg)/Fz0)^2] (q_Fz1 rho_z/R0 + q_Fz2 (rho_z/R0)^2) (1 + p_Fz1 dp) Fz0.
+/// Returns Fz with rho_z = rho_zfr + rho_zg: Fz = [1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 -
+/// ((rho_z/R0)^q_FCy2 q_FCy (Fy - S_Fyg)/Fz0)^2] (q_Fz1 rho_z/R0 + q_Fz2 (rho_z/R0)^2) (1 + p_Fz1
+/// dp) Fz0.
 template <class K>
 K vertical_force_62(const TireConstantsOf<K>& tire,
                     const WheelUnderLoadOf<K>& o,
@@ -59,9 +60,9 @@ Deflection62 deflection_62(const TireConstants& tire,
   const auto surplus = [&](double R_l) {
     return vertical_force_62<double>(tire, o, R_l, Fx, Fy, nullptr) - o.Fz_given;
   };
-  // Smaller radii carry more: walk until the load is between. Camber presses the shoulder also
-  // where the crown is clear of the road, so the walk may lead up; where no radius carries as
-  // little as the load, the wheel stands at its free radius.
+  // Smaller radii carry more, so the radius is reduced in steps until the load is bracketed. With
+  // camber the shoulder is pressed even if the crown is clear of the road, so the search may also
+  // go up. If no radius carries as little as the load, the wheel is at its free radius.
   const double step = 0.01 * tire.p.UNLOADED_RADIUS;
   double above = o.R_omega, f_above = surplus(above);
   double below = above, f_below = f_above;
@@ -84,7 +85,7 @@ Deflection62 deflection_62(const TireConstants& tire,
     d.R_l = 0.0;
   } else {
     for (int i = 0; i < 60 && above - below > 1e-15; ++i) {
-      // Illinois: the secant, with the older end halved so that both ends move.
+      // Illinois method: the secant, with the older end halved so that both ends move.
       double middle = (above * f_below - below * f_above) / (f_below - f_above);
       if (!(middle > below && middle < above)) middle = 0.5 * (below + above);
       const double f = surplus(middle);

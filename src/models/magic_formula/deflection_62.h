@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The deflection of MF 6.2, with camber and side force, by a walk and the secant: one state at a
-// time, in plain doubles. Those of 5.2 and 6.1 have a closed form in geometry.h.
+// The deflection of MF 6.2, which depends on camber and side force, by a stepwise search and the
+// secant method: one state at a time, in plain doubles. The deflections of 5.2 and 6.1 have a
+// closed form in geometry.h.
 #pragma once
 
 #include "models/magic_formula/tire_constants.h"
 
 namespace latsch::magic_formula {
 
-/// What of a state the deflection hangs on.
+/// The variables of a state that the deflection depends on.
 template <class R>
 struct WheelUnderLoadOf {
   R Fz, Fz_given;  // N, limited; as given
@@ -19,7 +20,7 @@ using WheelUnderLoad = WheelUnderLoadOf<double>;
 
 struct Deflection62 {
   double rho, R_l;  // m
-  bool carried;     // there is a radius at which the tire carries the load
+  bool carried;     // true if there is a radius at which the tire carries the load
 };
 
 Deflection62 deflection_62(const TireConstants& tire,
@@ -27,7 +28,8 @@ Deflection62 deflection_62(const TireConstants& tire,
                            double Fx,
                            double Fy);
 
-/// With slopes: dR_l = (dF - dFz)/(-dF/dR_l). `spare`: a direction that nothing has slopes in.
+/// Returns the deflection with slopes: dR_l = (dF - dFz)/(-dF/dR_l). `spare` is a direction in
+/// which nothing else has slopes.
 struct DualDeflection62 {
   DualNumber rho, R_l;
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Deflection and loaded radius, contact patch, structural stiffnesses and relaxation lengths.
 //
-// (1)-(10), (17)-(19): [Besselink et al. 2010]; MF 6.2 has camber in the deflection and the side
-// force's effect growing with it; MF 5.2 has own relaxation lengths (PTX, PTY) and an own patch
-// length (Q_A1, Q_A2). Two sign rules keep what is divided by above zero; a load that none of the
-// deflections carries has no loaded radius (0).
+// (1)-(10), (17)-(19): [Besselink et al. 2010]. In MF 6.2 the deflection depends on camber, and the
+// effect of the side force grows with it. MF 5.2 has separate relaxation lengths (PTX, PTY) and a
+// separate patch length (Q_A1, Q_A2). Two sign rules keep denominators above zero. A load that no
+// deflection carries has no loaded radius (0).
 #if defined(LATSCH_MAGIC_FORMULA_GEOMETRY) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_MAGIC_FORMULA_GEOMETRY
 #undef LATSCH_MAGIC_FORMULA_GEOMETRY
@@ -21,13 +21,13 @@ struct Deflection {
   R rho, R_l;
 };
 
-/// 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 (3)
+/// Returns 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 (3).
 template <class R>
 LATSCH_INLINE R stiffening(const TireOf<R>& tire, const R& omega, const R& x, const R& y) {
   return 1.0 + tire.p.Q_V2 * tire.R0_per_V0 * abs(omega) - x * x - y * y;
 }
 
-/// The deflection that carries the load (3), solved for rho; MF 5.2 and 6.1.
+/// Returns the deflection that carries the load (3), solved for rho; MF 5.2 and 6.1.
 template <class R>
 LATSCH_INLINE Deflection<R> deflection(const TireOf<R>& tire,
                                        const OperatingPoint<R>& o,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The side force, pure (4.E19)-(4.E30) and combined (4.E58)-(4.E67) [Pacejka 2012], with the
-// spin terms zeta_0, zeta_2, zeta_3, zeta_4 (4.77)-(4.90). The camber stiffness K_yg0 carries
-// (1 + p_py5 dp), and MF 5.2 has its shift from PHY3 in place of (4.E27).
+// The side force, pure (4.E19)-(4.E30) and combined (4.E58)-(4.E67) [Pacejka 2012], with the spin
+// terms zeta_0, zeta_2, zeta_3, zeta_4 (4.77)-(4.90). The camber stiffness K_yg0 contains (1 +
+// p_py5 dp), and MF 5.2 uses the shift from PHY3 instead of (4.E27).
 #if defined(LATSCH_MAGIC_FORMULA_LATERAL) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_MAGIC_FORMULA_LATERAL
 #undef LATSCH_MAGIC_FORMULA_LATERAL
@@ -18,7 +18,7 @@ struct PureLateral {
   R Fy0, muy, Kya, per_Kya_prime, SHy, SVy, By, Cy, Dy, zeta2;
 };
 
-/// K_ya (4.E25), cambered or upright.
+/// Returns K_ya (4.E25), cambered or upright.
 template <class R>
 LATSCH_INLINE R cornering_stiffness(const TireOf<R>& tire,
                                     const OperatingPoint<R>& o,
@@ -30,7 +30,7 @@ LATSCH_INLINE R cornering_stiffness(const TireOf<R>& tire,
          sine * zeta3 * p.LKY;
 }
 
-/// K_yg0 (4.E30); of MF 5.2 from its shifts.
+/// Returns K_yg0 (4.E30); for MF 5.2 from its shifts.
 template <class R>
 LATSCH_INLINE R camber_stiffness(const TireOf<R>& tire, const OperatingPoint<R>& o) {
   const auto& p = tire.p;
@@ -47,7 +47,7 @@ LATSCH_INLINE R with_epsilon(const R& stiffness) {
   return stiffness + epsilon_for(stiffness);  // (4.E39)
 }
 
-/// zeta_2 (4.77), (4.78)
+/// Returns zeta_2 (4.77), (4.78).
 template <class R>
 LATSCH_INLINE R peak_reduction_by_spin(const CoefficientsFor<R>& p, const OperatingPoint<R>& o) {
   const R Byp = p.PDYP1 * (1.0 + p.PDYP2 * o.dfz) * cos_atan(p.PDYP3 * o.tan_alpha);
@@ -55,7 +55,7 @@ LATSCH_INLINE R peak_reduction_by_spin(const CoefficientsFor<R>& p, const Operat
   return cos_atan(Byp * (turns + p.PDYP4 * sqrt(turns)));
 }
 
-/// S_Hyphi (4.80), (4.85)-(4.89)
+/// Returns S_Hyphi (4.80), (4.85)-(4.89).
 template <class R>
 LATSCH_INLINE R shift_by_spin(const TireOf<R>& tire,
                               const Conventions& conventions,
@@ -89,7 +89,8 @@ LATSCH_INLINE R shift_by_camber(const TireOf<R>& tire,
   return (camber_stiffness(tire, o) * gamma_star - SVyg) * per_Kya_prime;
 }
 
-/// Everything but Fy0, of the wheel as it leans or upright; the curve goes into `shapes`.
+/// Computes everything except Fy0, for the wheel as it leans or upright; the curve goes into
+/// `shapes`.
 template <class R>
 LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireOf<R>& tire,
                                                 const Conventions& conventions,
@@ -110,7 +111,7 @@ LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireOf<R>& tire,
   if (!upright || conventions.turn_slip) y.per_Kya_prime = 1.0 / with_epsilon(y.Kya);     // (4.E39)
   const R SVyg =
       o.Fz * (p.PVY3 + p.PVY4 * dfz) * gamma_star * p.LKYC * o.LMUY_prime * y.zeta2;  // (4.E28)
-  // Upright and on a straight path camber shifts nothing.
+  // Upright and on a straight path camber causes no shift.
   const R by_camber =
       upright && !conventions.turn_slip
           ? R(0.0)
@@ -148,7 +149,7 @@ struct CombinedLateral {
   R Fy, Gyk, SVyk;
 };
 
-/// S_Vyk and the two curves.
+/// Computes S_Vyk and the two curves.
 template <class R>
 LATSCH_INLINE CombinedLateral<R> combined_lateral_terms(const TireOf<R>& tire,
                                                         const Conventions& conventions,

@@ -17,7 +17,7 @@ struct Longitudinal {
   R Dx, SVx;
 };
 
-/// Everything but Fx; its three curves go into `shapes`.
+/// Computes everything except Fx; its three curves go into `shapes`.
 template <class R>
 LATSCH_INLINE Longitudinal<R> longitudinal_terms(const TireOf<R>& tire,
                                                  const Conventions& conventions,

@@ -3,10 +3,10 @@
 // MF 5.2, 6.1 and 6.2, pure and combined slip, camber, inflation pressure, turn slip.
 //
 // Axes: ISO-W at the contact point (NOTATION.md). alpha > 0 gives Fy < 0, kappa = -1 is a locked
-// wheel, Vsx = -kappa |Vx|. Sources and the places where implementations differ:
-// docs/magic_formula.md. The equations stand in operating_point.h, longitudinal.h, lateral.h,
-// aligning.h, moments.h and geometry.h, once for one state and for eight side by side and for each
-// kernel set (kernel_set.h).
+// wheel, Vsx = -kappa |Vx|. Sources and the points in which implementations differ:
+// docs/magic_formula.md. The equations are in operating_point.h, longitudinal.h, lateral.h,
+// aligning.h, moments.h and geometry.h. They are written once for one state and for eight side by
+// side, and for each kernel set (kernel_set.h).
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ namespace latsch::magic_formula {
 
 using State = StateOf<double>;
 
-/// Every field has the name and unit of `magic_formula_columns`.
+/// Results of a state. Every field has the name and unit of `magic_formula_columns`.
 template <class R>
 struct SteadyStateOf {
   R Fx, Fy, Fz;        // N
@@ -33,7 +33,7 @@ struct SteadyStateOf {
 };
 using SteadyState = SteadyStateOf<double>;
 
-/// One column a member, all of one length, for many states at once.
+/// Many states, one column for each member, all of one length.
 struct StateColumns {
   std::span<const double> Fz, kappa, alpha, gamma, phit, Vx, p;
 };
@@ -49,13 +49,13 @@ class MagicFormula {
   const Conventions& conventions() const { return conventions_; }
 
   SteadyState evaluate(const State& state) const;
-  /// The same to the last bit, several times faster.
+  /// Evaluates many states, several times faster. The results are identical to the last bit.
   void evaluate(std::span<const State> states, std::span<SteadyState> results) const;
-  /// Forces and moments alone.
+  /// Computes forces and moments alone.
   void forces(const StateColumns& states, const ForceColumns& results) const;
 
-  /// MF 6.2 and below: the vertical force at a deflection, N; the inverse of `rho` for forces Fx,
-  /// Fy and a spin in rad/s.
+  /// For MF 6.2 and below: returns the vertical force at a deflection, N; the inverse of `rho` for
+  /// forces Fx, Fy, N, and a spin in rad/s.
   double vertical_force(
       double rho, double omega, double gamma, double p, double Fx, double Fy) const;
 

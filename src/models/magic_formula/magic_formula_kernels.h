@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Magic Formula of one state and of many, eight at a time.
+// The Magic Formula for one state and for many, eight at a time.
 #include "models/magic_formula/steady_state.h"
 
 namespace latsch::magic_formula::LATSCH_KERNELS {
 
-// States and results lie in memory as structs of doubles; side by side, field by field.
+// States and results are stored as structs of doubles; these functions arrange them field by field.
 
 template <class Fields>
 constexpr int kFieldsOf = sizeof(Fields) / sizeof(double);
 
-/// Eight structs of doubles as one of Lanes.
+/// Converts eight structs of doubles to one struct of Lanes.
 template <class Wide, class Narrow>
 LATSCH_INLINE Wide side_by_side(const Narrow* eight) {
   static_assert(sizeof(Wide) == 8 * sizeof(Narrow));
@@ -43,13 +43,13 @@ LATSCH_INLINE void one_by_one(const Wide& wide, Narrow* eight) {
   }
 }
 
-/// `wheel`: what the deflection of MF 6.2 hangs on.
+/// `wheel` receives the variables that the deflection of MF 6.2 depends on.
 void evaluate_one(const TireConstants& tire,
                   const Conventions& conventions,
                   const State& state,
                   SteadyState& result,
                   WheelUnderLoad& wheel) {
-  // Written where they stay: copies of what was just written would wait for it to arrive.
+  // Results are written to their final place: a copy of values just written would wait for them.
   static_assert(sizeof(Lane) == sizeof(double));
   steady_state(tire,
                conventions,
@@ -70,7 +70,7 @@ void evaluate_eight(const TireConstants& tire,
   if (wheels != nullptr) one_by_one(at, wheels);
 }
 
-/// `count` a multiple of eight; columns in the order of StateOf and Forces.
+/// `count` is a multiple of eight; columns are in the order of StateOf and Forces.
 void forces_of_columns(const TireConstants& tire,
                        const Conventions& conventions,
                        const double* const* in,

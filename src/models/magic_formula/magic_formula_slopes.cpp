@@ -12,7 +12,7 @@
 namespace latsch::magic_formula {
 namespace {
 
-/// A struct of doubles, of eight states, with slopes of each field.
+/// A struct of doubles for eight states, with slopes of each field.
 template <int fields>
 struct FieldsOfEight {
   double values[fields][8];
@@ -33,14 +33,14 @@ using WheelOfEight = FieldsOfEight<kFieldsIn<WheelUnderLoad>>;
 namespace latsch::magic_formula {
 namespace {
 
-/// Directions of one pass; one is spare, for the deflection of MF 6.2.
+/// Number of directions of one pass; one is spare, for the deflection of MF 6.2.
 constexpr std::size_t kVariables = SlopeArena::kDirections - 1;
 constexpr int kSpare = SlopeArena::kDirections - 1;
 
 constexpr const char* kStateNames[] = {"Fz", "kappa", "alpha", "gamma", "phit", "Vx", "p"};
 static_assert(std::size(kStateNames) == kFieldsIn<State>);
 
-/// In the order of parameter_fields().
+/// Members in the order of parameter_fields().
 using DualCoefficients = CoefficientsOf<DualNumber>;
 constexpr DualNumber DualCoefficients::*kDualMembers[] = {
 #define LATSCH_MEMBER(section, name, value, unit) &DualCoefficients::name,
@@ -48,7 +48,7 @@ constexpr DualNumber DualCoefficients::*kDualMembers[] = {
 #undef LATSCH_MEMBER
 };
 
-/// Where a variable stands: a coefficient or a field of the state.
+/// A variable: a coefficient or a field of the state.
 struct Variable {
   std::optional<std::size_t> coefficient, state;
 };
@@ -90,7 +90,8 @@ Asked asked_for(std::span<const Output> outputs) {
   return asked;
 }
 
-/// Up to kVariables of them; what is made for them stands in the arena as long as this.
+/// A pass over up to kVariables variables. Its results are stored in the arena as long as it
+/// exists.
 class Pass {
  public:
   Pass(const MagicFormula& tire, std::span<const Variable> variables, const Asked& asked)
@@ -100,7 +101,7 @@ class Pass {
         asked_(asked),
         start_(arena_.mark()) {}
 
-  /// Until the next.
+  /// The result is valid until the next call.
   const SteadyStateOfEight& eight(const State* states) {
     arena_.rewind(start_);
     for (int k = 0; k < 8; ++k)
@@ -122,7 +123,7 @@ class Pass {
       const DualNumber one = DualNumber::variable(0.0, static_cast<int>(j), arena_);
       if (const auto i = variables[j].coefficient) {
         DualNumber& x = p.*kDualMembers[*i];
-        x.slopes = (DualNumber(0.0, x.slopes) + one).slopes;  // asked twice: of both directions
+        x.slopes = (DualNumber(0.0, x.slopes) + one).slopes;  // requested twice: both
       } else {
         const SlopeBlock*& slopes = state_.slopes[*variables[j].state];
         slopes = (DualNumber(0.0, slopes) + one).slopes;
@@ -131,7 +132,7 @@ class Pass {
     return p;
   }
 
-  /// Field i of state k alone.
+  /// Returns field i of state k alone.
   template <int fields>
   DualNumber alone(const FieldsOfEight<fields>& eight, std::size_t i, int k) {
     const SlopeBlock* of_eight = eight.slopes[i];
@@ -142,7 +143,7 @@ class Pass {
     return {eight.values[i][k], made};
   }
 
-  /// Eight numbers with slopes as one field.
+  /// Joins eight numbers with slopes to one field.
   void join(const DualNumber* eight, Output output) {
     std::uint64_t directions = 0;
     for (int k = 0; k < 8; ++k)
@@ -193,7 +194,7 @@ class Pass {
   SlopeArena::Mark start_;
 };
 
-/// Rows from `at` on, `here` of them, of the slopes of one output; `to` is 0 before.
+/// Writes `here` rows, from row `at` on, of the slopes of one output; `to` is 0 before.
 void put_slopes(const SlopeBlock* slopes,
                 std::size_t first,
                 Eigen::Index at,
@@ -203,7 +204,7 @@ void put_slopes(const SlopeBlock* slopes,
   const double* from = slopes->values();
   for (std::uint64_t left = slopes->directions; left != 0; left &= left - 1, from += 8) {
     const Eigen::Index j = first + __builtin_ctzll(left);
-    if (j >= to.cols()) break;  // no one asked: the spare one
+    if (j >= to.cols()) break;  // the spare direction, which is not requested
     double* column = &to(at, j);
     if (here == 8)
       for (int k = 0; k < 8; ++k) column[k] = from[k];

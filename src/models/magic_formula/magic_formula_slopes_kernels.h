@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Magic Formula of eight states with slopes.
+// The Magic Formula for eight states with slopes.
 #include "models/magic_formula/steady_state.h"
 
 namespace latsch::magic_formula::LATSCH_KERNELS {
 
 using DualEight = DualLanes<Lanes>;
 
-// Structs of dual lanes are read as the arrays of their fields they are.
+// Structs of dual lanes are read as arrays of their fields.
 template <class Fields, class Eight>
 LATSCH_INLINE void take_apart(const Fields& fields, Eight& eight) {
   static_assert(sizeof fields == std::size(decltype(eight.values){}) * sizeof(DualEight));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes against closed forms, against differences of the plain formula, and where they are
-// one-sided by convention. Of the sample tires: verification/magic_formula.
+// Slopes are compared with closed forms and with differences of the plain formula, and tested at
+// points where they are one-sided by convention. For the sample tires see
+// verification/magic_formula.
 #include "models/magic_formula/magic_formula_slopes.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ double slope(const MagicFormula& tire,
   return steady_state_slopes(tire, {&at, 1}, variables, {&output, 1}).slopes[0](0, 0);
 }
 
-/// No coefficient without unit is 0, so that every one enters.
+/// Returns a tire without zero among the coefficients without unit, so that all have an effect.
 Parameters full_tire(Version version) {
   Parameters p = round_tire();
   p.version = version;
@@ -109,7 +110,7 @@ TEST(MagicFormulaSlopes, AtThePeakTheForceGrowsAsFrictionDoes) {
   const MagicFormula tire(round_tire());
   State at = kCornering;
   at.alpha = 0.0;
-  // Where C atan(Bx - E (Bx - atan Bx)) = pi/2 the sine has no slope: bisection.
+  // The sine has no slope at C atan(Bx - E (Bx - atan Bx)) = pi/2, which is found by bisection.
   double low = 0.0, high = 0.3;
   for (int i = 0; i < 80; ++i) {
     at.kappa = 0.5 * (low + high);
@@ -125,7 +126,7 @@ TEST(MagicFormulaSlopes, FarSlidingTheForceIsPeakTimesTheSineOfTheShape) {
   no_limits.limits = false;
   const MagicFormula tire(p, no_limits);
   State far = kCornering;
-  far.alpha = 1e4;  // B alpha = 1e5: what is left of the arc is 1e-5
+  far.alpha = 1e4;  // B alpha = 1e5: the rest of the arc is 1e-5
   const double C = 1.3, angle = C * 0.5 * std::numbers::pi;
   EXPECT_NEAR(slope(tire, far, &S::Fy, "PDY1"), -4000.0 * std::sin(angle), 0.4);
   EXPECT_NEAR(
@@ -146,7 +147,7 @@ TEST(MagicFormulaSlopes, StiffnessesAreSlopesOfForcesInSlip) {
   }
 }
 
-// Euler: with all loads and stiffnesses lambda times as large, so are all forces.
+// Euler's theorem: if all loads and stiffnesses grow by a factor, all forces grow by that factor.
 TEST(MagicFormulaSlopes, ForcesAreHomogeneousInForces) {
   const std::vector<std::string> variables = {"Fz",
                                               "FNOMIN",
@@ -209,14 +210,14 @@ TEST(MagicFormulaSlopes, AtAKinkThoseOfTheSideThatIsSaid) {
   p.QSX14 = 0.02;
   p.ALPMAX = 0.08;
   const MagicFormula tire(p);
-  // |gamma| rises; sheared by Fy |gamma|
+  // The slope of |gamma| at 0 is that for rising gamma; the term Fy |gamma| contributes.
   State rising = kCornering;
   rising.alpha = 0.05;
   const State upright = rising;
   rising.gamma = 1e-7;
   const double to_the_right = (tire.evaluate(rising).Mx - tire.evaluate(upright).Mx) / 1e-7;
   EXPECT_NEAR(slope(tire, upright, &S::Mx, "gamma"), to_the_right, 1e-4 * std::abs(to_the_right));
-  // at the edge of a clamp the limit rules
+  // At the edge of a clamp the slope is that of the limited side.
   State clamped = kCornering;
   EXPECT_EQ(slope(tire, clamped, &S::Fy, "alpha"), 0.0);
   p.ALPMAX = 0.09;
@@ -224,7 +225,7 @@ TEST(MagicFormulaSlopes, AtAKinkThoseOfTheSideThatIsSaid) {
                    slope(MagicFormula(p), clamped, &S::Fy, "alpha"));
 }
 
-// A fit whose PEY1 or QEZ1 has come to its bound has to see what the way back is worth.
+// A fit whose PEY1 or QEZ1 has reached its bound needs the slope toward the free side.
 TEST(MagicFormulaSlopes, AtTheLargestCurvatureFactorThoseOfTheWayBack) {
   constexpr double kStep = 1e-6;
   for (const auto& [name, output] : {std::pair{"PEY1", &S::Fy}, std::pair{"QEZ1", &S::Mz}}) {

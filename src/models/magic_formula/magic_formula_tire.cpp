@@ -10,7 +10,7 @@
 namespace latsch::magic_formula {
 namespace {
 
-constexpr double kNoSlip = 1e-4;      // below it the formula is straight
+constexpr double kNoSlip = 1e-4;      // below it the formula is linear
 constexpr double kLeastSigma = 0.01;  // m: shorter than any contact patch
 
 Conventions for_mode(Conventions conventions, int use_mode) {
@@ -23,7 +23,7 @@ bool transient(int use_mode) { return use_mode / 10 % 10 > 0; }
 double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
   if (at <= 0.0) return 0.0;
   auto i = std::upper_bound(x.begin(), x.end(), at) - x.begin();
-  i = std::clamp<std::ptrdiff_t>(i, 1, std::ssize(x) - 1);  // beyond the ends as the last piece
+  i = std::clamp<std::ptrdiff_t>(i, 1, std::ssize(x) - 1);  // the last piece continues
   return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
 }
 
@@ -102,7 +102,7 @@ SteadyState MagicFormulaTire::evaluate(const WheelContact& contact,
               settings_.pressure};
   const auto ask = [&](State s) {
     if (lags) return at_any_speed(formula_, s, patch.r);
-    // The formula's kappa is (omega R_e - Vx)/Vx, which changes sign backwards.
+    // The formula's kappa is (omega R_e - Vx)/Vx, which changes sign for backward motion.
     s.kappa = std::copysign(1.0, s.Vx) * s.kappa;
     return formula_.evaluate(s);
   };
@@ -124,9 +124,9 @@ SteadyState MagicFormulaTire::evaluate(const WheelContact& contact,
   return s;
 }
 
-/// Relaxation lengths at these slips: that of the secant from no slip, where ply steer, conicity
-/// and camber leave a force that needs no deflection. Of the tangent where the slip is next to
-/// none.
+/// Returns the relaxation lengths at these slips from the secant from zero slip, where ply steer,
+/// conicity and camber cause a force that needs no deflection. If the slip is almost zero, the
+/// tangent is used.
 MagicFormulaTire::Carcass MagicFormulaTire::carcass(const WheelContact& contact,
                                                     double Fz,
                                                     const Patch& patch) const {
@@ -154,7 +154,7 @@ MagicFormulaTire::Carcass MagicFormulaTire::carcass(const WheelContact& contact,
   return c;
 }
 
-/// The patch `step` later where it slides with `at`; exact for constant velocities.
+/// Returns the patch a `step` later if it slides with `at`; exact for constant velocities.
 MagicFormulaTire::Patch MagicFormulaTire::relaxed_patch(const Sliding& at,
                                                         const Carcass& c,
                                                         double step) const {
@@ -164,7 +164,8 @@ MagicFormulaTire::Patch MagicFormulaTire::relaxed_patch(const Sliding& at,
   const double x = c.sigma_x, y = c.sigma_y;
   const double most_x = most_slip(speed, low, c.peak_x, c.slope_x) * x;
   const double most_y = most_slip(speed, low, c.peak_y, c.slope_y) * y;
-  // The states are slips: a relaxation length that changes with the load moves no force by itself.
+  // The states are slips: a relaxation length that changes with the load does not change a force by
+  // itself.
   const double u = relaxed(patch_.kappa * x, -at.Vsx, std::abs(V_r) / x, most_x, step);
   const double v = relaxed(std::tan(patch_.alpha) * y, at.Vsy, std::abs(V_r) / y, most_y, step);
   return {u / x,
@@ -191,7 +192,7 @@ MagicFormulaTire::Patch MagicFormulaTire::lag(const WheelContact& contact,
   return relaxed_patch(middle, carcass(contact, middle.Fz, half), step);
 }
 
-/// Forces of the patch where it slides with `now`: below VXLOW also of damping and twist.
+/// Returns the forces of the patch sliding with `now`; below VXLOW with damping and twist.
 SteadyState MagicFormulaTire::answer(const WheelContact& contact,
                                      const Sliding& now,
                                      Patch patch) const {
@@ -207,10 +208,10 @@ SteadyState MagicFormulaTire::answer(const WheelContact& contact,
   return s;
 }
 
-/// Load and slips at the end of a step; where forces along the road lower the load, the ones there.
+/// Finds load and slips at the end of a step, also if forces along the road lower the load.
 void MagicFormulaTire::roll(const WheelContact& contact, double spin_rate, double step) {
   constexpr int kMost = 20;
-  constexpr double kClose = 1e-9;  // of the load
+  constexpr double kClose = 1e-9;  // share of the load
   const bool coupled = parameters_.Q_FCX != 0.0 || parameters_.Q_FCY != 0.0;
   Patch patch = patch_;
   Sliding now;
@@ -227,7 +228,7 @@ void MagicFormulaTire::roll(const WheelContact& contact, double spin_rate, doubl
     now = {contact.Vx, contact.Vx - spin_rate * R_e, contact.Vy, contact.yaw_rate, Fz};
     patch = lag(contact, now, step);
     forces_ = answer(contact, now, patch);
-    forces_.Fz = Fz;  // also beyond FZMAX, where the formula's is limited
+    forces_.Fz = Fz;  // also beyond FZMAX, up to which the formula's is limited
     if (settled || !coupled) break;
   }
   patch_ = patch;

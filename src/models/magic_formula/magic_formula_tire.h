@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Magic Formula as a rolling tire: one contact point, a vertical spring and damper, slip that
-// lags by relaxation lengths. The baseline of handling; good to some 8 Hz on roads without short
-// obstacles.
+// The Magic Formula as a rolling tire: one contact point, a vertical spring and damper, and slip
+// that lags by relaxation lengths. It is the baseline for handling, valid up to about 8 Hz on roads
+// without short obstacles.
 //
-//   Fz = F(rho; omega, Fx, Fy, gamma, p) + d rho/dt VERTICAL_DAMPING, never a pull; F the formula's
-//        own (3), of a file with DEFLECTION_LOAD_CURVE that curve; below BOTTOM_OFFST the rim's
-//        BOTTOM_STIFF comes in addition
+//   Fz = F(rho; omega, Fx, Fy, gamma, p) + d rho/dt VERTICAL_DAMPING, never a pull. F is that of
+//        the formula (3), or the DEFLECTION_LOAD_CURVE of a file; below BOTTOM_OFFST the rim adds
+//        its BOTTOM_STIFF
 //   Fx, Fy, Mx, My, Mz = Magic Formula(Fz, kappa', alpha', gamma, phit, Vx, p)
 //
-// USE_MODE of the file (or of the settings), tens: 0 steady state, kappa' and alpha' those of the
-// wheel; 1 relaxation with sigma = K/C at the load (19); 2 and above also with the slip,
-// sigma = |F - F(0)|/(C slip), as the sliding part of the patch needs no deflection
-// [Pacejka 2012, 7.2.3]; F(0) is the force that ply steer, conicity, camber and the other slip
-// leave without this slip. A step is of order 2 in its length, and exact where velocities and load
-// stand. Below VXLOW, at rest and on the spot: standstill.h, of every mode with relaxation.
-// Units: 0 vertical force alone, 1 Fx and My, 2 Fy, Mx, Mz, 3 all without interaction of the slips,
-// 4 and 5 all (5: with turn slip).
+// USE_MODE of the file (or of the settings). Tens digit: 0 is steady state, kappa' and alpha' are
+// those of the wheel. 1 is relaxation with sigma = K/C at the load (19). In 2 and above sigma also
+// depends on the slip, sigma = |F - F(0)|/(C slip), because the sliding part of the patch needs no
+// deflection [Pacejka 2012, 7.2.3]; F(0) is the force that ply steer, conicity, camber and the
+// other slip cause without this slip. A step is of order 2 in its length, and exact for constant
+// velocities and load. Speeds below VXLOW, rest and turning on the spot are handled by
+// standstill.h, in every mode with relaxation. Units digit: 0 is vertical force alone, 1 Fx and My,
+// 2 Fy, Mx, Mz, 3 all without interaction of the slips, 4 and 5 all (5: with turn slip).
 #pragma once
 
 #include "models/magic_formula/magic_formula.h"
@@ -31,7 +31,8 @@ struct MagicFormulaTireSettings {
   double pressure = 0.0;  // Pa; 0: INFLPRES
 };
 
-/// The rectangle 2 a x 2 b of the formula without slip; nullopt where it has no coefficients of it.
+/// Returns the rectangle 2 a x 2 b of the formula without slip; nullopt if the formula has no
+/// coefficients for it.
 std::optional<Footprint> footprint_of(const MagicFormula& formula,
                                       double Fz,
                                       double speed,
@@ -56,23 +57,23 @@ class MagicFormulaTire final : public Tire {
   std::optional<Footprint> footprint() const override;
   std::unique_ptr<Tire> clone() const override;
 
-  /// Of the last step: load, lagged slips, forces in W.
+  /// Results of the last step: load, lagged slips, forces in W.
   const SteadyState& contact_forces() const { return forces_; }
   double lagged_kappa() const { return patch_.kappa; }
   double lagged_alpha() const { return patch_.alpha; }
 
  private:
-  /// What the tire remembers: lagged slips, the way it was rolled in, rad of twist.
+  /// State of the tire: lagged slips, the rolling history r (standstill.h), twist in rad.
   struct Patch {
     double kappa = 0.0, alpha = 0.0, r = 0.0, psi = 0.0;
   };
-  /// How the patch hangs on the carcass.
+  /// Connection of the patch to the carcass.
   struct Carcass {
     double sigma_x, sigma_y;                  // m: relaxation lengths
-    double peak_x, peak_y, slope_x, slope_y;  // N, over the slip
+    double peak_x, peak_y, slope_x, slope_y;  // N; N per unit of slip
     Pivot pivot;
   };
-  /// The patch over the ground, m/s and rad/s, and its load, N.
+  /// Velocity of the patch over the ground, m/s and rad/s, and its load, N.
   struct Sliding {
     double Vx = 0.0, Vsx = 0.0, Vsy = 0.0, yaw_rate = 0.0, Fz = 0.0;
   };
@@ -90,13 +91,13 @@ class MagicFormulaTire final : public Tire {
   Parameters parameters_;
   MagicFormulaTireSettings settings_;
   MagicFormula formula_;
-  double friction_ = 1.0;  // of the road, in formula_
+  double friction_ = 1.0;  // friction of the road used in formula_
   Patch patch_;
-  std::optional<Sliding> before_;  // at the end of the last step; nothing in the air
+  std::optional<Sliding> before_;  // at the end of the last step; empty in the air
   SteadyState forces_{};
 };
 
-/// The coefficients on a road whose friction is a factor off.
+/// Returns the coefficients for a road whose friction differs by a factor.
 Parameters on_road(Parameters parameters, double friction);
 
 }  // namespace latsch::magic_formula

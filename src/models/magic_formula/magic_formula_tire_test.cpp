@@ -20,7 +20,8 @@ using Eigen::Vector3d;
 
 constexpr double kSpeed = 20.0;
 
-/// A wheel at its loaded radius for `load`, rolling freely ahead but for the slips.
+/// Returns the motion of a wheel at its loaded radius for `load`, rolling freely forward except for
+/// the slips.
 WheelMotion rolling(const MagicFormula& formula, double load, double alpha, double kappa) {
   const SteadyState s = formula.evaluate({load, kappa, alpha, 0.0, 0.0, kSpeed, 2.2e5});
   WheelMotion motion;
@@ -64,9 +65,9 @@ TEST(MagicFormulaTire, ASmallStepInSlipAngleRelaxesOverItsLength) {
   EXPECT_NEAR(coarse.lagged_alpha(), tire.lagged_alpha(), 1e-12);
 }
 
-// A force that is there without slip needs no deflection: with ply steer, conicity and camber a
-// small step in slip angle relaxes over the same length K/C, also where the force passes through
-// zero on the way. Within what the formula bends up to that slip.
+// A force without slip needs no deflection: with ply steer, conicity and camber a small step in
+// slip angle relaxes over the length K/C, even if the force passes through zero in between. The
+// tolerance is the nonlinearity of the formula up to that slip.
 TEST(MagicFormulaTire, AForceWithoutSlipDoesNotShortenTheRelaxation) {
   const road::PlaneRoad road;
   MagicFormulaTireSettings settings;
@@ -80,7 +81,7 @@ TEST(MagicFormulaTire, AForceWithoutSlipDoesNotShortenTheRelaxation) {
     constexpr double kAlpha = 3e-3;
     WheelMotion motion = rolling(formula, 4000.0, kAlpha, 0.0);
     motion.carrier = AngleAxisd(camber, Vector3d::UnitX()).toRotationMatrix();
-    ASSERT_TRUE(tire.advance(motion, road, 0.0, 1e-9).ok());  // where it stands
+    ASSERT_TRUE(tire.advance(motion, road, 0.0, 1e-9).ok());  // initial state
     const SteadyState s =
         formula.evaluate({tire.contact_forces().Fz, 0.0, 0.0, camber, 0.0, kSpeed, 2.2e5});
     const double time = s.sigma_y / kSpeed;
@@ -89,7 +90,7 @@ TEST(MagicFormulaTire, AForceWithoutSlipDoesNotShortenTheRelaxation) {
   }
 }
 
-// Along the wheel the same: a force without slip, here that of a shifted curve.
+// The longitudinal case: a force without slip, here that of a shifted curve.
 TEST(MagicFormulaTire, ABrakingForceWithoutSlipDoesNotShortenTheRelaxation) {
   Parameters p = round_tire();
   p.PVX1 = 0.03;
@@ -106,7 +107,7 @@ TEST(MagicFormulaTire, ABrakingForceWithoutSlipDoesNotShortenTheRelaxation) {
   EXPECT_NEAR(tire.lagged_kappa() / kKappa, 1.0 - std::exp(-1.0), 0.01);
 }
 
-/// The force on a hub that heaves, drifts and is braked, after `parts` steps.
+/// Returns the force on a hub that heaves, drifts and is braked, after `parts` steps.
 Vector3d after_a_ride(const Parameters& p, int use_mode, int parts) {
   MagicFormulaTireSettings settings;
   settings.use_mode = use_mode;
@@ -127,8 +128,8 @@ Vector3d after_a_ride(const Parameters& p, int use_mode, int parts) {
   return force;
 }
 
-// Halving the step quarters the error of the forces along the road, with constant and with
-// slip-dependent relaxation lengths, and where they lower the load.
+// Halving the step divides the error of the forces along the road by four, with constant and with
+// slip-dependent relaxation lengths, and if these forces lower the load.
 TEST(MagicFormulaTire, IsOfOrderTwoInItsStep) {
   Parameters p = round_tire();
   p.PVY1 = 0.02;
@@ -143,7 +144,7 @@ TEST(MagicFormulaTire, IsOfOrderTwoInItsStep) {
         const double other = std::abs((forces[i + 2] - forces[i + 1])[axis]);
         EXPECT_GT(one, 3.4 * other) << "mode " << mode << ", axis " << axis << ", " << i;
       }
-    EXPECT_GT((forces[1] - forces[0]).norm(), 1e-3);  // there is something to see
+    EXPECT_GT((forces[1] - forces[0]).norm(), 1e-3);  // the effect is visible
   }
 }
 
@@ -204,7 +205,7 @@ TEST(MagicFormulaTire, StandsStillSticksAndLetsGo) {
   ASSERT_TRUE(rest.ok());
   EXPECT_NEAR(rest->force.z(), 4000.0, 1e-9);  // 200 N/mm over 20 mm
   EXPECT_EQ(rest->force.x(), 0.0);
-  // Pushed sideways by 1 mm while standing, the carcass answers as its spring.
+  // If the standing wheel is pushed sideways by 1 mm, the carcass acts as its spring.
   motion.velocity.y() = 0.01;
   Result<HubForces> pushed = rest;
   for (int i = 0; i < 100; ++i) pushed = tire.advance(motion, road, 0.0, 1e-3);

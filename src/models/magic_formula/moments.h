@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Overturning moment (4.E69) with the terms QSX12-QSX14 of MF-Tyre 6.1, and rolling resistance
-// moment (A48) of [Besselink et al. 2010]; that of MF 5.2 goes with Fz, and with the terms QSY5 to
-// QSY8 where a file has them, as PAC2002 does. Below FZMIN both fade with the load; the rolling
-// resistance also with the sliding of a locked wheel.
+// moment (A48) of [Besselink et al. 2010]. The rolling resistance of MF 5.2 is proportional to Fz,
+// with the terms QSY5 to QSY8 if a file has them, as in PAC2002. Below FZMIN both moments fade with
+// the load; the rolling resistance also fades with the sliding of a locked wheel.
 #if defined(LATSCH_MAGIC_FORMULA_MOMENTS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_MAGIC_FORMULA_MOMENTS
 #undef LATSCH_MAGIC_FORMULA_MOMENTS
@@ -14,7 +14,7 @@
 
 namespace latsch::magic_formula::LATSCH_KERNELS {
 
-/// What (4.E69) has of arc tangents: cos(QSX5 atan x[0]), sin(angle + QSX8 atan x[1]), atan x[2].
+/// The arc tangent terms of (4.E69): cos(QSX5 atan x[0]), sin(angle + QSX8 atan x[1]), atan x[2].
 template <class R>
 struct OverturningShapes {
   R cosine, sine, arc;
@@ -23,7 +23,7 @@ LATSCH_INLINE OverturningShapes<Lane> overturning_shapes(const CoefficientsFor<L
                                                          const Lane (&x)[3],
                                                          const Lane& angle) {
   const Lanes4 arcs = atan(gathered<3>(x));
-  // Nothing is added to the first: 0 would change the sign of -0.
+  // -0.0 is added to the first term, because adding 0 would change the sign of -0.
   const SinCos<Lanes4> r =
       sin_cos(four(p.QSX5, p.QSX8, 0.0, 0.0) * arcs + four(-0.0, angle.v, 0.0, 0.0));
   return {r.cos.at(0), r.sin.at(1), arcs.at(2)};
@@ -68,8 +68,8 @@ LATSCH_INLINE R rolling_resistance(const TireOf<R>& tire, const OperatingPoint<R
          (o.load_power * o.pressure_power);  // (A48)
   }
   My = My * o.sign_Vx;
-  // Between rolling and locked the moment fades; it turns where the wheel spins backwards. The
-  // limits lie as far from a locked wheel (kappa = -1) on both sides.
+  // Between rolling and locked the moment fades, and it changes sign if the wheel spins backward.
+  // The limits are at equal distances from a locked wheel (kappa = -1) on both sides.
   const R high = p.VXLOW / select(o.Vx == 0.0, R(kEpsilon), abs(o.Vx)) - 1.0;
   const R low = -2.0 - high;
   const R& kappa = o.kappa_given;

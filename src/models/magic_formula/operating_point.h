@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what the caller gives to what the equations take: limits, fading at low speed, alpha* and
-// gamma*, normalized load and pressure, effective rolling radius and spin.
+// Converts the caller's state to the inputs of the equations: limits, fading at low speed, alpha*
+// and gamma*, normalized load and pressure, effective rolling radius and spin.
 //
 // (4.E...), (4.76) ...: [Pacejka 2012, ch. 4.3]; (A..) and (1)-(19): [Besselink et al. 2010].
-// Signs: ISO-W (NOTATION.md), while the book's are adapted SAE: Vsy = + tan(alpha) |Vx| here.
+// Signs: ISO-W (NOTATION.md); the book uses adapted SAE, so Vsy = + tan(alpha) |Vx| here.
 #if defined(LATSCH_MAGIC_FORMULA_OPERATING_POINT) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_MAGIC_FORMULA_OPERATING_POINT
 #undef LATSCH_MAGIC_FORMULA_OPERATING_POINT
@@ -23,13 +23,13 @@ constexpr double kPi = 3.14159265358979323846;
 /// Keeps quotients finite; the book's epsilon_x, _K, _y, _V (4.E6a, 4.E16, 4.E26, 4.E39).
 constexpr double kEpsilon = 1e-6;
 
-/// kEpsilon with the sign of the denominator it is added to; at 0 positive.
+/// Returns kEpsilon with the sign of the denominator it is added to; positive at 0.
 template <class R>
 LATSCH_INLINE R epsilon_for(const R& denominator) {
   return with_sign(R(kEpsilon), denominator + R(0.0));
 }
 
-/// cos(atan x)
+/// Returns cos(atan x).
 template <class R>
 LATSCH_INLINE R cos_atan(const R& x) {
   return 1.0 / sqrt(1.0 + x * x);
@@ -39,7 +39,7 @@ LATSCH_INLINE R cos_atan(const Product<R>& x) {
   return cos_atan(R(x));
 }
 
-/// Of three at once.
+/// Computes cos(atan x) for three arguments at once.
 LATSCH_INLINE void cosines_of_atan(
     const Lane& x, const Lane& y, const Lane& z, Lane& of_x, Lane& of_y, Lane& of_z) {
   const Lanes4 cosine = cos_atan(four(number(x), number(y), number(z), 0.0));
@@ -57,9 +57,9 @@ LATSCH_INLINE void cosines_of_atan(const R& x, const R& y, const R& z, R& of_x, 
 template <class R>
 struct OperatingPoint {
   R Fz, Fz_given;  // limited to FZMAX; as given
-  R Fz_moment;     // limited to FZMIN as well: in the trail and residual torque
+  R Fz_moment;     // limited to FZMIN as well; for trail and residual torque
   R kappa, kappa_given, alpha, gamma, phit, Vx, p;
-  R fade;     // 0 at standstill, 1 from VXLOW on
+  R fade;     // 0 at standstill, 1 at and above VXLOW
   R sign_Vx;  // -1, 0, 1
   R tan_alpha;
   R alpha_star, gamma_star, dfz, dpi;
@@ -68,8 +68,8 @@ struct OperatingPoint {
   R LMUX_star, LMUY_star, LMUX_prime, LMUY_prime, per_LMUY_star;
   R per_Cz;  // m/N
   R Re, R_omega, omega;
-  R epsilon_gamma, phi;  // with turn slip
-  // functions of the state alone, evaluated together
+  R epsilon_gamma, phi;  // used with turn slip
+  // Functions of the state alone, evaluated together.
   R atan_load;      // atan(BREFF Fz/Fz0)
   R sin_K, sin_K0;  // sin(PKY4 atan(...)) of (4.E25), cambered and upright
   R sin_RVY;        // sin(RVY5 atan(RVY6 kappa))
@@ -83,8 +83,8 @@ LATSCH_INLINE R clamped(const R& x, const ConstantOf<R>& lower, const ConstantOf
   return larger(smaller(x, R(upper)), R(lower));
 }
 
-/// A limit E <= 1 whose slope at 1 itself is that of the side without limit: there a fit at the
-/// bound E = 1 finds its way back.
+/// Returns E limited to 1, with the slope of the unlimited side at 1 itself, so that a fit at the
+/// bound E = 1 can leave it.
 template <class R>
 LATSCH_INLINE R at_most_one(const R& E) {
   return select(E <= 1.0, E, R(1.0));
@@ -115,7 +115,7 @@ LATSCH_INLINE void apply_limits(const TireOf<R>& tire,
   o.Fz_moment = select(o.Fz > 0.0, larger(o.Fz, R(p.FZMIN)), R(0.0));
 }
 
-/// Below FZMIN the load counts less and less: by a power of its share.
+/// Returns the load, which fades below FZMIN by a power of its share.
 template <class R>
 LATSCH_INLINE R faded_load(const TireOf<R>& tire, const R& Fz, bool squared) {
   if (!(tire.p.FZMIN > 0.0)) return Fz;
@@ -123,7 +123,7 @@ LATSCH_INLINE R faded_load(const TireOf<R>& tire, const R& Fz, bool squared) {
   return select(Fz < tire.p.FZMIN, Fz * (squared ? share * share : share), Fz);
 }
 
-/// What stands in (4.E25) below the arc tangent.
+/// Returns the argument of the arc tangent in (4.E25).
 template <class R>
 LATSCH_INLINE R bend(const TireOf<R>& tire, const OperatingPoint<R>& o, const R& gamma_star) {
   const auto& p = tire.p;
@@ -136,7 +136,7 @@ LATSCH_INLINE void powers(const TireOf<R>& tire, OperatingPoint<R>& o) {
   const auto& p = tire.p;
   const R one = R(1.0), zero = R(0.0);
   const ConstantOf<R> R0 = p.UNLOADED_RADIUS;
-  // On its rim the patch grows no more.
+  // Once the rim carries the load, the patch stops growing.
   o.patch_load = smaller(o.Fz_given * o.per_Cz, R(R0 - p.RIM_RADIUS - p.BOTTOM_OFFST)) * (1.0 / R0);
   o.Fz_My = faded_load(tire, o.Fz_given, false);
   const R load = o.Fz_My * tire.per_FNOMIN, pressure = o.p * tire.per_NOMPRES;
@@ -170,8 +170,8 @@ LATSCH_INLINE void functions_of_state(const TireOf<R>& tire, OperatingPoint<R>& 
   o.cos_alpha = cosine[3];
 }
 
-/// x >= 1 with x^3 - x^2 = e >= 0, by Newton's method from the first terms of its series, or where
-/// those do not help from above.
+/// Returns x >= 1 with x^3 - x^2 = e >= 0 by Newton's method. It starts from the first terms of the
+/// series, or from above if these are not accurate.
 template <class R>
 LATSCH_INLINE R stretched(const R& e) {
   constexpr double kSeries = 0.05;
@@ -180,13 +180,13 @@ LATSCH_INLINE R stretched(const R& e) {
   for (int i = 0; i < 60; ++i) {
     const R step = (x * x * (x - 1.0) - e) / (x * (3.0 * x - 2.0));
     x = x - step;
-    // What is left is twice the square of the step.
+    // The error is twice the square of the step.
     if (!any(abs(step) > 1e-8 * x)) break;
   }
   return x;
 }
 
-/// The iteration's own slopes would stop one step early; these are those of the equation.
+/// Slopes of the iteration would stop one step early; these are those of the equation.
 template <class V>
 LATSCH_INLINE DualLanes<V> stretched(const DualLanes<V>& e) {
   const V x = stretched(e.v);
@@ -194,8 +194,9 @@ LATSCH_INLINE DualLanes<V> stretched(const DualLanes<V>& e) {
   return {x, scaled<V>(e.slopes, 1.0 / (x * (3.0 * x - 2.0)))};
 }
 
-/// Effective rolling radius and spin of each other: Re = R_omega - deflection terms (7), R_omega =
-/// R0 (q_re0 + q_V1 (omega R0/V0)^2) (1), omega = (1 + kappa) Vx / Re.
+/// Computes effective rolling radius and spin, which depend on each other: Re = R_omega -
+/// deflection terms (7), R_omega = R0 (q_re0 + q_V1 (omega R0/V0)^2) (1), omega = (1 + kappa) Vx /
+/// Re.
 template <class R>
 LATSCH_INLINE void roll(const TireOf<R>& tire, OperatingPoint<R>& o) {
   const auto& p = tire.p;
@@ -203,7 +204,7 @@ LATSCH_INLINE void roll(const TireOf<R>& tire, OperatingPoint<R>& o) {
   const R slack = p.FNOMIN * o.per_Cz * (p.DREFF * o.atan_load + p.FREFF * load);
   const R speed = (1.0 + o.kappa_given) * o.Vx;
   const R growth = (p.UNLOADED_RADIUS * p.Q_V1 * tire.R0_per_V0 * tire.R0_per_V0) * speed * speed;
-  // A load that no tire carries still rolls.
+  // A load that no tire carries still gets a rolling radius.
   constexpr double kSmallestRadius = 0.01;
   const R still =
       larger(p.UNLOADED_RADIUS * p.Q_RE0 - slack, R(kSmallestRadius * p.UNLOADED_RADIUS));
@@ -212,13 +213,14 @@ LATSCH_INLINE void roll(const TireOf<R>& tire, OperatingPoint<R>& o) {
   o.R_omega = o.Re + slack;
 }
 
-/// Spin of the tire on its path and by its camber (4.76), its camber reduction (4.90).
+/// Computes the spin of the tire on its path and by its camber (4.76), and its camber reduction
+/// (4.90).
 template <class R>
 LATSCH_INLINE void spin(const CoefficientsFor<R>& p, OperatingPoint<R>& o) {
   o.epsilon_gamma = p.PECP1 * (1.0 + p.PECP2 * o.dfz);  // (4.90)
   const R V = abs(o.Vx) * sqrt(1.0 + o.tan_alpha * o.tan_alpha);
   const R Vc_prime = select(abs(o.Vx) < p.VXLOW, p.VXLOW * sign_or_one(o.Vx), V);
-  // z points up: the turning velocity enters with the opposite sign of the book's (4.75).
+  // z points up, so the turning velocity has the opposite sign of the book's (4.75).
   o.phi = -o.phit - (1.0 - o.epsilon_gamma) * o.omega * sin(o.gamma) / Vc_prime;  // (4.76)
 }
 
@@ -304,7 +306,7 @@ struct Shapes {
   }
 };
 
-/// sin(C atan(Bx - E (Bx - atan Bx))) of one alone
+/// Returns sin(C atan(Bx - E (Bx - atan(Bx)))) of a single curve.
 template <class R>
 LATSCH_INLINE R sine_shape(const R& Bx, const R& C, const R& E) {
   return sin(C * atan(Bx - E * (Bx - atan(Bx))));

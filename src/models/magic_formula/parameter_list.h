@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The coefficients of the Magic Formula, each declared once: X(section, name, default, unit).
 //
-// Names and sections are those of .tir files (MF-Tyre/MF-Swift 6.1 and 6.2, and what 5.2 has
-// besides); `default` is what holds where a file does not say. Units are SI; an angle in a .tir is
-// in the unit of its [UNITS]. Coefficients without unit are `one`.
+// Names and sections are those of .tir files (MF-Tyre/MF-Swift 6.1 and 6.2, and the additional ones
+// of 5.2). `default` is used if a file does not contain the coefficient. Units are SI; an angle in
+// a .tir is in the unit of its [UNITS]. Coefficients without unit are `one`.
 #pragma once
 
 #define LATSCH_MAGIC_FORMULA_PARAMETERS(X)                   \

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of a Magic Formula tire, as the field writes them: PCX1, PKY4, FNOMIN ...
+// The parameters of a Magic Formula tire with their usual names: PCX1, PKY4, FNOMIN ...
 //
-// One set serves MF 5.2, 6.1 and 6.2; `version` says which equations they stand in. Meaning of the
-// coefficients: docs/magic_formula.md and [Pacejka 2012, Tire and Vehicle Dynamics, 3rd
-// ed., 4.3.2]; [Besselink, Schmeitz, Pacejka 2010, An improved Magic Formula/Swift tyre model that
-// can handle inflation pressure changes, Vehicle System Dynamics 48 S1, 337-352]. SI units.
+// One set serves MF 5.2, 6.1 and 6.2; `version` selects the equations. For the meaning of the
+// coefficients see docs/magic_formula.md and [Pacejka 2012, Tire and Vehicle Dynamics, 3rd ed.,
+// 4.3.2]; [Besselink, Schmeitz, Pacejka 2010, An improved Magic Formula/Swift tyre model that can
+// handle inflation pressure changes, Vehicle System Dynamics 48 S1, 337-352]. SI units.
 #pragma once
 
 #include <limits>
@@ -19,7 +19,7 @@ inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 enum class Version { mf52, mf61, mf62 };
 
-/// The vehicle side the coefficients were measured for.
+/// The vehicle side for which the coefficients were measured.
 enum class Side { left, right, symmetric };
 
 /// The numbers among the parameters, as doubles or, for slopes, as dual numbers (dual_number.h).
@@ -33,11 +33,12 @@ struct CoefficientsOf {
 struct Parameters : CoefficientsOf<double> {
   Version version = Version::mf61;
   Side side = Side::left;
-  /// USE_MODE: the units digit says which forces (0 vertical only, 1 Fx My, 2 Fy Mx Mz, 3 all
+  /// USE_MODE: the units digit selects the forces (0 vertical only, 1 Fx My, 2 Fy Mx Mz, 3 all
   /// without interaction, 4 all), the tens digit the dynamics (0 steady state, 1 relaxation with
-  /// constant, 2 with load- and slip-dependent lengths, 3 and 4 with a belt), hundreds the contact.
+  /// constant, 2 with load- and slip-dependent lengths, 3 and 4 with a belt), the hundreds digit
+  /// the contact.
   int use_mode = 14;
-  /// SHAPE and DEFLECTION_LOAD_CURVE: {deflection, force}, ascending; empty where there is none.
+  /// SHAPE and DEFLECTION_LOAD_CURVE: {deflection, force}, ascending; empty if there is none.
   std::vector<double> curve_deflection, curve_force;
 
   bool turn_slip_known() const { return QDRP1 != 0.0 && PHYP1 != 0.0 && QCRP1 != 0.0; }
@@ -60,7 +61,7 @@ enum class ParameterUnit {
   frequency,
 };
 
-/// How a parameter is called, where it stands in a .tir and in Parameters.
+/// Name of a parameter and its place in a .tir and in Parameters.
 struct ParameterField {
   std::string_view section, name;
   double fallback;
@@ -68,9 +69,9 @@ struct ParameterField {
   double Parameters::*member;
 };
 
-/// All of them, in the order of the file.
+/// Returns all parameters in the order of the file.
 const std::vector<ParameterField>& parameter_fields();
-/// nullptr where none is called so (capitals).
+/// Returns nullptr if no parameter has that name (capitals).
 const ParameterField* find_parameter(std::string_view name);
 
 }  // namespace latsch::magic_formula

@@ -16,14 +16,15 @@ namespace latsch::magic_formula {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kWider = 1.5;  // than the data
+constexpr double kWider = 1.5;  // width relative to the data
 constexpr double kLeastFriction = 0.2, kMostFriction = 3.0;
-constexpr double kRise = 0.01;     // of friction over load: less is no rise
-constexpr double kConvex = 0.8;    // of the hull
-constexpr double kLightest = 0.1;  // of FNOMIN: a moment of less load is as good as none
-constexpr double kReturned = 0.5;  // of the peak of the aligning moment
-constexpr double kLeastSweep = 30.0 * kDegree;  // a trail is gone there, whatever the data reach
-constexpr double kMostAlpha = 45.0 * kDegree, kMostKappa = 1.0;  // of a tire that rolls forward
+constexpr double kRise = 0.01;     // share of friction over load: a smaller rise is ignored
+constexpr double kConvex = 0.8;    // share of the hull
+constexpr double kLightest = 0.1;  // share of FNOMIN: a moment at a smaller load is ignored
+constexpr double kReturned = 0.5;  // share of the peak of the aligning moment
+// The trail is zero there, whatever the range of the data.
+constexpr double kLeastSweep = 30.0 * kDegree;
+constexpr double kMostAlpha = 45.0 * kDegree, kMostKappa = 1.0;  // for a tire that rolls forward
 constexpr std::size_t kNamed = 3;
 constexpr double kBar = 1e5;
 
@@ -44,7 +45,7 @@ Widened widened(double from, double to) {
   return {from - more, to + more};
 }
 
-/// The same of what has to stay positive: not below half of where it begins.
+/// Widens the range of a quantity that has to stay positive: not below half of its lower end.
 Widened widened_above_zero(double from, double to) {
   Widened range = widened(from, to);
   range.from = std::max(range.from, 0.5 * from);
@@ -69,7 +70,7 @@ Lattice lattice_over(const DataRange& range, const Parameters& p) {
   return lattice;
 }
 
-/// Without the limits of the file: they would hide what lies outside.
+/// Removes the limits of the file, because they would hide the range outside.
 Parameters without_ranges(Parameters p) {
   p.PRESMIN = p.FZMIN = 0.0;
   p.PRESMAX = p.FZMAX = p.KPUMAX = p.ALPMAX = p.CAMMAX = kUnlimited;
@@ -77,7 +78,7 @@ Parameters without_ranges(Parameters p) {
   return p;
 }
 
-/// How badly a row fails; 0: not at all.
+/// Severity with which a row fails; 0: it does not fail.
 struct Finding {
   double severity = 0.0;
   std::string words;
@@ -185,7 +186,7 @@ std::vector<Point> hull_of(std::vector<Point> points) {
   return hull;
 }
 
-/// How far a polygon about the origin reaches in a direction.
+/// Returns the extent of a polygon about the origin in a direction.
 double reach(const std::vector<Point>& hull, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   double most = 0.0;
@@ -199,7 +200,7 @@ double reach(const std::vector<Point>& hull, double angle) {
   return most;
 }
 
-/// The forces over all slips at a load, in directions of a quarter of a turn's sixteenth.
+/// Checks the forces over all slips at a load, in kDirections directions around the circle.
 Finding ellipse_is_convex(const Parameters& p, const Lattice& at) {
   constexpr int kAlphas = 61, kKappas = 61, kDirections = 64;
   const MagicFormula tire(p);
@@ -209,7 +210,7 @@ Finding ellipse_is_convex(const Parameters& p, const Lattice& at) {
     std::vector<double> farthest(kDirections, 0.0);
     std::vector<State> states;
     for (int i = 0; i < kAlphas; ++i)
-      for (int k = 0; k < kKappas; ++k)  // closer where forces are steep
+      for (int k = 0; k < kKappas; ++k)  // denser where the forces are steep
         states.push_back({Fz,
                           at.kappa * std::pow(2.0 * k / (kKappas - 1) - 1.0, 3),
                           at.alpha * std::pow(2.0 * i / (kAlphas - 1) - 1.0, 3),
@@ -274,7 +275,7 @@ Finding moment_returns(const Parameters& p, const Lattice& at) {
   return found;
 }
 
-/// A factor that has to stay positive, of x = (p - NOMPRES) / NOMPRES or of gamma.
+/// A factor that has to stay positive, as a function of x = (p - NOMPRES) / NOMPRES or of gamma.
 struct Factor {
   const char* words;
   Condition condition;
@@ -364,10 +365,10 @@ Finding stays_positive(const Parameters& p, const Lattice& at, const Factor& fac
 struct Row {
   std::string name;
   std::function<Finding(const Parameters&)> look;
-  std::vector<std::string_view> suspects;  // how coefficients begin that may make it fail
+  std::vector<std::string_view> suspects;  // prefixes of coefficients that may cause it
 };
 
-/// What a coefficient is when it does nothing, or the usual thing.
+/// Returns the value at which a coefficient has no effect, or its usual value.
 double neutral_value(std::string_view name) {
   struct Usual {
     std::string_view name;
@@ -390,7 +391,7 @@ double neutral_value(std::string_view name) {
   return name.starts_with("L") && name.size() > 2 ? 1.0 : 0.0;
 }
 
-/// The coefficients that make a row fail, by trial.
+/// Finds by trial the coefficients that make a row fail.
 std::vector<std::string> causes(const Row& row, Parameters p, double severity) {
   std::vector<std::string> named;
   while (severity > 0.0 && named.size() < kNamed) {
@@ -411,7 +412,7 @@ std::vector<std::string> causes(const Row& row, Parameters p, double severity) {
         best = &field;
       }
     }
-    if (!best || !(least < 0.9 * severity)) break;  // nothing does much of it
+    if (!best || !(least < 0.9 * severity)) break;  // no coefficient improves much
     named.emplace_back(best->name);
     p.*best->member = neutral_value(best->name);
     severity = least;

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a Magic Formula tire behaves like a tire beyond the data it was fitted to.
+// Checks whether a Magic Formula tire behaves like a tire beyond the data it was fitted to.
 //
-// A polynomial that is right inside the data may turn outside of it. On a lattice over the ranges,
-// 1.5 times as wide about their middle, with the limits of the file taken away:
+// A polynomial that is right inside the data may change its course outside. The checks use a
+// lattice over the ranges of the data, 1.5 times as wide about their middle, without the limits of
+// the file:
 //   cornering stiffness   keeps its sign and is nowhere 0
-//   slip stiffness        the same
-//   friction              stays in 0.2 ... 3, lengthwise and sideways
+//   slip stiffness        keeps its sign and is nowhere 0
+//   friction              stays in 0.2 ... 3, longitudinally and laterally
 //   friction over load    falls or stays: it does not rise by more than 1 % above a lower load
-//   friction ellipse      the forces that all slips reach are convex: in no direction less than
-//                         80 % of what their convex hull reaches
-//   aligning moment       falls behind its peak, and beyond 0 it stays below half of the peak
+//   friction ellipse      the forces of all slips are convex: in every direction at least 80 % of
+//                         their convex hull
+//   aligning moment       falls beyond its peak, and beyond 0 it stays below half of the peak
 //   factors               of pressure and camber polynomials stay positive: no pole, no change
 //                         of sign
-// A row that fails is put down to coefficients by trial: each suspect is set to its neutral
-// value (0 for a coefficient of load, camber or pressure), and the one that heals the row, or
-// heals most of it, is named; then the next, three at most.
+// The coefficients that cause a failed row are found by trial: each suspect is set to its neutral
+// value (0 for a coefficient of load, camber or pressure), and the one that repairs the row, or
+// most of it, is named; then the next, at most three.
 #pragma once
 
 #include <string>
@@ -24,7 +25,7 @@
 
 namespace latsch::magic_formula {
 
-/// What the data reach, SI. Angles and slips to the larger of both sides.
+/// Range of the data, SI. Angles and slips up to the larger of both sides.
 struct DataRange {
   double Fz_from = 0.0, Fz_to = 0.0;
   double alpha = 0.0, kappa = 0.0;
@@ -32,17 +33,18 @@ struct DataRange {
   double p_from = 0.0, p_to = 0.0;
 };
 
-/// The ranges of the file. Where it has none: loads of 0.5 to 1.5 FNOMIN, 12 degrees of side slip,
-/// slips of 0.2, cambers of +-4 degrees, pressures of +-15 % about NOMPRES.
+/// Returns the ranges of the file. If it has none: loads of 0.5 to 1.5 FNOMIN, 12 degrees of side
+/// slip, slips of 0.2, cambers of +-4 degrees, pressures of +-15 % about NOMPRES.
 DataRange range_of(const Parameters& parameters);
 
 struct SanityFault {
   std::string row;                        // "friction over load"
   std::string words;                      // "lateral friction rises with load: 1.1 at 600 N, ..."
-  std::vector<std::string> coefficients;  // those that do it, the strongest first; may be empty
+  std::vector<std::string> coefficients;  // the causes, strongest first; may be empty
 };
 
-/// The rows that fail, in the order above. None is told of forces that the tire does not have.
+/// Returns the rows that fail, in the order above. Forces that the tire does not have are not
+/// checked.
 std::vector<SanityFault> sanity_faults(const Parameters& parameters, const DataRange& range);
 
 }  // namespace latsch::magic_formula

@@ -18,7 +18,7 @@ using testing::IsEmpty;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Coefficients of the size that published sets of passenger tires have.
+/// Returns a tire with coefficients of the size of published passenger tires.
 Parameters sane_tire() {
   Parameters p;
   p.UNLOADED_RADIUS = 0.32;
@@ -59,7 +59,7 @@ TEST(Sanity, ATireOfUsualCoefficientsHasNoFault) {
   EXPECT_THAT(rows_of(sanity_faults(sane_tire(), range_of(sane_tire()))), IsEmpty());
 }
 
-// Each coefficient is wrong alone, so what is named has to be this one.
+// In each case a single coefficient is wrong, so that one has to be named.
 TEST(Sanity, AFaultNamesItsRowAndTheCoefficientThatMakesIt) {
   struct Case {
     double Parameters::*coefficient;
@@ -102,7 +102,7 @@ TEST(Sanity, TwoCoefficientsThatFailTogetherAreBothNamed) {
   EXPECT_THAT(coefficients, ElementsAre("PPY3", "PPY4"));
 }
 
-// A limit of the file would hide what lies outside of it.
+// A limit of the file would hide the range outside of it.
 TEST(Sanity, LimitsOfTheFileHideNothing) {
   Parameters p = sane_tire();
   p.PDY2 = 0.5;

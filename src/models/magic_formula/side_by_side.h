@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elementary functions of several numbers at once: of one state side by side, from end to end; of
-// eight states, with or without slopes, one after the other.
+// Elementary functions of several numbers at once. For one state, the numbers are evaluated side by
+// side from start to end; for eight states, with or without slopes, one after the other.
 #if defined(LATSCH_MAGIC_FORMULA_SIDE_BY_SIDE) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_MAGIC_FORMULA_SIDE_BY_SIDE
 #undef LATSCH_MAGIC_FORMULA_SIDE_BY_SIDE
@@ -15,7 +15,7 @@ namespace latsch::magic_formula::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
 
-/// Coefficients beside R.
+/// The types of coefficients that belong to R.
 template <class R>
 using ConstantOf = typename R::Constant;
 template <class R>
@@ -27,14 +27,14 @@ LATSCH_INLINE double number(double x) { return x; }
 LATSCH_INLINE double number(const Lane& x) {
   double v = x.v;
 #if LATSCH_X86_KERNELS
-  // Held in a register. What was just written to memory one by one cannot be read from there as
-  // four before all of it has arrived, and the compiler likes to do that.
+  // The value is held in a register. Values just written to memory one by one cannot be read as
+  // four before all of them have arrived, and compilers tend to do so.
   __asm__("" : "+x"(v));
 #endif
   return v;
 }
 
-/// x[0] to x[N - 1], N <= 4, and `beyond`.
+/// Returns x[0] to x[N - 1], N <= 4, followed by `beyond`.
 template <int N, class T>
 LATSCH_INLINE Lanes4 gathered(const T* x, double beyond = 0.0) {
   static_assert(N <= 4);
@@ -46,8 +46,8 @@ LATSCH_INLINE void scatter(const Lanes4& v, Lane* x) {
   for (int i = 0; i < N; ++i) x[i] = v.at(i);
 }
 
-// Sine and cosine of four curves C atan(x - E (x - atan x)), in two steps: what one state has to do
-// between them goes on beside the first. Eight states do all of it in the second.
+// Sine and cosine of four curves C atan(x - E (x - atan x)), in two steps, so that other work of
+// one state can run during the first. For eight states the second step does everything.
 LATSCH_INLINE Lanes4 inner_arcs(const Lane* x) { return atan(gathered<4>(x)); }
 LATSCH_INLINE void magic_of_four(
     const Lane* x_, const Lane* C, const Lane* E, const Lanes4& arcs, Lane* sine, Lane* cosine) {
@@ -71,8 +71,8 @@ LATSCH_INLINE void magic_of_four(
   }
 }
 
-/// Arc tangents of four x; sine and cosine of the first three times a factor, and of one more
-/// angle.
+/// Computes the arc tangents of four x; sine and cosine of the first three times a factor, and of
+/// one more angle.
 LATSCH_INLINE void sin_cos_of_atan_all(const Lane (&x)[4],
                                        const double (&factor)[3],
                                        const Lane& angle,
@@ -101,7 +101,7 @@ LATSCH_INLINE void sin_cos_of_atan_all(const R (&x)[4],
   }
 }
 
-/// base^power of three base > 0, and e^exponent.
+/// Computes base^power for three base > 0, and e^exponent.
 LATSCH_INLINE void powers_and_exp(const Lane (&base)[3],
                                   const double (&power)[3],
                                   const Lane& exponent,

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: slopes beside differences of the plain formula, for every variable and output.
+// For tests: compares slopes with differences of the plain formula, for every variable and output.
 //
-// Central differences over h, h/2, h/4, h = 1e-3 of the variable's size, extrapolated [Richardson
-// 1911]: what is left is of order h^6, 1e-18 for a smooth curve, and rounding, some ten units in
-// the last place of the output over h/4: 1e-11 of output over size. Where the last two
-// extrapolations differ by more than the reach a kink is within h, and nothing is compared; nor at
-// slips and angles of exactly 0, where |x| has its kink and differences from both sides cancel.
+// Central differences over h, h/2, h/4, h = 1e-3 of the variable's size, are extrapolated
+// [Richardson 1911]. The error is of order h^6, 1e-18 for a smooth curve, plus rounding, about ten
+// units in the last place of the output over h/4: 1e-11 of output over size. If the last two
+// extrapolations differ by more than the tolerance, a kink lies within h, and nothing is compared.
+// Slips and angles of exactly 0 are not compared either, because |x| has a kink there and
+// differences from both sides cancel.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +30,7 @@ inline const std::vector<Output>& all_outputs() {
 
 struct SlopeComparison {
   int count = 0, kinks = 0, not_the_bits = 0;
-  double worst = 0.0;  // excess over the reach; at most 1 where all agree
+  double worst = 0.0;  // excess over the tolerance; at most 1 if all agree
   std::string where;
 };
 
@@ -61,7 +62,7 @@ class SlopeDifferences {
     return results;
   }
 
-  /// What a variable is changed in proportion to; 0: it cannot be.
+  /// Returns the size in proportion to which a variable is changed; 0 if it cannot be changed.
   double size_of(const std::string& name) const {
     static const std::vector<std::pair<std::string, double>> states = {{"Fz", 4000.0},
                                                                        {"kappa", 0.1},
@@ -102,7 +103,7 @@ class SlopeDifferences {
            : name == "p"     ? &s.p
                              : nullptr;
   }
-  /// 1 of a coefficient.
+  /// Returns 1 for a coefficient.
   static double value_of(const std::string& name, State s) {
     const double* x = field_of(name, s);
     return x == nullptr ? 1.0 : *x;
@@ -128,7 +129,7 @@ class SlopeDifferences {
         const double best = fine + (fine - coarse) / 15.0;
         const double here = found.slopes[o](i, j);
         double reach = 1e-7 * std::abs(best) + 1e-9 * sizes_[o] / size;
-        // The deflection of MF 6.2 is solved to 1e-15 m, which is felt where it is small.
+        // The deflection of MF 6.2 is solved to 1e-15 m, which matters if it is small.
         if (all_outputs()[o] == &SteadyState::Cz && up[2][i].rho > 0.0)
           reach += 1e-15 * up[2][i].Cz / up[2][i].rho / (h / 4.0);
         if (value_of(name, states_[i]) == 0.0) continue;

@@ -12,9 +12,9 @@
 namespace latsch::magic_formula {
 namespace {
 
-constexpr double kLowSpeed = 0.1;     // m/s, of a file with VXLOW = 0
-constexpr double kDampVlow = 1e-3;    // s, as in the sample file of MF-Swift
-constexpr double kPivotAngle = 0.05;  // rad, M_inf/C_psi of that file: 4795 N m/rad, some 240 N m
+constexpr double kLowSpeed = 0.1;     // m/s, for a file with VXLOW = 0
+constexpr double kDampVlow = 1e-3;    // s, value of the sample file of MF-Swift
+constexpr double kPivotAngle = 0.05;  // rad, M_inf/C_psi of that file: 4795 N m/rad, about 240 N m
 constexpr double kShortestPatch = 0.01;  // m
 
 using Fields = std::array<double, sizeof(SteadyState) / sizeof(double)>;
@@ -26,7 +26,7 @@ SteadyState mixed(const SteadyState& a, const SteadyState& b, double share_of_b)
   return std::bit_cast<SteadyState>(x);
 }
 
-/// Of a patch rolled in by the way `r`, with the resistance of one that rolls with V_low.
+/// Evaluates a patch rolled in with history `r`, with the resistance of one that rolls at V_low.
 SteadyState at_low_speed(const MagicFormula& formula, State state, double low, double r) {
   state.Vx = low;
   const SteadyState ahead = formula.evaluate(state);
@@ -92,7 +92,7 @@ double Pivot::twisted(double psi, double w, double V_r, double step) const {
 
 Pivot pivot_of(const Parameters& p, const SteadyState& at) {
   const double Fz0 = p.LFZO * p.FNOMIN, mu = std::abs(at.muy);
-  // Of a round patch under even pressure, 2/3 mu Fz R.
+  // The torque of a round patch under even pressure, 2/3 mu Fz R.
   const double rubbing =
       2.0 / 3.0 * mu * at.Fz * std::sqrt(4.0 * std::max(at.a * at.b, 0.0) / std::numbers::pi);
   Pivot pivot;

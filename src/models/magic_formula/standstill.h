@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Magic Formula where a wheel hardly rolls, stands, turns on the spot or turns back: below
-// V_low = VXLOW of the file. From there on nothing of this is felt, to the last bit.
+// The Magic Formula for a wheel that hardly rolls, stands, turns on the spot or reverses: below
+// V_low = VXLOW of the file. At and above V_low it has no effect, to the last bit.
 //
-//   q = (1 - cos(pi |Vx|/V_low))/2                 0 at rest, 1 from V_low on, flat at both
-//   V_r = Vx - (1 - q) Vsx                         what brings new tread into the patch: at rest
-//                                                  omega R_e, so that a locked wheel rocks on the
-//                                                  carcass without creep
-//   du/dt + |V_r|/sigma u = -Vsx, |u| <= u_max     at rest u_max = 3 mu Fz/C, three times what
-//   dv/dt + |V_r|/sigma v = +Vsy, |v| <= v_max     the friction bends a spring of that stiffness
+//   q = (1 - cos(pi |Vx|/V_low))/2                 0 at rest, 1 from V_low on, with zero slope at
+//                                                  both ends
+//   V_r = Vx - (1 - q) Vsx                         the speed at which tread enters the patch: at
+//                                                  rest omega R_e, so that a locked wheel rocks on
+//                                                  the carcass without creep
+//   du/dt + |V_r|/sigma u = -Vsx, |u| <= u_max     at rest u_max = 3 mu Fz/C, three times the
+//   dv/dt + |V_r|/sigma v = +Vsy, |v| <= v_max     deflection of a spring of that stiffness by the
+//                                                  friction
 //   kappa' = (u - k Vsx)/sigma                     k = (1 - q) DAMP_VLOW: damping of the carcass,
 //   tan(alpha') = (v + k Vsy)/sigma                which friction limits as well
-//   dr/dt + |V_r|/sigma r = V_r/sigma              the way the patch was rolled in: -1 ... 1
+//   dr/dt + |V_r|/sigma r = V_r/sigma              the direction in which the patch was rolled in,
+//                                                  -1 ... 1
 //   F = (1 + r')/2 F(+V_low) + (1 - r')/2 F(-V_low) - (1 - r'^2) F(no slip)
 //                                                  r' = r + (sgn Vx - r) q
 //   dpsi/dt + (|w|/psi_max + |V_r|/a) psi = w      twist of the patch, w: yaw rate of the wheel
@@ -18,16 +21,17 @@
 //
 // u, v, their damping and their bound: [Pacejka 2012, 7.2.3]. M_inf is the torque of turning on the
 // spot (4.95), C_psi the overall yaw stiffness YAW_STIFFNESS (1 + PCMZ1 dfz): peak and slope of the
-// parking torque as in Adams' PAC2002 with turn slip. The law between is that of friction between
-// elastic bodies [Dahl 1968]: turned from rest, M = -M_inf (1 - exp(-C_psi psi/M_inf)); let go, a
-// part springs back and the rest stays. What ply steer, conicity, trail and camber make without
-// slip is there as far as the patch was rolled in, and stays when the wheel stops; own to this
-// program, continuous where the formula itself jumps with the sign of Vx.
+// parking torque as in Adams' PAC2002 with turn slip. The law between them is that of friction
+// between elastic bodies [Dahl 1968]: turned from rest, M = -M_inf (1 - exp(-C_psi psi/M_inf));
+// after release, a part springs back and the rest stays. Forces and moments by ply steer, conicity,
+// trail and camber without slip appear in proportion to r and remain when the wheel stops. This
+// rule is specific to this program; it is continuous, while the formula itself jumps with the sign
+// of Vx.
 //
-// Limits: the pivoting patch has its friction for itself, sliding takes nothing of it; psi is
-// rolled off over half the patch. Mx keeps what the side force without slip adds to it.
-// With turn slip (USE_MODE 5) and backward faster than V_low the torque of turning has the sign of
-// MF-Tyre's formula, that of rolling forward.
+// Limits: the friction of the pivoting patch is independent, sliding does not reduce it; psi is
+// rolled off over half the patch. Mx keeps the contribution of the side force without slip. With
+// turn slip (USE_MODE 5) and backward faster than V_low the torque of turning has the sign of
+// MF-Tyre's formula, which is that of rolling forward.
 #pragma once
 
 #include <string>
@@ -37,44 +41,45 @@
 
 namespace latsch::magic_formula {
 
-/// Of u/sigma and v/sigma while the wheel rolls: far in the sliding region.
+/// Limit of u/sigma and v/sigma while the wheel rolls: far in the sliding range.
 constexpr double kMostSlip = 3.0;
 
-/// V_low, m/s: VXLOW; of a file where that is 0 a tenth of what it else is.
+/// Returns V_low, m/s: VXLOW; or 0.1 m/s for a file where that is 0.
 double low_speed(const Parameters& parameters);
 
-/// q of a speed in m/s; exactly 1 from `low` on.
+/// Returns q for a speed in m/s; exactly 1 from `low` on.
 double awake(double speed, double low);
 
-/// k in s: what of DAMP_VLOW is left at Vx; of a file where that is 0, of 1 ms.
+/// Returns k in s: the part of DAMP_VLOW that acts at Vx; for a file where that is 0, of 1 ms.
 double standing_damping(double Vx, const Parameters& parameters);
 
-/// u_max/sigma of a patch that moves with `speed` along or over the road, m/s. `peak`: mu Fz;
-/// `stiffness`: slope over the slip. Both in N.
+/// Returns u_max/sigma of a patch that moves at `speed` along or over the road, m/s. `peak` is mu
+/// Fz, `stiffness` the slope over the slip, both in N.
 double most_slip(double speed, double low, double peak, double stiffness);
 
-/// The formula at any speed. `state`: kappa is u/sigma, positive where the patch is pulled ahead;
-/// Vx that of the wheel. `r`: the way the patch was rolled in.
+/// Evaluates the formula at any speed. In `state`, kappa is u/sigma, positive if the patch is
+/// pulled forward, and Vx is that of the wheel. `r` is the direction in which the patch was rolled
+/// in.
 SteadyState at_any_speed(const MagicFormula& formula, State state, double r);
 
-/// What holds a wheel that turns on the spot. Limit 0: nothing does.
+/// Resistance of a wheel that turns on the spot. A limit of 0 means none.
 struct Pivot {
   double stiffness = 0.0;  // N m/rad, C_psi
   double limit = 0.0;      // N m, M_inf
   double length = 0.0;     // m, a
 
-  /// dpsi/dt with yaw rate w and rolling speed V_r.
+  /// Returns dpsi/dt with yaw rate w and rolling speed V_r.
   double twist_rate(double psi, double w, double V_r) const;
-  /// psi after `step`.
+  /// Returns psi after `step`.
   double twisted(double psi, double w, double V_r, double step) const;
 
  private:
   double loosening(double w, double V_r) const;  // 1/s
 };
-/// Under the load and friction of `at`.
+/// Returns the pivot for the load and friction of `at`.
 Pivot pivot_of(const Parameters& parameters, const SteadyState& at);
 
-/// What is taken where the file has not what a standing wheel needs: one sentence each.
+/// Returns the assumptions made if the file lacks data for a standing wheel, one sentence each.
 std::vector<std::string> assumed_at_standstill(const Parameters& parameters);
 
 }  // namespace latsch::magic_formula

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 
 constexpr double kHeight = 0.28;  // m: 4000 N on the round tire
 
-/// The round tire, which turns on the spot within some degrees.
+/// The round tire, which saturates within some degrees when it turns on the spot.
 Parameters parking_tire() {
   Parameters p = round_tire();
   p.YAW_STIFFNESS = 5000.0;
@@ -40,7 +40,7 @@ struct Ride {
   explicit Ride(const Parameters& p, int use_mode = 14) : tire(p, {.use_mode = use_mode}) {
     EXPECT_TRUE(tire.settle(motion, road, 0.0).ok());
   }
-  /// `step` later, with these velocities at the end of the step.
+  /// Advances by `step`, with these velocities at the end of the step.
   HubForces go(double Vx, double Vy, double yaw_rate, double spin_rate, double step) {
     motion.velocity = {Vx, Vy, 0.0};
     motion.angular_velocity.z() = yaw_rate;
@@ -49,15 +49,15 @@ struct Ride {
     EXPECT_TRUE(hub.ok());
     return hub.ok() ? *hub : HubForces{};
   }
-  /// By `way` with `speed` in equal steps, then still.
+  /// Moves by `way` at `speed` in equal steps, then stops.
   HubForces push(const Vector3d& way, double speed = 0.05, int steps = 200) {
     const double time = way.norm() / speed;
     const Vector3d v = way / time;
-    go(v.x(), v.y(), 0.0, 0.0, 0.0);  // the velocity of the whole first step
+    go(v.x(), v.y(), 0.0, 0.0, 0.0);  // sets the velocity of the whole first step
     for (int i = 0; i < steps; ++i) go(v.x(), v.y(), 0.0, 0.0, time / steps);
     return go(0.0, 0.0, 0.0, 0.0, 0.0);
   }
-  /// On the spot by `angle`, then still.
+  /// Turns on the spot by `angle`, then stops.
   HubForces pivot(double angle, int steps = 200) {
     const double rate = std::copysign(0.2, angle);
     go(0.0, 0.0, rate, 0.0, 0.0);
@@ -84,7 +84,7 @@ TEST(Standstill, ALittlePushIsAnsweredByTheStiffnessesOfTheFile) {
     }
 }
 
-/// The formula's curve at a slip.
+/// Returns the formula's curve at a slip.
 double curve(double slip, double stiffness, double peak, double C, double E) {
   const double Bx = stiffness / (C * peak) * slip;
   return peak * std::sin(C * std::atan(Bx - E * (Bx - std::atan(Bx))));
@@ -92,19 +92,19 @@ double curve(double slip, double stiffness, double peak, double C, double E) {
 
 TEST(Standstill, AFarPushIsAnsweredByTheFriction) {
   const Parameters p = parking_tire();
-  // Three times the slip at which the tangent meets the friction.
+  // The bound is three times the slip at which the tangent reaches the friction.
   constexpr double Kx = 25.0 * 4000.0, Dx = 1.2 * 4000.0, Dy = 4000.0;
   const double Ky = 20.0 * 4000.0 * std::sin(2.0 * std::atan(1.0 / 1.5));
   const double x = curve(3.0 * Dx / Kx, Kx, Dx, 1.6, 0.1);
   const double y = curve(std::atan(3.0 * Dy / Ky), Ky, Dy, 1.3, -0.5);
-  constexpr double kSlowly = 1e-4;  // m/s: with speed the bound widens
+  constexpr double kSlowly = 1e-4;  // m/s: the bound widens with speed
   EXPECT_NEAR(Ride(p).push({0.4, 0.0, 0.0}, kSlowly).force.x(), -x, 1e-3);
   EXPECT_NEAR(Ride(p).push({0.0, 0.4, 0.0}, kSlowly).force.y(), -y, 1e-3);
   EXPECT_NEAR(x, Dx, 0.01 * Dx);  // next to the peak
   EXPECT_NEAR(y, Dy, 0.01 * Dy);
 }
 
-// Pushed far and back by twice what the carcass gives: the force has turned.
+// After a long push and a return by twice the carcass's deflection, the force has the other sign.
 TEST(Standstill, WhatSlidBeforeStoresNoDeflection) {
   const Parameters p = parking_tire();
   Ride ride(p);
@@ -112,7 +112,7 @@ TEST(Standstill, WhatSlidBeforeStoresNoDeflection) {
   EXPECT_GT(ride.push({-0.1, 0.0, 0.0}).force.x(), 4000.0);
 }
 
-/// A braked mass on the tire, at rest by the symplectic rule of Euler.
+/// A braked mass on the tire, brought to rest by the symplectic Euler rule.
 struct Car {
   Car(const Parameters& p, double speed, int use_mode = 14) : ride(p, use_mode), v(speed) {
     for (int i = 0; i < 200; ++i) ride.go(v, 0.0, 0.0, v / 0.295, 1e-3);
@@ -127,7 +127,7 @@ struct Car {
 
 TEST(Standstill, AGradeIsHeldByASpringAndNotByCreep) {
   Parameters p = parking_tire();
-  p.DAMP_VLOW = 4e-3;  // at rest within the test
+  p.DAMP_VLOW = 4e-3;  // comes to rest within the test
   const double weight = 400.0 * 9.81 * 0.2;
   Car car(p, 0.0);
   double x_before = 0.0;
@@ -142,7 +142,7 @@ TEST(Standstill, AGradeIsHeldByASpringAndNotByCreep) {
 
 TEST(Standstill, ABrakedCarComesToRestWithoutChatter) {
   Parameters p = parking_tire();
-  p.DAMP_VLOW = 4e-3;  // at rest within the test
+  p.DAMP_VLOW = 4e-3;  // comes to rest within the test
   for (const int mode : {14, 24}) {
     Car car(p, 3.0, mode);
     double before = car.v, rise = 0.0;
@@ -154,12 +154,13 @@ TEST(Standstill, ABrakedCarComesToRestWithoutChatter) {
       before = car.v;
     }
     EXPECT_LT(std::abs(car.v), 1e-4) << mode;
-    EXPECT_LT(rise, 1.0) << mode;  // it springs back once, slower than the carcass can throw it
-    EXPECT_LT(turns, 2 * 10 * 5) << mode;  // at the 4.4 Hz of mass and carcass at most
+    EXPECT_LT(rise, 1.0) << mode;  // it springs back once, more slowly than the carcass would
+    EXPECT_LT(turns, 2 * 10 * 5) << mode;  // at most at the 4.4 Hz of mass and carcass
   }
 }
 
-/// Forces while a wheel brakes to rest, is pushed, is steered and starts again, in `parts` steps.
+/// Returns forces while a wheel brakes to rest, is pushed, is steered and starts again, in `parts`
+/// steps.
 std::vector<Vector3d> errand(const Parameters& p, int use_mode, int parts, double way = 1.0) {
   Ride ride(p, use_mode);
   std::vector<Vector3d> forces;
@@ -229,7 +230,7 @@ TEST(Standstill, IsOfOrderTwoThroughStandstill) {
     HubForces hub;
     const double h = 1.0 / parts;
     for (int i = 0; i <= parts; ++i) {
-      const double t = i * h, Vx = 0.4 - 0.8 * t;  // turns back at a step's end
+      const double t = i * h, Vx = 0.4 - 0.8 * t;  // reverses at the end of a step
       hub = ride.go(Vx, 0.02 * std::sin(3.0 * t), 0.1 * std::cos(2.0 * t), 3.3 * Vx, i ? h : 0.0);
     }
     return Vector3d(hub.force.x(), hub.force.y(), ride.tire.contact_forces().Mz);
@@ -264,7 +265,7 @@ TEST(Standstill, JustBelowVXLOWTheForcesAreThoseJustAbove) {
 TEST(Standstill, SettledItAnswersAsItDoesAtRest) {
   Parameters p = parking_tire();
   p.PVY1 = 0.02;
-  p.QSX1 = 0.01;  // an overturning moment of load and camber alone
+  p.QSX1 = 0.01;  // an overturning moment by load and camber alone
   p.QSX3 = 0.0;
   const road::PlaneRoad road;
   WheelMotion motion = standing();
@@ -280,7 +281,7 @@ TEST(Standstill, SettledItAnswersAsItDoesAtRest) {
   }
 }
 
-// A tire that stands has no ply steer; it comes with the way.
+// A standing tire has no ply steer; it builds up as the tire rolls.
 TEST(Standstill, AForceWithoutSlipComesByRolling) {
   Parameters p = parking_tire();
   p.PVY1 = 0.02;
@@ -288,20 +289,20 @@ TEST(Standstill, AForceWithoutSlipComesByRolling) {
   EXPECT_EQ(ride.go(0.0, 0.0, 0.0, 0.0, 0.01).force.y(), 0.0);
   for (int i = 0; i < 400; ++i) ride.go(0.5, 0.0, 0.0, 0.5 / 0.295, 0.02);
   EXPECT_NEAR(ride.tire.contact_forces().Fy, 0.02 * 4000.0, 0.8);
-  for (int i = 0; i <= 50; ++i) {  // to rest within a millimeter
+  for (int i = 0; i <= 50; ++i) {  // comes to rest within a millimeter
     const double V = 0.5 * std::exp(-0.3 * i);
     ride.go(V, 0.0, 0.0, V / 0.295, 1e-3);
   }
-  EXPECT_NEAR(ride.go(0.0, 0.0, 0.0, 0.0, 1.0).force.y(), 0.02 * 4000.0, 0.8);  // and stays
+  EXPECT_NEAR(ride.go(0.0, 0.0, 0.0, 0.0, 1.0).force.y(), 0.02 * 4000.0, 0.8);  // it remains
 }
 
-/// The formula's torque of turning on the spot: (4.93) at infinite turn slip.
+/// Returns the formula's torque of turning on the spot: (4.93) at infinite turn slip.
 double spun(Parameters p) {
   const MagicFormula formula(p, {.turn_slip = true});
   return formula.evaluate({4000.0, 0.0, 0.0, 0.0, 1e9, p.VXLOW, p.NOMPRES}).Mz;
 }
 
-// M = -M_inf (1 - exp(-C psi/M_inf)) turned from rest.
+// M = -M_inf (1 - exp(-C psi/M_inf)) for a wheel turned from rest.
 TEST(Standstill, APivotingWheelIsHeldByYawStiffnessUpToTheFormulasTorque) {
   const Parameters p = parking_tire();
   const double M_inf = spun(p);
@@ -316,18 +317,20 @@ TEST(Standstill, APivotingWheelIsHeldByYawStiffnessUpToTheFormulasTorque) {
   }
 }
 
-// Turned far, then back until the moment is gone: of the angle all is left but ln 2 M_inf/C.
+// The wheel is turned far, then back until the moment is zero: the remaining angle is reduced by ln
+// 2 M_inf/C.
 TEST(Standstill, LetGoThePivotedWheelKeepsItsAngle) {
   const Parameters p = parking_tire();
   Ride ride(p);
   ride.pivot(0.6);
   EXPECT_NEAR(ride.pivot(-std::numbers::ln2 * spun(p) / 5000.0).moment.z(), 0.0, 1e-3);
-  EXPECT_NEAR(ride.pivot(-0.6).moment.z(), spun(p), 1e-3);  // steered straight: a moment is left
+  EXPECT_NEAR(ride.pivot(-0.6).moment.z(), spun(p), 1e-3);  // steered straight: a moment remains
   for (int i = 0; i < 400; ++i) ride.go(0.5, 0.0, 0.0, 0.5 / 0.295, 1e-2);
   EXPECT_NEAR(ride.tire.contact_forces().Mz, 0.0, 1.0);  // rolled off
 }
 
-// Without QCRP1: friction under even pressure over a round patch of the area of the formula's.
+// Without QCRP1 the torque is that of friction under even pressure over a round patch with the area
+// of the formula's patch.
 TEST(Standstill, WithoutTurnSlipInTheFileThePatchRubs) {
   Parameters p = parking_tire();
   p.QCRP1 = p.YAW_STIFFNESS = p.DAMP_VLOW = 0.0;
@@ -363,7 +366,7 @@ TEST(Standstill, AMotionThatIsNoneIsToldAndForgotten) {
   EXPECT_FALSE(ride.tire.advance(ride.motion, ride.road, 0.0, none.velocity.y()).ok());
   const HubForces a = ride.go(0.2, 0.01, 0.1, 1.0, 0.01), b = twin.go(0.2, 0.01, 0.1, 1.0, 0.01);
   EXPECT_EQ(a.force, b.force);
-  const HubForces again = ride.go(0.2, 0.01, 0.1, 1.0, 0.0);  // a step of no length
+  const HubForces again = ride.go(0.2, 0.01, 0.1, 1.0, 0.0);  // a step of zero length
   EXPECT_EQ(a.force, again.force);
   EXPECT_EQ(a.moment, again.moment);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the equations take: a state, what is asked of it, and what of a tire they would else compute
-// for every state.
+// Inputs of the equations: a state, the requested outputs, and constants of a tire that would
+// otherwise be computed for every state.
 #pragma once
 
 #include "models/magic_formula/parameters.h"
@@ -8,7 +8,7 @@
 
 namespace latsch::magic_formula {
 
-/// What a steady-state tire is asked. SI, ISO-W.
+/// The state of a steady-state tire. SI, ISO-W.
 template <class R>
 struct StateOf {
   R Fz;     // N
@@ -20,14 +20,14 @@ struct StateOf {
   R p;      // Pa
 };
 
-/// Which outputs beside Fx, Fy and what they are made of.
+/// The outputs requested in addition to Fx, Fy and their components.
 struct Asked {
   bool Mx = true, My = true, Mz = true;
   bool deflection = true, patch = true, relaxation = true;
 };
 
-/// What depends on the parameters alone. K: double, or DualNumber where slopes in coefficients are
-/// asked.
+/// Constants that depend on the parameters alone. K is double, or DualNumber for slopes with
+/// respect to coefficients.
 template <class K>
 struct TireConstantsOf {
   TireConstantsOf(const CoefficientsOf<K>& coefficients, Version version);
@@ -37,7 +37,7 @@ struct TireConstantsOf {
   K Fz0_prime;  // (4.E1)
   K Q_FZ1;      // (4)
   K Q_A1, Q_A2;
-  // What every state would divide by.
+  // Reciprocals of divisors used in every state.
   K per_FNOMIN, per_Fz0_prime, per_NOMPRES, per_LONGVL, per_VXLOW, per_FZMIN, per_LMUY;
   K R0_per_V0;
 };

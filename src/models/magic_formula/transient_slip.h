@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slip that lags: the contact patch held by the carcass as by a spring.
+// Slip that lags: the carcass holds the contact patch like a spring.
 //
 //   du/dt + |Vx|/sigma u = -Vsx        kappa' = u/sigma                (7.9), (7.11)
 //   dv/dt + |Vx|/sigma v = +Vsy        alpha' = atan(v/sigma)          (7.7), (7.10), ISO-W
 //   [Pacejka 2012, ch. 7.2]
 //
 // A step is exact for constant velocities, so any step is stable. At a standstill u and v are the
-// deflections of a carcass that sticks, bounded where the patch slides (standstill.h).
+// deflections of a carcass that sticks, bounded by sliding of the patch (standstill.h).
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace latsch::magic_formula {
 
-/// u after `step`: du/dt = source - rate u. |u| <= bound.
+/// Returns u after `step`: du/dt = source - rate u. |u| <= bound.
 inline double relaxed(double u, double source, double rate, double bound, double step) {
   // (1 - exp(-rate step)) / rate, also for a rate of 0.
   const double gain = rate * step > 1e-12 ? -std::expm1(-rate * step) / rate : step;

@@ -33,7 +33,7 @@ std::optional<WheelContact> touch(const WheelMotion& motion, const RoadPlane& pl
 RoadPlane tangent_plane(const WheelMotion& motion, const road::Road& road, double time) {
   RoadPlane plane;
   Eigen::Vector3d below = motion.center;
-  // Under camber or on a slope the contact is not below the center: three looks settle it.
+  // With camber or on a slope the contact is not below the center; three iterations suffice.
   for (int look = 0; look < 3; ++look) {
     const road::GroundPoint ground = road.at(below.x(), below.y(), time);
     plane = {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a wheel touches the road plane under it, and how it slips there.
+// Contact of a wheel with the road plane below it, and the slip there.
 //
-// W axes: x = spin axis x normal, y = normal x x, origin where the wheel plane's line of steepest
-// descent from the center meets the plane. gamma = asin(spin axis . normal); alpha > 0 where the
-// contact point moves to the left, +y.
+// W axes: x = spin axis x normal, y = normal x x. The origin is the point where the wheel plane's
+// line of steepest descent from the center meets the road plane. gamma = asin(spin axis . normal);
+// alpha > 0 if the contact point moves to the left, +y.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ namespace latsch::magic_formula {
 struct RoadPlane {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // of the ground
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // velocity of the ground
   double friction = 1.0;
 };
 
@@ -33,13 +33,13 @@ struct WheelContact {
   double friction = 1.0;
 };
 
-/// Nothing where the spin axis stands on the road.
+/// Returns nothing if the spin axis is perpendicular to the road.
 std::optional<WheelContact> touch(const WheelMotion& motion, const RoadPlane& plane);
 
-/// The plane tangent to the road where the wheel touches it.
+/// Returns the plane tangent to the road at the wheel's contact point.
 RoadPlane tangent_plane(const WheelMotion& motion, const road::Road& road, double time);
 
-/// Forces and moments in W at the contact point as the rim feels them, in C.
+/// Converts forces and moments in W at the contact point to those on the rim in C.
 HubForces at_hub(const WheelMotion& motion,
                  const WheelContact& contact,
                  const Eigen::Vector3d& force,

@@ -13,11 +13,14 @@
 namespace latsch {
 namespace {
 
-constexpr int kFewestLevels = 5;         // that have a fourth difference
-constexpr int kMostDiagonals = 6;        // variables: 3^6 neighbors; with more, those on the axes
-constexpr double kLeastExplained = 0.5;  // of the variance, for points left out
+constexpr int kFewestLevels = 5;  // least number of levels with a fourth difference
+// Largest number of variables with diagonal neighbors, 3^6 in all; with more variables only
+// neighbors along the axes are used.
+constexpr int kMostDiagonals = 6;
+// Least explained share of the variance, for points left out.
+constexpr double kLeastExplained = 0.5;
 
-/// Steps along a grid whose points are numbered with the last variable fastest.
+/// Returns index steps along a grid whose points are numbered with the last variable fastest.
 std::vector<int> strides(const std::vector<int>& levels) {
   std::vector<int> stride(levels.size(), 1);
   for (int i = static_cast<int>(levels.size()) - 2; i >= 0; --i)
@@ -29,7 +32,8 @@ int level_at(int place, int i, const std::vector<int>& stride, const std::vector
   return place / stride[i] % levels[i];
 }
 
-/// |delta^4 f| / 96 around the cell from place to place + stride; 0 where no five points are known.
+/// Returns |delta^4 f| / 96 around the cell from place to place + stride; 0 if no five points are
+/// known.
 double missed_by_interpolation(
     const std::vector<double>& f, int place, int level, int count, int stride) {
   double missed = 0.0;
@@ -43,13 +47,13 @@ double missed_by_interpolation(
   return missed;
 }
 
-/// Whether the point is an extremum of its line.
+/// True if the point is an extremum of its line.
 bool is_extremum(const std::vector<double>& f, int place, int level, int count, int stride) {
   if (level == 0 || level + 1 == count) return true;
   return (f[place] - f[place - stride]) * (f[place] - f[place + stride]) >= 0.0;
 }
 
-/// Cells along variable i between whose ends a minimum can hide.
+/// Counts the cells along variable i between whose ends a minimum can hide.
 int hiding_cells(const std::vector<double>& f, const std::vector<int>& levels, int i) {
   const auto stride = strides(levels);
   int cells = 0;
@@ -65,7 +69,7 @@ int hiding_cells(const std::vector<double>& f, const std::vector<int>& levels, i
   return cells;
 }
 
-/// The grid without every other level of the variables that have an odd number of them.
+/// The grid without every other level of the variables that have an odd number of levels.
 struct Thinned {
   std::vector<int> levels;
   std::vector<double> values;
@@ -95,7 +99,7 @@ Neighbors grid_neighbors(const std::vector<int>& levels) {
     if (levels[i] > 1) varied.push_back(static_cast<int>(i));
   }
   const bool diagonals = std::ssize(varied) <= kMostDiagonals;
-  int around = 1;  // combinations of -1, 0, +1 level
+  int around = 1;  // number of combinations of -1, 0, +1 level
   for (size_t i = 0; diagonals && i < varied.size(); ++i) around *= 3;
 
   Neighbors neighbors(points);
@@ -148,7 +152,7 @@ Neighbors nearest_neighbors(const std::vector<Eigen::VectorXd>& points, int coun
 
 std::vector<Basin> find_basins(const std::vector<double>& values, const Neighbors& neighbors) {
   assert(values.size() == neighbors.size());
-  const auto lower = [&](int a, int b) {  // of equals the first: a plateau has one end
+  const auto lower = [&](int a, int b) {  // the first of equal values, so a plateau has one end
     return values[a] < values[b] || (values[a] == values[b] && a < b);
   };
   const auto downhill = [&](int place) {

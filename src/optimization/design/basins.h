@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Basins of a function known at the points of a design: how many minima there are, which is the
-// lowest, how much of the space leads to it; and whether the points are dense enough to trust that.
+// Finds the basins of a function known at the points of a design: the number of its minima, the
+// lowest minimum, and the share of the space that leads to each. Reports whether the points are
+// dense enough to trust the result.
 //
-// Every point leads to the lowest of its neighbors, where that is lower than itself; a point that
-// leads nowhere is a minimum, and its basin are all points that end there. Neighbors are the
-// adjacent points of a grid, for up to six variables the diagonal ones too, or the nearest points
-// of a scattered design in the unit cube.
+// Every point leads to its lowest neighbor if that neighbor is lower than the point itself. A point
+// that leads nowhere is a minimum, and its basin consists of all points whose path ends there. The
+// neighbors of a point are the adjacent points of a grid, including the diagonal ones for up to six
+// variables, or the nearest points of a scattered design in the unit cube.
 //
-// A grid can hide a minimum between two neighbors on a line of its own where the values differ by
-// less than what interpolation may miss,
+// A grid can hide a minimum between two neighbors on a line. This is possible if their values
+// differ by less than the possible interpolation error,
 //   |f(b) - f(a)| <= |delta^4 f| / 96,
-// delta^4: the fourth difference along the line, six times what four neighbors at twice the spacing
-// miss of a point in their middle, 96 times at the spacing itself. Cells beside an extremum of the
-// line are no news. A count of minima that changes when every other level is left out is not
-// settled either, and fewer than five levels do not tell. A scattered design is too thin where a
-// plane through the nearest others explains less than half of the variance of points left out.
+// where delta^4 f is the fourth difference along the line. It is six times the error of four
+// neighbors at twice the spacing at their middle point, and 96 times the error at the spacing
+// itself. Cells beside an extremum of the line are not counted, because that extremum is already
+// known. The count of minima is also doubtful if it changes when every other level is left out, or
+// if there are fewer than five levels. A scattered design is too thin if a plane through the
+// nearest other points explains less than half of the variance of points left out.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,28 +25,29 @@
 
 namespace latsch {
 
-/// Places of the neighbors of each point.
+/// Indices of the neighbors of each point.
 using Neighbors = std::vector<std::vector<int>>;
 
-/// Of a full factorial design, first variable slowest.
+/// Returns the neighbors in a full factorial design, whose first variable changes slowest.
 Neighbors grid_neighbors(const std::vector<int>& levels);
 
-/// The `count` nearest points of each.
+/// Returns the `count` nearest points of each point.
 Neighbors nearest_neighbors(const std::vector<Eigen::VectorXd>& points, int count);
 
 struct Basin {
-  int lowest = 0;  // place of its minimum
-  int points = 0;  // that lead there, the minimum included
+  int lowest = 0;  // index of the basin's minimum
+  int points = 0;  // number of points that lead to the minimum, the minimum included
   double value = 0.0;
 };
 
-/// Lowest first. Points without a value, NaN, belong to no basin.
+/// Returns the basins, lowest first. Points whose value is NaN belong to no basin.
 std::vector<Basin> find_basins(const std::vector<double>& values, const Neighbors& neighbors);
 
-/// Why the minima of a grid cannot be trusted, in words; empty where they can.
+/// Returns in words why the minima of a grid cannot be trusted; empty if they can.
 std::string grid_doubt(const std::vector<double>& values, const std::vector<int>& levels);
 
-/// The same for scattered points of the unit cube.
+/// Returns in words why the minima of scattered points of the unit cube cannot be trusted; empty if
+/// they can.
 std::string scatter_doubt(const std::vector<double>& values,
                           const std::vector<Eigen::VectorXd>& points);
 

@@ -11,8 +11,8 @@
 namespace latsch {
 namespace {
 
-/// The shape of Fig. 1 of Hempel and Oertel, KGK 04/2016: a local minimum at (-0.15, 0.79), the
-/// global one at (-0.15, -1.15), a saddle between them.
+/// The function of Fig. 1 of Hempel and Oertel, KGK 04/2016: a local minimum at (-0.15, 0.79), the
+/// global one at (-0.15, -1.15), and a saddle between them.
 double two_basins(const std::vector<double>& x) {
   const double a = 0.79, b = -1.15, y = x[1];  // df/dy = (y - a) (y - b) y
   return (x[0] + 0.15) * (x[0] + 0.15) + y * y * y * y / 4 - (a + b) * y * y * y / 3 +
@@ -44,14 +44,14 @@ TEST(Basins, OfThePapersFigureOne17x17ShowsTwoAndDoesNotWarn) {
   const auto values = values_at(points, two_basins);
   const auto basins = find_basins(values, grid_neighbors({17, 17}));
   ASSERT_EQ(basins.size(), 2u);
-  // Within a step of 0.25 of the minima; the global one comes first.
+  // The basins are within a step of 0.25 of the minima; the global one comes first.
   EXPECT_NEAR(points[basins[0].lowest].values[1], -1.15, 0.125);
   EXPECT_NEAR(points[basins[1].lowest].values[1], 0.79, 0.125);
   EXPECT_EQ(basins[0].points + basins[1].points, 17 * 17);
   EXPECT_EQ(grid_doubt(values, {17, 17}), "");
 }
 
-// A parabola has no fourth difference: five levels are enough for it.
+// A parabola has no fourth difference, so five levels suffice for it.
 TEST(Basins, AGridThatIsFineEnoughDoesNotWarn) {
   const auto values = values_at(full_factorial(kSpace, {5, 5}).points, one_basin);
   EXPECT_EQ(find_basins(values, grid_neighbors({5, 5})).size(), 1u);
@@ -71,7 +71,7 @@ TEST(Basins, FailedPointsAreHolesThatHaveNoBasin) {
   EXPECT_EQ(basins[0].points, 24);
 }
 
-// 2^16 points of 16 variables have 16 neighbors each; 3^16 would never end.
+// 2^16 points of 16 variables have 16 neighbors each; 3^16 neighbors would take too long.
 TEST(Basins, OfManyVariablesNeighborsLieOnTheAxes) {
   const std::vector<int> levels(16, 2);
   const Neighbors neighbors = grid_neighbors(levels);

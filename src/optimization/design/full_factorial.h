@@ -11,8 +11,9 @@
 
 namespace latsch {
 
-/// levels[i] >= 2 values of variable i, or 1: its initial value alone. Throws InputError for
-/// another number of levels than variables, a level below 1 or more than a million points.
+/// `levels[i]` is the number of values of variable i: 2 or more, or 1 for its initial value alone.
+/// Throws InputError if the number of levels differs from the number of variables, if a level is
+/// below 1, or for more than a million points.
 SamplingPlan full_factorial(const DesignSpace& space, const std::vector<int>& levels);
 
 }  // namespace latsch

@@ -16,14 +16,15 @@ namespace {
 
 constexpr int kMostStarts = 20;
 
-/// d^-p of a squared distance, with p = 20: large enough that the nearest pair rules the sum.
+/// Returns d^-p of a squared distance, with p = 20: large enough that the nearest pair dominates
+/// the sum.
 double term(int squared) {
   const double d2 = squared, d4 = d2 * d2, d8 = d4 * d4;
   return 1.0 / (d8 * d8 * d4);
 }
 
-/// Which share each point has of each variable. Distances are exact: sums of squares of whole
-/// numbers.
+/// Assigns each point a share of each variable. Distances are exact, because they are sums of
+/// squares of whole numbers.
 class Shares {
  public:
   Shares(int points, int variables, std::uint64_t seed, int start)
@@ -43,11 +44,11 @@ class Shares {
   int share(int variable, int point) const { return share_[variable][point]; }
   int squared_distance(int i, int j) const { return squared_[i][j]; }
 
-  /// How much sum d^-p grows when points i and j exchange variable v.
+  /// Returns the growth of sum d^-p if points i and j exchange variable v.
   double change(int i, int j, int v) const {
     const std::vector<int>& share = share_[v];
     double change = 0.0;
-    for (int k = 0; k < points_; ++k) {  // the distance of i and j themselves stays
+    for (int k = 0; k < points_; ++k) {  // the distance between i and j does not change 76-78-
       if (k == i || k == j) continue;
       const int shift = square(share[j] - share[k]) - square(share[i] - share[k]);
       const int d_i = squared_[i][k], d_j = squared_[j][k];
@@ -74,7 +75,7 @@ class Shares {
   }
 
   int points_, variables_;
-  std::vector<std::vector<int>> share_;    // by variable, point
+  std::vector<std::vector<int>> share_;    // index: variable, point
   std::vector<std::vector<int>> squared_;  // distances in shares
 };
 
@@ -96,10 +97,11 @@ struct Exchange {
   int i, j, variable;
 };
 
-/// The one that lowers phi_p the most; nullopt where none does.
+/// Returns the exchange that lowers phi_p the most; nullopt if none does.
 std::optional<Exchange> best_exchange(const Shares& shares, Pair pair) {
   std::optional<Exchange> best;
-  // A gain below the rounding of the sum is none: the next exchange could undo it, for ever.
+  // A gain below the rounding of the sum does not count: the next exchange could undo it, without
+  // end.
   double least = -1e-9 * term(shares.squared_distance(pair.i, pair.j));
   for (int i : {pair.i, pair.j}) {
     for (int j = 0; j < shares.points(); ++j) {

@@ -40,16 +40,16 @@ TEST(LatinHypercube, HoldsEveryShareOfEveryVariableOnce) {
   }
 }
 
-// The largest least distances possible, squared and in shares, of 5 and 10 points in two variables
+// The largest least distances possible, squared and in shares, for 5 and 10 points in two variables
 // [van Dam, Husslage, den Hertog, Melissen, Operations Research 55 (2007) 158].
 TEST(LatinHypercube, FindsTheKnownMaximinDesignsInThePlane) {
   EXPECT_NEAR(least_distance(latin_hypercube(cube(2), 5)), std::sqrt(5.0) / 5, 1e-12);
   EXPECT_NEAR(least_distance(latin_hypercube(cube(2), 10)), std::sqrt(10.0) / 10, 1e-12);
 }
 
-// 30 balls around points of a unit cube whose diameter is their least distance d lie in a cube of
-// edge 1 + d; at the densest packing, pi / sqrt(18) of space, d = 0.56 at most. Random Latin
-// hypercubes come to about 0.1.
+// Around 30 points of a unit cube, balls whose diameter is the points' least distance d fit into a
+// cube of edge 1 + d. At the densest packing, pi / sqrt(18) of space, d is at most 0.56. Random
+// Latin hypercubes reach about 0.1.
 TEST(LatinHypercube, KeepsPointsApart) {
   for (std::uint64_t seed : {0, 1, 2}) {
     EXPECT_GT(least_distance(latin_hypercube(cube(3), 30, seed)), 0.5 * 0.56);

@@ -18,8 +18,9 @@ namespace {
 constexpr int kMostTrajectories = 10'000;
 constexpr int kMostLevels = 100;
 
-/// From a random point of the grid, whole numbers of 1 / (levels - 1). Delta is levels / 2 of them,
-/// upward from the lower half of the grid and downward from the upper one: it always fits.
+/// Starts at a random point of the grid, in whole multiples of 1 / (levels - 1). Delta is levels /
+/// 2 of these, upward from the lower half of the grid and downward from the upper one, so it always
+/// fits.
 std::vector<DesignPoint> trajectory(const DesignSpace& space, int levels, RandomStream random) {
   const int n = space.size();
   std::vector<std::uint64_t> step(n);
@@ -56,7 +57,7 @@ ElementaryEffects summary(const std::vector<double>& d) {
   return effects;
 }
 
-/// The variable in which two consecutive points differ.
+/// Returns the variable in which two consecutive points differ.
 int changed(const DesignPoint& a, const DesignPoint& b) {
   int i = 0;
   while (a.values[i] == b.values[i]) ++i;

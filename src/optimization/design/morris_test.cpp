@@ -46,8 +46,8 @@ TEST(Morris, ALinearFunctionHasItsCoefficientsAsEffectsAndNoSpread) {
 
 // With Delta = 2/3 on the levels 0, 1/3, 2/3, 1 a step joins 0 and 2/3 or 1/3 and 1. The effect of
 // x^2 is x + (x + Delta): 2/3 or 4/3 with equal probability, mean 1, standard deviation 1/3. The
-// effect of x0 x1 in x0 is x1: mean 1/2, mean square 7/18, standard deviation sqrt(5)/6. Means
-// of 4000 independent effects lie within 4 standard errors, 0.026; |1/2 - x1| = 1/6, 1/2 has the
+// effect of x0 x1 in x0 is x1: mean 1/2, mean square 7/18, standard deviation sqrt(5)/6. Means of
+// 4000 independent effects lie within 4 standard errors, 0.026. |1/2 - x1| is 1/6 or 1/2, with the
 // mean 1/3.
 TEST(Morris, EffectsOfCurvedAndJointFunctionsAreThoseInClosedForm) {
   const auto found = effects(cube(3), morris(cube(3), 4000, 1), [](const auto& x) {
@@ -86,7 +86,7 @@ TEST(Morris, StepsStayInsideAndThePlanHoldsEachPointOnce) {
     EXPECT_EQ(trajectory.size(), 3u);
     for (const DesignPoint& point : trajectory) EXPECT_TRUE(space.contains(point));
   }
-  EXPECT_LE(design.plan().points.size(), 16u);  // 4 levels of 2 variables
+  EXPECT_LE(design.plan().points.size(), 16u);  // 4 levels for each of 2 variables
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points that are chosen without feedback: a design of experiments.
+// A design of experiments: points that are chosen without feedback from evaluations.
 #pragma once
 
 #include <vector>

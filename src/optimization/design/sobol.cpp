@@ -15,14 +15,16 @@ namespace {
 constexpr int kBits = 32;
 constexpr int kMostSobolPoints = 1'000'000;
 
-/// s: degree; a: the inner coefficients a_1 .. a_(s-1) as binary digits; m: m_1 .. m_s.
+/// One row of the table. s is the degree; a has the inner coefficients a_1 .. a_(s-1) as binary
+/// digits; m holds m_1 .. m_s.
 struct Generator {
   int s;
   std::uint32_t a;
   std::array<std::uint32_t, 7> m;
 };
 
-// new-joe-kuo-6.21201, dimensions 2 to 21; dimension 1 is van der Corput's sequence, all m_k = 1.
+// Table new-joe-kuo-6.21201, dimensions 2 to 21; dimension 1 is van der Corput's sequence, all m_k
+// = 1.
 constexpr std::array<Generator, 20> kJoeKuo{{
     {1, 0, {1}},
     {2, 1, {1, 3}},
@@ -47,7 +49,7 @@ constexpr std::array<Generator, 20> kJoeKuo{{
 }};
 static_assert(kJoeKuo.size() + 1 == kMostSobolVariables);
 
-/// v_1 .. v_32 as multiples of 2^-32.
+/// Returns v_1 .. v_32 as multiples of 2^-32.
 std::array<std::uint32_t, kBits> direction_numbers(int dimension) {
   std::array<std::uint32_t, kBits> m{};
   m.fill(1);

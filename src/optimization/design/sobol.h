@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sobol's low-discrepancy sequence: fills the unit cube ever more evenly, point by point, so that
-// a design can be enlarged without losing what was evaluated.
+// Sobol's low-discrepancy sequence fills the unit cube ever more evenly, point by point, so a
+// design can be enlarged without losing what was evaluated.
 //
-// Coordinate j of point n is the exclusive or of the direction numbers v_k of the ones of n's Gray
-// code n xor n/2 [Sobol, USSR Comput. Math. Math. Phys. 7 (1967) 86; order by Antonov and Saleev,
-// ibid. 19 (1979) 252]. With a primitive polynomial x^s + a_1 x^(s-1) + ... + a_(s-1) x + 1 and
+// Coordinate j of point n is the exclusive or of those direction numbers v_k whose bit k is set in
+// n's Gray code n xor n/2 [Sobol, USSR Comput. Math. Math. Phys. 7 (1967) 86; order by Antonov and
+// Saleev, ibid. 19 (1979) 252]. With a given primitive polynomial x^s + a_1 x^(s-1) + ... + a_(s-1)
+// x + 1 and
 // m_1 .. m_s given, v_k = m_k / 2^k follows from
 //   m_k = 2 a_1 m_(k-1) ^ 4 a_2 m_(k-2) ^ ... ^ 2^s m_(k-s) ^ m_(k-s).
 // Polynomials and m_1 .. m_s are those of [Joe, Kuo, SIAM J. Sci. Comput. 30 (2008) 2635], table
 // new-joe-kuo-6.21201, up to 21 variables.
 //
-// Every power of two of points is a net: choose 2^k of them. Point 0 is a corner, every variable at
-// its lower bound; it belongs to the net and is kept. A seed other than 0 shifts all digits by
-// random ones, which leaves a net a net and moves the corner inside.
+// Every power of two of points is a net, so choose 2^k points. Point 0 is a corner of the cube,
+// with every variable at its lower bound; it belongs to the net and is kept. A seed other than 0
+// shifts all digits by random ones. The shifted points are still a net, and the corner moves
+// inside.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +26,8 @@ namespace latsch {
 
 inline constexpr int kMostSobolVariables = 21;
 
-/// The first `points` of the sequence. Throws InputError for less than one or more than a million
-/// points, or more than kMostSobolVariables.
+/// Returns the first `points` points of the sequence. Throws InputError for less than one or more
+/// than a million points, or for more than kMostSobolVariables variables.
 SamplingPlan sobol(const DesignSpace& space, int points, std::uint64_t seed = 0);
 
 }  // namespace latsch

@@ -21,7 +21,7 @@ DesignSpace cube(int n) {
   return DesignSpace(variables);
 }
 
-// SciPy's scipy.stats.qmc.Sobol has the same direction numbers and the same order of points. All
+// SciPy's scipy.stats.qmc.Sobol has these direction numbers and this order of points. All
 // coordinates are multiples of 2^-32, so they agree to the last bit.
 TEST(Sobol, AgreesWithSciPyInAllVariables) {
   const std::string ask = fmt::format("{} -c 'import scipy.stats.qmc' 2>/dev/null", kPython);
@@ -46,7 +46,7 @@ TEST(Sobol, AgreesWithSciPyInAllVariables) {
   std::filesystem::remove(file);
 }
 
-// The first points as in Joe and Kuo's notes on their sequence, dimensions 1 to 3.
+// The first points agree with Joe and Kuo's notes on their sequence, dimensions 1 to 3.
 TEST(Sobol, BeginsAsPublished) {
   const auto points = sobol(cube(3), 5).points;
   EXPECT_EQ(points[0].values, (std::vector{0.0, 0.0, 0.0}));
@@ -56,8 +56,8 @@ TEST(Sobol, BeginsAsPublished) {
   EXPECT_EQ(points[4].values, (std::vector{0.375, 0.375, 0.625}));
 }
 
-// The defining property: of 2^k points, each of the 2^k equal shares of every variable holds one.
-// A digital shift keeps it.
+// The defining property is that the 2^k equal shares of every variable hold one of 2^k points each.
+// A digital shift preserves it.
 TEST(Sobol, HoldsEveryShareOfEveryVariableOnceAlsoShifted) {
   for (std::uint64_t seed : {0, 3}) {
     const auto points = sobol(cube(kMostSobolVariables), 64, seed).points;

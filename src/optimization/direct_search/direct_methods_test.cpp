@@ -50,7 +50,7 @@ double rosenbrock(const std::vector<double>& x) {
   return 100.0 * std::pow(x[1] - x[0] * x[0], 2) + std::pow(1.0 - x[0], 2);
 }
 
-/// n^2 basins in two variables, the deepest at 0.3; [Rastrigin 1974], moved.
+/// A function with n^2 basins in two variables, the deepest at 0.3: [Rastrigin 1974], shifted.
 double rastrigin(const std::vector<double>& x) {
   double f = 0.0;
   for (const double c : x) {
@@ -83,7 +83,7 @@ TEST(Genetic, FindsTheDeepestOfManyBasins) {
   const DesignSpace space = box({4.0, -4.0}, -5.0, 5.0);
   Genetic method(space, {.population = 60});
   const Found found = minimize(method, space, rastrigin);
-  EXPECT_LT(found.f, 0.5);  // the next basin is 1 deep
+  EXPECT_LT(found.f, 0.5);  // the next basin has a depth of 1
 }
 
 TEST(Genetic, IsTheSameRunTwiceAndAnotherWithAnotherSeed) {
@@ -148,8 +148,8 @@ TEST(MethodChoice, KnowsWhoKnowsConstraints) {
 }
 
 TEST(DirectMethods, KeepToLinearConstraints) {
-  // (x - 1)^2 + (y - 1)^2 among x + y <= 1.2: the nearest point to (1, 1) is (0.6, 0.6). With
-  // x - y = 0.2 besides it is (0.7, 0.5).
+  // The nearest point to (1, 1) in x + y <= 1.2 is (0.6, 0.6), the minimum of (x - 1)^2 + (y -
+  // 1)^2. With x - y = 0.2 in addition it is (0.7, 0.5).
   const LinearConstraint sum{.name = "sum", .coefficients = {1, 1}, .upper = 1.2};
   const LinearConstraint gap{.name = "gap", .coefficients = {1, -1}, .lower = 0.2, .upper = 0.2};
   const auto f = [](const auto& x) { return std::pow(x[0] - 1.0, 2) + std::pow(x[1] - 1.0, 2); };

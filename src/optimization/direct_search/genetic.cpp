@@ -22,7 +22,7 @@ struct Individual {
   double f = kInfinity;
 };
 
-/// b of the crossover.
+/// Returns b of the crossover.
 double spread(double q, double eta) {
   return q <= 0.5 ? std::pow(2.0 * q, 1.0 / (eta + 1.0))
                   : std::pow(1.0 / (2.0 - 2.0 * q), 1.0 / (eta + 1.0));
@@ -59,9 +59,9 @@ struct Genetic::State {
   GeneticOptions options;
   int population;
   int generation = 1;
-  std::uint64_t drawn = 0;           // random streams so far
-  std::vector<Individual> parents;   // the best, best first
-  std::vector<Individual> children;  // of this generation, known
+  std::uint64_t drawn = 0;           // number of random streams so far
+  std::vector<Individual> parents;   // best first
+  std::vector<Individual> children;  // known children of this generation
   PendingPoints<Individual> wanted;
 
   State(const DesignSpace& s, const GeneticOptions& o) : space(s), region(s), options(o) {
@@ -75,7 +75,7 @@ struct Genetic::State {
     }
   }
 
-  /// The nearest point inside bounds and constraints.
+  /// Returns the nearest point inside bounds and constraints.
   Individual at(const std::vector<double>& u) const {
     const Eigen::VectorXd near = region.nearest(to_vector(u));
     const std::vector<double> inside(near.begin(), near.end());
@@ -84,7 +84,7 @@ struct Genetic::State {
 
   const Individual& winner(RandomStream& random) const {
     const auto a = random.below(parents.size()), b = random.below(parents.size());
-    return parents[std::min(a, b)];  // best first
+    return parents[std::min(a, b)];  // parents are ordered best first
   }
 
   void mutate(std::vector<double>& u, RandomStream& random) const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real-coded genetic algorithm: for targets with many basins, where evaluations are cheap or
-// workers many; a hundred times the evaluations of a method that knows the residuals.
+// Real-coded genetic algorithm for targets with many basins, if evaluations are cheap or workers
+// are many. It needs about a hundred times the evaluations of a method that uses the residuals.
 //
-// In the unit cube, a population and, generation by generation, as many children:
-//   selection  the better of two drawn, twice
+// In the unit cube, each generation makes as many children as the population has members:
+//   selection  the better of two drawn individuals, done twice for the two parents
 //   crossover  simulated binary [Deb & Agrawal, Complex Systems 9 (1995) 115]: for every variable
 //              of a pair, with  b = (2 q)^(1/(eta_c+1))  or  (1 / (2 - 2 q))^(1/(eta_c+1)),
 //              children  1/2 ((1 +- b) p_1 + (1 -+ b) p_2)
@@ -11,9 +11,10 @@
 //              variable a child on average, by
 //              (2 q)^(1/(eta_m+1)) - 1  or  1 - (2 - 2 q)^(1/(eta_m+1))
 //   survival   the best of parents and children
-// Children outside of bounds and linear constraints are replaced by the nearest point inside.
-// It ends after the last generation, or when the population is within the tolerance of its best.
-// Draws are functions of (seed, number of the child): the same run for any number of workers.
+// Children outside of bounds and linear constraints are replaced by the nearest point inside. The
+// search ends after the last generation, or when the whole population is within the tolerance of
+// its best. Random draws depend on the seed and the child's number alone, so a run is the same for
+// any number of workers.
 #pragma once
 
 #include <cstdint>
@@ -26,11 +27,11 @@
 namespace latsch {
 
 struct GeneticOptions {
-  int population = 0;  // 0: ten times the variables, 20 at least
+  int population = 0;  // 0: ten times the number of variables, at least 20
   int generations = 50;
   double crossover = 0.9;        // probability that a pair is crossed
-  double eta_crossover = 15;     // eta_c: large, children like their parents
-  double eta_mutation = 20;      // eta_m
+  double eta_crossover = 15;     // eta_c: larger values make children more similar to their parents
+  double eta_mutation = 20;      // eta_m: larger values make mutations smaller
   double step_tolerance = 1e-3;  // in the unit cube
   std::uint64_t seed = 1;
 };
@@ -42,9 +43,9 @@ class Genetic : public Optimizer {
   explicit Genetic(const DesignSpace& space, const GeneticOptions& options = {});
   ~Genetic() override;
 
-  /// The rest of the generation.
+  /// Proposes the rest of the generation.
   std::vector<DesignPoint> propose(int count) const override;
-  /// Points it did not ask for join the parents.
+  /// Points that the search did not propose join the parents.
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
 

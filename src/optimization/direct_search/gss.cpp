@@ -19,13 +19,19 @@
 namespace latsch {
 namespace {
 
-constexpr double kReach = 0.8;         // of the step: how far the model is trusted
-constexpr double kNew = 0.05;          // of the step: nearer to a known point, nothing is learned
-constexpr double kLongestStep = 0.25;  // a quarter of every variable's range
-constexpr double kExpansion = 2.0;     // of the step after more than so many successes in a row:
+// Range of the model, as a share of the step. A larger value trusts the model farther away.
+constexpr double kReach = 0.8;
+// Points nearer to a known point than this share of the step give no information and are not
+// proposed.
+constexpr double kNew = 0.05;
+constexpr double kLongestStep = 0.25;  // longest step, as a share of every variable's range
+// Factor of the step after more than kSuccessesToExpand successes in a row.
+constexpr double kExpansion = 2.0;
 constexpr int kSuccessesToExpand = 4;
 
-constexpr double kSnap = 0.5;  // of the step tolerance: how near to a linear constraint is on it
+// Distance, as a share of the step tolerance, within which a point is moved onto a linear
+// constraint.
+constexpr double kSnap = 0.5;
 
 constexpr int kNoDirection = -1;
 
@@ -38,8 +44,8 @@ struct Direction {
 struct Proposal {
   Eigen::VectorXd u;
   DesignPoint point;
-  double step;                   // for the sufficient decrease
-  int direction = kNoDirection;  // of set number `set`; none for the start and for a model step
+  double step;                   // step for the sufficient decrease
+  int direction = kNoDirection;  // index in set number `set`; none for the start and a model step
   int set = 0;
 };
 
@@ -74,15 +80,15 @@ struct Gss::State {
   Eigen::VectorXd x;     // the best point, in the unit cube
   double f = kInfinity;  // its value
   std::vector<Direction> directions;
-  double length;  // the longest step: the one at which directions are being polled
+  double length;  // longest step, at which directions are being polled
   int set = 0;    // number of the present set of directions
   int turn = 0;
   Eigen::VectorXd last_move;
-  int successes = 0;  // in a row
+  int successes = 0;  // number in a row
 
-  SharedHistory<Sample> samples;   // finite values
-  SharedTable values;              // of all points
-  bool model_is_new = false;       // something was learned since the last model step
+  SharedHistory<Sample> samples;   // with finite values
+  SharedTable values;              // values of all points
+  bool model_is_new = false;       // an outcome arrived since the last model step
   PendingPoints<Proposal> wanted;  // in the order proposed; empty: converged
 
   State(const DesignSpace& s, const GssOptions& o)
@@ -101,7 +107,7 @@ struct Gss::State {
     return value < f - options.sufficient_decrease * step * step;
   }
 
-  /// A fresh set of directions around x, the one nearest to the last success first.
+  /// Starts a fresh set of directions around x, with the one nearest to the last success first.
   void start_poll() {
     ++set;
     directions.clear();
@@ -132,7 +138,7 @@ struct Gss::State {
     start_poll();
   }
 
-  /// What the outcome of `tried` means for the search.
+  /// Uses the outcome of `tried`.
   void take(const Proposal& tried, double value) {
     if (is_better(value, tried.step) && region.contains(tried.u)) {
       move_to(tried.u, value);
@@ -144,7 +150,7 @@ struct Gss::State {
     }
   }
 
-  /// On the way from x to u, as far as the constraints allow.
+  /// Proposes a point on the way from x to u, as far as the constraints allow.
   Proposal toward(const Eigen::VectorXd& u, double step) const {
     const Eigen::VectorXd inside =
         region.snapped(region.cut_off(x, u), kSnap * options.step_tolerance);
@@ -165,8 +171,8 @@ struct Gss::State {
     return step;
   }
 
-  /// The direction with the longest step that is not being tried; nullopt where there is none or
-  /// its step is below the tolerance.
+  /// Returns the direction with the longest step that is not being tried; nullopt if there is none
+  /// or its step is below the tolerance.
   std::optional<Proposal> poll_step() const {
     int longest = kNoDirection;
     for (int i = 0; i < std::ssize(directions); ++i) {
@@ -183,7 +189,7 @@ struct Gss::State {
     return step;
   }
 
-  /// The next point that is neither known nor wanted yet.
+  /// Returns the next point that is neither known nor wanted yet.
   std::optional<Proposal> next() {
     if (std::exchange(model_is_new, false)) {
       if (auto step = model_step()) return step;
@@ -211,7 +217,7 @@ struct Gss::State {
 
   void observe(const DesignPoint& point, double value) {
     const std::optional<Proposal> own = wanted.take(point);
-    // A foreign point outside of the bounds has no value for a search inside of them.
+    // A point from another source outside of the bounds has no value for a search inside them.
     if (!own && !has_place_inside(space, point)) return;
     const Proposal tried = own ? *own : Proposal{to_vector(space.to_unit(point)), point, length};
     values.set(point.bits(), value);

@@ -18,7 +18,7 @@ struct Found {
   int evaluations = 0;
 };
 
-/// Runs until converged; every point it asks for lies inside.
+/// Runs until converged and checks that every proposed point lies inside.
 Found minimize(const ConstrainedProblem& problem, const GssOptions& options = {}) {
   Gss gss(problem.space, options);
   Found found;
@@ -40,7 +40,7 @@ TEST(GssAmongConstraints, SolvesProblemsOfHockAndSchittkowski) {
     EXPECT_NEAR(found.f, problem.least, 1e-4 * std::max(1.0, std::abs(problem.least)))
         << problem.name;
     for (size_t i = 0; i < found.x.size(); ++i) {
-      // A target that is flat at its minimum is known to the root of that.
+      // x of a target that is flat at its minimum is accurate to the root of the target's accuracy.
       EXPECT_NEAR(found.x[i], problem.x[i], 0.02 * std::max(1.0, std::abs(problem.x[i])))
           << problem.name << " x" << i + 1;
     }
@@ -50,8 +50,8 @@ TEST(GssAmongConstraints, SolvesProblemsOfHockAndSchittkowski) {
 }
 
 TEST(GssAmongConstraints, FindsACornerWhereManyPlanesMeet) {
-  // A linear target over the cross-polytope |x|_1 <= 1: its least value is at a corner, where 8
-  // planes meet in four dimensions.
+  // A linear target over the cross-polytope |x|_1 <= 1 has its minimum at a corner, where 8 planes
+  // meet in four dimensions.
   const int n = 4;
   std::vector<LinearConstraint> rows;
   for (int k = 0; k < 1 << n; ++k) {
@@ -64,7 +64,7 @@ TEST(GssAmongConstraints, FindsACornerWhereManyPlanesMeet) {
                                    [](const auto& x) { return x[0] + 1.2 * x[1] + x[2] + x[3]; },
                                    {0, -1, 0, 0},
                                    -1.2};
-  EXPECT_NEAR(minimize(problem).f, -1.2, 1e-9);  // the vertex itself: points near it are snapped
+  EXPECT_NEAR(minimize(problem).f, -1.2, 1e-9);  // exact: nearby points are moved onto it
 }
 
 TEST(GssAmongConstraints, GoesAroundPointsThatFailAndKinksOnAConstraint) {
@@ -115,7 +115,7 @@ TEST(GssAmongConstraints, DoesNotMoveToAForeignPointOutside) {
     least = std::min(least, f(point.values));
     gss.observe(point, Score{f(point.values)});
   }
-  EXPECT_NEAR(least, -2.0, 1e-9);  // at (0, 1)
+  EXPECT_NEAR(least, -2.0, 1e-9);  // the minimum at (0, 1)
 }
 
 }  // namespace

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kRhoGrowth = 10.0;
 constexpr double kAlphaDecay = 0.1;
-constexpr double kLeastAlpha = 1e-5;  // below what counts as fulfilled
+constexpr double kLeastAlpha = 1e-5;  // less than the violation that counts as fulfilled
 constexpr double kDeltaDecay = 0.25;
-constexpr double kNextStep = 4.0;  // of delta: first step of the next search
+constexpr double kNextStep = 4.0;  // first step of the next search over delta
 
 void check(const GssNlcOptions& options) {
   const OptionCheck check("GSS-NLC");
@@ -39,7 +39,7 @@ GssNlc::GssNlc(const DesignSpace& space, const GssNlcOptions& options)
       alpha_(options.alpha),
       delta_(std::max(kDeltaDecay * options.gss.initial_step, options.gss.step_tolerance)) {
   check(options);
-  search_ = std::make_unique<Gss>(space_, options_.gss);  // which checks its own options
+  search_ = std::make_unique<Gss>(space_, options_.gss);  // Gss checks its own options
   begin_search(options_.gss.initial_step);
 }
 
@@ -68,7 +68,7 @@ void GssNlc::begin_search(double initial_step) {
   options.initial_step = initial_step;
   options.step_tolerance = std::min(delta_, 0.5 * initial_step);
   search_ = std::make_unique<Gss>(start ? space_.starting_at(start->point) : space_, options);
-  // The best first, or the search would follow the others to it.
+  // The best point is observed first; otherwise the search would follow the others to it.
   if (start) search_->observe(start->point, penalized(start->outcome));
   for (const Known& known : known_) {
     if (&known != start) search_->observe(known.point, penalized(known.outcome));
@@ -94,7 +94,7 @@ std::vector<DesignPoint> GssNlc::propose(int count) const { return search_->prop
 void GssNlc::observe(const DesignPoint& point, const Result<Score>& outcome) {
   known_.push_back({point, outcome});
   search_->observe(point, penalized(outcome));
-  // A search may end at once, on what is known.
+  // A search may end at once, because of the known points.
   double rho = 0.0, delta = 0.0, alpha = 0.0;
   while (search_->converged() && (rho != rho_ || delta != delta_ || alpha != alpha_)) {
     rho = rho_, delta = delta_, alpha = alpha_;

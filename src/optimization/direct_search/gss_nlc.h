@@ -2,17 +2,18 @@
 // GSS-NLC: generating-set search with nonlinear constraints, which an evaluation reports beside the
 // target (Score::constraints, Score::equations).
 //
-//   repeat  search for the least  P_k = f + rho_k p(v)  (penalty.h) with gss.h, which keeps bounds
-//           and linear constraints, from the best point so far, down to a step of delta_k
+//   repeat  minimize  P_k = f + rho_k p(v)  (penalty.h) with gss.h, which keeps bounds and linear
+//           constraints, from the best point so far, down to a step of delta_k
 //   until   v counts as fulfilled and delta_k is the step tolerance, or rho is at its largest
-//   with    rho_k+1 ten times rho_k while v is not fulfilled, delta_k+1 a quarter of delta_k, the
-//           width of smoothing a tenth
+//   with    rho_k+1 = 10 rho_k while v is not fulfilled, delta_k+1 = delta_k / 4, and a tenth of
+//           the width of smoothing
 //
-// Each search is told everything that is known, judged by its own P: nothing is evaluated twice.
-// For targets with kinks and points that fail; where all functions are smooth, sqp.h needs a tenth
-// of the evaluations. The result is off the constraints by about lambda / (2 rho) with the squared
-// penalty, lambda their multipliers. With an exact one it is on them, but kinks stop the search
-// short where equations bend: by 2 to 5 % in problem 71 of Hock and Schittkowski.
+// Each search first observes all known outcomes, judged by its own P, so nothing is evaluated
+// twice. The method is for targets with kinks and points that fail; if all functions are smooth,
+// sqp.h needs a tenth of the evaluations. With the squared penalty the result violates the
+// constraints by about lambda / (2 rho), where lambda is their multiplier. With an exact penalty
+// the result is on the constraints, but kinks stop the search early if equations are curved: by 2
+// to 5 % in problem 71 of Hock and Schittkowski.
 //
 // [Griffin & Kolda, Appl. Math. Res. Express 2010, 36; the "GSS-NLC" of HOPSPACK, Plantenga,
 // SAND2009-6265]
@@ -27,14 +28,14 @@
 namespace latsch {
 
 struct GssNlcOptions {
-  /// Initial step of the first search, tolerance of the last. A penalty's valleys are left too
-  /// early with the contraction of a search without one: problem 71 of Hock and Schittkowski ends
-  /// 0.7 % off.
+  /// Initial step of the first search and tolerance of the last. The contraction is larger than
+  /// without a penalty, because a faster contraction leaves the penalty's valleys too early:
+  /// problem 71 of Hock and Schittkowski then ends 0.7 % off.
   GssOptions gss = {.contraction = 0.5};
   Penalty penalty = Penalty::l2_squared;
-  double rho = 1.0;  // of the first search: change of the target worth a violation of 1
+  double rho = 1.0;  // rho of the first search: change of the target worth a violation of 1
   double largest_rho = 1e8;
-  double alpha = 1.0;  // of the first search: width of smoothing, in units of the constraints
+  double alpha = 1.0;  // alpha of the first search: width of smoothing, in units of the constraints
 };
 
 class GssNlc : public Optimizer {
@@ -42,7 +43,7 @@ class GssNlc : public Optimizer {
   /// Starts at the initial values of the space. Throws InputError for options out of range.
   explicit GssNlc(const DesignSpace& space, const GssNlcOptions& options = {});
 
-  /// Speculation ends with the search for the present rho.
+  /// Proposes no points beyond the search for the present rho.
   std::vector<DesignPoint> propose(int count) const override;
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override { return search_->converged(); }

@@ -49,12 +49,13 @@ TEST(Penalty, IsTheNormItIsCalledAfter) {
   EXPECT_DOUBLE_EQ(penalty(Penalty::linf, score, 1.0), 4.0);
   for (const std::string& name : penalty_names()) {
     EXPECT_EQ(latsch::name(penalty_of(name)), name);
-    EXPECT_EQ(penalty(penalty_of(name), Score{1.0}, 0.1), 0.0);  // no constraints at all
+    EXPECT_EQ(penalty(penalty_of(name), Score{1.0}, 0.1), 0.0);  // no constraints
   }
 }
 
 TEST(Penalty, SmoothedOnesAreAboveTheExactOnesByNoMoreThanTheirBound) {
-  // ln 2 a term of the sum, ln(1 + terms) of the largest; 1 of the root.
+  // The bounds are ln 2 for each term of the sum, ln(1 + terms) for the largest, and 1 for the
+  // root.
   const std::vector<std::pair<Penalty, Penalty>> pairs{{Penalty::l1, Penalty::l1_smoothed},
                                                        {Penalty::l2, Penalty::l2_smoothed},
                                                        {Penalty::linf, Penalty::linf_smoothed}};
@@ -82,7 +83,7 @@ TEST(GssNlc, SolvesProblemsOfHockAndSchittkowski) {
   for (const ConstrainedProblem& problem : nonlinearly_constrained_problems()) {
     const Found found = minimize(problem, as_shipped(1e-4));
     EXPECT_LE(violation(found.score), kFulfilled) << problem.name;
-    // Directions that run into curved walls stop short of the solution: half a percent.
+    // Directions that meet curved walls stop short of the solution by half a percent.
     EXPECT_NEAR(found.score.value, problem.least, 5e-3 * std::abs(problem.least)) << problem.name;
     EXPECT_LT(found.evaluations, 2500) << problem.name;
     RecordProperty(problem.name, found.evaluations);
@@ -104,13 +105,13 @@ TEST(GssNlc, EndsInTheFeasibleRegionWithEveryPenalty) {
 }
 
 TEST(GssNlc, WithoutConstraintsIsTheSearchItself) {
-  ConstrainedProblem problem = linearly_constrained_problems()[3];  // HS35, a linear row
+  ConstrainedProblem problem = linearly_constrained_problems()[3];  // HS35, with a linear row
   const Found found = minimize(problem, as_shipped(1e-4));
   EXPECT_NEAR(found.score.value, problem.least, 1e-4);
 }
 
 TEST(GssNlc, KeepsLinearConstraintsBesideNonlinearOnesAndBearsFailures) {
-  // The point of the unit circle nearest to (1, 0.2) with x1 <= x2: on the diagonal.
+  // The point of the unit circle nearest to (1, 0.2) with x1 <= x2 is on the diagonal.
   const ConstrainedProblem problem{"circle",
                                    space_of({-0.5, 0.5}, {{-2, 2}}, {at_most({1, -1}, 0)}),
                                    [](const auto& x) -> double {

@@ -31,7 +31,7 @@ struct Found {
   int evaluations = 0;
 };
 
-/// Runs until converged; a value that is not finite is a failed trial.
+/// Runs until converged. A value that is not finite is a failed trial.
 Found minimize(const DesignSpace& space, const Function& function, const GssOptions& options = {}) {
   Gss gss(space, options);
   Found found;
@@ -47,8 +47,8 @@ Found minimize(const DesignSpace& space, const Function& function, const GssOpti
   return found;
 }
 
-/// Two basins in y: the shape of Fig. 1 of Hempel and Oertel, KGK 04/2016, whose function has a
-/// local minimum at (-0.15, 0.79) and the global one at (-0.15, -1.15).
+/// Two basins in y: the function of Fig. 1 of Hempel and Oertel, KGK 04/2016, with a local minimum
+/// at (-0.15, 0.79) and the global one at (-0.15, -1.15).
 double two_basins(const std::vector<double>& x) {
   const double a = 0.79, b = -1.15, s = 0.0;  // df/dy = (y - a) (y - b) (y - s)
   const double y = x[1];
@@ -56,8 +56,8 @@ double two_basins(const std::vector<double>& x) {
          (a * b + a * s + b * s) * y * y / 2 - a * b * s * y;
 }
 
-/// The kind of target the tire studies have: mean relative errors, without squares, of eight
-/// frequencies  sqrt(c + sum w_k E_k)  and three forces  d + sum v_k E_k^0.8.  Zero at E = 1.
+/// A target like those of the tire studies: mean relative errors, without squares, of eight
+/// frequencies  sqrt(c + sum w_k E_k)  and three forces  d + sum v_k E_k^0.8.  It is zero at E = 1.
 double twin_target(const std::vector<double>& E) {
   constexpr std::array<std::array<double, 3>, 8> w{{{.5, .1, .1},
                                                     {.3, .1, .3},
@@ -124,7 +124,8 @@ TEST(Gss, FindsTheMinimumOfAQuadratic) {
     const double a = x[0] - 1.0, b = x[1] - 0.5, c = x[2] + 2.0;
     return a * a + 10.0 * b * b + 100.0 * c * c + 3.0 * a * b;
   });
-  // A model step on a quadratic is exact; the step tolerance 1e-3 of a range of 10 bounds the rest.
+  // A model step on a quadratic is exact; the step tolerance 1e-3 of a range of 10 limits the
+  // accuracy.
   EXPECT_NEAR(found.x[0], 1.0, 0.01);
   EXPECT_NEAR(found.x[1], 0.5, 0.01);
   EXPECT_NEAR(found.x[2], -2.0, 0.01);
@@ -135,7 +136,7 @@ TEST(Gss, FollowsRosenbrocksValley) {
   GssOptions options;
   options.step_tolerance = 1e-4;
   const Found found = minimize(box({-1.2, 1.0}, -2.0, 2.0), rosenbrock, options);
-  EXPECT_LT(found.f, 1e-4);  // from 24.2
+  EXPECT_LT(found.f, 1e-4);  // the start has 24.2
   EXPECT_LT(found.evaluations, 300);
 }
 
@@ -209,7 +210,7 @@ TEST(Gss, FindsAMinimumAtABoundAndInACorner) {
     return std::pow(x[0] - 2.0, 2) + std::pow(x[1] - 0.3, 2) + 0.5 * x[0] * x[1];
   };
   const Found face = minimize(box({0.2, 0.8}, 0.0, 1.0), pulled);
-  EXPECT_EQ(face.x[0], 1.0);  // the bits of the bound
+  EXPECT_EQ(face.x[0], 1.0);  // exactly the bound
   EXPECT_NEAR(face.x[1], 0.05, 2e-3);
   const Found corner = minimize(box({0.5, 0.5, 0.5}, 0.0, 1.0),
                                 [](const auto& x) { return x[0] - 2.0 * x[1] + x[2]; });
@@ -217,7 +218,7 @@ TEST(Gss, FindsAMinimumAtABoundAndInACorner) {
 }
 
 TEST(Gss, GoesAroundPointsThatFail) {
-  // No outcome for x0 > 0.62 and in a ball on the way.
+  // Points with x0 > 0.62 and in a ball on the way fail.
   const Found found = minimize(box({0.1, 0.1, 0.9}, 0.0, 1.0), [](const auto& x) {
     const bool in_ball = std::hypot(x[0] - 0.35, x[1] - 0.35, x[2] - 0.6) < 0.1;
     if (x[0] > 0.62 || in_ball) return std::nan("");

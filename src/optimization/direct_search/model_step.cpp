@@ -9,8 +9,10 @@
 namespace latsch {
 namespace {
 
-constexpr double kClearlyBetter = 0.1;  // of the other model's misfit
-constexpr double kConvex = 1e-8;        // of the largest curvature: the least one a program gets
+// Share of the other model's misfit below which a model counts as clearly better.
+constexpr double kClearlyBetter = 0.1;
+// Least curvature in a quadratic program, as a share of the largest one.
+constexpr double kConvex = 1e-8;
 
 std::optional<QuadraticModel> model(const SharedHistory<Sample>& samples,
                                     const Eigen::VectorXd& x,
@@ -27,7 +29,7 @@ std::optional<QuadraticModel> model(const SharedHistory<Sample>& samples,
   return of_f->misfit < kClearlyBetter * of_square->misfit ? of_f : of_square;
 }
 
-/// Least  g's + 1/2 s'(H + mu I)s  inside the region around x.
+/// Minimizes  g's + 1/2 s'(H + mu I)s  inside the region around x.
 Eigen::VectorXd among_constraints(const QuadraticModel& model,
                                   double mu,
                                   const FeasibleRegion& region,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step of a search to the least value, within reach and inside a region, of a quadratic
-// through the evaluated points around x.
+// Step of a search to the minimum of a quadratic through the evaluated points around x, within a
+// given range and inside a region.
 //
-// The quadratic is one of f, or of f^2 where that is fitted better or as well, as it is around the
-// minimum of a sum of absolute residuals; where values are negative it is one of f. In a ball its
-// minimum is that of  m(s) + mu/2 |s|^2  (quadratic_model.h). Where linear constraints cut the ball
-// off, that same convex function is made least among them (quadratic_program.h), and the step cut
-// at the reach.
+// The quadratic approximates f^2 if f^2 is fitted at least as well as f, as around the minimum of a
+// sum of absolute residuals. Otherwise, and if values are negative, it approximates f. In a ball
+// its minimum is that of  m(s) + mu/2 |s|^2  (quadratic_model.h). If linear constraints cut off the
+// ball, the same convex function is minimized inside them (quadratic_program.h), and the step is
+// cut at the range.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace latsch {
 
-/// nullopt with too few samples. In a cube the step may lead over the bounds.
+/// Returns nullopt with too few samples. In a plain cube the step may lead beyond the bounds.
 std::optional<Eigen::VectorXd> model_step(const SharedHistory<Sample>& samples,
                                           const FeasibleRegion& region,
                                           const Eigen::VectorXd& x,

@@ -52,13 +52,14 @@ struct NelderMead::State {
     for (const auto& direction : all.colwise()) wanted.push_back(beside(start, direction));
   }
 
-  /// One a vertex of the first simplex: all that equations among the constraints leave.
+  /// Returns one direction for each other vertex of the first simplex: all that equations among the
+  /// constraints leave.
   Eigen::MatrixXd directions() const {
     if (region.E().rows() == 0) return Eigen::MatrixXd::Identity(space.size(), space.size());
     return tangent_cone(Eigen::MatrixXd(space.size(), 0), region.E().transpose()).lines;
   }
 
-  /// To the side with more room.
+  /// Returns the vertex on the side with more room.
   Vertex beside(const Eigen::VectorXd& start, const Eigen::VectorXd& direction) const {
     const Vertex up = at(start + options.initial_step * direction);
     const Vertex down = at(start - options.initial_step * direction);
@@ -74,7 +75,7 @@ struct NelderMead::State {
   Vertex& worst() { return known.back(); }
   double second_worst() const { return known.size() > 1 ? known[known.size() - 2].f : best().f; }
 
-  /// All vertices are known: the next reflection, or the end.
+  /// Chooses the next reflection, or ends the search. All vertices are known.
   void reflect() {
     const auto less = [](const Vertex& a, const Vertex& b) { return a.f < b.f; };
     std::stable_sort(known.begin(), known.end(), less);
@@ -146,7 +147,7 @@ std::vector<DesignPoint> NelderMead::propose(int count) const {
   assert(count >= 1);
   Plan plan(count);
   plan.add(state_->wanted);
-  if (state_->phase == SimplexPhase::reflection) {  // what may follow: expansion, contraction
+  if (state_->phase == SimplexPhase::reflection) {  // expansion or contraction may follow
     const Eigen::VectorXd away = state_->centroid - state_->worst().u;
     plan.add(state_->at(state_->centroid - state_->gamma * away).point);
     plan.add(state_->at(state_->centroid + state_->beta * away).point);

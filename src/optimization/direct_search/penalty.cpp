@@ -30,7 +30,7 @@ std::vector<double> violations(const Score& score) {
   return v;
 }
 
-/// alpha ln(sum e^(x/alpha)), the largest term taken out so that none overflows.
+/// Returns alpha ln(sum e^(x/alpha)), computed relative to the largest term so that none overflows.
 double soft_max(const std::vector<double>& x, double alpha) {
   const double largest = *std::max_element(x.begin(), x.end());
   double sum = 0.0;

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Penalties that turn nonlinear constraints into a part of the target:
 //
-//   P(x) = f(x) + rho p(v(x)),      v = max(c_i, 0), |h_j|: by how much each is violated
+//   P(x) = f(x) + rho p(v(x)),      v = max(c_i, 0), |h_j|: the amount each is violated by
 //
 //   l1       p = sum v            l2       p = |v|_2            linf     p = max v
 //   l2_squared   p = |v|_2^2
 //
-// Those of the first line are exact, with the solution itself at a finite rho, and have kinks on
-// the constraints; the squared one is smooth and reaches the solution as rho grows. Smoothed, with
-// alpha > 0, the kinks are rounded over a width of alpha:
+// The penalties of the first line are exact: they have the solution itself at a finite rho, and
+// kinks on the constraints. The squared one is smooth and approaches the solution as rho grows. The
+// smoothed penalties, with alpha > 0, round the kinks over a width of alpha:
 //
 //   l1       sum  alpha ln(1 + e^(c_i/alpha)),   alpha ln(e^(h_j/alpha) + e^(-h_j/alpha))
 //   l2       sqrt(|v|_2^2 + alpha^2)
 //   linf     alpha ln(1 + sum e^(c_i/alpha) + sum (e^(h_j/alpha) + e^(-h_j/alpha)))
 //
-// above the exact ones by at most alpha ln 2 a constraint, alpha, and alpha ln(1 + terms).
+// They exceed the exact ones by at most alpha ln 2 for each constraint (l1), by alpha (l2), and by
+// alpha ln(1 + terms) (linf).
 // [Griffin & Kolda, Appl. Math. Res. Express 2010, 36; names as in HOPSPACK]
 #pragma once
 
@@ -28,15 +29,15 @@ namespace latsch {
 
 enum class Penalty { l2_squared, l1, l2, linf, l1_smoothed, l2_smoothed, linf_smoothed };
 
-/// "l2_squared" ...
+/// Returns "l2_squared" and so on.
 std::string_view name(Penalty penalty);
 const std::vector<std::string>& penalty_names();
-/// Of one of penalty_names().
+/// `name` is one of penalty_names().
 Penalty penalty_of(std::string_view name);
 
 bool is_smoothed(Penalty penalty);
 
-/// p of the constraints of a score; without rho.
+/// Returns p of the constraints of a score, without the factor rho.
 double penalty(Penalty kind, const Score& score, double alpha);
 
 }  // namespace latsch

@@ -10,14 +10,18 @@
 namespace latsch {
 namespace {
 
-constexpr int kSpareSamples = 4;   // beyond as many as coefficients: smooths kinks, stays local
-constexpr int kMostSamples = 100;  // or two a variable: far more would be far away, and slow
-constexpr double kNearest = 1.0 / 32.0;  // of the scale; points nearer than this weigh alike
-constexpr double kRidge = 1e-3;          // prefers a small H where samples leave it open
+// Number of samples beyond the number of coefficients: more smooth kinks, fewer keep the model
+// local.
+constexpr int kSpareSamples = 4;
+// Largest number of samples, or twice the number of variables plus two if that is larger: many more
+// would be far away, and slow.
+constexpr int kMostSamples = 100;
+constexpr double kNearest = 1.0 / 32.0;  // share of the scale; nearer points have equal weights
+constexpr double kRidge = 1e-3;          // prefers a small H if samples leave it open
 
 int coefficients(int n) { return (n + 1) * (n + 2) / 2; }
 
-/// The monomials 1, z_i, 1/2 z_i^2 and z_i z_j.
+/// Returns the monomials 1, z_i, 1/2 z_i^2 and z_i z_j.
 Eigen::VectorXd monomials(const Eigen::VectorXd& z) {
   const int n = static_cast<int>(z.size());
   Eigen::VectorXd row((n + 1) * (n + 2) / 2);
@@ -30,7 +34,8 @@ Eigen::VectorXd monomials(const Eigen::VectorXd& z) {
   return row;
 }
 
-/// Weighted residual sum of squares over that of a constant; the first column of A are the weights.
+/// Returns the weighted residual sum of squares over that of a constant; the first column of A has
+/// the weights.
 double unexplained(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eigen::VectorXd& x) {
   const Eigen::VectorXd weights = A.col(0);
   const double mean = weights.dot(b) / weights.squaredNorm();
@@ -38,13 +43,14 @@ double unexplained(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eig
   return spread > 0.0 ? (A * x - b).squaredNorm() / spread : 0.0;
 }
 
-/// Samples in z = (u - center) / scale with their weights.
+/// Samples in coordinates z = (u - center) / scale with their weights.
 struct Weighted {
-  Eigen::MatrixXd Z;  // one a row
+  Eigen::MatrixXd Z;  // one sample a row
   Eigen::VectorXd w, y;
 };
 
-/// All coefficients by linear least squares, a row a sample and one for every curvature.
+/// Finds all coefficients by linear least squares with one row for each sample and one for each
+/// curvature.
 QuadraticModel by_coefficients(const Weighted& data) {
   const auto n = static_cast<int>(data.Z.cols()), rows = static_cast<int>(data.Z.rows());
   const int count = coefficients(n), ridge_rows = count - n - 1;
@@ -63,8 +69,9 @@ QuadraticModel by_coefficients(const Weighted& data) {
   return model;
 }
 
-/// The same least squares with fewer samples than coefficients, by an unknown a sample instead of
-/// one a curvature: with Q and P the weighted monomials of order two and below,
+/// Solves the least squares of by_coefficients with fewer samples than coefficients. It has one
+/// unknown for each sample instead of one for each curvature. With Q and P the weighted monomials
+/// of order two and below,
 ///   (Q Q' + ridge^2 I) alpha + P p = W y,   P' alpha = 0,   h = Q' alpha
 /// Q Q' is w w' (1/2 (z'z)^2 - 1/4 sum z_i^2 z_i^2).
 QuadraticModel by_samples(const Weighted& data) {
@@ -95,7 +102,7 @@ std::vector<Sample> nearest_samples(const SharedHistory<Sample>& samples,
                                     const Eigen::VectorXd& center) {
   const int n = static_cast<int>(center.size());
   const int most = std::max(kMostSamples, 2 * (n + 1));
-  std::vector<std::pair<double, int>> order;  // ties by their age
+  std::vector<std::pair<double, int>> order;  // equal distances ordered by age
   order.reserve(static_cast<std::size_t>(samples.size()));
   for (int i = 0; i < samples.size(); ++i) {
     order.emplace_back((samples[i].u - center).squaredNorm(), i);
@@ -146,8 +153,9 @@ BallStep minimize_in_ball(const QuadraticModel& model, double radius) {
   const double smallest = lambda[0];
   const bool convex = smallest > 1e-12 * scale;
   if (convex && step(0.0).norm() <= radius) return {eigen.vectors * step(0.0), 0.0};
-  // |s(mu)| falls from infinity (or from too long) to below the radius on this interval. In the
-  // hard case, g orthogonal to the lowest eigenvector, the step stays short: still downhill.
+  // |s(mu)| falls on this interval from infinity, or from too large a value, to below the radius.
+  // In the hard case, g orthogonal to the lowest eigenvector, the step stays short but still points
+  // downhill.
   double low = std::max(0.0, -smallest) + 1e-12 * scale;
   double high = low + 2.0 * scale;
   for (int i = 0; i < 60; ++i) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A quadratic through the evaluated points nearest to a center, and its least value in a ball.
+// A quadratic through the evaluated points nearest to a center, and its minimum in a ball.
 //
 //   m(s) = c + g' s + 1/2 s' H s
 //
-// by weighted linear least squares, near points counting most. Where there are fewer points than
-// coefficients, the smallest H that fits is taken.
+// The model is fitted by weighted linear least squares, in which near points count most. If there
+// are fewer points than coefficients, the smallest H that fits is chosen.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,17 +23,17 @@ struct Sample {
 struct QuadraticModel {
   Eigen::VectorXd g;
   Eigen::MatrixXd H;
-  /// Share of the samples' variance that the model leaves unexplained; 0 where it has as many
+  /// Share of the samples' variance that the model leaves unexplained; 0 if it has as many
   /// coefficients as samples.
   double misfit;
 };
 
-/// Those nearest to `center`, as many as a model is made of.
+/// Returns the samples nearest to `center`, as many as one model uses.
 std::vector<Sample> nearest_samples(const SharedHistory<Sample>& samples,
                                     const Eigen::VectorXd& center);
 
-/// Of such samples, nearest first; lengths are told to it by `radius`. nullopt with fewer than n +
-/// 2 samples.
+/// Fits a model to samples ordered nearest first. `radius` is the length by which distances are
+/// scaled. Returns nullopt with fewer than n + 2 samples.
 std::optional<QuadraticModel> fit_quadratic(const std::vector<Sample>& chosen,
                                             const Eigen::VectorXd& center,
                                             double radius);
@@ -43,8 +43,9 @@ struct BallStep {
   double mu;
 };
 
-/// The step s, |s| <= radius, with the least m(s): More and Sorensen's  (H + mu I) s = -g,  mu >=
-/// 0, solved in the eigenvectors of H. [More, Sorensen, SIAM J. Sci. Stat. Comput. 4 (1983) 553]
+/// Returns the step s, |s| <= radius, with the least m(s): More and Sorensen's  (H + mu I) s = -g,
+/// mu >= 0, solved in the eigenvectors of H. [More, Sorensen, SIAM J. Sci. Stat. Comput. 4 (1983)
+/// 553]
 BallStep minimize_in_ball(const QuadraticModel& model, double radius);
 
 }  // namespace latsch

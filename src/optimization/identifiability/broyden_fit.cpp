@@ -13,18 +13,19 @@
 namespace latsch {
 namespace {
 
-constexpr double kDifference = 1e-3;        // of the range, where no length is given
-constexpr double kShortestStep = 1e-9;      // of the range
-constexpr double kLongestRefitStep = 0.25;  // of the range, in one variable: J holds near by
-constexpr int kFailedSteps = 2;             // before J is taken anew
-constexpr double kFirstLambda = 1e-3;       // of the largest entry of J'J
+constexpr double kDifference = 1e-3;    // share of the range, if no length is given
+constexpr double kShortestStep = 1e-9;  // share of the range
+// Longest step of one variable, as a share of its range, because J holds nearby only.
+constexpr double kLongestRefitStep = 0.25;
+constexpr int kFailedSteps = 2;        // number in a row before J is recomputed
+constexpr double kFirstLambda = 1e-3;  // relative to the largest entry of J'J
 constexpr double kLambdaFactor = 10.0;
-// Of the largest: a quadratic program wants some, and where the data do not say at all, a step that
-// rounding asks for leads far off.
+// Least curvature relative to the largest. A quadratic program needs a positive one. Without it, a
+// step in directions that the data do not determine would follow rounding errors far off.
 constexpr double kLeastCurvature = 1e-12;
 
-/// The d of the columns `free` with the least |r + J d|^2 + lambda |d|^2, u + d in the unit cube
-/// and not far away.
+/// Returns the d in the variables `free` that minimizes |r + J d|^2 + lambda |d|^2, with u + d in
+/// the unit cube and not far away.
 Eigen::VectorXd bounded_step(const Linearization& at, const std::vector<int>& free, double lambda) {
   const auto step = [&](const Eigen::VectorXd& d, const std::vector<int>& columns) {
     const auto k = static_cast<Eigen::Index>(columns.size());
@@ -43,7 +44,7 @@ Eigen::VectorXd bounded_step(const Linearization& at, const std::vector<int>& fr
                      step);
 }
 
-/// The same with u + d inside a region; nullopt where no such d is.
+/// Returns such a step with u + d inside a region; nullopt if there is none.
 std::optional<Eigen::VectorXd> constrained_step(const Eigen::MatrixXd& J,
                                                 const Eigen::VectorXd& u,
                                                 const Eigen::VectorXd& r,
@@ -186,7 +187,7 @@ void BroydenFit::plan_step() {
   wanted_.reset();
   converged_ = free_.empty();
   if (converged_) return;
-  // A step that lambda has made short promises little wherever it is: the full one is asked.
+  // A step shortened by lambda always promises little, so the full step decides.
   const auto full = step_from(best_.u, best_.r, 0.0);
   if (!full) return;
   const bool has_enough = !promises(*full);

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Broyden's fit: the least sum of squares S = r' r of some of the variables, from a point nearby
-// where the residuals and their derivatives are known. A few evaluations, no more: what a profile
-// or a cross-validation needs at each of its steps.
+// Broyden's fit minimizes the sum of squares S = r' r over some of the variables, starting at a
+// nearby point at which the residuals and their derivatives are known. It needs a few evaluations
+// only and serves the steps of a profile or a cross-validation.
 //
-// The steps are those of Gauss and Newton: the free variables move by the d with the least
-// |r + J d|^2 + lambda |d|^2  inside the unit cube, each by at most a quarter of its range; lambda
-// is 0 until a step fails [Levenberg, Q. Appl. Math. 2 (1944) 164]. Every residual vector corrects
-// J by the least change that explains it,
+// The steps are those of Gauss and Newton: the free variables move by the d that minimizes |r + J
+// d|^2 + lambda |d|^2  inside the unit cube, each by at most a quarter of its range. lambda is 0
+// until a step fails [Levenberg, Q. Appl. Math. 2 (1944) 164]. Every residual vector corrects J by
+// the smallest change that explains it,
 //   J <- J + (r(u + d) - r(u) - J d) d' / d'd          [Broyden, Math. Comp. 19 (1965) 577]
-// so no derivatives are evaluated, until two steps in a row fail: then J is taken anew by
-// differences, each as long as `differences` says. Corrections know J only along the way that was
-// gone; `refresh` names the variables whose columns are taken anew once before it may converge
-// elsewhere. It has converged where a step promises less than `tolerance` of S; at
-// `most_evaluations`, or where evaluations fail whatever the step, it ends without. Among linear
-// constraints the step is a quadratic program, and a difference for which neither side has room
-// leaves its column of J to the corrections. Where the evaluations bring the model's own slopes, J
-// is those of the best point: nothing is corrected or taken anew, and the steps are Levenberg's.
+// so no derivatives are evaluated until two steps in a row fail. Then J is recomputed by
+// differences with the lengths `differences`. The corrections know J only along the path taken, so
+// `refresh` names the variables whose columns are recomputed once before the fit may converge away
+// from the start. The fit has converged if a step promises less than `tolerance` of S. It ends
+// without convergence after `most_evaluations`, or if evaluations fail whatever the step. With
+// linear constraints the step is a quadratic program, and a difference for which neither side has
+// room leaves its column of J to the corrections. If the evaluations bring the model's own slopes,
+// J is that of the best point: nothing is corrected or recomputed, and the steps are Levenberg's.
 //
-// Ask and tell: evaluate wanted(), observe() what they tell, until wanted() is empty.
+// Ask and tell: evaluate wanted() and pass the outcome to observe(), until wanted() is empty.
 #pragma once
 
 #include <optional>
@@ -29,36 +29,36 @@
 namespace latsch {
 
 struct BroydenFitOptions {
-  double tolerance = 0.0;  // of S
+  double tolerance = 0.0;  // relative to S
   int most_evaluations = 20;
-  std::vector<int> refresh = {};     // of the free variables
-  Eigen::VectorXd differences = {};  // of the range, a length a variable; none: 0.001 each
-  std::optional<FeasibleRegion> region = std::nullopt;  // none: the unit cube
+  std::vector<int> refresh = {};     // free variables whose columns of J are recomputed once
+  Eigen::VectorXd differences = {};  // shares of the range, one for each variable; empty: 0.001
+  std::optional<FeasibleRegion> region = std::nullopt;  // without one: the unit cube
 };
 
 class BroydenFit {
  public:
-  /// `free`: the variables that may move, in ascending order.
+  /// `free` lists the variables that may move, in ascending order.
   BroydenFit(const Linearization& start, std::vector<int> free, const BroydenFitOptions& options);
 
-  /// The same, but variable `i`, not among the free ones, is moved to `value` first, the free ones
-  /// following it as J says. It wants nothing where no point inside the constraints has that value.
+  /// Moves variable `i`, which is not free, to `value` first, and the free variables with it as J
+  /// predicts. The fit wants no point if none inside the constraints has that value.
   BroydenFit(const Linearization& start,
              std::vector<int> free,
              const BroydenFitOptions& options,
              int i,
              double value);
 
-  /// The next point of the unit cube; nullopt when it is done.
+  /// Returns the next point of the unit cube to evaluate; nullopt when the fit is done.
   const std::optional<Eigen::VectorXd>& wanted() const { return wanted_; }
-  /// nullopt where the evaluation failed.
+  /// `evaluated` is nullopt if the evaluation failed.
   void observe(const std::optional<Evaluated>& evaluated);
 
-  /// False where a moved variable's point failed: there is no fit at its value.
+  /// False if the first point with the moved variable failed, so there is no fit at its value.
   bool fitted() const { return !moving_; }
-  /// Nothing more was promised. False while it wants something, and where it had to give up.
+  /// True if no step promised an improvement; false while the fit wants a point or if it gave up.
   bool converged() const { return converged_; }
-  /// The least S so far, with J as far as it is known there.
+  /// Returns the point with the least S so far, and J as far as it is known there.
   const Linearization& best() const { return best_; }
   int evaluations() const { return evaluations_; }
 
@@ -79,12 +79,12 @@ class BroydenFit {
   std::vector<int> free_;
   BroydenFitOptions options_;
   std::optional<Eigen::VectorXd> wanted_;
-  bool moving_ = false;  // the first point is under way; it counts whatever its S
+  bool moving_ = false;  // the first point is being evaluated; it is accepted whatever its S
   double lambda_ = 0.0;
   bool converged_ = false, verified_ = false;
-  int failed_steps_ = 0;      // in a row
-  std::vector<int> columns_;  // of J that are taken anew; empty: none
-  int difference_ = 0;        // place in columns_ of the derivative under way
+  int failed_steps_ = 0;      // number in a row
+  std::vector<int> columns_;  // columns of J being recomputed
+  int difference_ = 0;        // index in columns_ of the derivative being evaluated
   int evaluations_ = 0;
 };
 

@@ -14,15 +14,18 @@
 namespace latsch {
 namespace {
 
-constexpr double kNearBound = 1e-6;          // of the range: a variable so near lies on its bound
-constexpr double kResolved = 4e-16;          // of the range: numbers in it are no closer
-constexpr double kNearInNoise = 0.1;         // of the noise: the way to the bound is felt as less
-constexpr double kRoundingOfValues = 1e-13;  // of the largest singular value: less is zero
-/// Of the stated noise: residuals with less spread hold none of it. An autoregression with
+// Share of the range: a variable this near is on its bound.
+constexpr double kNearBound = 1e-6;
+constexpr double kResolved = 4e-16;  // share of the range: distance of neighboring numbers
+// A variable counts as on its bound if the way there changes the residuals by less than this share
+// of their noise.
+constexpr double kNearInNoise = 0.1;
+constexpr double kRoundingOfValues = 1e-13;  // share of the largest singular value: less is zero
+/// Share of the stated noise: residuals with less spread contain no noise. An autoregression with
 /// kappa = 0.99975, the strongest looked for, still leaves 0.03 beside a constant in 20 values.
 constexpr double kNoNoise = 1e-3;
-/// Of its deviation: a variable that would leave its bounds by less is not held by them. On whether
-/// it is, in a fit without noise, rounding decides.
+/// Share of a variable's deviation: a bound does not hold a variable that would leave it by less.
+/// In a fit without noise, rounding decides whether it does.
 constexpr double kHeldBy = 1e-3;
 
 struct Spectrum {
@@ -30,7 +33,7 @@ struct Spectrum {
   Eigen::MatrixXd directions;
 };
 
-/// n of each, also where there are fewer rows than columns.
+/// Returns n singular values, even if there are fewer rows than columns.
 Spectrum spectrum(const Eigen::MatrixXd& J) {
   const Eigen::Index n = J.cols();
   const auto [values, V] = numerics::singular_values(J);
@@ -39,7 +42,7 @@ Spectrum spectrum(const Eigen::MatrixXd& J) {
   return s;
 }
 
-/// (J' J)^-1, with directions that J does not feel as wide as rounding allows to say.
+/// Returns (J' J)^-1. Directions without effect in J get the largest width that rounding allows.
 Eigen::MatrixXd inverse_normal_matrix(const Eigen::MatrixXd& J) {
   if (J.cols() == 0) return {};
   const Spectrum s = spectrum(J);
@@ -50,21 +53,21 @@ Eigen::MatrixXd inverse_normal_matrix(const Eigen::MatrixXd& J) {
   return W * W.transpose();
 }
 
-/// The part of column j that the columns of A cannot imitate.
+/// Returns the part of column j that the columns of A cannot represent.
 Eigen::VectorXd beside(const Eigen::MatrixXd& A, const Eigen::VectorXd& j) {
   if (A.cols() == 0) return j;
   return j - A * (inverse_normal_matrix(A) * (A.transpose() * j));
 }
 
-/// On a bound, with S growing inward, by slopes. `way`: in the unit cube, so short that it counts
-/// as none.
+/// Returns the bound a variable is on if S grows inward by its slope. `way` is a distance in the
+/// unit cube short enough to count as none.
 Bound bound_at(double u, double gradient, double way) {
   if (u <= way && gradient > 0.0) return Bound::lower;
   if (u >= 1.0 - way && gradient < 0.0) return Bound::upper;
   return Bound::none;
 }
 
-/// The variables whose bound keeps them from a better fit by more than rounding.
+/// Returns the variables whose bound keeps them from a better fit by more than rounding.
 std::vector<Bound> held_variables(const Linearization& at,
                                   const Eigen::VectorXd& gradient,
                                   double sigma) {
@@ -88,17 +91,18 @@ std::vector<Bound> held_variables(const Linearization& at,
   return bounds;
 }
 
-/// How far inward, from a bound where S grows as 2 g d + h d^2, it stays below the threshold.
+/// Returns the distance inward from a bound, where S grows as 2 g d + h d^2, up to which S stays
+/// below the threshold.
 double reach(double g, double h, double threshold) {
   const double root = std::sqrt(g * g + h * threshold);
-  const double d = threshold / (g + root);  // the root without cancellation
+  const double d = threshold / (g + root);  // formula without cancellation
   return std::isfinite(d) ? d : kInfinity;
 }
 
 }  // namespace
 
 double rare_ratio(double nu) {
-  constexpr double kNormal = 3.090232;  // exceeded by one in a thousand
+  constexpr double kNormal = 3.090232;  // exceeded with a chance of one in a thousand
   const double k = 2.0 / (9.0 * nu);
   return std::pow(1.0 - k + kNormal * std::sqrt(k), 3.0);
 }
@@ -117,7 +121,7 @@ void take_spread(const ResidualNoise& noise, const ConfidenceOptions& options, C
   c.sigma = seen;
 }
 
-/// The part of each direction's deviation that is noise: of J v_k over its length.
+/// Returns each direction's deviation caused by noise: that of J v_k over its length.
 Eigen::VectorXd along_directions(const Eigen::MatrixXd& J,
                                  const ResidualNoise& noise,
                                  const Confidence& c) {
@@ -143,17 +147,17 @@ struct Estimates {
   Eigen::MatrixXd V;      // n x n: directions
   Eigen::VectorXd scale;  // n: 1 / singular value
   Eigen::MatrixXd W;      // n x n: V scale
-  Eigen::MatrixXd felt;   // m x n, orthonormal columns; 0 for a direction that no residual feels
+  Eigen::MatrixXd felt;   // m x n, orthonormal columns; 0 for a direction without effect
   std::vector<Eigen::Index> flat;
 
-  /// Of the place along each direction.
+  /// Returns the covariance of the coordinates along the directions.
   Eigen::MatrixXd covariance_along(const ResidualNoise& noise) const {
     const Eigen::MatrixXd colored = noise.colored(felt);
     Eigen::MatrixXd K = colored.transpose() * colored;
     for (const Eigen::Index k : flat) K(k, k) = 1.0;
     return scale.asDiagonal() * K * scale.asDiagonal();
   }
-  /// How far the least squares lie along each direction where the residuals change by r.
+  /// Returns the shift of the least squares along each direction if the residuals change by r.
   Eigen::MatrixXd answer(const Eigen::MatrixXd& r) const {
     return -(scale.asDiagonal() * (felt.transpose() * r));
   }
@@ -204,7 +208,8 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   assert(at.r.size() > 0 && at.J.rows() == at.r.size() && at.J.cols() == n);
   Confidence c;
   const Eigen::VectorXd gradient = at.J.transpose() * at.r;
-  // Of all variables: what one that is held could explain is no noise.
+  // The noise is estimated with all variables: residuals that a held variable could explain are not
+  // noise.
   const double rounding = options.sigma ? kNoNoise * *options.sigma : options.least_noise;
   const ResidualNoise noise(at.r, at.J, options.traits, rounding);
   take_spread(noise, options, c);
@@ -224,12 +229,13 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
 
   const Eigen::MatrixXd inverse = inverse_normal_matrix(J_free);
   const Estimates estimates = estimates_of(J_free);
-  Eigen::VectorXd left = -inverse * gradient(free);                          // to the least S
-  if (!estimates.flat.empty()) left = estimates.V * estimates.answer(at.r);  // none along these
+  Eigen::VectorXd left = -inverse * gradient(free);  // way to the least S
+  if (!estimates.flat.empty()) left = estimates.V * estimates.answer(at.r);  // 0 there
+                                                  // directions
   c.left_to_gain = free.empty() ? 0.0 : std::max(0.0, -gradient(free).dot(left));
   c.free = free_directions(at, free, estimates, noise, c);
   const Eigen::MatrixXd C = estimates.V * c.free.covariance * estimates.V.transpose();
-  /// t^2 times the variance of y' r for a y of length 1: what S has risen by at the ends of an
+  /// Returns t^2 times the variance of y' r for a y of length 1: the rise of S at the ends of an
   /// interval.
   const auto threshold_of = [&](const Eigen::VectorXd& y) {
     const double freedom = std::min(nu > 0.0 ? nu : kInfinity, noise.freedom_of(y, stated));
@@ -268,7 +274,7 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
 
 namespace {
 
-/// Rows of the variables among n rows that are 0 elsewhere.
+/// Returns n rows with the rows of the variables at their places and 0 elsewhere.
 Eigen::MatrixXd spread_rows(const Eigen::MatrixXd& part,
                             const std::vector<int>& places,
                             Eigen::Index n) {
@@ -329,7 +335,7 @@ std::vector<DesignPoint> difference_points(const DesignSpace& space,
     const auto stepped = [&](double side) {
       std::vector<double> moved = u;
       moved[i] += side;
-      DesignPoint point = center;  // the exact bits of the other variables
+      DesignPoint point = center;  // keeps the exact bits of the other variables
       point.values[i] = space.from_unit(moved).values[i];
       return point;
     };

@@ -1,35 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the data determine at a fitted point, from the residuals and their derivatives alone.
+// Determines how well the data determine the variables at a fitted point, from the residuals and
+// their derivatives alone.
 //
-// Residuals r(u) of m measured values, each divided by its noise or weighted alike, in n variables
-// u of the unit cube; J = dr/du at, or near, the least sum of squares S = r' r. In linear
-// approximation
-//   s^2 V                               covariance of the residuals (residual_noise.h), V = 1 where
-//                                       they are alike and independent, s^2 = S / (m - n) then
+// The residuals r(u) of m measured values, each divided by its noise or weighted equally, depend on
+// n variables u of the unit cube. J = dr/du is taken at, or near, the least sum of squares S = r'
+// r. In linear approximation,
+//   s^2 V                               covariance of the residuals (residual_noise.h); V = 1 and
+//                                       s^2 = S / (m - n) if they are alike and independent
 //   C = s^2 (J' J)^-1 J' V J (J' J)^-1  covariance of the variables
 //   u_i +- (t sqrt(C_ii) + |d_i|)       confidence interval, t of Student's distribution
-//   d = -(J' J)^-1 J' r                 what the search left of the way to the least S
+//   d = -(J' J)^-1 J' r                 remaining way from u to the least S
 // [Bard, Nonlinear Parameter Estimation, 1974, ch. 7; Seber, Wild, Nonlinear Regression, 1989,
 // ch. 5]
 //
-// Singular values of J tell how strongly the data hold the directions of the unit cube: along
-// direction v_k the standard deviation is s / sigma_k; where that is more than the range itself the
-// data say nothing. A variable at a bound towards which S falls is held there; its interval is
-// one-sided, from  S(u_i) - S <= threshold  with the others refitted, the threshold being that S at
-// the ends of a two-sided interval: s^2 t^2 where residuals are alike and independent. What such a
-// variable would explain if it were let go is no noise: s is estimated from what no variable can.
+// The singular values of J show how strongly the data determine the directions of the unit cube:
+// along direction v_k the standard deviation is s / sigma_k. If s / sigma_k exceeds the range
+// itself, the data determine nothing along v_k. A variable at a bound is held there if S falls
+// toward the bound. Its interval is one-sided, from  S(u_i) - S <= threshold  with the other
+// variables refitted. The threshold is this difference at the ends of a two-sided interval: s^2 t^2
+// if the residuals are alike and independent. The part of the residuals that a held variable would
+// explain if released is not noise, so s is estimated from the part that no variable can explain.
 //
-// A fit without noise, of a model to itself, leaves rounding of the simulations: less than
-// `least_noise`, or than a thousandth of the stated noise. In it V = 1, and a variable counts as
-// held by its bound only where it would leave it by more than that makes of it. So its intervals
-// follow from J alone, wherever the search began.
+// A fit without noise, of a model to itself, leaves only rounding errors of the simulations: less
+// than `least_noise`, or less than a thousandth of the stated noise. For such residuals V = 1, and
+// a variable counts as held by its bound only if it would leave the bound by more than the rounding
+// errors explain. The intervals then follow from J alone, wherever the search began.
 //
-// Where s is stated and the residuals are larger than that explains, once in a thousand, either the
-// model cannot follow the measurement or the search has ended early: intervals then take the
-// spread that is seen, and `excess` says by how much it is larger.
+// If s is stated and the residuals are larger than it explains (chance of one in a thousand),
+// either the model cannot follow the measurement or the search has ended early. The intervals then
+// use the observed spread, and `excess` is its ratio to the stated one.
 //
-// Exact for linear models and Gaussian noise; elsewhere a profile (profile.h) tells more. The
-// interval is that of the least-squares fit of these residuals.
+// The result is exact for linear models and Gaussian noise; otherwise a profile (profile.h) is more
+// reliable. The interval is that of the least-squares fit of these residuals.
 #pragma once
 
 #include <Eigen/Core>
@@ -42,7 +44,7 @@
 
 namespace latsch {
 
-/// What an evaluation tells: residuals, and dr/du where the model knows its slopes.
+/// Result of an evaluation: residuals, and dr/du if the model computes its slopes.
 struct Evaluated {
   Evaluated(Eigen::VectorXd residuals, Eigen::MatrixXd slopes = {})
       : r(std::move(residuals)), J(std::move(slopes)) {}
@@ -53,7 +55,7 @@ struct Evaluated {
   }
 
   Eigen::VectorXd r;
-  Eigen::MatrixXd J;  // empty: not known
+  Eigen::MatrixXd J;  // empty if not known
 };
 
 /// Residuals and their derivatives at a point of the unit cube.
@@ -61,97 +63,101 @@ struct Linearization {
   Eigen::VectorXd u;      // n
   Eigen::VectorXd r;      // m
   Eigen::MatrixXd J;      // m x n
-  bool is_exact = false;  // J is the model's own, not made of differences
+  bool is_exact = false;  // J is the model's own, not computed by differences
 
   double sum_of_squares() const { return r.squaredNorm(); }
 };
 
 struct ConfidenceOptions {
-  std::optional<double> sigma = std::nullopt;  // standard deviation of a residual, where known
+  std::optional<double> sigma = std::nullopt;  // standard deviation of a residual, if known
   double level = 0.95;
-  /// Where the spread is estimated: no residual is computed more exactly. Keeps the intervals of a
-  /// perfect fit, a model fitted to itself, from having no width at all.
+  /// Least standard deviation used if the spread is estimated, because no residual is computed more
+  /// exactly. It keeps the intervals of a perfect fit, a model fitted to itself, from having no
+  /// width.
   double least_sigma = 1e-9;
-  /// Where the spread is estimated: less of it is rounding of the simulations and no noise, so no
-  /// correlation of neighbors is looked for in it. In the unit of the residuals: of relative
-  /// differences 1e-5 is less than any laboratory leaves.
+  /// If the spread is estimated, a smaller spread counts as rounding of the simulations and not as
+  /// noise, so no correlation of neighbors is looked for in it. In the unit of the residuals: for
+  /// relative differences 1e-5 is less than the noise of any laboratory.
   double least_noise = 1e-9;
   ResidualTraits traits = {};
 };
 
-/// Two ends in the unit cube, not cut off at its faces; infinite where nothing holds the variable.
+/// Two ends in the unit cube, not cut off at its faces; infinite if nothing determines the
+/// variable.
 struct Interval {
   double lower, upper;
 };
 
-/// What the data say of the variables that no bound holds, direction by direction: what values that
-/// follow from the variables are as uncertain as (prediction_band.h).
+/// Uncertainty of the variables that no bound holds, direction by direction. The uncertainty of
+/// values computed from the variables follows from it (prediction_band.h).
 struct FreeDirections {
-  Eigen::MatrixXd axes;        // n x f: a direction of the unit cube each, 0 in held variables
-  Eigen::MatrixXd covariance;  // f x f: of the place along each
-  Eigen::VectorXd left;        // f: what the search left of the way along each; 0 where flat
-  Eigen::MatrixXd following;   // f x n: how far each moves with a held variable, by the refit
+  Eigen::MatrixXd axes;        // n x f: columns are directions; 0 in held variables
+  Eigen::MatrixXd covariance;  // f x f: of the coordinates along the directions
+  Eigen::VectorXd left;        // f: remaining way to the least S along each; 0 if flat
+  Eigen::MatrixXd following;   // f x n: motion along each per held variable, by the refit
   double t = 0.0;              // the largest quantile of an interval
 };
 
 struct Confidence {
-  double sigma;             // of a residual; NaN where there are no more residuals than variables
+  double sigma;             // deviation of a residual; NaN unless residuals outnumber variables
   double t;                 // Student's quantile, two-sided, of independent residuals
   std::vector<Bound> held;  // variables that their bound keeps from a better fit
   Eigen::VectorXd singular_values;  // descending, of all variables
-  Eigen::MatrixXd directions;       // a column of the unit cube each
+  Eigen::MatrixXd directions;       // each column a direction of the unit cube
   Eigen::MatrixXd covariance;       // 0 in rows and columns of held variables
-  Eigen::MatrixXd correlation;      // as well
+  Eigen::MatrixXd correlation;      // 0 there as well
   std::vector<Interval> intervals;
-  /// Of every variable: the S above its least that still belongs to its interval.
+  /// One threshold for each variable: the difference S - least S up to which values belong to its
+  /// interval.
   std::vector<double> thresholds;
   Eigen::VectorXd direction_deviations;
-  /// Standard deviation of every residual as the variables feel it: a share in what its neighbors
-  /// have in common included.
+  /// Standard deviation of every residual as it acts on the variables, including the part it shares
+  /// with its neighbors.
   Eigen::VectorXd noise;
-  /// The residuals' spread over the one stated, where that cannot be chance; 1 otherwise.
+  /// Ratio of the residuals' spread to the stated one if chance cannot explain it; 1 otherwise.
   double excess = 1.0;
   bool is_colored = false;    // neighbors share noise
-  double left_to_gain = 0.0;  // S - least S, as J promises inside the bounds of held variables
+  double left_to_gain = 0.0;  // S - least S, as J predicts inside the bounds of held variables
   FreeDirections free;
 
-  /// s^2 t^2: of independent residuals.
+  /// Returns s^2 t^2, the threshold for independent residuals.
   double threshold() const { return sigma * sigma * t * t; }
-  /// Standard deviation along direction k, in ranges of the variables; infinite where flat.
+  /// Standard deviation along direction k, in ranges of the variables; infinite if flat.
   double deviation(int k) const { return direction_deviations[k]; }
 };
 
-/// What a sum of squares of nu squared standard normal numbers exceeds once in a thousand, over nu
-/// [Wilson, Hilferty, Proc. Nat. Acad. Sci. 17 (1931) 684].
+/// Returns the ratio to nu that a sum of squares of nu standard normal numbers exceeds with a
+/// chance of one in a thousand [Wilson, Hilferty, Proc. Nat. Acad. Sci. 17 (1931) 684].
 double rare_ratio(double nu);
 
-/// Needs a residual at least.
+/// Needs at least one residual.
 Confidence confidence(const Linearization& at, const ConfidenceOptions& options = {});
 
-/// The confidence of some of the variables as one of all: the others stand at `u`, have an interval
-/// of no width, no covariance and no part in any direction. There is a direction a free variable.
+/// Extends the confidence of some of the variables to all of them. The other variables stay at `u`
+/// and have an interval of no width, no covariance and no part in any direction. The number of
+/// directions is that of the free variables.
 Confidence of_all_variables(Confidence part,
                             const std::vector<int>& free,
                             const Eigen::VectorXd& u);
 
-/// How far from here the least sum of squares lies when all residuals change by `change`,
-/// -(J'J)^-1 J' change in the variables that are not held: what a model that computes otherwise
-/// does to its numbers. 0 in held ones and along directions that no residual feels.
+/// Returns the shift of the least sum of squares if all residuals change by `change`, -(J'J)^-1 J'
+/// change in the variables that are not held. A model that computes differently changes its values
+/// by this shift. It is 0 in held variables and along directions that no residual depends on.
 Eigen::VectorXd shift_of(const Linearization& at,
                          const std::vector<Bound>& held,
                          const Eigen::VectorXd& change);
 
-/// The points of which J is taken by differences: the center, then one step in each variable of the
-/// unit cube, inward, and inside the linear constraints where one of both sides is. `steps`: one a
-/// variable; 0, or none at all: 0.01.
+/// Returns the points from which J is computed by differences: the center, then one step in each
+/// variable of the unit cube, inward, and inside the linear constraints if one of the two sides is.
+/// `steps` has one entry for each variable; 0 or an empty vector means 0.01.
 std::vector<DesignPoint> difference_points(const DesignSpace& space,
                                            const DesignPoint& center,
                                            const Eigen::VectorXd& steps = {});
 
-/// Places of the residuals that are known, not NaN, at all points.
+/// Returns the indices of the residuals that are known, not NaN, at all points.
 std::vector<Eigen::Index> known_residuals(const std::vector<Eigen::VectorXd>& residuals);
 
-/// Linearization from the residuals at difference_points.
+/// Computes the linearization from the residuals at difference_points.
 Linearization differences(const DesignSpace& space,
                           const std::vector<DesignPoint>& points,
                           const std::vector<Eigen::VectorXd>& residuals);

@@ -22,8 +22,8 @@ Linearization line(const Eigen::VectorXd& y) {
   return at;
 }
 
-// Standard errors of a straight line: s^2 = S / (m - 2), var b = s^2 / Sxx, var a = s^2 (1/m +
-// mean(x)^2 / Sxx), cov = -s^2 mean(x) / Sxx. Here m = 5, Sxx = 10, mean(x) = 2.
+// The standard errors of a straight line are s^2 = S / (m - 2), var b = s^2 / Sxx, var a = s^2 (1/m
+// + mean(x)^2 / Sxx), cov = -s^2 mean(x) / Sxx. Here m = 5, Sxx = 10, mean(x) = 2.
 TEST(Confidence, AStraightLineHasItsTextbookIntervals) {
   const Linearization at = line(Eigen::VectorXd{{0.31, 0.39, 0.52, 0.58, 0.70}});
   const Confidence c = confidence(at);
@@ -38,7 +38,7 @@ TEST(Confidence, AStraightLineHasItsTextbookIntervals) {
   EXPECT_NEAR(std::pow(c.singular_values.prod(), 2), 50.0, 1e-10);
 }
 
-// A linear model: wherever the search stopped, d leads to the textbook's solution.
+// In a linear model d leads to the textbook's solution, wherever the search stopped.
 TEST(Confidence, WhatTheSearchLeftOfTheWayWidensTheInterval) {
   const Linearization least = line(Eigen::VectorXd{{0.31, 0.39, 0.52, 0.58, 0.70}});
   const Eigen::Vector2d left(0.3, -0.2);
@@ -68,8 +68,8 @@ TEST(Confidence, ADirectionThatNoResidualFeelsIsInfinitelyWideAndTheOthersAreNot
   EXPECT_GT(c.deviation(2), 1e6);
 }
 
-// S = (u1 + 0.3)^2 + (u2 - 0.4)^2 inside u >= 0 is least at (0, 0.4), S = 0.09, and grows from
-// there as  2 0.3 d + d^2.
+// S = (u1 + 0.3)^2 + (u2 - 0.4)^2 inside u >= 0 has its minimum at (0, 0.4), S = 0.09, and grows
+// from there as  2 0.3 d + d^2.
 TEST(Confidence, AVariableAtItsBoundHasAOneSidedInterval) {
   Linearization at{Eigen::Vector2d(0, 0.4), Eigen::Vector2d(0.3, 0), Eigen::Matrix2d::Identity()};
   const Confidence c = confidence(at, {.sigma = 0.1});
@@ -81,8 +81,9 @@ TEST(Confidence, AVariableAtItsBoundHasAOneSidedInterval) {
   EXPECT_NEAR(c.intervals[1].upper, 0.4 + 0.1959964, 1e-6);
 }
 
-// Data that ask for u1 = -0.3 of a noise of 0.01: thirty deviations, of which u1, let go, would
-// leave none. They tell nothing of the noise, and u2 is as sure as before.
+// The data suggest u1 = -0.3 with a noise of 0.01, thirty deviations beyond the bound. If u1 were
+// released, these residuals would vanish, so they are not noise, and u2 is as certain as without
+// them.
 TEST(Confidence, WhatABoundKeepsFromBeingReachedIsNoNoise) {
   Linearization at{Eigen::Vector2d(0, 0.4), Eigen::VectorXd::Zero(40), Eigen::MatrixXd(40, 2)};
   for (int j = 0; j < 40; ++j) {
@@ -109,8 +110,8 @@ Eigen::VectorXd colored_noise(int count, double kappa, RandomStream random) {
   return e;
 }
 
-// The level and slope of a line under noise that neighbors share. Over 300 data sets a share of
-// 0.95 is known to 0.0126.
+// The test estimates the level and slope of a line under noise that neighbors share. With 300 data
+// sets a share of 0.95 has a standard error of 0.0126.
 TEST(Confidence, NeighborsThatShareNoiseAreNotIndependent) {
   constexpr int kSets = 300, kSamples = 200;
   int held[2] = {};
@@ -128,19 +129,20 @@ TEST(Confidence, NeighborsThatShareNoiseAreNotIndependent) {
   for (const int count : held) EXPECT_NEAR(static_cast<double>(count) / kSets, 0.95, 0.025);
 }
 
-// Twice the stated noise in 100 values is no chance: the interval is that of the spread seen.
+// Twice the stated noise in 100 values cannot be chance, so the interval follows from the observed
+// spread.
 TEST(Confidence, ResidualsLargerThanTheirStatedNoiseWidenTheIntervals) {
   Linearization at = line(2.0 * colored_noise(100, 0.0, RandomStream(3, 1)));
-  at.u.setConstant(0.5);  // inside its bounds
+  at.u.setConstant(0.5);  // inside the bounds
   const Confidence stated = confidence(at, {.sigma = 1.0}), seen = confidence(at);
   EXPECT_NEAR(stated.excess, 2.0, 0.3);
   EXPECT_NEAR(stated.intervals[1].upper, seen.intervals[1].upper, 1e-12);
   EXPECT_EQ(confidence(at, {.sigma = 2.0}).excess, 1.0);
 }
 
-// A weight of 4 makes a residual twice as large as its noise: the fit listens to it more than its
-// noise deserves, and the interval knows the noise. Mean of two values with weights 4 and 1:
-// variance (16 + 1) / 25.
+// A weight of 4 doubles a residual relative to its noise. The fit then follows this value more than
+// its noise justifies, and the interval accounts for the noise. The mean of two values with weights
+// 4 and 1 has the variance (16 + 1) / 25.
 TEST(Confidence, AWeightIsNotTakenForExactness) {
   Linearization at{Eigen::VectorXd::Constant(1, 0.5), Eigen::Vector2d::Zero(), {}};
   at.J = Eigen::Vector2d(2, 1);
@@ -148,8 +150,8 @@ TEST(Confidence, AWeightIsNotTakenForExactness) {
   EXPECT_NEAR(c.covariance(0, 0), 17.0 / 25.0, 1e-12);
 }
 
-// A line whose model computes 0.3 - 0.02 x too much: the least squares lie by that lower. Where the
-// slope is held, the level takes in the mean, 0.3 - 0.02 * 2.
+// If the model computes values too large by 0.3 - 0.02 x, the least squares are lower by this line.
+// If the slope is held, the level takes the mean, 0.3 - 0.02 * 2.
 TEST(Confidence, ALinearModelsBiasShiftsTheLeastSquaresByIt) {
   const Linearization at = line(Eigen::VectorXd{{0.31, 0.39, 0.52, 0.58, 0.70}});
   const Eigen::VectorXd change = at.J * Eigen::Vector2d(-0.3, 0.02) * -1.0;
@@ -161,7 +163,7 @@ TEST(Confidence, ALinearModelsBiasShiftsTheLeastSquaresByIt) {
   EXPECT_EQ(held[1], 0.0);
 }
 
-// What no residual feels is not shifted.
+// A direction without effect on the residuals is not shifted.
 TEST(Confidence, NothingIsShiftedAlongAFlatDirection) {
   Linearization at{Eigen::VectorXd::Constant(2, 0.5), Eigen::Vector3d::Zero(), {}};
   at.J = Eigen::MatrixXd{{1, 1}, {2, 2}, {3, 3}};
@@ -171,7 +173,7 @@ TEST(Confidence, NothingIsShiftedAlongAFlatDirection) {
   EXPECT_NEAR(shift[1], -0.05, 1e-12);
 }
 
-// Differences of a linear function are exact; at the upper bound they are taken inward.
+// Differences of a linear function are exact; at the upper bound the points lie inward.
 TEST(Confidence, DifferencesGiveTheDerivativesOfALinearFunction) {
   const DesignSpace space({{.name = "a", .lower = 1, .upper = 3, .initial = 3}, {.name = "b"}});
   const auto points = difference_points(space, space.initial());

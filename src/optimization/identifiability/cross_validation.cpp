@@ -9,7 +9,7 @@
 namespace latsch {
 namespace {
 
-constexpr int kEvaluationsOfARefit = 30;  // and two a variable
+constexpr int kEvaluationsOfARefit = 30;  // plus two for each variable
 
 double root_mean_square(const Eigen::VectorXd& r) {
   return std::sqrt(r.squaredNorm() / static_cast<double>(r.size()));

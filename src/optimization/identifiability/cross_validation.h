@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cross-validation: how well a model predicts measurements it was not fitted to.
+// Cross-validation measures how well a model predicts measurements it was not fitted to.
 //
-// The residuals fall into groups, load cases for example. Each group is left out in turn, the
-// variables are refitted (broyden_fit.h) to the rest, and the residuals of the group are taken
-// there. Where they are much larger than in the common fit, the group holds what no other one
-// tells, or the model cannot have both. A refit that does not converge, because its evaluations
-// fail or because it ran out of them, predicts nothing. [Stone, J. R. Statist. Soc. B 36 (1974)
-// 111]
+// The residuals fall into groups, for example load cases. Each group is left out in turn, the
+// variables are refitted (broyden_fit.h) to the rest, and the group's residuals are computed at the
+// refitted point. If they are much larger than in the common fit, either the group holds
+// information that no other group has, or the model cannot fit both. A refit that does not
+// converge, because its evaluations fail or run out, predicts nothing. [Stone, J. R. Statist. Soc.
+// B 36 (1974) 111]
 //
-// Ask and tell in rounds, as Identification: the groups go side by side.
+// Ask and tell in rounds, as in Identification: the groups are evaluated side by side.
 #pragma once
 
 #include <optional>
@@ -23,14 +23,14 @@ struct LeftOut {
   int group = 0;
   Eigen::VectorXd u;       // refitted without the group
   double fitted = 0.0;     // root mean square of the group's residuals in the common fit
-  double predicted = 0.0;  // and without it; NaN where the refit did not converge
+  double predicted = 0.0;  // and without the group; NaN if the refit did not converge
 };
 
 class CrossValidation {
  public:
-  /// `group` of every residual of the common fit `best`, < 0 for what is never left out; at least
-  /// two groups. `tolerance` as in BroydenFitOptions; `free`: the variables that may move,
-  /// ascending; empty: all.
+  /// `group` is the group of every residual of the common fit `best`, or < 0 for residuals that are
+  /// never left out; there are at least two groups. `tolerance` is that of BroydenFitOptions.
+  /// `free` lists the variables that may move, ascending; empty means all.
   CrossValidation(const DesignSpace& space,
                   const Linearization& best,
                   const std::vector<int>& group,
@@ -40,7 +40,7 @@ class CrossValidation {
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
   void observe(const std::vector<Result<Evaluated>>& evaluated);
 
-  /// One a group, in ascending order, when done.
+  /// Returns one result for each group, in ascending order, when done.
   const std::vector<LeftOut>& left_out() const { return left_out_; }
 
  private:

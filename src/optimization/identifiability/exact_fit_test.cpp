@@ -46,7 +46,7 @@ struct Answered {
   std::string ending;
   int trials = 0;
   Confidence confidence;
-  std::vector<Interval> values;  // the intervals, in the unit of the variables
+  std::vector<Interval> values;  // intervals in the units of the variables
   std::vector<Eigen::VectorXd> unknown;
 };
 
@@ -90,7 +90,7 @@ Answered answer(const std::vector<DesignVariable>& variables,
   return found;
 }
 
-/// Half the width of the interval as the design matrix at the truth has it, by the closed form, for
+/// Returns half the width of the interval from the design matrix at the truth in closed form, for
 /// the spread least_sigma.
 double half_width(int i, const Confidence& c) {
   Eigen::MatrixXd J(kSamples, 3);
@@ -121,7 +121,7 @@ TEST_P(FromAnyStart, AllThreeNumbersAreDeterminedAsTheDesignMatrixSays) {
     const double half = half_width(i, found.confidence);
     const double own = 0.5 * (found.values[k].upper - found.values[k].lower);
     EXPECT_GE(own, 0.9 * half) << GetParam().name << " " << i;
-    // |d|, what is left of the way to the least squares, comes on top.
+    // |d|, the remaining way to the least squares, is added.
     EXPECT_LE(own, 6.0 * half) << GetParam().name << " " << i;
     EXPECT_EQ(found.confidence.held[k], Bound::none);
   }
@@ -171,7 +171,7 @@ TEST(ExactFit, NumbersOfAnyMagnitudeAreDeterminedAlike) {
   }
 }
 
-// On whether a bound holds it, rounding would decide; the others are determined as without it.
+// Rounding decides whether the bound holds this variable; the others are determined as without it.
 TEST(ExactFit, AVariableWhoseTruthIsItsBoundIsNotHeldByRounding) {
   for (const double start : {0.6, 1.0, 1.9}) {
     const Answered found =
@@ -210,15 +210,16 @@ TEST(ExactFit, StatedNoiseThatTheResidualsDoNotShowIsTakenAsWhite) {
   }
 }
 
-/// As a program prints it.
+/// Returns the value rounded to the digits a program prints.
 double printed(double value, int digits) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
   return std::atof(text);
 }
 
-// Only the product is determined, or the cube of one factor with the other: J along the tie is
-// curvature and rounding of the differences, whatever is printed of the results.
+// Only the product of two variables, or the cube of one times the other, is determined. J along
+// this direction then contains only curvature and rounding of the differences, whatever digits are
+// printed.
 TEST(ExactFit, TiedVariablesMayBeAnywhereAndTheOthersNot) {
   const std::vector<DesignVariable> variables{variable("a1", 0.1, 10, 1),
                                               variable("a2", 0.1, 10, 1.5),
@@ -264,8 +265,8 @@ TEST(ExactFit, TiedVariablesMayBeAnywhereAndTheOthersNot) {
   }
 }
 
-// x^3 has no slope at 0: that of differences is their length squared, and symmetric ones look
-// straight. The interval has to hold the truth.
+// x^3 has no slope at 0. The slope of symmetric differences is their length squared, and they look
+// straight. The interval has to contain the truth.
 TEST(ExactFit, AVariableThatIsFlatAtItsTruthIsNotFalselyKnown) {
   const Answered found =
       answer({variable("p", -3, 3, 1), variable("q", 0, 1, 0)}, [](const Values& v) {
@@ -288,8 +289,8 @@ TEST(ExactFit, AStartWithoutSlopeDoesNotHoldTheSearch) {
   EXPECT_LE(found.values[0].upper - found.values[0].lower, 1e-7);
 }
 
-// Ranges so wide that the search's shortest moves throw the residuals far off: the truth is found,
-// and is known no better than numbers of the range can be told apart.
+// The ranges are so wide that the search's shortest moves change the residuals by far. The truth is
+// found, but no more accurately than neighboring numbers of the range.
 TEST(ExactFit, ARangeOfAnyWidthIsResolved) {
   for (const double wide : {1e3, 1e5, 1e7, 1e9, 1e10, 1e12}) {
     const Answered found =
@@ -311,7 +312,7 @@ TEST(ExactFit, ARangeOfAnyWidthIsResolved) {
   EXPECT_LT(two.trials, 150);
 }
 
-// Every trial beside the start fails in x: whether it is least there nobody has seen.
+// Every trial beside the start fails in x, so nothing shows that the start is a minimum in x.
 TEST(ExactFit, ASearchThatSawNoSlopeDoesNotCallItsEndAMinimum) {
   const DesignSpace space({variable("x", -1e9, 1e9, 3.0), variable("y", 0, 1, 0.2)});
   ResidualTrustRegion search(space);

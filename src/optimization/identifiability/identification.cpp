@@ -12,12 +12,14 @@
 namespace latsch {
 namespace {
 
-// Refits and rungs need not be better than this share of the threshold.
+// Tolerance of refits and rungs, as a share of the threshold.
 constexpr double kTolerance = 0.02;
-constexpr int kEvaluationsOfTheRefit = 30;  // and two a variable
+constexpr int kEvaluationsOfTheRefit = 30;  // plus two for each variable
 constexpr int kEvaluationsOfAShortRefit = 5;
 constexpr int kMostWeakRounds = 3;
-constexpr double kWorthwhile = 0.1;  // of a threshold: less moves an interval by a sixth of itself
+// Improvement worth a new center, as a share of a threshold. A smaller improvement moves an
+// interval by at most a sixth of its width.
+constexpr double kWorthwhile = 0.1;
 
 std::vector<double> numbers(const Eigen::VectorXd& u) { return {u.begin(), u.end()}; }
 
@@ -34,7 +36,7 @@ Identification::Identification(const DesignSpace& space,
   begin_at(point);
 }
 
-/// A point of the unit cube, with the exact bits of the variables that may not move.
+/// Returns a point of the unit cube with the exact bits of the variables that may not move.
 DesignPoint Identification::held_at_center(const Eigen::VectorXd& u) const {
   DesignPoint point = center_;
   const DesignPoint moved = space_.from_unit(numbers(u));
@@ -49,7 +51,7 @@ Confidence Identification::confidence_of_free(const Linearization& at) const {
   return of_all_variables(latsch::confidence(part, options_.confidence), free_, at.u);
 }
 
-/// A step in one variable, with the exact bits of the others.
+/// Returns the center with a step in one variable and the exact bits of the others.
 DesignPoint Identification::moved(int variable, double offset) const {
   std::vector<double> u = space_.to_unit(center_);
   u[static_cast<size_t>(variable)] += offset;
@@ -79,7 +81,7 @@ void Identification::begin_at(const DesignPoint& center) {
   const std::vector<double> u = space_.to_unit(center);
   const auto space = std::make_shared<const DesignSpace>(space_);
   for (int i = 0; i < space_.size(); ++i) {
-    // Not this: an Identification may be moved while it searches.
+    // `this` is not captured, because an Identification may be moved while it searches.
     const auto has_room = [space, center, i, at = u](double offset) {
       std::vector<double> to = at;
       to[static_cast<size_t>(i)] += offset;
@@ -140,8 +142,8 @@ void Identification::look_for_better(const std::vector<Result<Evaluated>>& evalu
   }
 }
 
-/// The rows used are those known at the center and wherever beside it the model does not fail; of a
-/// later center the same.
+/// Selects the residuals used: those known at the center and at all points beside it at which the
+/// model does not fail. A later center uses the same residuals.
 bool Identification::center_observed(const std::vector<Result<Evaluated>>& evaluated) {
   if (!evaluated.front()) {
     failure_ = Failure{"at the point the evaluation failed: " + evaluated.front().failure().reason};
@@ -165,14 +167,15 @@ bool Identification::center_observed(const std::vector<Result<Evaluated>>& evalu
     }
   }
   const auto rows = used(evaluated.front());
-  assert(rows);  // of a later center it was known before
+  assert(rows);  // a later center was evaluated before
   r_ = rows->r;
   least_ = r_->squaredNorm();
   least_point_ = center_;
   return true;
 }
 
-/// Change of the residuals at the ends of an interval of one variable, others held.
+/// Returns the change of the residuals at the ends of an interval of one variable with the others
+/// held.
 double Identification::felt() const {
   constexpr double kAsAtTheEnds = 2.0;  // standard deviations
   const Eigen::VectorXd x = r_->cwiseQuotient(scale_);
@@ -235,7 +238,7 @@ void Identification::take_slopes() {
     }
     at.J.col(i) = scale_.cwiseProduct(search.slope());
     lengths_[i] = search.length();
-    const bool is_straight = search.quality() == SlopeQuality::straight;  // else it has its remark
+    const bool is_straight = search.quality() == SlopeQuality::straight;  // others are reported
     made_.curvature[i] = is_straight ? search.bend() * search.bend() * at.J.col(i).norm() : 0.0;
     qualities_.push_back(search.quality());
   }
@@ -243,7 +246,7 @@ void Identification::take_slopes() {
   linearized(std::move(at));
 }
 
-/// Round 1 is done, but for weak directions.
+/// Completes round 1 except for weak directions.
 void Identification::linearized(Linearization at) {
   wanted_.clear();
   at_ = std::move(at);
@@ -273,13 +276,13 @@ void Identification::weak_directions_observed(const std::vector<Result<Evaluated
   at_->J = std::move(J);
   wanted_.clear();
   if (is_other) confidence_ = latsch::confidence(*at_, options_.confidence);
-  // Slopes that were wrong had led to other directions than the weak ones.
+  // Wrong slopes had led to other directions than the weak ones.
   if (is_other && ++weak_rounds_ < kMostWeakRounds && ask_weak_directions()) return;
   weak_.reset();
   after_slopes();
 }
 
-/// Round 1 is done, the weak directions checked.
+/// Continues after round 1 with the weak directions checked.
 void Identification::after_slopes() {
   const double promised = confidence_->left_to_gain;
   const bool stays =
@@ -314,7 +317,7 @@ void Identification::refit_observed(const std::optional<Evaluated>& evaluated) {
   ask_for_refit();
 }
 
-/// The next point of the refit; the profiles where it has ended.
+/// Proposes the next point of the refit, or begins the profiles if the refit has ended.
 void Identification::ask_for_refit() {
   if (refit_->wanted()) {
     wanted_ = {held_at_center(*refit_->wanted())};

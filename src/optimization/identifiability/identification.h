@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the data determine around a fitted point: confidence intervals, and a profile with a verdict
-// for every variable.
+// Determines how well the data determine the variables around a fitted point: confidence intervals,
+// and a profile with a verdict for every variable.
 //
 // Ask and tell, like an optimizer, but in rounds: all points of wanted() may be evaluated at once.
-//   1. the point and a step to both sides in each variable: the derivatives (slope_search.h),
-//      2n + 1 points, and more where these tell that another length is better; the point alone
-//      where the model tells its slopes there; moves along directions that are hardly felt, where
-//      these may be errors of the differences (weak_directions.h)
+//   1. the center and a step to both sides in each variable for the derivatives (slope_search.h),
+//      2n + 1 points, and more if these suggest a better step length; the center alone if the model
+//      computes its slopes there; moves along directions with little effect, whose derivatives
+//      may be errors of the differences (weak_directions.h)
 //   2. a refit of all variables (broyden_fit.h), because the fit may have ended early or have
-//      minimized another target over the same residuals; without profiles only where the
-//      derivatives promise more, and a few steps of it
+//      minimized another target over the same residuals; without profiles only if the derivatives
+//      promise an improvement, and then only a few steps
 //   3. the profiles, two branches a variable side by side (profile.h)
-// Where any of them finds a point better than the center by more than kWorthwhile of the threshold
-// of an interval, all begins again there, most_centers - 1 times at most: intervals and profiles
+// If any round finds a point better than the center by more than kWorthwhile of the threshold of an
+// interval, all rounds start again there, at most most_centers - 1 times: intervals and profiles
 // belong to the best point known.
 //
 //   Identification identification(space, best_point);
 //   while (!identification.wanted().empty()) identification.observe(evaluate(wanted()));
 //
-// Slopes that evaluations bring are taken wherever they are there, in the refits as well.
+// If evaluations bring slopes, these are used, also in the refits.
 //
-// A residual that is NaN in round 1 is not known, an unpaired mode for example, and is left out.
+// A residual that is NaN in round 1 is not known, for example an unpaired mode, and is left out.
 #pragma once
 
 #include <optional>
@@ -38,9 +38,9 @@ struct IdentificationOptions {
   ConfidenceOptions confidence = {};
   bool profiles = true;  // false: no round 3
   double step = 0.01;    // first length of the differences, in the unit cube
-  int most_centers = 4;  // 1: stays at the point
-  /// The variables that may move, ascending; empty: all. The others keep their bits at every point
-  /// wanted, have an interval of no width and no profile.
+  int most_centers = 4;  // 1: the center stays at the point
+  /// The variables that may move, ascending; empty means all. The others keep their exact values at
+  /// every wanted point and have an interval of no width and no profile.
   std::vector<int> free = {};
 };
 
@@ -52,42 +52,44 @@ class Identification {
 
   /// Empty when done.
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
-  /// What the points wanted tell, in their order; a Failure where the evaluation failed. The first
-  /// alone where it is_enough().
+  /// Records the outcomes of the wanted points, in their order; a Failure if the evaluation failed.
+  /// `evaluated` may hold the first alone if is_enough() is true for it.
   void observe(const std::vector<Result<Evaluated>>& evaluated);
-  /// Whether the first of the points wanted makes the others needless: the center by its slopes.
+  /// True if the first of the wanted points makes the others needless: the center with its slopes.
   bool is_enough(const Result<Evaluated>& first) const {
     return !r_ && first && first->has_slopes();
   }
 
   /// The Failure that made round 1 impossible.
   const std::optional<Failure>& failure() const { return failure_; }
-  /// What linearization, confidence and profiles belong to: the point, or a better one since.
+  /// Returns the point that linearization, confidence and profiles belong to: the given point, or a
+  /// better one found since.
   const DesignPoint& center() const { return center_; }
-  /// How good the derivatives are, a variable each.
+  /// Returns the quality of the derivatives, one entry for each variable.
   const std::vector<SlopeQuality>& slopes() const { return qualities_; }
-  /// Directions of the unit cube along which differences tell nothing but their own errors.
+  /// Returns directions of the unit cube along which the differences contain only their own errors.
   const std::vector<Eigen::VectorXd>& unknown_directions() const { return unknown_; }
-  /// Of the differences, a variable each, in the unit cube.
+  /// Returns the lengths of the differences, one for each variable, in the unit cube.
   const Eigen::VectorXd& lengths() const { return lengths_; }
-  /// What the derivative in a variable is made of, and any other quantity's over the same trials:
-  /// the sum of weight * value. Empty where the model told its slopes.
+  /// One term of a derivative in a variable, which is the sum of weight * value over the trials.
+  /// The same sum gives the derivative of any other quantity. The list is empty if the model
+  /// computed its slopes.
   struct Term {
     DesignPoint point;
     double weight;
   };
   std::vector<Term> derivative(int variable) const;
-  /// Whether linearization and confidence are there: not before round 1 is done, nor while it is
-  /// done anew at a better point.
+  /// True if linearization and confidence exist: not before round 1 is done, nor while it is
+  /// repeated at a better point.
   bool is_linearized() const { return at_.has_value(); }
-  /// At the center.
+  /// Returns the linearization at the center.
   const Linearization& linearization() const { return *at_; }
   const Confidence& confidence() const { return *confidence_; }
-  /// Places of the residuals used.
+  /// Indices of the residuals used.
   const std::vector<Eigen::Index>& residuals_used() const { return rows_; }
-  /// At the least sum of squares, after round 2.
+  /// Returns the linearization at the least sum of squares, after round 2.
   const Linearization& refitted() const { return *best_; }
-  /// One a variable that may move, when done and asked for.
+  /// One profile for each variable that may move, when done and requested.
   const std::vector<Profile>& profiles() const { return profiles_; }
 
  private:
@@ -120,7 +122,7 @@ class Identification {
   std::vector<DesignPoint> wanted_;
   std::optional<Failure> failure_;
   std::vector<SlopeSearch> searches_;  // one a variable
-  std::vector<int> owners_;            // of wanted_ without the center: places in searches_
+  std::vector<int> owners_;            // for wanted_ without the center: indices in searches_
   std::optional<Eigen::VectorXd> r_;   // at the center, rows used
   Eigen::VectorXd scale_;              // deviations of the rows used
   std::vector<SlopeQuality> qualities_;
@@ -130,7 +132,7 @@ class Identification {
   std::vector<Eigen::Index> rows_;
   std::optional<Linearization> at_, best_;
   std::optional<Confidence> confidence_;
-  Differences made_;  // how J was
+  Differences made_;  // the way J was computed
   std::optional<WeakDirections> weak_;
   int weak_rounds_ = 0;
   std::vector<Eigen::VectorXd> unknown_;

@@ -47,7 +47,8 @@ Analyzed analyze(const DesignSpace& space, const Model& model, IdentificationOpt
 
 const IdentificationOptions kNoise{.confidence = {.sigma = 0.01}};
 
-// Second order inside, at a bound and beside a failure: exact for squares.
+// Differences are of second order inside, at a bound and beside a failure, so they are exact for
+// squares.
 TEST(Identification, ItsDifferencesTellTheDerivativesOfAnyOtherQuantity) {
   const DesignSpace space = box({0.5, 1.0}, 0, 1);
   const auto a = analyze(space,
@@ -66,8 +67,8 @@ TEST(Identification, ItsDifferencesTellTheDerivativesOfAnyOtherQuantity) {
   }
 }
 
-// In a linear model the profile is the parabola of the linear interval, so both intervals agree;
-// the root of S is exactly linear between rungs.
+// In a linear model the profile is the parabola of the linear interval, so both intervals agree.
+// The root of S is exactly linear between rungs.
 TEST(Identification, OfALinearModelTheProfileIsTheLinearInterval) {
   const auto a = analyze(
       box({0.5, 0.5}, 0, 1),
@@ -83,9 +84,9 @@ TEST(Identification, OfALinearModelTheProfileIsTheLinearInterval) {
   }
 }
 
-// r = (a - 0.5, b - 0.5) among a + b <= 1.02. Below 0.52 b is free and S = (a - 0.5)^2; above, b
-// has to give way:  S = x^2 + (x - 0.02)^2,  x = a - 0.5, which is t^2 s^2 at the root below. No
-// point asked for lies outside.
+// The residuals are r = (a - 0.5, b - 0.5) with a + b <= 1.02. Below 0.52, b is free and S = (a -
+// 0.5)^2. Above, b has to give way, and  S = x^2 + (x - 0.02)^2,  x = a - 0.5, which is t^2 s^2 at
+// the root below. No proposed point lies outside.
 TEST(Identification, ProfilesKeepToLinearConstraints) {
   LinearConstraint sum;
   sum.name = "sum";
@@ -101,18 +102,19 @@ TEST(Identification, ProfilesKeepToLinearConstraints) {
   for (const Profile& p : a.identification.profiles()) {
     EXPECT_NEAR(p.interval.lower, 0.5 - std::sqrt(t2s2), 1e-3);
     EXPECT_NEAR(p.interval.upper, 0.5 + 0.01 + std::sqrt(0.5 * t2s2 - 0.0001), 1e-3);
-    EXPECT_NEAR(p.points.back().u[p.variable], 1.0, 2e-3);  // the other one at 0.02 or less
+    EXPECT_NEAR(p.points.back().u[p.variable], 1.0, 2e-3);  // the other variable at 0.02 or less
   }
 }
 
-// Vertical stiffness k alone, from two springs in series, 1 / (1 / x0 + 1 / x1): a valley.
+// The vertical stiffness k of two springs in series, 1 / (1 / x0 + 1 / x1), alone leaves a valley.
 TEST(Identification, TwoSpringsInSeriesAreFlatUntilOneIsMeasuredAlone) {
   const auto stiffness = [](double a, double b) { return a * b / (a + b); };
   const auto alone = analyze(
       box({4, 4}, 1, 100),
       [&](const auto& x) { return Eigen::VectorXd{{stiffness(x[0], x[1]) / 2 - 1}}; },
       kNoise);
-  // One of them can grow without limit only while the other stays above 2: a limit, no value.
+  // One spring can grow without limit only while the other stays above 2, so each has a limit but
+  // no value.
   for (const Profile& p : alone.identification.profiles()) {
     EXPECT_EQ(p.verdict, Verdict::one_sided);
     EXPECT_TRUE(std::isfinite(p.interval.lower));
@@ -136,7 +138,7 @@ TEST(Identification, AProductAloneLeavesBothFactorsFlat) {
   EXPECT_GT(a.identification.confidence().deviation(1), 1.0);
 }
 
-// x^2 is measured: +1 and -1 explain it alike.
+// x^2 is measured, so +1 and -1 explain it equally.
 TEST(Identification, ASignThatCannotBeSeenMakesTwoMinima) {
   const auto a = analyze(
       box({1.0, 0.3}, -1.6, 1.6),
@@ -151,9 +153,10 @@ TEST(Identification, ASignThatCannotBeSeenMakesTwoMinima) {
   EXPECT_EQ(a.identification.profiles()[1].verdict, Verdict::identifiable);
 }
 
-// y has a well at -1 and one at +1, worse by 4 / 100. Away from x = 0 the first one rises by 16 x^2
-// until it is gone, the second one by x^2: the least S over y is  0.04 + x^2  outside |x| = 0.05,
-// and rises once on each side, though refits that start in the first well climb it and fall.
+// y has a well at -1 and one at +1, which is worse by 4 / 100. Away from x = 0 the first well rises
+// by 16 x^2 until it vanishes, the second one by x^2. The least S over y is  0.04 + x^2  outside
+// |x| = 0.05 and rises once on each side, though refits that start in the first well climb it and
+// then fall.
 TEST(Identification, ARiseThatGoesAwayFromBehindIsNoOtherMinimum) {
   const DesignSpace space({{.name = "x", .lower = -1, .upper = 1, .initial = 0},
                            {.name = "y", .lower = -2, .upper = 2, .initial = -1}});
@@ -171,8 +174,8 @@ TEST(Identification, ARiseThatGoesAwayFromBehindIsNoOtherMinimum) {
   EXPECT_NEAR(p.interval.upper, 0.5 + 0.5 * end, 0.01);
 }
 
-/// A drum passage in formulas: two numbers of a decaying oscillation, their waves rippled by what a
-/// mesh does to them, 120 samples with noise of 20.
+/// A drum passage in formulas: two parameters of a decaying oscillation, with a ripple as of a
+/// mesh, and 120 samples with noise of 20.
 Eigen::VectorXd passage(const std::vector<double>& x, int samples) {
   Eigen::VectorXd force(samples);
   for (int j = 0; j < samples; ++j) {
@@ -183,8 +186,9 @@ Eigen::VectorXd passage(const std::vector<double>& x, int samples) {
   return force;
 }
 
-// 100 sets of noise; the search of each has ended at one of the ripples' wells near the best point.
-// The truth of both numbers is in 95 % intervals in 95 of 100, give or take two standard errors.
+// There are 100 sets of noise, and each search has ended at one of the wells of the ripple near the
+// best point. The 95 % intervals contain the truth of both parameters in 95 of 100 sets, within two
+// standard errors.
 TEST(Identification, IntervalsHoldTheTruthUnderRippleAndNoise) {
   constexpr int kSets = 100, kSamples = 120;
   const std::vector<double> truth{55.0, 180.0};
@@ -232,8 +236,8 @@ TEST(Identification, GoesOnToABetterPoint) {
   EXPECT_GT(p.interval.upper, a.identification.center().values[0]);
 }
 
-// Rosenbrock's valley as residuals, 10 (x1 - x0^2) and 1 - x0, is curved: nuisance variables have
-// to be refitted along it. Everywhere on the profile of x0 the other is x0^2, so S = (1 - x0)^2.
+// Rosenbrock's valley as residuals, 10 (x1 - x0^2) and 1 - x0, is curved, so nuisance variables
+// have to be refitted along it. On the profile of x0, x1 is x0^2 everywhere, so S = (1 - x0)^2.
 TEST(Identification, FollowsACurvedValley) {
   const auto a = analyze(box({1, 1}, -2, 2),
                          [](const auto& x) {
@@ -260,8 +264,8 @@ TEST(Identification, RefitsAPointThatIsNotTheLeast) {
   EXPECT_NEAR(a.identification.refitted().u[1], 0.6, 1e-3);
 }
 
-// The data hold x weakly, and from 0.7 on the model fails: nothing says that values there would
-// fit.
+// The data determine x weakly, and the model fails from 0.7 on, so nothing shows that values there
+// would fit.
 TEST(Identification, WhereTheModelFailsAProfileIsNotEvaluableRatherThanFlat) {
   const auto a = analyze(
       box({0.5}, 0, 1),
@@ -272,10 +276,10 @@ TEST(Identification, WhereTheModelFailsAProfileIsNotEvaluableRatherThanFlat) {
       kNoise);
   const Profile& p = a.identification.profiles()[0];
   EXPECT_EQ(p.verdict, Verdict::not_evaluable);
-  EXPECT_GT(p.points.back().u[0], 0.68);  // the edge is sought
+  EXPECT_GT(p.points.back().u[0], 0.68);  // the edge is searched for
 }
 
-// Behind the end of the interval a failure changes nothing.
+// A failure beyond the end of the interval changes nothing.
 TEST(Identification, AFailureBeyondTheIntervalLeavesItIdentifiable) {
   const auto a = analyze(
       box({0.5}, 0, 1),
@@ -290,7 +294,7 @@ TEST(Identification, AFailureBeyondTheIntervalLeavesItIdentifiable) {
 }
 
 // r = (exp(20 (x - 0.5)) - 1) / 100 with noise 1: S stays below t^2 up to x = 0.5 + ln(100 t + 1) /
-// 20 and leaps above it within a rung of a tenth of the range.
+// 20 and jumps above it within a rung of a tenth of the range.
 TEST(Identification, FindsTheEndOfAnIntervalBehindWhichSLeaps) {
   const auto a = analyze(
       box({0.5}, 0, 1),
@@ -301,7 +305,7 @@ TEST(Identification, FindsTheEndOfAnIntervalBehindWhichSLeaps) {
   EXPECT_EQ(a.identification.profiles()[0].verdict, Verdict::one_sided);
 }
 
-// A twin: the model fitted to itself leaves no residuals to estimate a spread from but zeros.
+// A twin, the model fitted to itself, leaves only zero residuals to estimate a spread from.
 TEST(Identification, OfAPerfectFitIsIdentifiableWithAWidthOfRounding) {
   const auto a = analyze(box({0.5, 0.5}, 0, 1), [](const auto& x) {
     return Eigen::VectorXd{{x[0] - 0.5, x[1] - 0.5, x[0] * x[1] - 0.25}};
@@ -313,8 +317,9 @@ TEST(Identification, OfAPerfectFitIsIdentifiableWithAWidthOfRounding) {
   }
 }
 
-// A valley along x0 + x1 + x2, 30 deviations off its least: no step in one variable leads along it,
-// the derivatives do, at one more trial and two a variable.
+// The start is in a valley along x0 + x1 + x2, 30 deviations off its minimum. No step in one
+// variable leads along the valley. The derivatives do, with one more trial and two for each
+// variable.
 TEST(Identification, TheShortFormGoesWhereItsDerivativesPromiseMore) {
   const auto a = analyze(box({0.5, 0.5, 0.5}, 0, 1),
                          [](const auto& x) {

@@ -8,7 +8,7 @@
 namespace latsch {
 namespace {
 
-constexpr double kLeastShare = 0.1;  // of a band's width: less is not worth a word
+constexpr double kLeastShare = 0.1;  // share of a band's width: less is not reported
 
 }  // namespace
 
@@ -52,7 +52,7 @@ PredictionBand PredictionBands::of(const Eigen::VectorXd& g) const {
   const double half =
       free_.t * std::sqrt(std::max(0.0, a.dot(free_.covariance * a))) + std::abs(a.dot(free_.left));
   Reach band{-half, half};
-  std::vector<double> open, held;  // their parts of the width
+  std::vector<double> open, held;  // parts of the width
   for (size_t k = 0; k < open_.size(); ++k) {
     const Reach moved = open_[k].times(a[static_cast<Eigen::Index>(k)]);
     open.push_back(moved.width());

@@ -37,8 +37,8 @@ MatrixXd line_through(const VectorXd& x) {
   return X;
 }
 
-// The standard error of a straight line at x is s sqrt(1 / m + (x - mean)^2 / Sxx). Here m = 5,
-// Sxx = 10 / 4^2 and mean 1/2, s^2 = S / 3; extrapolated it grows.
+// The standard error of a straight line at x is s sqrt(1 / m + (x - mean)^2 / Sxx). Here m = 5, Sxx
+// = 10 / 4^2, the mean is 1/2 and s^2 = S / 3; it grows under extrapolation.
 TEST(PredictionBand, OfAStraightLineIsTheTextbooks) {
   const VectorXd x = VectorXd::LinSpaced(5, 0.0, 1.0);
   const Linearization at = fitted(line_through(x), VectorXd{{0.31, 0.39, 0.52, 0.58, 0.70}});
@@ -53,8 +53,8 @@ TEST(PredictionBand, OfAStraightLineIsTheTextbooks) {
   }
 }
 
-// Whatever the data: some way left by the search, a variable held at its bound, a prior, noise that
-// neighbors share. What lies beyond the cube takes no part.
+// This holds for any data: with some way left by the search, a variable held at its bound, a prior,
+// or noise that neighbors share. Values beyond the cube do not count.
 TEST(PredictionBand, OfAVariableIsItsInterval) {
   RandomStream random(3, 7);
   for (const bool colored : {false, true}) {
@@ -80,7 +80,8 @@ TEST(PredictionBand, OfAVariableIsItsInterval) {
       const PredictionBand band = bands.of(VectorXd::Unit(3, i));
       const double lower = std::max(0.0, c.intervals[i].lower) - at.u[i],
                    upper = std::min(1.0, c.intervals[i].upper) - at.u[i];
-      // t is the largest of all variables, and a band has what others owe the one held.
+      // t is the largest of all variables, and a band includes the contribution of the held
+      // variable.
       const double more = colored ? 1.1 : 1.01;
       EXPECT_LE(band.lower, lower * (1 - 1e-9));
       EXPECT_GE(band.lower, lower * more - 1e-12);
@@ -92,8 +93,9 @@ TEST(PredictionBand, OfAVariableIsItsInterval) {
   }
 }
 
-// Only u1 + u2 is measured: what goes with it is known as well as if one variable were fitted;
-// their difference may be anything in the cube, from -0.6 - 0.7 to 0.4 + 0.3 beside the point.
+// Only u1 + u2 is measured. Values that depend on it are known as well as if one variable were
+// fitted. The difference may take any value in the cube, from -0.6 - 0.7 to 0.4 + 0.3 relative to
+// the point.
 TEST(PredictionBand, AlongADirectionThatTheDataLeaveOpenReachesToTheBounds) {
   Linearization at;
   at.u = Vector2d(0.6, 0.3);
@@ -107,17 +109,17 @@ TEST(PredictionBand, AlongADirectionThatTheDataLeaveOpenReachesToTheBounds) {
   EXPECT_NEAR(difference.upper, 0.4 + 0.3, 1e-9);
   EXPECT_NEAR(difference.lower, -0.6 - 0.7, 1e-9);
   EXPECT_GE(difference.open, 0);
-  // u1 alone, where u1 + u2 = 0.9, from 0 to 0.9.
+  // u1 alone can vary from 0 to 0.9, because u1 + u2 = 0.9.
   const PredictionBand one = bands.of(Vector2d(1.0, 0.0));
   EXPECT_GT(one.upper, 0.3);
   EXPECT_LT(one.upper, 0.4);
   EXPECT_NEAR(one.lower, -0.6, 1e-9);
-  // Derivatives by differences feel a little of any direction.
+  // Derivatives by differences contain a small effect of any direction.
   EXPECT_NEAR(bands.of(Vector2d(1.0, 1.0 + 1e-9)).upper, sum.upper, 1e-8);
 }
 
-// S = (u1 + 0.3)^2 + (u1 + 2 u2 - 0.8)^2 in u >= 0 is least at (0, 0.4), u1 held. All values that
-// y takes where S has risen by no more than the threshold lie inside the band, on a grid.
+// S = (u1 + 0.3)^2 + (u1 + 2 u2 - 0.8)^2 in u >= 0 has its minimum at (0, 0.4), with u1 held. All
+// values of y on a grid where S has risen by no more than the threshold lie inside the band.
 TEST(PredictionBand, ReachesToOneSideWhereAVariableIsHeldAtItsBound) {
   Linearization at{Vector2d(0.0, 0.4), Vector2d(0.3, 0.0), MatrixXd{{1.0, 0.0}, {1.0, 2.0}}};
   const Confidence c = confidence(at, {.sigma = 0.1});
@@ -161,7 +163,7 @@ half = t.ppf(0.975, len(x) - 3) * np.sqrt(np.einsum("ij,ik,kj->j", g, C, g))
 np.savetxt("found", np.concatenate([p, half]), fmt="%.17g")
 )py";
 
-// y = a + b exp(-k x), fitted and extrapolated by SciPy's curve_fit and its covariance.
+// y = a + b exp(-k x) is fitted and extrapolated by SciPy's curve_fit and its covariance.
 TEST(PredictionBand, OfANonlinearCurveIsThatOfSciPy) {
   const ScratchFolder folder;
   RandomStream random(5, 1);

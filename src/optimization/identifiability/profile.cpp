@@ -12,25 +12,28 @@
 namespace latsch {
 namespace {
 
-constexpr double kShortestRung = 0.005;  // of the range
+constexpr double kShortestRung = 0.005;  // share of the range
 constexpr double kLongestRung = 0.1;
-constexpr double kFirstRung = 0.5;  // of the linear interval's half width
-constexpr double kLonger = 1.6;     // from rung to rung
-// A refit need not be better than this share of the threshold, which shifts the end of an interval
-// by half of it; nor of the rise of S, far out where only the shape matters.
+constexpr double kFirstRung = 0.5;  // share of the linear interval's half width
+constexpr double kLonger = 1.6;     // growth of steps from rung to rung
+// Tolerance of a refit, as a share of the threshold; the shift of an interval's end is half of it.
+// Far out, where only the shape matters, it is a share of the rise of S.
 constexpr double kProfileTolerance = 0.02;
-constexpr int kEvaluationsOfARung = 30;  // and two a variable
-constexpr double kLeap = 4.0;  // thresholds: between two rungs the root of S is no straight line
+constexpr int kEvaluationsOfARung = 30;  // plus two for each variable
+// Difference in thresholds from which on the root of S is not linear between two rungs.
+constexpr double kLeap = 4.0;
 constexpr int kHalvings = 3;
-constexpr int kStepsToTheEdge = 5;     // halvings towards a value at which the model fails
-constexpr size_t kRungsToRefresh = 4;  // until all derivatives have been taken anew
-constexpr int kMostReturns = 12;       // rungs of a branch that are refitted from behind
-constexpr double kFarOut = 1e3;        // ranges; the furthest point is met to its inverse
-// What the profile has to fall again to count as another minimum, of its height there: refits that
-// ended early leave ripples.
+constexpr int kStepsToTheEdge = 5;     // halvings toward a value at which the model fails
+constexpr size_t kRungsToRefresh = 4;  // number of rungs until all derivatives are recomputed
+// Largest number of rungs of a branch refitted from the outer side.
+constexpr int kMostReturns = 12;
+// In ranges; limits the accuracy of the furthest point to 1 / kFarOut.
+constexpr double kFarOut = 1e3;
+// Fall of the profile that shows another minimum, as a share of its height there. Refits that ended
+// early leave smaller ripples.
 constexpr double kFall = 0.1;
 
-/// Of the n variables, or of those that may move where `some` names them.
+/// Returns all variables but one, from the n variables or from `some` if that is not empty.
 std::vector<int> all_but(int variable, Eigen::Index n, const std::vector<int>& some) {
   std::vector<int> free = some;
   for (int i = 0; some.empty() && i < n; ++i) free.push_back(i);
@@ -38,8 +41,9 @@ std::vector<int> all_but(int variable, Eigen::Index n, const std::vector<int>& s
   return free;
 }
 
-/// The furthest value of a variable inside a region: a bound, or where constraints leave none of
-/// the others room. Of the points inside the nearest to one far out is the furthest that way.
+/// Returns the furthest value of a variable inside a region: a bound, or the value at which
+/// constraints leave no room for the others. The region's point nearest to one far out is the
+/// furthest in that direction.
 double last_value(const FeasibleRegion& region,
                   const Eigen::VectorXd& u,
                   int variable,
@@ -51,8 +55,8 @@ double last_value(const FeasibleRegion& region,
   return direction > 0 ? std::max(last, u[variable]) : std::min(last, u[variable]);
 }
 
-/// The variable's value where S first exceeds the threshold, outward from `start`; the root of S is
-/// nearly linear there.
+/// Returns the variable's value where S first exceeds the threshold, outward from `start`. The root
+/// of S is nearly linear there.
 double crossing(const Profile& p, int start, int direction) {
   const auto rise = [&](int k) { return std::max(0.0, p.points[k].S - p.least); };
   const auto at = [&](int k) { return p.points[k].u[p.variable]; };
@@ -66,11 +70,11 @@ double crossing(const Profile& p, int start, int direction) {
   return direction * kInfinity;
 }
 
-/// Places where S falls again behind a rise, on one side of the start.
+/// Finds the places where S falls again behind a rise, on one side of the start.
 void find_minima(Profile& p, int start, int direction) {
   const int end = direction > 0 ? static_cast<int>(p.points.size()) : -1;
   double barrier = p.points[start].S;
-  int lowest = -1;  // behind the barrier
+  int lowest = -1;  // index behind the barrier
   for (int k = start + direction; k != end; k += direction) {
     const double S = p.points[k].S;
     if (lowest < 0 && S >= barrier) {
@@ -160,7 +164,7 @@ void ProfileBranch::rung_reached(const Linearization& reached) {
   next_rung(reached);
 }
 
-/// Whether the first rung above the threshold is refitted with derivatives of its own.
+/// Refits the first rung above the threshold with derivatives of its own; false for other rungs.
 bool ProfileBranch::verifies(const Linearization& reached) {
   if (bracket_ || !within(last_) || within(reached) || free_.empty()) return false;
   const BroydenFitOptions options = rung_options(reached.sum_of_squares(), free_);
@@ -175,7 +179,8 @@ void ProfileBranch::rung_failed(double at) {
   if (within(last_)) next_rung(last_);
 }
 
-/// Whether the rung at `place` lies above what was reached behind it, and is refitted from there.
+/// Refits the rung at `place` from the outer side if S there is higher than at `reached`; false if
+/// not.
 bool ProfileBranch::returns_from(const Linearization& reached, int place) {
   const double S = reached.sum_of_squares();
   if (place < 0 || returns_ >= kMostReturns || points_[place].S <= S + tolerance(S)) return false;
@@ -205,7 +210,7 @@ bool ProfileBranch::leaps(const Linearization& from, const Linearization& to) co
   return within(from) && to.sum_of_squares() - least_ > kLeap * threshold_;
 }
 
-/// Its place among the points.
+/// Inserts a point and returns its index.
 int ProfileBranch::insert(const Linearization& reached, bool converged) {
   const auto further = [&](const ProfilePoint& point) {
     return direction_ * (point.u[variable_] - reached.u[variable_]) > 0.0;
@@ -215,7 +220,7 @@ int ProfileBranch::insert(const Linearization& reached, bool converged) {
   return static_cast<int>(at - points_.begin());
 }
 
-/// Another rung inside the bracket, or on with the ladder.
+/// Adds another rung inside the bracket, or continues the ladder.
 void ProfileBranch::halve() {
   const double inner = bracket_->inner.u[variable_];
   if (bracket_->halvings++ < kHalvings && std::abs(bracket_->upper - inner) > kShortestRung) {
@@ -229,14 +234,14 @@ void ProfileBranch::halve() {
 
 void ProfileBranch::next_rung(const Linearization& from) {
   const double at = from.u[variable_];
-  if (failed_at_) {  // between here and there the model begins to fail
+  if (failed_at_) {  // the model begins to fail between `at` and failed_at_
     if (!within(from) || steps_to_the_edge_++ >= kStepsToTheEdge) return;
     if (std::abs(*failed_at_ - at) > kShortestRung) climb(from, 0.5 * (at + *failed_at_));
     return;
   }
   if (direction_ * (end_ - at) <= 0.0) return;
   if (!points_.empty()) length_ = std::min(kLonger * length_, kLongestRung);
-  // A last rung of less than half a step joins the one before it.
+  // A last step of less than half a step is joined to the one before.
   const bool last = std::abs(end_ - at) < 1.5 * length_;
   climb(from, last ? end_ : at + direction_ * length_);
 }
@@ -245,7 +250,7 @@ double ProfileBranch::tolerance(double S) const {
   return kProfileTolerance * std::max(threshold_, S - least_);
 }
 
-/// A share of the free variables, another one at each rung.
+/// Returns a share of the free variables, a different one at each rung.
 std::vector<int> ProfileBranch::next_columns() {
   std::vector<int> columns;
   const size_t count = (free_.size() + kRungsToRefresh - 1) / kRungsToRefresh;

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// Profile likelihood: how well the data can still be explained when one variable is held at another
-// value and all others are fitted anew.
+// Profile likelihood shows how well the data can still be explained if one variable is held at
+// another value and all others are refitted.
 //
 //   S_i(v) = least sum of squares with u_i = v
 //                                         [Raue et al., Bioinformatics 25 (2009) 1923, eq. (5)]
-// All v with S_i(v) - S <= threshold belong to the confidence interval of variable i; s^2 t^2 for
-// independent residuals, Confidence::thresholds in general. Unlike the linear interval it sees
-// curvature, bounds and further minima. From the shape follows a verdict:
+// All v with S_i(v) - S <= threshold belong to the confidence interval of variable i. The threshold
+// is s^2 t^2 for independent residuals and Confidence::thresholds in general. Unlike the linear
+// interval, the profile includes curvature, bounds and further minima. The verdict follows from its
+// shape:
 //   identifiable     S_i rises above the threshold on both sides
-//   one_sided        on one only: the data give a limit, not a value
-//   flat             on none: any value between the bounds explains the data as well
+//   one_sided        on one side only: the data give a limit, not a value
+//   flat             on no side: any value between the bounds explains the data as well
 //   several_minima   S_i falls again behind a rise: a search can end in the wrong basin
-//   not_evaluable    the model fails before S_i rises: what lies beyond, the data were not asked
+//   not_evaluable    the model fails before S_i rises: nothing is known about values beyond
 //
-// The ladder starts at the best point in steps as long as the linear interval and lengthens them to
-// a tenth of the range, up to both bounds; a rung that leaps over the threshold is halved, and so
-// is one at which the model fails. Derivatives carried from rung to rung do not know what the way
-// has changed beside it: a quarter of them is taken anew at each rung, and all at the one that
-// rises above the threshold. Each rung is a refit that starts where the last ended; it may miss a
-// better basin of the other variables, so S_i is an upper bound. Where S_i falls outward, the rungs
-// before are therefore refitted from behind: a rise that goes away was none. A refit that did not
-// converge makes no rise either. Linear constraints are kept to, and end a ladder as bounds do.
+// A ladder of values (rungs) starts at the best point in steps as long as the linear interval and
+// lengthens the steps to a tenth of the range, up to both bounds. A rung that exceeds the threshold
+// by far is halved, and so is one at which the model fails. Derivatives carried from rung to rung
+// miss changes in other directions, so a quarter of them is recomputed at each rung, and all of
+// them at the rung that rises above the threshold. Each rung is a refit that starts where the last
+// one ended. It may miss a better basin of the other variables, so S_i is an upper bound. If S_i
+// falls outward, the rungs before the fall are therefore refitted from the outer side, and a rise
+// that disappears does not count. A refit that did not converge does not count as a rise either.
+// Linear constraints are kept and end a ladder as bounds do.
 #pragma once
 
 #include <string>
@@ -33,20 +35,20 @@ namespace latsch {
 struct ProfilePoint {
   Eigen::VectorXd u;
   double S;
-  bool converged = true;  // the refit of the others
+  bool converged = true;  // the refit of the other variables
 };
 
-/// What the branches of all variables share.
+/// Settings that the branches of all variables share.
 struct ProfileSettings {
   FeasibleRegion region;
-  Eigen::VectorXd differences;  // as BroydenFitOptions
+  Eigen::VectorXd differences;  // see BroydenFitOptions
   std::vector<int> free = {};   // the variables that may move, ascending; empty: all
 };
 
-/// One way outward from the best point: ask and tell, as BroydenFit.
+/// The profile on one side of the best point: ask and tell, as in BroydenFit.
 class ProfileBranch {
  public:
-  /// `half`: of the linear confidence interval. direction: +1 or -1.
+  /// `half` is half the width of the linear confidence interval. `direction` is +1 or -1.
   ProfileBranch(const Linearization& best,
                 int variable,
                 int direction,
@@ -58,9 +60,10 @@ class ProfileBranch {
   std::optional<Eigen::VectorXd> wanted() const;
   void observe(const std::optional<Evaluated>& evaluated);
 
-  /// From the best point outward, without it.
+  /// Returns the points from the best point outward, without the best point.
   const std::vector<ProfilePoint>& points() const { return points_; }
-  /// The variable at the nearest rung where the model failed; nullopt where it did not.
+  /// Returns the variable's value at the nearest rung where the model failed; nullopt if it did not
+  /// fail.
   const std::optional<double>& failed_at() const { return failed_at_; }
 
  private:
@@ -70,10 +73,10 @@ class ProfileBranch {
     int halvings = 0;
   };
 
-  /// The rungs before a fall of S, refitted from behind.
+  /// The rungs before a fall of S, which are refitted from the outer side.
   struct Return {
-    Linearization outer;  // where the ladder goes on afterwards
-    int place;            // of the rung under way, in points_
+    Linearization outer;  // rung from which the ladder continues afterward
+    int place;            // index in points_ of the rung being refitted
   };
 
   void next_rung(const Linearization& from);
@@ -95,14 +98,14 @@ class ProfileBranch {
   double length_, threshold_, least_;
   ProfileSettings settings_;
   double end_;       // the last value of the variable inside the region
-  double to_ = 0.0;  // of the variable, at the refit under way
+  double to_ = 0.0;  // the variable's value in the present refit
   int steps_to_the_edge_ = 0, returns_ = 0;
   std::optional<double> failed_at_;
   std::optional<Return> return_;
   bool verifying_ = false;
-  size_t next_column_ = 0;  // in free_, to be taken anew
+  size_t next_column_ = 0;  // index in free_ of the next column to recompute
   std::vector<int> free_;
-  Linearization last_;  // rung of the ladder
+  Linearization last_;  // last rung of the ladder
   std::optional<Bracket> bracket_;
   std::optional<BroydenFit> refit_;
   std::vector<ProfilePoint> points_;
@@ -115,17 +118,17 @@ struct Profile {
   std::vector<ProfilePoint> points;  // ascending in the variable, the best point among them
   double least = 0.0;                // S that the profile is measured against
   double threshold = 0.0;
-  Interval interval{};  // where S - least crosses the threshold; infinite where never
+  Interval interval{};  // ends at which S - least crosses the threshold; else infinite
   Verdict verdict = Verdict::flat;
   std::vector<int> other_minima;  // places in `points`
-  /// Where the model fails on a side on which S has not risen: the last value evaluated.
+  /// The last evaluated value on a side on which the model fails before S has risen.
   std::optional<double> lower_end = std::nullopt, upper_end = std::nullopt;
 
-  /// Refits that gave up: S is too high there, and the interval may be wider.
+  /// Returns the number of refits that gave up: S is too high there, and the interval may be wider.
   int unconverged() const;
 };
 
-/// Joins the two branches of a variable and judges.
+/// Joins the two branches of a variable and gives the verdict.
 Profile judge(const Linearization& best,
               int variable,
               const ProfileBranch& down,
@@ -134,7 +137,7 @@ Profile judge(const Linearization& best,
 
 /// "identifiable", "one-sided", "flat", "several minima", "not evaluable beyond".
 std::string name(Verdict verdict);
-/// The same as a sentence: "one-sided: the data give only an upper limit".
+/// Returns the verdict as a sentence: "one-sided: the data give only an upper limit".
 std::string in_words(const Profile& profile);
 
 }  // namespace latsch

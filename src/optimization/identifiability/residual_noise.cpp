@@ -17,13 +17,14 @@ namespace {
 using numerics::Autoregression;
 
 constexpr size_t kMostOrder = 8;
-constexpr Eigen::Index kFewestSamples = 12;  // of a curve, more than variables
+constexpr Eigen::Index kFewestSamples = 12;  // samples of a curve beyond the number of variables
 constexpr Eigen::Index kSamplesAnOrder = 6;
-constexpr size_t kOrdersInVain = 2;  // before a longer memory is not tried
-constexpr double kMostZ = 4.5;       // atanh(kappa): |kappa| up to 0.99975
+// Without improvement, before the search for a higher order ends.
+constexpr size_t kOrdersInVain = 2;
+constexpr double kMostZ = 4.5;  // atanh(kappa): |kappa| up to 0.99975
 constexpr double kGolden = 0.6180339887498949;
-constexpr int kFirstCuts = 16, kLaterCuts = 9;  // of golden sections
-constexpr double kDerivative = 0.05;            // of z
+constexpr int kFirstCuts = 16, kLaterCuts = 9;  // numbers of golden sections
+constexpr double kDerivative = 0.05;            // step in z of numerical derivatives
 
 Autoregression process_of(const std::vector<double>& z) {
   std::vector<double> kappa;
@@ -31,7 +32,7 @@ Autoregression process_of(const std::vector<double>& z) {
   return Autoregression(kappa);
 }
 
-/// Golden section: the place of a minimum between a and b.
+/// Golden section: returns the place of a minimum between a and b.
 template <class Function>
 double least_between(double a, double b, int cuts, const Function& f) {
   double x = b - kGolden * (b - a), y = a + kGolden * (b - a), fx = f(x), fy = f(y);
@@ -153,7 +154,7 @@ double ResidualNoise::deviance_with(const Sums& rest,
   return deviance(all);
 }
 
-/// Order by order, each new partial correlation first alone, then with those before it.
+/// Fits order by order, each new partial correlation first alone, then with those before it.
 void ResidualNoise::fit(Curve& curve, const Sums& rest) const {
   const size_t longest =
       std::min(kMostOrder, static_cast<size_t>(std::ssize(curve.rows) / kSamplesAnOrder));
@@ -182,7 +183,7 @@ void ResidualNoise::fit(Curve& curve, const Sums& rest) const {
   }
   curve.process = process_of(best);
   const auto p = static_cast<Eigen::Index>(best.size());
-  Eigen::MatrixXd H(p, p);  // of -2 l, which is twice the information
+  Eigen::MatrixXd H(p, p);  // Hessian of -2 l, twice the information
   const auto at = [&](Eigen::Index i, double di, Eigen::Index j, double dj) {
     std::vector<double> moved = best;
     moved[static_cast<size_t>(i)] += di;
@@ -198,7 +199,7 @@ void ResidualNoise::fit(Curve& curve, const Sums& rest) const {
   }
   if (p == 0) return;
   const auto [values, vectors] = numerics::self_adjoint_eigen(H);
-  constexpr double kLeast = 1e-3;  // a direction of less curvature is not bounded by the data
+  constexpr double kLeast = 1e-3;  // a direction with less curvature is not bounded by the data
   curve.variance =
       2.0 * vectors * values.cwiseMax(kLeast).cwiseInverse().asDiagonal() * vectors.transpose();
 }
@@ -240,7 +241,7 @@ double ResidualNoise::log_variance(const Eigen::VectorXd& y,
 }
 
 double ResidualNoise::freedom_of(const Eigen::VectorXd& y, bool known) const {
-  double spread = known ? 0.0 : 2.0 / freedom_;  // variance of the logarithm of the variance
+  double spread = known ? 0.0 : 2.0 / freedom_;  // relative variance of the variance
   for (size_t k = 0; k < curves_.size(); ++k) {
     if (curves_[k].process.order() == 0) continue;
     Sums rest = alone_sums_;

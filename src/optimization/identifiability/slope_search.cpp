@@ -8,15 +8,15 @@
 namespace latsch {
 namespace {
 
-constexpr double kStraight = 0.25;            // bend of what counts as a line
-constexpr double kLengthFactor = 4.0;         // between two lengths
-constexpr double kLongestDifference = 0.25;   // of the range
-constexpr double kShortestDifference = 1e-4;  // of the range
-constexpr double kMostLengthening = 16.0;     // at once
+constexpr double kStraight = 0.25;            // largest bend of a straight line
+constexpr double kLengthFactor = 4.0;         // ratio of two lengths
+constexpr double kLongestDifference = 0.25;   // share of the range
+constexpr double kShortestDifference = 1e-4;  // share of the range
+constexpr double kMostLengthening = 16.0;     // factor in one step
 constexpr size_t kMostLengths = 5;
-constexpr int kMostShortened = 2;    // where all sides fail
-constexpr double kRoughness = 0.25;  // of the second difference that curvature would make
-constexpr double kUnfelt = 1e-12;    // of the residuals: no change at all
+constexpr int kMostShortened = 2;    // number of shorter lengths if all sides fail
+constexpr double kRoughness = 0.25;  // share of the second difference that curvature would cause
+constexpr double kUnfelt = 1e-12;    // share of the residuals: counts as no change
 
 }  // namespace
 
@@ -31,7 +31,7 @@ bool SlopeSearch::is_open(double offset) const {
   return has_room_(offset) && std::none_of(points_.begin(), points_.end(), failed);
 }
 
-/// Asks for what a stencil of that length lacks; false where none has room.
+/// Requests the missing points of a stencil of that length; returns false if none has room.
 bool SlopeSearch::plan(double length) {
   for (const auto& [a, b] : {std::pair(1.0, -1.0), std::pair(1.0, 2.0), std::pair(-1.0, -2.0)}) {
     if (!is_open(a * length) || !is_open(b * length)) continue;
@@ -106,7 +106,7 @@ const SlopeSearch::Tried* SlopeSearch::at_length(double length) const {
   return nullptr;
 }
 
-/// nullopt where the last one serves or nothing else is to be tried.
+/// Returns nullopt if the last length is good enough or nothing else is to be tried.
 std::optional<double> SlopeSearch::next_length(double felt) const {
   if (tried_.size() >= kMostLengths) return std::nullopt;
   const Tried& last = tried_.back();
@@ -137,7 +137,7 @@ std::optional<double> SlopeSearch::next_length(double felt) const {
 
 void SlopeSearch::finish(const Eigen::VectorXd& center) {
   if (!tried_.empty()) {
-    // The last one where it is straight: it was asked for because it fits its use best.
+    // The last length is chosen if it is straight, because it was selected to suit the use best.
     const Tried* best = &tried_.back();
     if (best->bend > kStraight) {
       for (const Tried& t : tried_) {

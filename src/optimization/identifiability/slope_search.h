@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// The derivative of residuals in one variable by differences whose length follows from what it is
-// for.
+// Computes the derivative of residuals in one variable by differences whose length is chosen for
+// the use of the derivative.
 //
-// Three points a length h apart, the center in their middle where there is room on both sides:
+// Three points have a spacing h, with the center in their middle if there is room on both sides:
 //   J = (r+ - r-) / 2h      change = |r+ - r-| / 2      bend = |r+ - 2 r0 + r-| / 2 change
-// (one-sided: J = (4 r1 - r2 - 3 r0) / 2h). Measurement noise is the same at all three and cancels;
-// what spoils J is roughness of the model (solver tolerance, ripple over meshes and steps), which
-// counts as 1 / h, and curvature, which counts as h^2. And a slope over much less than the interval
-// it will be used for says little about that. So
-//   - where the residuals change by less than `felt`, as much as at the ends of a confidence
-//     interval, the step is lengthened to where they would;
-//   - where the three points lie on no line, bend > kStraight, a quarter of the length tells
-//     whether that is curvature, whose second difference falls sixteenfold, and the shorter step is
-//     better, or roughness, and a longer one is;
-//   - of all lengths tried, kMostLengths at most, the straightest is taken, and said to be rough
-//     where even that is not straight.
-// Where a side has no room or fails the other one serves; two points a variable are the usual cost.
+// (one-sided: J = (4 r1 - r2 - 3 r0) / 2h). Measurement noise is the same at all three and cancels.
+// J is spoiled by roughness of the model (solver tolerance, ripple over meshes and steps), whose
+// error goes as 1 / h, and by curvature, whose error goes as h^2. A slope over much less than the
+// confidence interval it will be used for is also a poor guide. So
+//   - if the residuals change by less than `felt`, the change at the ends of a confidence interval,
+//     the step is lengthened to reach that change;
+//   - if the three points are not on a line, bend > kStraight, a quarter of the length decides: if
+//     the second difference falls sixteenfold, it is curvature and the shorter step is better;
+//     otherwise it is roughness and a longer one is better;
+//   - of all lengths tried, at most kMostLengths, the straightest is used, and reported as rough if
+//     even that is not straight.
+// If one side has no room or fails, the other one is used. Usually two points are needed for each
+// variable.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,19 +29,20 @@ namespace latsch {
 enum class SlopeQuality {
   straight,   // three points on a line
   rough,      // no length is straight: the slope is that of a rough or strongly curved model
-  one_sided,  // only one point beside the center could be had: not checked
+  one_sided,  // only one point beside the center was available: not checked
   unknown,    // every evaluation beside the center failed
 };
 
 class SlopeSearch {
  public:
-  /// `has_room`: whether the center may be moved by that offset. First length, of the range.
+  /// `has_room` returns true if the center may be moved by that offset. `first_length` is a share
+  /// of the range.
   SlopeSearch(std::function<bool(double)> has_room, double first_length);
 
-  /// Offsets to evaluate; empty when done.
+  /// Returns the offsets to evaluate; empty when done.
   const std::vector<double>& wanted() const { return wanted_; }
-  /// Residuals at the center and at wanted(), in units of their deviations; nullopt: failed. `felt`
-  /// 0: nothing is known about the interval.
+  /// Takes the residuals at the center and at wanted(), in units of their deviations; nullopt if an
+  /// evaluation failed. `felt` is 0 if nothing is known about the interval.
   void observe(const Eigen::VectorXd& center,
                double felt,
                const std::vector<std::optional<Eigen::VectorXd>>& residuals);
@@ -48,10 +50,10 @@ class SlopeSearch {
   SlopeQuality quality() const { return quality_; }
   const Eigen::VectorXd& slope() const { return slope_; }
   double length() const { return length_; }
-  /// Of the length taken: the second difference over twice the change; 0 where it is not known.
+  /// Second difference over twice the change, for the length used; 0 if it is not known.
   double bend() const { return bend_; }
-  /// What the slope is made of, and any other quantity's over the same points: the sum of
-  /// weight * value, one of them at the center, offset 0.
+  /// One term of the slope, which is the sum of weight * value over the points; one of the terms
+  /// belongs to the center, offset 0. The same sum gives the slope of any other quantity.
   struct Term {
     double offset, weight;
   };
@@ -81,7 +83,7 @@ class SlopeSearch {
   std::vector<Point> points_;
   std::vector<Tried> tried_;
   double planned_ = 0.0;
-  int shortened_ = 0;  // for failures
+  int shortened_ = 0;  // number of times, because of failures
   SlopeQuality quality_ = SlopeQuality::unknown;
   Eigen::VectorXd slope_;
   std::vector<Term> terms_;

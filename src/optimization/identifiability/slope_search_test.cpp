@@ -36,7 +36,7 @@ TEST(SlopeSearch, OfAParabolaIsItsDerivativeAlsoAtABound) {
   EXPECT_NEAR(slope(parabola, 0.0, -0.5, 0.0).search.slope()[0], 3.0, 1e-10);
 }
 
-// A slope of 1 under a ripple of 0.02 whose waves are 0.013 long: over 0.01 it is that of the
+// A slope of 1 has a ripple of 0.02 with waves 0.013 long. Over 0.01 the slope is that of the
 // ripple. An interval that ends where the residuals change by 0.2 is 20 times as long.
 TEST(SlopeSearch, GrowsBeyondRippleToTheLengthOfTheInterval) {
   const Model rippled = [](double x) {
@@ -49,7 +49,7 @@ TEST(SlopeSearch, GrowsBeyondRippleToTheLengthOfTheInterval) {
   EXPECT_EQ(found.search.quality(), SlopeQuality::straight);
 }
 
-// The same ripple where the data are exact: growing is for the ripple alone.
+// The model has such a ripple and the data are exact: the length grows because of the ripple alone.
 TEST(SlopeSearch, GrowsOutOfRippleThatNoNoiseHides) {
   Eigen::VectorXd waves = Eigen::VectorXd::LinSpaced(40, 0.011, 0.017);
   const Model rippled = [=](double x) -> std::optional<Eigen::VectorXd> {
@@ -61,7 +61,7 @@ TEST(SlopeSearch, GrowsOutOfRippleThatNoNoiseHides) {
   EXPECT_GT(found.search.length(), 0.03);
 }
 
-// sinh(200 x) bends within 0.01; its slope at 0 is 200.
+// sinh(200 x) is curved within 0.01; its slope at 0 is 200.
 TEST(SlopeSearch, ShrinksWhereTheModelIsCurved) {
   const Model curved = [](double x) { return one(std::exp(400 * x)); };
   const Found found = slope(curved, 1e-3);

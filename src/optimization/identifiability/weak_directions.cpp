@@ -11,18 +11,22 @@
 namespace latsch {
 namespace {
 
-constexpr std::array kMoves{2e-3, 2e-4};  // of the range
-constexpr double kBesideCurvature = 2.0;  // its errors
-constexpr double kWeak = 1e-2;            // of the strongest direction, in a fit without noise
-constexpr double kNoNoiseLeft = 1e-4;     // spread of residuals without stated noise
-constexpr double kOfStatedNoise = 1e-2;   // spread of residuals with it
-constexpr double kAgree = 0.25;           // of the smaller slope
-constexpr double kOtherLength = 4.0;      // times the shorter one
-constexpr double kOfErrors = 3.0;         // times the error: a component that is known
-constexpr double kFeltBeside = 0.1;       // the error: a slope
-constexpr double kTakesPart = 0.1;        // of a unit vector
+constexpr std::array kMoves{2e-3, 2e-4};  // shares of the range
+// A direction is weak if its effect is less than this multiple of the curvature's errors.
+constexpr double kBesideCurvature = 2.0;
+// In a fit without noise, a direction is weak below this share of the strongest direction's effect.
+constexpr double kWeak = 1e-2;
+constexpr double kNoNoiseLeft = 1e-4;    // spread of residuals without stated noise
+constexpr double kOfStatedNoise = 1e-2;  // spread of residuals relative to stated noise
+constexpr double kAgree = 0.25;          // share of the smaller slope
+constexpr double kOtherLength = 4.0;     // least ratio of two different lengths
+// Multiple of the error from which on a component is known.
+constexpr double kOfErrors = 3.0;
+// Share of the error above which an effect counts as a slope.
+constexpr double kFeltBeside = 0.1;
+constexpr double kTakesPart = 0.1;  // least component of a unit vector that takes part
 
-/// What is left of the residuals is less than noise leaves.
+/// True if the residuals are smaller than any noise would leave.
 bool fits_without_noise(const Linearization& at,
                         const Confidence& c,
                         const ConfidenceOptions& options) {
@@ -36,14 +40,15 @@ struct SlopeAlong {
   Eigen::VectorXd g;
 };
 
-/// Slopes over lengths alike agree whatever they are worth.
+/// True if two slopes agree and their lengths differ enough: slopes over similar lengths always
+/// agree.
 bool agree(const SlopeAlong& a, const SlopeAlong& b) {
   const auto [shorter, longer] = std::minmax(a.length, b.length);
   return longer >= kOtherLength * shorter &&
          (a.g - b.g).norm() <= kAgree * std::min(a.g.norm(), b.g.norm());
 }
 
-/// The shortest of the differences that J v is made of.
+/// Returns the shortest of the differences in J v.
 double length_along(const Eigen::VectorXd& v, const Eigen::VectorXd& lengths) {
   double least = 1.0;
   for (Eigen::Index i = 0; i < v.size(); ++i)
@@ -51,8 +56,8 @@ double length_along(const Eigen::VectorXd& v, const Eigen::VectorXd& lengths) {
   return least;
 }
 
-/// v with only those of its components that are more than errors of slopes, of that norm, make of
-/// them: a variable that does not take part is not as open as v.
+/// Returns v with only the components that exceed the errors of slopes, whose norm is `error`: a
+/// variable without a part in v is not as open as v.
 Eigen::VectorXd without_errors(Eigen::VectorXd v, double error, const Eigen::MatrixXd& J) {
   for (Eigen::Index i = 0; i < v.size(); ++i)
     if (std::abs(v[i]) * J.col(i).norm() < kOfErrors * error) v[i] = 0.0;
@@ -116,8 +121,8 @@ Eigen::MatrixXd WeakDirections::checked(
       if (auto g = slope(stencils_[k], at.r, at_place(2 * k), at_place(2 * k + 1)))
         slopes.push_back({stencils_[k].length, std::move(*g)});
     }
-    if (slopes.size() == 1) continue;  // the model fails there: the differences are all there is
-    // The shorter one of a pair, but J v as it is where it serves.
+    if (slopes.size() == 1) continue;  // the model fails there: only the differences are left
+    // The shorter length of an agreeing pair is used, or J v itself if it is in the pair.
     const SlopeAlong* held = nullptr;
     for (size_t a = 0; a < slopes.size() && !held; ++a)
       for (size_t b = a + 1; b < slopes.size() && !held; ++b)

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// A check of the directions that residuals hardly feel, by moves along these directions themselves.
+// Checks directions with little effect on the residuals by moves along these directions themselves.
 //
-// J is made of differences, one variable at a time. Where variables are tied, as the factors of a
-// product, their columns are parallel, and what is left of J v along the direction v of the tie is
-// the error of the differences: curvature, rounding of a simulation's output. Under noise that is
-// nothing; in a fit without noise an interval made of it would be short and wrong. So a direction
-// that counts as held, and which
-//   - is felt by less than twice what curvature makes of the differences, or
-//   - in a fit that leaves next to nothing, is felt by less than a hundredth of the strongest one,
-// is moved along, by lengths l of 0.002 and 0.0002 of the range:
+// J is made of differences, one variable at a time. If variables are coupled, as the factors of a
+// product, their columns are parallel. Along the direction v of the coupling, J v then contains
+// only the error of the differences: curvature, and rounding of a simulation's output. Under noise
+// this error is negligible; in a fit without noise an interval based on it would be short and
+// wrong. So a direction is checked if it counts as determined by the data and
+//   - its effect J v is less than twice the error of the differences by curvature, or
+//   - in a fit with almost no residuals, J v is less than a hundredth of that of the strongest one.
+// The check moves along the direction by lengths l of 0.002 and 0.0002 of the range:
 //   g(l) = (r(u + l v) - r(u - l v)) / 2l
-// Of J v, g(l1), g(l2) two of different lengths have to agree to a quarter of the smaller one; J
-// then has that slope along v. Where none do, nothing is known along v, and J v = 0.
+// Two of J v, g(l1), g(l2) with different lengths have to agree to a quarter of the smaller one; J
+// then gets that slope along v. If no two agree, nothing is known along v, and J v = 0.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,36 +22,37 @@
 
 namespace latsch {
 
-/// How J was made, for every column of it.
+/// Lengths and errors of the differences for each column of J.
 struct Differences {
-  Eigen::VectorXd lengths;    // of the range
-  Eigen::VectorXd curvature;  // the error that it may make of the column, its norm
+  Eigen::VectorXd lengths;    // shares of the range
+  Eigen::VectorXd curvature;  // norm of the error that curvature may cause in the column
 };
 
 class WeakDirections {
  public:
-  /// `c`: of `at`.
+  /// `c` is the confidence at the linearization `at`.
   WeakDirections(const DesignSpace& space,
                  const Linearization& at,
                  const Confidence& c,
                  const Differences& made,
                  const ConfidenceOptions& options);
 
-  /// In the unit cube; empty: nothing is to be checked.
+  /// Returns points of the unit cube; empty if nothing is to be checked.
   const std::vector<Eigen::VectorXd>& wanted() const { return wanted_; }
-  /// Residuals at wanted(); nullopt: failed. Returns J with the slopes that hold.
+  /// Takes the residuals at wanted(); nullopt if an evaluation failed. Returns J with the confirmed
+  /// slopes.
   Eigen::MatrixXd checked(const Linearization& at,
                           const std::vector<std::optional<Eigen::VectorXd>>& residuals);
-  /// How that J was made.
+  /// Returns how the checked J was computed.
   const Differences& made() const { return made_; }
-  /// Those along which nothing is known. After checked().
+  /// Returns the directions along which nothing is known. Valid after checked().
   const std::vector<Eigen::VectorXd>& unknown() const { return unknown_; }
 
  private:
   struct Stencil {
-    int direction;  // in directions_
+    int direction;  // index in directions_
     double length;
-    double near, far;  // offsets along the direction: two sides, or twice the one
+    double near, far;  // offsets along the direction: on two sides, or one twice the other
   };
 
   std::optional<Eigen::VectorXd> slope(const Stencil& stencil,
@@ -61,12 +62,12 @@ class WeakDirections {
 
   struct Direction {
     Eigen::VectorXd v;
-    double length;  // of the differences that J v is made of
+    double length;  // length of the differences in J v
   };
 
   Differences made_;
   std::vector<Direction> directions_;
-  std::vector<Stencil> stencils_;  // two points of wanted_ each
+  std::vector<Stencil> stencils_;  // each belongs to two points of wanted_
   std::vector<Eigen::VectorXd> wanted_, unknown_;
 };
 

@@ -10,7 +10,7 @@
 namespace latsch {
 namespace {
 
-/// A p = -g for the free variables with the others at their part of p.
+/// Solves A p = -g for the free variables, with the others fixed at their components of p.
 Eigen::VectorXd solve_free(Eigen::MatrixXd A,
                            const Eigen::VectorXd& g,
                            const Eigen::VectorXd& p,

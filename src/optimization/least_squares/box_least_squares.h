@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Least |r_hat(z)|^2 + v(z), the value to be expected, for lower <= z <= upper: the step of a trust
-// region that is a box, inside bounds that are one too.
+// Minimizes |r_hat(z)|^2 + v(z), the expected value, for lower <= z <= upper: the step of a trust
+// region that is a box, inside bounds that are a box too.
 //
-// Levenberg's damped steps (levenberg_descent.h) in the free variables: a variable is held where
-// the slope pushes it over a bound it is at, and for the rest of a step at the bound that its part
-// of the step would cross. Toward a local minimum of the model, never worse than z = 0.
+// It takes Levenberg's damped steps (levenberg_descent.h) in the free variables. A variable is held
+// if the slope pushes it over a bound it is at, and for the rest of a step at the bound that its
+// part of the step would cross. The result approaches a local minimum of the model and is never
+// worse than z = 0.
 #pragma once
 
 #include <Eigen/Core>

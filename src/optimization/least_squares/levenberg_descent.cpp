@@ -8,8 +8,9 @@ namespace latsch {
 namespace {
 
 constexpr int kMostIterations = 60;
-constexpr double kLeastDecrease = 1e-9;  // of the value, in one iteration: the end
-constexpr double kFirstDamping = 1e-6;   // mu, of the largest diagonal of J'J
+// Share of the value; less in one iteration ends the descent.
+constexpr double kLeastDecrease = 1e-9;
+constexpr double kFirstDamping = 1e-6;  // mu over the largest diagonal entry of J'J
 constexpr double kLeastDamping = 1e-12;
 constexpr double kMostDamping = 1e12;
 

@@ -17,27 +17,32 @@
 namespace latsch {
 namespace {
 
-constexpr double kTaken = 1e-4;             // gain of a step that is taken
-constexpr double kPoorGain = 0.25;          // shortens the radius
-constexpr double kGainToExpand = 0.75;      // makes it longer
-constexpr double kExpansionOfRadius = 2.0;  // of the step
-constexpr double kAfterFailure = 0.25;      // of the step
-constexpr double kWorthReturning = 0.1;     // of what the step had promised
-constexpr double kSteepDescent = 0.1;       // f after a step, of f before: no valley's floor
-constexpr double kExpansionOnReturn = 10.0, kRadiusOnReturn = 4.0;  // of the step
-constexpr double kAlong = 0.8;         // cosine to a way along which curvature is known
-constexpr double kMostTurn = 0.375;    // by curvature, of a step [Transtrum & Sethna, alpha = 0.75]
-constexpr double kWorthBending = 0.1;  // of what the straight step promises
+constexpr double kTaken = 1e-4;             // least gain of an accepted step
+constexpr double kPoorGain = 0.25;          // gain below which the radius is shortened
+constexpr double kGainToExpand = 0.75;      // gain above which the radius is lengthened
+constexpr double kExpansionOfRadius = 2.0;  // radius over the step
+constexpr double kAfterFailure = 0.25;      // radius over the step that failed
+constexpr double kWorthReturning = 0.1;     // share of what the step had promised
+// If a step leaves less than this share of f, the search is not on a valley's floor.
+constexpr double kSteepDescent = 0.1;
+constexpr double kExpansionOnReturn = 10.0, kRadiusOnReturn = 4.0;  // multiples of the step
+// Least cosine between a step and the way along which the curvature is known.
+constexpr double kAlong = 0.8;
+// Largest turn of a step by curvature, relative to the step [Transtrum & Sethna, alpha = 0.75].
+constexpr double kMostTurn = 0.375;
+constexpr double kWorthBending = 0.1;  // share of what the straight step promises
 constexpr double kLeastCut = 0.1, kMostCut = 0.5;
-constexpr double kPromisesNothing = 1e-10;  // of f, by a step in the radius
-constexpr double kPromisesMuch = 1e-6;      // of f
-constexpr double kNothingIsLeft = 1e-20;    // of the first f: ten digits of the residuals
-constexpr double kRoundingIsLeft = 1e-10;   // of the first f: five digits, where steps fail
-constexpr double kExhaustedStep = 0.01;     // of the tolerance: a radius so short finds nothing
-// A range is too wide for the tolerance where the full step is shorter, and yet
-constexpr double kPromisesAllTheSame = 0.1;  // of f
-constexpr double kMuchIsLeft = 1e-6;         // of the first f
-constexpr double kNumbersOfTheCube = 1e-16;  // no two are closer
+constexpr double kPromisesNothing = 1e-10;  // share of f, for a step in the radius
+constexpr double kPromisesMuch = 1e-6;      // share of f
+constexpr double kNothingIsLeft = 1e-20;    // share of the first f: ten digits of the residuals
+constexpr double kRoundingIsLeft = 1e-10;   // share of the first f: five digits, if steps fail
+// Share of the tolerance: so short a radius finds nothing.
+constexpr double kExhaustedStep = 0.01;
+// A range is too wide for the tolerance if the full step is shorter than the tolerance and yet
+// promises kPromisesAllTheSame of f, while f exceeds kMuchIsLeft.
+constexpr double kPromisesAllTheSame = 0.1;  // share of f
+constexpr double kMuchIsLeft = 1e-6;         // share of the first f
+constexpr double kNumbersOfTheCube = 1e-16;  // distance of neighboring numbers in the unit cube
 
 enum class LevenbergMarquardtEnding {
   none,
@@ -51,28 +56,29 @@ enum class LevenbergMarquardtEnding {
   hopeless
 };
 
-/// What is known of a point.
+/// The residuals, slopes and value known at a point.
 struct Linear : Slopes {
   DesignPoint point;
   double f = 0.0;
 };
 
-/// A point whose outcome it waits for: the start, after so many attempts, or a step.
+/// A point whose outcome the method waits for: a start, with the number of starts before it, or a
+/// step.
 struct Attempt {
   Eigen::VectorXd u;
   DesignPoint point;
   int starts = 0;
   std::optional<LevenbergMarquardtStep> step = std::nullopt;
-  Eigen::VectorXd goal = {};  // r at its end, by the linear model
-  int returns = 0;            // since that step led up
-  double f_astray = 0.0;      // where it led
+  Eigen::VectorXd goal = {};  // r at the end of the step, by the linear model
+  int returns = 0;            // number of returns since the step that led up the side
+  double f_astray = 0.0;      // f at the end of that step
 };
 
 void check(const LevenbergMarquardtOptions& options) {
   OptionCheck("Levenberg-Marquardt").lengths(options.initial_step, options.step_tolerance, 1.0);
 }
 
-/// The share of a step at which the parabola through f, its slope and f_end is least.
+/// Returns the share of a step at which the parabola through f, its slope and f_end is least.
 double least_of_parabola(double f, double slope, double f_end) {
   const double share = -slope / (f_end - f - 2.0 * slope);  // f + 2 slope t + ... t^2
   return std::clamp(std::isfinite(share) ? share : kLeastCut, kLeastCut, kMostCut);
@@ -85,15 +91,16 @@ struct LevenbergMarquardt::State {
   FeasibleRegion region;
   LevenbergMarquardtOptions options;
 
-  Linear x;                       // the best point
-  std::optional<Slopes> along;    // where it was before, or where a step from it led astray
-  std::optional<Linear> foreign;  // the best point of others
-  Eigen::VectorXd D;              // no entries: before the first success
+  Linear x;  // the best point
+  // The point before x, or the end of a step from x up the side of a valley.
+  std::optional<Slopes> along;
+  std::optional<Linear> foreign;  // best point from other sources
+  Eigen::VectorXd D;              // empty before the first success
   double radius = 0.0;            // Delta
   double f_first = 0.0;
-  bool has_failed = false;        // the last step
-  std::vector<double> reached;    // f after every step taken
-  PendingPoints<Attempt> wanted;  // at most one; none: converged
+  bool has_failed = false;        // the last step failed
+  std::vector<double> reached;    // f after every accepted step
+  PendingPoints<Attempt> wanted;  // at most one; empty: converged
   LevenbergMarquardtEnding end = LevenbergMarquardtEnding::none;
 
   State(const DesignSpace& s, const LevenbergMarquardtOptions& o)
@@ -101,7 +108,7 @@ struct LevenbergMarquardt::State {
     wanted.push_back({to_vector(space.to_unit(space.initial())), space.initial()});
   }
 
-  /// The iteration: what the outcome of an attempt means, and the next one.
+  /// One iteration: uses the outcome of an attempt and chooses the next one.
   void take(const Attempt& tried, std::optional<Linear> known) {
     if (tried.step) {
       if (known && returns_from(tried, *known)) return;
@@ -126,7 +133,7 @@ struct LevenbergMarquardt::State {
     }
   }
 
-  /// At the first point, or that of others.
+  /// Starts at the first point, or at one from another source.
   void begin(Linear known) {
     const bool is_first = D.size() == 0;
     along.reset();
@@ -145,8 +152,8 @@ struct LevenbergMarquardt::State {
     return reached.size() > 1 && x.f > kSteepDescent * reached[reached.size() - 2];
   }
 
-  /// Whether a step that led up the side of a valley is followed by one down to its floor: from
-  /// there, by the residuals and slopes known there.
+  /// If a step led up the side of a valley, proposes a step down to its floor, from the residuals
+  /// and slopes known on the side, and returns true.
   bool returns_from(const Attempt& tried, const Linear& at) {
     const LevenbergMarquardtStep& step = *tried.step;
     if (tried.returns >= options.most_returns || !is_in_valley() || (foreign && foreign->f < x.f) ||
@@ -161,8 +168,8 @@ struct LevenbergMarquardt::State {
     return true;
   }
 
-  /// To what the linear model had promised of the residuals, not beyond: one that is free to go on
-  /// along the valley leaves its floor again.
+  /// Returns the step to the residuals that the linear model had promised, and not beyond: a step
+  /// free to continue along the valley would leave its floor again.
   LevenbergMarquardtStep return_from(const Linear& at,
                                      const LevenbergMarquardtStep& step,
                                      const Eigen::VectorXd& goal) const {
@@ -171,7 +178,7 @@ struct LevenbergMarquardt::State {
     return back.length > step.length ? steps.within(step.length) : back;
   }
 
-  /// What a step with the returns behind it has brought.
+  /// Judges a step together with its returns.
   void judge_returns(const Attempt& tried, double gain) {
     const LevenbergMarquardtStep& step = *tried.step;
     if (gain > kGainToExpand) {
@@ -208,7 +215,8 @@ struct LevenbergMarquardt::State {
     reached.push_back(x.f);
   }
 
-  /// Along a long valley far from its end steps gain as little, but the linear model promises much.
+  /// True if recent steps gained little. Along a long valley far from its end steps gain as little,
+  /// but the linear model promises much.
   bool is_slow(const LevenbergMarquardtSteps& steps) const {
     constexpr std::size_t kSteps = 3;
     const double little = options.progress_tolerance * x.f;
@@ -216,7 +224,7 @@ struct LevenbergMarquardt::State {
            steps.most_promised() < 0.5 * little;
   }
 
-  /// The step as the curvature of the residuals along it has it, where that is known.
+  /// Returns the step corrected by the curvature of the residuals along it, if that is known.
   LevenbergMarquardtStep bend(const LevenbergMarquardtStep& step) const {
     if (!along) return step;
     const Eigen::VectorXd s = x.u - along->u;
@@ -311,8 +319,8 @@ std::vector<DesignPoint> LevenbergMarquardt::propose(int count) const {
   assert(count >= 1);
   Plan plan(count);
   plan.add(state_->wanted);
-  // What follows a trial that succeeds depends on its numbers: no guess of them would be met. What
-  // follows a failure does not, and is worth a worker's time where failures have been seen.
+  // The points after a success depend on its numbers, and no guess of these would be right. The
+  // points after a failure do not, and are worth a worker's time if failures have been seen.
   for (State future = *state_; state_->has_failed && !plan.is_full() && !future.wanted.empty();) {
     const Attempt first = *future.wanted.take(future.wanted.front().point);
     future.take(first, std::nullopt);

@@ -14,14 +14,16 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kRadiusSlack = 0.1;  // of the radius: so exact mu has to be
-constexpr double kMargin = 1e-3;      // of the bracket: a secant nearer to its ends is not trusted
-constexpr double kMostDampingOfStep = 1e12;  // of the mu that the radius asks for
-constexpr int kMostDampings = 30;            // tried; the bracket halves at least
+constexpr double kRadiusSlack = 0.1;  // share of the radius to which mu is solved for
+// Share of the bracket: a secant nearer to its ends is not trusted.
+constexpr double kMargin = 1e-3;
+constexpr double kMostDampingOfStep = 1e12;  // multiple of the mu for the radius
+// Largest number of mu tried; each at least halves the bracket.
+constexpr int kMostDampings = 30;
 constexpr double kLeastConvexity =
-    1e-12;  // of the largest curvature: a quadratic program wants some
+    1e-12;  // relative to the largest curvature, for a quadratic program
 
-/// The first rows of Q'A, as many as A has columns, Q from the factors.
+/// Returns the first rows of Q'A, as many as A has columns, with Q from the factors.
 MatrixXd rotated(const numerics::HouseholderQr& factors, const MatrixXd& A, Eigen::Index rows) {
   MatrixXd R(rows, A.cols());
   for (Eigen::Index j = 0; j < A.cols(); ++j) {
@@ -30,7 +32,7 @@ MatrixXd rotated(const numerics::HouseholderQr& factors, const MatrixXd& A, Eige
   return R;
 }
 
-/// Rows of length 1 in the scaled variables.
+/// Scales the rows to length 1 in the scaled variables.
 void scale(MatrixXd& A, VectorXd& b, const VectorXd& D) {
   A = A * D.cwiseInverse().asDiagonal();
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
@@ -117,7 +119,7 @@ VectorXd LevenbergMarquardtSteps::damped_in_polytope(double mu) const {
 LevenbergMarquardtStep LevenbergMarquardtSteps::within(double radius) const {
   const double longest = (1.0 + kRadiusSlack) * radius, shortest = (1.0 - kRadiusSlack) * radius;
   if (full_.length <= longest && full_.promised > 0.0) return full_;
-  // excess(mu) = 1 / |D p| - 1 / Delta, from below 0 to above
+  // excess(mu) = 1 / |D p| - 1 / Delta increases from below 0 to above 0.
   const auto excess = [&](const LevenbergMarquardtStep& s) {
     return 1.0 / s.length - 1.0 / radius;
   };
@@ -126,7 +128,7 @@ LevenbergMarquardtStep LevenbergMarquardtSteps::within(double radius) const {
   double at_low = excess(full_);
   LevenbergMarquardtStep step = damped(high);
   double at_high = excess(step);
-  const bool is_cut = full_.length <= longest;  // short enough, and spoiled
+  const bool is_cut = full_.length <= longest;  // short enough, but without gain
   for (int k = 0; k < kMostDampings && !is_cut; ++k) {
     if (step.length >= shortest && step.length <= longest) break;
     double mu = low - at_low * (high - low) / (at_high - at_low);
@@ -137,7 +139,7 @@ LevenbergMarquardtStep LevenbergMarquardtSteps::within(double radius) const {
     (step.length > radius ? low : high) = mu;
     (step.length > radius ? at_low : at_high) = excess(step);
   }
-  // Variables held at faces can spoil a step; ever shorter ones go down the slope.
+  // Variables held at faces can spoil a step; ever shorter steps go down the slope.
   const double most = kMostDampingOfStep * of_radius;
   for (double mu = step.mu; !(step.promised > 0.0) && mu < most; mu *= 10.0) {
     step = damped(10.0 * mu);

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // The step of Levenberg's and Marquardt's method from a point u with residuals r and Jacobian J:
 //
-//   least |r + J p|^2   with   |D p| <= Delta   and   u + p in the region
+//   minimize |r + J p|^2   with   |D p| <= Delta   and   u + p in the region
 //
 // It is the damped step, for some mu >= 0,
 //
-//   least |r + J p|^2 + mu |D p|^2   with   u + p in the region                               (1)
+//   minimize |r + J p|^2 + mu |D p|^2   with   u + p in the region                            (1)
 //
-// with mu = 0 where that is short enough, else the mu that makes |D p| as long as Delta, up to a
-// tenth [Moré, in: Numerical Analysis, Lecture Notes in Mathematics 630, Springer 1978, 105].
-// 1 / |D p| is nearly linear in mu, which Moré has from Hebden (1973): a secant inside a bracket
-// finds it in a few solutions of (1). All of them share the factor R of J; sums of squares are
-// never formed in the unit cube, so steps are exact where J'J is singular to rounding.
+// with mu = 0 if that step is short enough, otherwise with the mu that makes |D p| equal to Delta
+// within a tenth [Moré, in: Numerical Analysis, Lecture Notes in Mathematics 630, Springer 1978,
+// 105]. 1 / |D p| is nearly linear in mu, as Moré notes after Hebden (1973), so a secant inside a
+// bracket finds mu in a few solutions of (1). All solutions share the factor R of J. Sums of
+// squares are never formed in the unit cube, so steps are exact even if J'J is singular to
+// rounding.
 //
-// Bounds hold variables as step_in_box.h says. Among linear constraints (1) is a quadratic program,
-// with J'J and the accuracy that costs.
+// Bounds hold variables as step_in_box.h explains. With linear constraints (1) is a quadratic
+// program, which uses J'J with its loss of accuracy.
 #pragma once
 
 #include <Eigen/Core>
@@ -34,22 +35,23 @@ struct LevenbergMarquardtStep {
 
 class LevenbergMarquardtSteps {
  public:
-  /// `D`: scales of the variables, above 0. u lies in the region.
+  /// `D` are scales of the variables, above 0. u lies in the region.
   LevenbergMarquardtSteps(const Eigen::VectorXd& r,
                           const Eigen::MatrixXd& J,
                           const Eigen::VectorXd& D,
                           const Eigen::VectorXd& u,
                           const FeasibleRegion& region);
 
-  /// The longest one, mu = 0.
+  /// Returns the longest step, mu = 0.
   const LevenbergMarquardtStep& full() const { return full_; }
   LevenbergMarquardtStep within(double radius) const;
-  /// (1) for a mu.
+  /// Returns the solution of (1) for a given mu.
   LevenbergMarquardtStep damped(double mu) const;
-  /// No step inside the bounds promises more: that of the variables not held, without bounds.
+  /// Upper limit of what a step inside the bounds promises: the value for the variables not held,
+  /// without bounds.
   double most_promised() const { return most_promised_; }
-  /// What a move of one variable that is not held promises, the best of them, at least: where J
-  /// loses rank, steps of all of them promise what no step brings.
+  /// Returns what the best move of a single free variable promises at least. If J loses rank, joint
+  /// steps of all variables promise an improvement that no step brings.
   double promised_by_one() const { return promised_by_one_; }
 
  private:
@@ -62,10 +64,10 @@ class LevenbergMarquardtSteps {
 
   bool is_cube_;
   Eigen::VectorXd D_;
-  Eigen::MatrixXd R_;              // of J D^-1, as many columns
+  Eigen::MatrixXd R_;              // factor of J D^-1, with as many columns
   Eigen::VectorXd c_;              // Q'r
   Eigen::VectorXd g_;              // D^-1 J'r
-  Eigen::VectorXd lower_, upper_;  // of D p in the cube
+  Eigen::VectorXd lower_, upper_;  // bounds of D p in the cube
   std::vector<int> free_;          // variables that are not held at a bound
   Eigen::MatrixXd E_, A_;          // E_ D p = f_,  A_ D p <= b_  in a polytope
   Eigen::VectorXd f_, b_;

@@ -63,7 +63,7 @@ TEST(LevenbergMarquardt, SolvesLinearResidualsInOneStep) {
   EXPECT_NEAR(found.x[1], 2.0, 1e-14);
 }
 
-// r = ln(x / 3): linear in the logarithm, in which the variable is searched.
+// r = ln(x / 3) is linear in the logarithm, in which the variable is searched.
 TEST(LevenbergMarquardt, SearchesLogarithmicVariablesInTheirLogarithm) {
   const DesignSpace space(
       {{.name = "x", .lower = 0.01, .upper = 100.0, .initial = 50.0, .scale = Scale::logarithmic}});
@@ -74,7 +74,7 @@ TEST(LevenbergMarquardt, SearchesLogarithmicVariablesInTheirLogarithm) {
   EXPECT_NEAR(found.x[0], 3.0, 1e-13);
 }
 
-// Valleys end as Moré, Garbow and Hillstrom say: at (1, 1).
+// The valley ends at (1, 1), as Moré, Garbow and Hillstrom state.
 TEST(LevenbergMarquardt, FollowsACurvedValley) {
   const Search found = search(LevenbergMarquardt(space_of({-1.2, 1}, {{-5, 5}})), rosenbrock);
   EXPECT_NEAR(found.x[0], 1.0, 1e-6);
@@ -89,15 +89,16 @@ constexpr double kNarrow = 0.01;
 
 double angle(const Values& x) { return std::atan2(x[1], x[0]); }
 
-/// A valley along the circle of radius 1, its floor phi^2 at the angle phi: least at (1, 0), by 0.
+/// A valley along the circle of radius 1, with the floor phi^2 at the angle phi and the minimum 0
+/// at (1, 0).
 Result<Score> bent_valley(const Values& x) {
   const double rho = std::hypot(x[0], x[1]), phi = angle(x);
   const double c = x[0] / rho, s = x[1] / rho;
   return score_of({(rho - 1.0) / kNarrow, phi}, {c / kNarrow, s / kNarrow, -s / rho, c / rho});
 }
 
-/// How often a step that led up was followed by one that ends still further along the valley, but
-/// ten times nearer to its floor.
+/// Counts the steps up the side of the valley that were followed by one that ends still further
+/// along the valley, but ten times nearer to its floor.
 int returns(const Search& found) {
   const auto off = [](const Values& x) { return std::abs(std::hypot(x[0], x[1]) - 1.0); };
   int count = 0;
@@ -111,9 +112,9 @@ int returns(const Search& found) {
   return count;
 }
 
-// A step p along the tangent ends p^2/2 off the floor, so it pays only to p^3 = 8 kNarrow^2 phi:
-// 0.13 at phi = 3, where the end is 3 away. Steps that bend go further; returns make still longer
-// ones good: a quarter less in all.
+// A step p along the tangent ends p^2/2 off the floor, so it pays only up to p^3 = 8 kNarrow^2 phi:
+// 0.13 at phi = 3, where the end is 3 away. Steps with curvature go further, and returns make still
+// longer ones useful: a quarter fewer evaluations in all.
 TEST(LevenbergMarquardt, ReturnsToTheFloorOfABentValley) {
   int evaluations[2] = {}, returned[2] = {};
   for (const double start : {1.0, 1.5, 2.0, 2.5, 3.0}) {
@@ -130,11 +131,11 @@ TEST(LevenbergMarquardt, ReturnsToTheFloorOfABentValley) {
   }
   EXPECT_EQ(returned[0], 0);
   EXPECT_GT(returned[1], 0);
-  EXPECT_LT(4 * evaluations[1], 3 * evaluations[0]);  // with what the returns themselves cost
+  EXPECT_LT(4 * evaluations[1], 3 * evaluations[0]);  // the evaluations of the returns included
 }
 
-// Rosenbrock's with x0 <= 1/2: x1 = x0^2 makes the first residual 0, and 1 - x0 is least at the
-// bound.
+// Rosenbrock's function with x0 <= 1/2: x1 = x0^2 makes the first residual 0, and 1 - x0 is least
+// at the bound.
 TEST(LevenbergMarquardt, EndsAtABoundThatHoldsIt) {
   const Search found =
       search(LevenbergMarquardt(space_of({-1.2, 1}, {{-5, 0.5}, {-5, 5}})), rosenbrock);
@@ -144,14 +145,14 @@ TEST(LevenbergMarquardt, EndsAtABoundThatHoldsIt) {
   EXPECT_THAT(found.ending, testing::HasSubstr("at a minimum"));
 }
 
-// It starts on bounds it has to leave.
+// The start is on bounds that the search has to leave.
 TEST(LevenbergMarquardt, LeavesBoundsItStartsOn) {
   const Search found = search(LevenbergMarquardt(space_of({-5, 5}, {{-5, 5}})), distance);
   EXPECT_NEAR(found.x[0], 2.0, 1e-9);
   EXPECT_NEAR(found.x[1], 2.0, 1e-9);
 }
 
-// The point of x0 + x1 <= 1 nearest to (2, 2), and that of x0 - x1 = 1.
+// The solutions are the point of x0 + x1 <= 1 nearest to (2, 2), and that of x0 - x1 = 1.
 TEST(LevenbergMarquardt, KeepsLinearConstraints) {
   const Search below =
       search(LevenbergMarquardt(space_of({-3, 1}, {{-5, 5}}, {at_most({1, 1}, 1)})), distance);
@@ -163,8 +164,8 @@ TEST(LevenbergMarquardt, KeepsLinearConstraints) {
   EXPECT_NEAR(on.x[1], 1.5, 1e-6);
 }
 
-// Rosenbrock's on x1 = 1 - x0 is (10 (1 - x - x^2))^2 + (1 - x)^2, whose slope
-// -200 (1 - x - x^2) (1 + 2 x) - 2 (1 - x) vanishes where Newton's method says.
+// Rosenbrock's function on x1 = 1 - x0 is (10 (1 - x - x^2))^2 + (1 - x)^2. Newton's method finds
+// the zero of its slope -200 (1 - x - x^2) (1 + 2 x) - 2 (1 - x).
 TEST(LevenbergMarquardt, FindsAMinimumAlongAnEquation) {
   double x = 0.6;
   for (int k = 0; k < 20; ++k) {
@@ -177,7 +178,8 @@ TEST(LevenbergMarquardt, FindsAMinimumAlongAnEquation) {
   EXPECT_NEAR(found.x[1], 1 - x, 1e-5);
 }
 
-// Trials beyond x0 + x1 = 2.2 fail; the minimum (1, 1) is on this side, steps are cut short.
+// Trials beyond x0 + x1 = 2.2 fail; the minimum (1, 1) is on the near side, and steps are
+// shortened.
 TEST(LevenbergMarquardt, GoesAroundFailures) {
   int failures = 0;
   const Search found = search(LevenbergMarquardt(space_of({-1.2, 1}, {{-5, 5}})),
@@ -229,7 +231,7 @@ TEST(LevenbergMarquardt, RefusesScoresWithoutResidualsOrDerivativesInWords) {
   EXPECT_EQ(complaint({1.0, {1.0}, {0.0, 1.0}}), "");
 }
 
-// Derivatives of the wrong sign: no step down their slope brings anything.
+// The derivatives have the wrong sign, so no step down their slope gains anything.
 TEST(LevenbergMarquardt, SaysWhereDerivativesAreWrong) {
   const Search found = search(LevenbergMarquardt(space_of({0, 1}, {{-5, 5}})), [](const Values& x) {
     return score_of({x[0] - 2, x[1] - 2}, {-1, 0, 0, -1});
@@ -237,7 +239,8 @@ TEST(LevenbergMarquardt, SaysWhereDerivativesAreWrong) {
   EXPECT_THAT(found.ending, testing::HasSubstr("these are wrong"));
 }
 
-// Trials solved to 3e-6: a target of zero ends in their scatter, of which derivatives know nothing.
+// Trials are solved to 3e-6 only: the search for a target of zero ends in their scatter, which
+// derivatives do not contain.
 TEST(LevenbergMarquardt, SaysThatNothingButScatterIsLeft) {
   const LevenbergMarquardtOptions fine{.step_tolerance = 1e-9};
   const Search found =
@@ -257,7 +260,8 @@ TEST(LevenbergMarquardt, GoesTheSameWayWhateverTheLookAhead) {
   EXPECT_EQ(one.path, many.path);
 }
 
-// No guess of what a success brings would be met to the last bit; what follows a failure is known.
+// A guess of the outcome of a success would never be exact to the last bit; the step after a
+// failure is known.
 TEST(LevenbergMarquardt, LooksAheadOfFailuresAloneWithoutChangingItsMind) {
   LevenbergMarquardt method(space_of({-1.2, 1}, {{-5, 5}}), {.initial_step = 0.02});
   method.observe(method.propose(1).front(), rosenbrock({-1.2, 1}));
@@ -288,7 +292,7 @@ TEST(LevenbergMarquardt, RefusesOptionsOutOfRange) {
   EXPECT_THROW(LevenbergMarquardt(space, {.initial_step = 0.1, .step_tolerance = 0.2}), InputError);
 }
 
-// J = 1: the step is -r, cut to the length of the radius; mu = |r| / Delta - 1.
+// With J = 1 the step is -r, shortened to the radius; mu = |r| / Delta - 1.
 TEST(LevenbergMarquardtSteps, AreAsLongAsTheRadius) {
   const Eigen::Vector2d r(0.3, -0.4), one = Eigen::Vector2d::Ones();
   const FeasibleRegion cube(space_of({0.5, 0.5}, {{0, 1}}));
@@ -301,8 +305,8 @@ TEST(LevenbergMarquardtSteps, AreAsLongAsTheRadius) {
   EXPECT_NEAR(1.0 + step.mu, r.norm() / step.length, 1e-12);
 }
 
-// A constraint that nothing touches leaves the steps of the cube; the program's least convexity of
-// 1e-12 is what may differ.
+// A constraint that is not active does not change the steps of the cube, except by the quadratic
+// program's least convexity of 1e-12.
 TEST(LevenbergMarquardtSteps, AreTheSameAmongConstraintsThatDoNotMatter) {
   const Eigen::MatrixXd J{{3, 1}, {-1, 2}, {0.5, 0.25}};
   const Eigen::Vector3d r(1, -2, 0.5);
@@ -316,9 +320,9 @@ TEST(LevenbergMarquardtSteps, AreTheSameAmongConstraintsThatDoNotMatter) {
   }
 }
 
-// A valley that winds, y = sin(6 x) / 2, whose floor falls by 0.18 in all, below a noise that
-// nothing explains: 400 values of 1. It starts high above the floor and ends on it: nothing but the
-// floor's fall is left, less than half a deviation, and not worth a way.
+// A winding valley, y = sin(6 x) / 2, has a floor that falls by 0.18 in all, below the unexplained
+// noise of 400 values of 1. The search starts high above the floor and ends on it: only the fall of
+// the floor is left, less than half a deviation, and not worth further steps.
 TEST(LevenbergMarquardt, LeavesAValleyWhoseFloorFallsLessThanNoise) {
   const DesignSpace space({{.name = "x", .lower = -3.0, .upper = 3.0, .initial = -2.2},
                            {.name = "y", .lower = -3.0, .upper = 3.0, .initial = 1.0}});
@@ -351,8 +355,8 @@ TEST(LevenbergMarquardt, LeavesAValleyWhoseFloorFallsLessThanNoise) {
   EXPECT_LT(short_of_noise.second - whole.second, 0.18);
 }
 
-// A step of Gauss and Newton that bounds cut off may lead uphill although it is short: a shorter
-// one has to be found, however wide the radius.
+// A Gauss-Newton step cut off by bounds may lead uphill although it is short. A shorter one has to
+// be found, however wide the radius is.
 TEST(LevenbergMarquardtSteps, PromiseSomethingWhereverTheSlopeDoes) {
   RandomStream random(11, 0);
   int spoiled = 0;
@@ -360,7 +364,7 @@ TEST(LevenbergMarquardtSteps, PromiseSomethingWhereverTheSlopeDoes) {
     constexpr int n = 4;
     Eigen::MatrixXd J(8, n);
     for (double& x : J.reshaped()) x = random.normal();
-    for (int i = 1; i < n; ++i) J.col(i) = J.col(0) + 0.05 * J.col(i);  // all but alike
+    for (int i = 1; i < n; ++i) J.col(i) = J.col(0) + 0.05 * J.col(i);  // nearly parallel
     Eigen::VectorXd r(8), u(n);
     for (double& x : r) x = random.normal();
     std::vector<DesignVariable> variables;

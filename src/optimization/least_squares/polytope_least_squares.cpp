@@ -7,10 +7,11 @@
 namespace latsch {
 namespace {
 
-// Beside the largest eigenvalue: the quadratic program wants a matrix that is positive definite.
+// Least curvature relative to the largest eigenvalue, because the quadratic program needs a
+// positive definite matrix.
 constexpr double kLeastPolytopeCurvature = 1e-10;
 
-/// Rows of length 1, so that rounding means the same in all of them.
+/// Scales the rows to length 1, so that rounding affects all rows alike.
 void scale_rows(Eigen::MatrixXd& A, Eigen::VectorXd& b) {
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
     const double length = A.row(i).norm();

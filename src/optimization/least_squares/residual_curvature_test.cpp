@@ -15,7 +15,7 @@ Slopes cubic_at(double x, double y) {
           Eigen::Matrix2d{{3 * x * x - 4 * x, 1.0}, {6 * x + y, x}}};
 }
 
-// Along x, r'' = (6 x - 4, 6): whichever way the step goes, and from whichever side.
+// Along x, r'' = (6 x - 4, 6) for any length and sign of the step and from either side.
 TEST(ResidualCurvature, IsExactAlongTheWayForCubicResiduals) {
   const double x = 0.7;
   for (const double other : {0.2, 1.9}) {
@@ -28,7 +28,8 @@ TEST(ResidualCurvature, IsExactAlongTheWayForCubicResiduals) {
   }
 }
 
-// r = x^2 + 3 x y + 5 y^2 with s along x: all of 1/2 r''[p, p] but the 5 q^2 across.
+// r = x^2 + 3 x y + 5 y^2 with s along x: the result is 1/2 r''[p, p] without the term 5 q^2
+// across.
 TEST(ResidualCurvature, LacksOnlyTheTermAcrossForQuadraticResiduals) {
   const auto at = [](double x, double y) {
     return Slopes{Eigen::Vector2d(x, y),
@@ -40,8 +41,8 @@ TEST(ResidualCurvature, LacksOnlyTheTermAcrossForQuadraticResiduals) {
   EXPECT_NEAR(c[0], px * px + 3 * px * py, 1e-13);
 }
 
-// r = exp(x): the second derivative of the cubic through two points h apart is off by the fourth
-// one times h^2 / 12.
+// For r = exp(x) the second derivative of the cubic through two points h apart is off by the fourth
+// derivative times h^2 / 12.
 TEST(ResidualCurvature, ConvergesWithTheSquareOfTheDistance) {
   const auto at = [](double x) {
     const Eigen::VectorXd value = Eigen::VectorXd::Constant(1, std::exp(x));

@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kSlopeVariance = 1e4;   // V_g
 constexpr double kCubicVariance = 1e-4;  // rho
-constexpr double kRounding = 1e-13;      // of the diagonal of K
-constexpr double kClear = 3.0;           // gain in logarithmic likelihood that speaks for noise
-constexpr Eigen::Index kEnough = 128;    // residuals that tell noise as well as thousands
+constexpr double kRounding = 1e-13;      // relative to the diagonal of K
+constexpr double kClear = 3.0;           // gain in log likelihood that indicates noise
+constexpr Eigen::Index kEnough = 128;    // number of residuals that show noise as well as thousands
 
-/// K with its diagonal of (2).
+/// Returns K with its diagonal of (2).
 Eigen::MatrixXd covariance(const Eigen::MatrixXd& Z, double V_g, double rho, double noise) {
   const Eigen::ArrayXXd inner = (Z * Z.transpose()).array();
   Eigen::MatrixXd K = (V_g * inner + 0.5 * inner.square() + noise).matrix();  // (1)
@@ -26,13 +26,14 @@ Eigen::MatrixXd covariance(const Eigen::MatrixXd& Z, double V_g, double rho, dou
   return K;
 }
 
-/// What the samples show beyond known slopes.
+/// Returns the differences that known slopes do not explain.
 Eigen::MatrixXd unexplained(const ResidualSamples& samples) {
   if (samples.slopes.size() == 0) return samples.D;
   return samples.D - samples.Z * samples.slopes.transpose();
 }
 
-/// Columns evenly spread over D, kEnough of them where it has more: neighbors tell the same.
+/// Returns columns evenly spread over D, kEnough of them if D has more, because neighbors have the
+/// same information.
 Eigen::MatrixXd some_of(const Eigen::MatrixXd& D) {
   const Eigen::Index m = D.cols();
   if (m <= kEnough) return D;
@@ -45,8 +46,7 @@ double slope_prior(const ResidualSamples& samples) {
   return samples.slopes.size() > 0 ? 0.0 : kSlopeVariance;
 }
 
-/// Logarithm of the likelihood of the columns of D, each with the amplitude it is most likely
-/// with.
+/// Returns the log likelihood of the columns of D, each with its most likely amplitude.
 double likelihood(const Eigen::MatrixXd& K, const Eigen::MatrixXd& D, double floor) {
   const numerics::Cholesky factors(K);
   if (!factors.is_positive_definite()) return -std::numeric_limits<double>::infinity();
@@ -134,8 +134,8 @@ Eigen::VectorXd ResidualKriging::variance_gradient(const Eigen::VectorXd& z) con
   return amplitude_ * (along * z - kernel_slopes(z).transpose() * factors_.solve(kernel(z)));
 }
 
-// v is |phi(z)|^2 less its part in the span of the samples, phi being all z_i and z_i z_j with
-// their weights: the part kept is that of Gauss and Newton.
+// v is |phi(z)|^2 minus its part in the span of the samples; phi has all z_i and z_i z_j with their
+// weights. The returned part is that of Gauss and Newton.
 Eigen::MatrixXd ResidualKriging::variance_hessian(const Eigen::VectorXd& z) const {
   if (amplitude_ == 0.0) return Eigen::MatrixXd::Zero(z.size(), z.size());
   const double zz = z.squaredNorm();
@@ -159,11 +159,11 @@ double likeliest_noise(const ResidualSamples& samples) {
                                                       {kCubicVariance, 1e2},
                                                       {kCubicVariance, 1e4},
                                                       {kCubicVariance, 1e6}}};
-  // So few samples a quadratic explains whatever they are.
+  // So few samples are explained by a quadratic, whatever their values.
   if (samples.Z.rows() < samples.Z.cols() + 2) return 0.0;
   const Eigen::MatrixXd D = some_of(unexplained(samples));
   const double floor = 1e-20 * D.squaredNorm() / kSlopeVariance +
-                       std::numeric_limits<double>::min();  // a residual that never changes
+                       std::numeric_limits<double>::min();  // for a residual that never changes
   double best = -std::numeric_limits<double>::infinity();
   double likeliest = 0.0;
   for (const auto& [rho, noise] : kExplanations) {

@@ -9,7 +9,7 @@
 namespace latsch {
 namespace {
 
-/// Two residuals, quadratic in three variables.
+/// Returns two residuals, quadratic in three variables.
 Eigen::VectorXd quadratic(const Eigen::VectorXd& z) {
   return Eigen::Vector2d(1.0 + 2.0 * z[0] - z[1] + 3.0 * z[0] * z[2] + z[1] * z[1],
                          -2.0 + z[2] + 0.5 * z[0] * z[0] - z[1] * z[2]);
@@ -35,7 +35,7 @@ ResidualSamples sample(const Function& function, int count, double noise = 0.0) 
 TEST(ResidualKriging, IsExactForLinearResidualsFromAsManySamplesAsVariables) {
   const ResidualKriging model(sample(linear, 3), 0.0);
   const Eigen::Vector3d z(0.3, -0.7, 0.5);
-  // Slopes of variance 1e4 against curvatures of variance 1: a share of 1e-4 goes astray.
+  // Slopes have variance 1e4 and curvatures variance 1, so the error is a share of 1e-4.
   EXPECT_LT((model.residuals(z) - linear(z)).norm(), 1e-2);
 }
 
@@ -64,7 +64,7 @@ TEST(ResidualKriging, ExpectsWhatItSaysWhereSamplesAreAndMoreWhereNoneShowed) {
     return model.expected(z) - model.residuals(z).squaredNorm();
   };
   EXPECT_EQ(surplus(Eigen::Vector3d::Zero()), 0.0);
-  // s^2 = sum d'd / (N (V_g + 1/2)) and v = s^2 (V_g + 1/2 + 1e-4) along z_3, to terms of 1e-4.
+  // Along z_3, s^2 = sum d'd / (N (V_g + 1/2)) and v = s^2 (V_g + 1/2 + 1e-4), to terms of 1e-4.
   const double unknown = samples.D.squaredNorm() / 2.0;
   EXPECT_NEAR(surplus(Eigen::Vector3d::UnitZ()), unknown, 1e-3 * unknown);
   EXPECT_LT(surplus(Eigen::Vector3d::UnitX()), 1e-3 * unknown);
@@ -91,7 +91,7 @@ TEST(ResidualKriging, TakesKnownSlopes) {
   samples.slopes = Eigen::MatrixXd{{2.0, -1.0, 0.0}, {0.0, 0.0, 1.0}};
   const ResidualKriging model(samples, 0.0);
   EXPECT_LT((model.jacobian(Eigen::Vector3d::Zero()) - samples.slopes).norm(), 1e-12);
-  const Eigen::Vector3d z(0.3, -0.7, 0.5);  // six coefficients of curvature, six samples
+  const Eigen::Vector3d z(0.3, -0.7, 0.5);  // six curvature coefficients, six samples
   EXPECT_LT((model.residuals(z) - quadratic(z)).norm(), 1e-2);
 }
 
@@ -108,7 +108,7 @@ TEST(ResidualKriging, FindsNoNoiseWhereThereIsNoneAndFindsIt) {
 }
 
 TEST(BoxLeastSquares, EndsAtBoundsThatHoldIt) {
-  // r = (z0 - 2, z1 + 0.25, z2 - 0.5): the least value in the box is at (1, -0.25, 0.5).
+  // r = (z0 - 2, z1 + 0.25, z2 - 0.5) has its minimum in the box at (1, -0.25, 0.5).
   ResidualSamples samples;
   samples.Z = Eigen::MatrixXd(0, 3);
   samples.D = Eigen::MatrixXd(0, 3);
@@ -121,7 +121,7 @@ TEST(BoxLeastSquares, EndsAtBoundsThatHoldIt) {
   EXPECT_NEAR(z[2], 0.5, 1e-5);
 }
 
-// |r|^2 scatters by 2 s |r| where every residual does by s.
+// |r|^2 scatters by 2 s |r| if every residual scatters by s.
 TEST(ResidualKriging, TellsWhatNoiseMakesOfTheTarget) {
   const Eigen::VectorXd r_c = Eigen::VectorXd::LinSpaced(100, 1.0, 3.0);
   const double s = 0.05;

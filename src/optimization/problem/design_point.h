@@ -13,7 +13,8 @@ struct DesignPoint {
 
   bool operator==(const DesignPoint&) const = default;
 
-  /// The exact bits of the values: two points are the same trial if and only if their bits agree.
+  /// Returns the exact bits of the values: two points are the same trial if and only if their bits
+  /// agree.
   std::string bits() const {
     std::string bytes(values.size() * sizeof(double), '\0');
     if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());

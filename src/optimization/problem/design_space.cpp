@@ -64,13 +64,13 @@ double from_unit(const DesignVariable& v, double u) {
   return std::clamp(x, v.lower, v.upper);
 }
 
-/// dx/du
+/// Returns dx/du.
 double slope(const DesignVariable& v, double x) {
   return v.scale == Scale::logarithmic ? x * std::log(v.upper / v.lower) : v.upper - v.lower;
 }
 
-constexpr double kLastDigits = 1e-6;  // of the ranges, by which a person rounds a point
-constexpr int kOfferedDigits = 9;     // so that the point offered is accepted
+constexpr double kLastDigits = 1e-6;  // share of the ranges by which typed points are rounded
+constexpr int kOfferedDigits = 9;     // digits of an offered point, enough that it is accepted
 
 void check(const LinearConstraint& c, const std::vector<DesignVariable>& variables) {
   const auto reject = [&](const std::string& message) {
@@ -105,7 +105,7 @@ void check(const LinearConstraint& c, const std::vector<DesignVariable>& variabl
   }
 }
 
-/// The constraint that u violates most, in distance.
+/// Returns the constraint that u violates most, by distance.
 const LinearConstraint& most_violated(const DesignSpace& space, const Eigen::VectorXd& u) {
   const auto distance = [&](const LinearConstraint& constraint) {
     return FeasibleRegion(space, {constraint}).violation(u);
@@ -241,7 +241,7 @@ DesignSpace DesignSpace::tightened(const DesignPoint& point, double factor) cons
   std::vector<DesignVariable> narrow = variables_;
   const std::vector<double> center = to_unit(point);
   for (int i = 0; i < size(); ++i) {
-    // Shifted rather than cut at the old bounds, so that every stage has the same width.
+    // The range is shifted rather than cut at the old bounds, so every stage has the same width.
     const double lower = std::clamp(center[i] - 0.5 * factor, 0.0, 1.0 - factor);
     narrow[i].lower = latsch::from_unit(variables_[i], lower);
     narrow[i].upper = latsch::from_unit(variables_[i], lower + factor);

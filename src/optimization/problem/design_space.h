@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may vary, between which bounds, and the unit cube in which optimizers see it.
+// The design variables with their bounds, and their mapping to the unit cube that optimizers use.
 //   linear:       u = (x - lower) / (upper - lower)
 //   logarithmic:  u = ln(x / lower) / ln(upper / lower)
-// Linear constraints may leave a part of the cube only.
-// Choose logarithmic where a factor is as likely up as down: stiffness known to its order of
-// magnitude.
+// Linear constraints may exclude parts of the cube. Choose logarithmic if a factor is as likely up
+// as down, for example for a stiffness known to its order of magnitude.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,7 +21,7 @@ namespace latsch {
 
 enum class Scale { linear, logarithmic };
 
-/// A number of the model that moves with a variable: factor times its value.
+/// A number of the model that is a variable's value times a factor.
 struct Follower {
   std::string name;
   std::vector<std::string> paths;
@@ -31,27 +30,27 @@ struct Follower {
 
 struct DesignVariable {
   std::string name;
-  std::vector<std::string> paths = {};  // numbers of the model that take its value
+  std::vector<std::string> paths = {};  // numbers of the model set to its value
   double lower = 0.0;                   // SI, as upper and initial
   double upper = 1.0;
   double initial = 0.5;
   Scale scale = Scale::linear;
   std::string unit =
-      "1";           // the unit in which a person reads it; says nothing about the values above
-  Place place = {};  // where the study declares it
+      "1";           // unit in which a person reads the values; the values above are in SI
+  Place place = {};  // place in the study that declares it
   std::optional<Prior> prior = {};
   std::vector<Follower> followers = {};
 };
 
 class DesignSpace {
  public:
-  /// Throws InputError where bounds are crossed or not finite or so far apart that their distance
-  /// or ratio is not a number, the initial value lies outside them,
-  /// a logarithmic variable has a lower bound that is not positive, a name comes twice or no
-  /// variable is given; where a constraint has no variable, a logarithmic one, crossed bounds or
-  /// none, where constraints contradict each other, and where the initial point violates one: the
-  /// message then offers the nearest point that does not. An initial point that is off by the last
-  /// digits of a person alone, 1e-6 of the ranges, is moved onto the constraint.
+  /// Throws InputError if bounds are crossed, not finite, or so far apart that their distance or
+  /// ratio is not a number; if the initial value lies outside them; if a logarithmic variable has a
+  /// lower bound that is not positive; if a name comes twice or no variable is given. Throws as
+  /// well if a constraint has no variable, a logarithmic one, crossed bounds or none; if
+  /// constraints contradict each other; and if the initial point violates a constraint, with the
+  /// nearest feasible point in the message. An initial point that violates a constraint only by
+  /// rounding of typed digits, 1e-6 of the ranges, is moved onto the constraint.
   explicit DesignSpace(std::vector<DesignVariable> variables,
                        std::vector<LinearConstraint> constraints = {});
 
@@ -61,27 +60,27 @@ class DesignSpace {
   const std::vector<LinearConstraint>& constraints() const { return constraints_; }
 
   DesignPoint initial() const;
-  /// Inside the bounds and, up to rounding, the constraints.
+  /// True inside the bounds and, up to rounding, the constraints.
   bool contains(const DesignPoint& point) const;
 
-  /// Where any point lies: outside of 0 ... 1 where a value is outside of its bounds; nullopt where
-  /// one has no place, not finite or not positive on a logarithmic scale. Throws InputError for
-  /// another number of values than there are variables.
+  /// Returns the unit coordinates of any point: outside of 0 ... 1 if a value is outside of its
+  /// bounds; nullopt if a value has no place in the cube, because it is not finite or not positive
+  /// on a logarithmic scale. Throws InputError if the number of values differs from that of the
+  /// variables.
   std::optional<std::vector<double>> place(const DesignPoint& point) const;
 
-  /// Into the unit cube and back; to_unit is for points that have a place, and clamps like
-  /// from_unit. from_unit clamps to the cube; its faces give the bits of the
-  /// bounds.
+  /// Converts a point into the unit cube and back. to_unit needs a point that has a place(). Both
+  /// clamp to the cube; the faces of the cube give the exact bits of the bounds.
   std::vector<double> to_unit(const DesignPoint& point) const;
   DesignPoint from_unit(const std::vector<double>& u) const;
-  /// dr/du = dr/dx dx/du of the residuals of the score at that point, one a row. Empty where the
-  /// score has no Jacobian, one of another size, or one that is not finite.
+  /// Returns dr/du = dr/dx dx/du of the residuals of the score at that point, one row for each
+  /// residual. Empty if the score has no Jacobian, one of another size, or one that is not finite.
   Eigen::MatrixXd unit_jacobian(const DesignPoint& point, const Score& score) const;
 
-  /// The same space, starting at `point`.
+  /// Returns this space with the start at `point`.
   DesignSpace starting_at(const DesignPoint& point) const;
-  /// The same variables and constraints, starting at `point`, with bounds `factor` (0..1) as wide
-  /// in the unit cube, inside the old ones: the next stage of a cascade.
+  /// Returns this space with the start at `point` and bounds `factor` (0..1) as wide in the unit
+  /// cube, inside the old ones: the next stage of a cascade.
   DesignSpace tightened(const DesignPoint& point, double factor) const;
 
  private:

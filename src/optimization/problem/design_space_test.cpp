@@ -143,14 +143,14 @@ TEST(DesignSpace, SaysWhereForeignPointsLie) {
   EXPECT_THROW(space.place({{1.0}}), InputError);
 }
 
-/// r and dr/dx by hand.
+/// r and dr/dx are written by hand.
 Score with_jacobian(const std::vector<double>& x) {
   return {.residuals = {x[0] * x[1], std::sin(x[0]), x[1] * x[1]},
           .jacobian = {x[1], x[0], std::cos(x[0]), 0.0, 0.0, 2.0 * x[1]}};
 }
 
-// Central differences of h = 1e-5 of the range are off by h^2 / 6 of the third derivative, for E^2
-// (2 ln 160)^2 of the first: 2e-9 of it; and by rounding, 1e-11.
+// Central differences of h = 1e-5 of the range have an error of h^2 / 6 times the third derivative,
+// which for E^2 is (2 ln 160)^2 times the first: 2e-9 of the first. Rounding adds 1e-11.
 TEST(DesignSpace, BringsAJacobianIntoTheUnitCube) {
   const DesignSpace space({linear("a", -1.0, 3.0, 0.5), logarithmic("E", 0.5, 80.0, 7.0)});
   const DesignPoint point = space.initial();

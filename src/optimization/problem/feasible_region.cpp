@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kRoundingInCube = 1e-9;  // in the unit cube, after some thousand operations
 constexpr double kOnFace = 1e-11;
-constexpr double kParallel = 1e-10;  // of a step: along a face, not toward it
+constexpr double kParallel = 1e-10;  // share of a step toward a face: less is along the face
 
 QuadraticProgram projection(const Eigen::VectorXd& u, const FeasibleRegion& region) {
   const auto n = u.size();
   return {Eigen::MatrixXd::Identity(n, n), -u, region.E(), region.f(), region.A(), region.b()};
 }
 
-/// The faces of the cube as 0 and 1 to the last bit.
+/// Sets values on the faces of the cube to exactly 0 or 1.
 Eigen::VectorXd on_faces(Eigen::VectorXd u) {
   for (double& value : u) {
     if (value < kOnFace) value = 0.0;
@@ -31,7 +31,8 @@ Eigen::VectorXd on_faces(Eigen::VectorXd u) {
   return u;
 }
 
-/// a'x = a'lower + sum_i a_i (upper_i - lower_i) u_i,  over the length of the row.
+/// One row in the unit cube: a'x = a'lower + sum_i a_i (upper_i - lower_i) u_i,  divided by its
+/// length.
 struct ScaledRow {
   Eigen::VectorXd a;
   double offset;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of the unit cube that the linear constraints of a design space leave: a polytope.
+// The part of the unit cube that fulfills the linear constraints of a design space: a polytope.
 //
 //   E u = f,   A u <= b      rows of length 1, so that b - A u are distances
 //
-// Below the rows of the constraints A holds the faces of the cube,  u_i <= 1  and  -u_i <= 0.
+// A has the rows of the constraints first, then the faces of the cube,  u_i <= 1  and  -u_i <= 0.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,10 +17,10 @@ namespace latsch {
 class FeasibleRegion {
  public:
   explicit FeasibleRegion(const DesignSpace& space) : FeasibleRegion(space, space.constraints()) {}
-  /// Of these constraints in the cube of the space.
+  /// Uses the given constraints in the cube of the space.
   FeasibleRegion(const DesignSpace& space, const std::vector<LinearConstraint>& constraints);
 
-  /// No linear constraint: bounds alone.
+  /// True without linear constraints: there are bounds alone.
   bool is_cube() const { return is_cube_; }
   const Eigen::MatrixXd& E() const { return E_; }
   const Eigen::VectorXd& f() const { return f_; }
@@ -29,31 +29,31 @@ class FeasibleRegion {
 
   /// The largest distance by which u lies outside a row; 0 inside.
   double violation(const Eigen::VectorXd& u) const;
-  /// Up to rounding.
+  /// True up to rounding.
   bool contains(const Eigen::VectorXd& u) const;
 
   /// Outward normals of the inequalities nearer to u than `distance`, as columns.
   Eigen::MatrixXd normals_within(const Eigen::VectorXd& u, double distance) const;
 
-  /// The last point of the region on the way from x, inside, to u. In the cube u is moved onto the
-  /// bounds instead, variable by variable.
+  /// Returns the last point of the region on the way from x, which is inside, to u. In the cube u
+  /// is moved onto the bounds instead, variable by variable.
   Eigen::VectorXd cut_off(const Eigen::VectorXd& x, const Eigen::VectorXd& u) const;
 
-  /// u, inside, moved onto all constraints that are nearer than `distance`; u itself in the cube
-  /// and where these have no point in common.
+  /// Returns u, which is inside, moved onto all constraints that are nearer than `distance`.
+  /// Returns u itself in the cube and if these constraints have no point in common.
   Eigen::VectorXd snapped(const Eigen::VectorXd& u, double distance) const;
 
-  /// The point of the region nearest to u.
+  /// Returns the point of the region nearest to u.
   Eigen::VectorXd nearest(const Eigen::VectorXd& u) const;
 
-  /// In words, the constraints and bounds that leave no point; empty where there is one.
+  /// Names the constraints and bounds that leave no point; empty if there is one.
   std::string contradiction() const;
 
  private:
   bool is_cube_;
   Eigen::MatrixXd E_, A_;
   Eigen::VectorXd f_, b_;
-  std::vector<std::string> names_;  // of the rows of E, then of A
+  std::vector<std::string> names_;  // names of the rows of E, then of A
 };
 
 }  // namespace latsch

@@ -2,8 +2,9 @@
 // For tests: problems with constraints whose solutions are published, by their numbers in
 // [Hock & Schittkowski, Test Examples for Nonlinear Programming Codes, Springer 1981].
 //
-// The collection leaves some variables without bounds, where a design space needs them; these get
-// bounds far from the solution, named "wide" here. A start outside the bounds is moved onto them.
+// The collection leaves some variables without bounds, but a design space needs bounds. These
+// variables get bounds far from the solution, named "wide" here. A start outside the bounds is
+// moved onto them.
 #pragma once
 
 #include <fmt/format.h>
@@ -76,7 +77,7 @@ inline LinearConstraint equal(std::vector<double> a, double value) {
   return between(std::move(a), value, value);
 }
 
-/// Bounds and linear constraints alone.
+/// Problems with bounds and linear constraints alone.
 inline std::vector<ConstrainedProblem> linearly_constrained_problems() {
   const double root3 = std::sqrt(3.0);
   const Box wide{-10.0, 10.0};
@@ -139,7 +140,7 @@ inline std::vector<ConstrainedProblem> linearly_constrained_problems() {
   };
 }
 
-/// A sum of squares among bounds and linear constraints.
+/// A sum of squares with bounds and linear constraints.
 struct LeastSquaresProblem {
   using Residuals = std::function<std::vector<double>(const std::vector<double>&)>;
 
@@ -156,9 +157,9 @@ inline Score sum_of_squares(std::vector<double> residuals) {
   return {sum, std::move(residuals)};
 }
 
-/// Where f is a quadratic it is written as squares here, up to a constant: 100 of HS21, 7.5 of
-/// HS76. The bound x2 >= 1.5 of HS2 is a row; its start is the other one of the book's two minima'
-/// sides, as from (-2, 1) descent leads to the minimum of 4.94.
+/// If f is a quadratic, it is written as squares here, up to a constant: 100 for HS21, 7.5 for
+/// HS76. The bound x2 >= 1.5 of HS2 is a row. HS2 starts on the side of the other of the book's two
+/// minima, because descent from (-2, 1) leads to the minimum of 4.94.
 inline std::vector<LeastSquaresProblem> constrained_least_squares_problems() {
   using Vector = std::vector<double>;
   const double half = std::sqrt(0.5);
@@ -237,7 +238,7 @@ inline std::vector<LeastSquaresProblem> constrained_least_squares_problems() {
   };
 }
 
-/// With nonlinear constraints.
+/// Problems with nonlinear constraints.
 inline std::vector<ConstrainedProblem> nonlinearly_constrained_problems() {
   const auto square = [](double a) { return a * a; };
   const Box wide{-10.0, 10.0};

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A linear constraint on the design variables, as a person states it, in SI:
+// A linear constraint on the design variables in the form a user states it, in SI:
 //
 //   lower <= sum_i a_i x_i <= upper
 //
-// Equal bounds make an equation. Optimizers see the constraints of a space in its unit cube
-// (feasible_region.h), where a logarithmic variable would bend the plane: such rows are refused.
+// Equal bounds make an equation. Optimizers use the constraints of a space in its unit cube
+// (feasible_region.h). A logarithmic variable would bend the plane there, so rows with one are
+// refused.
 #pragma once
 
 #include <limits>
@@ -17,11 +18,11 @@ namespace latsch {
 
 struct LinearConstraint {
   std::string name;
-  std::vector<double> coefficients;  // a_i, one a variable in the order of the space
+  std::vector<double> coefficients;  // a_i, one for each variable in the order of the space
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
-  std::string unit = "1";  // the unit in which a person reads the sum
-  Place place = {};        // where the study declares it
+  std::string unit = "1";  // display unit of the sum
+  Place place = {};        // place in the study that declares it
 
   bool is_equation() const { return lower == upper; }
   double sum(const std::vector<double>& values) const;

@@ -15,7 +15,7 @@
 namespace latsch {
 namespace {
 
-/// The message a space is refused with.
+/// Returns the message with which a space is refused.
 std::string refusal(const std::vector<double>& start,
                     std::vector<LinearConstraint> rows,
                     Scale scale = Scale::linear) {
@@ -92,7 +92,7 @@ TEST(FeasibleRegion, CutsAWayOffAtTheFirstConstraint) {
   EXPECT_EQ(region.cut_off(x, Eigen::Vector2d(0.3, 0.3)), Eigen::Vector2d(0.3, 0.3));
 }
 
-/// Largest V'd over all generators.
+/// Returns the largest V'd over all generators.
 double leads_out(const ConeGenerators& cone, const Eigen::MatrixXd& V) {
   double most = 0.0;
   if (V.cols() == 0) return most;
@@ -116,8 +116,8 @@ TEST(TangentCone, OfIndependentPlanesIsSpannedByTheirEdges) {
 }
 
 TEST(TangentCone, AtACornerOfTheCrossPolytopeIsThatOfItsEdges) {
-  // 2^(n-1) planes  x_1 +- x_2 ... +- x_n <= 1  meet at the corner e_1; its edges lead to the
-  // 2 (n - 1) corners +-e_2 ... +-e_n.
+  // 2^(n-1) planes  x_1 +- x_2 ... +- x_n <= 1  meet at the corner e_1; its edges lead to the 2 (n
+  // - 1) corners +-e_2 ... +-e_n.
   for (const int n : {2, 3, 5, 7}) {
     Eigen::MatrixXd V(n, 1 << (n - 1));
     for (int k = 0; k < V.cols(); ++k) {
@@ -136,7 +136,7 @@ TEST(TangentCone, AtACornerOfTheCrossPolytopeIsThatOfItsEdges) {
 }
 
 TEST(TangentCone, StaysInEquationsAndKnowsOppositePlanes) {
-  // In x1 + x2 + x3 = const, between two parallel planes: one line is left.
+  // One line is left in x1 + x2 + x3 = const between two parallel planes.
   Eigen::MatrixXd V(3, 2), E(3, 1);
   V << 1, -1,  //
       0, 0,    //
@@ -149,8 +149,8 @@ TEST(TangentCone, StaysInEquationsAndKnowsOppositePlanes) {
 }
 
 TEST(ConformingSet, StaysInsideForAStepOfEpsilonAndPointsDownhillWhereItCan) {
-  // Random polytopes around a point. The downhill part of -g that the constraints allow is its
-  // projection on the tangent cone; where that is not 0, a core direction is downhill.
+  // Polytopes around a point are random. The downhill part of -g that the constraints allow is its
+  // projection on the tangent cone; if it is not 0, a core direction is downhill.
   RandomStream random(7, 1);
   int corners = 0;
   for (int trial = 0; trial < 200; ++trial) {
@@ -180,7 +180,7 @@ TEST(ConformingSet, StaysInsideForAStepOfEpsilonAndPointsDownhillWhereItCan) {
       EXPECT_NEAR(d.norm(), 1.0, 1e-12);
       if (region.contains(x + epsilon * d)) steepest = std::min(steepest, g.dot(d));
     }
-    // Least g'd over the cone and |d|_inf <= 1 is negative if and only if some ray descends.
+    // The least g'd over the cone and |d|_inf <= 1 is negative if and only if some ray descends.
     Eigen::MatrixXd V(n, 0);
     for (Eigen::Index i = 0; i < distance.size(); ++i) {
       if (distance[i] > epsilon) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with the options of a method, in the same words for all of them.
+// Checks the options of a method and reports faults in the same words for all methods.
 #pragma once
 
 #include <string_view>
@@ -13,8 +13,8 @@ class OptionCheck {
   /// Throws InputError: "GSS: contraction is 2, expected between 0 and 1".
   void require(bool holds, std::string_view name, double found, std::string_view expected) const;
 
-  /// 0 < tolerance < initial <= longest, shares of the range; `first` is what the method calls its
-  /// first length: "step".
+  /// Requires 0 < tolerance < initial <= longest, in shares of the range. `first` is the method's
+  /// name for its first length, for example "step".
   void lengths(double initial,
                double tolerance,
                double longest,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The points whose outcomes an ask/tell method waits for (optimizer.h), most wanted first, each
-// with what the method has to know of it when its outcome comes; and what the method proposes: the
-// different ones among them.
+// with the data the method needs when its outcome arrives; and the plan of different points that
+// the method proposes.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace latsch {
 
-/// `Pending` has a DesignPoint `point`.
+/// `Pending` needs a member `point` of type DesignPoint.
 template <class Pending>
 class PendingPoints {
  public:
@@ -35,8 +35,8 @@ class PendingPoints {
 
   bool contains(const DesignPoint& point) const { return find(point) != points_.end(); }
 
-  /// The first one at that point, for which the method then no longer waits; nullopt: somebody
-  /// else's point.
+  /// Removes and returns the first pending entry at that point; nullopt if the method does not wait
+  /// for that point.
   std::optional<Pending> take(const DesignPoint& point) {
     const auto found = find(point);
     if (found == points_.end()) return std::nullopt;
@@ -54,14 +54,14 @@ class PendingPoints {
   std::vector<Pending> points_;
 };
 
-/// What propose(count) answers: at most `count` points, none twice.
+/// The result of propose(count): at most `count` points, none twice.
 class Plan {
  public:
   explicit Plan(int count) : count_(count) {}
 
   bool is_full() const { return std::ssize(points_) >= count_; }
   bool is_empty() const { return points_.empty(); }
-  /// Where it is neither full nor has the point already.
+  /// Adds the point unless the plan is full or has it already.
   void add(const DesignPoint& point) {
     const bool is_named = std::find(points_.begin(), points_.end(), point) != points_.end();
     if (!is_full() && !is_named) points_.push_back(point);

@@ -23,7 +23,7 @@ TEST(PendingPoints, GivesAPointOnceAndKeepsTheOrderOfTheOthers) {
   EXPECT_EQ(pending.back().label, 3);
 }
 
-// A point may be wanted for two reasons: the older one is served first.
+// A point may be wanted for two reasons; the older entry is served first.
 TEST(PendingPoints, OfTwoAtOnePointTheFirstIsTaken) {
   PendingPoints<Labeled> pending{{{{1.0}}, 1}, {{{1.0}}, 2}};
   EXPECT_EQ(pending.take({{1.0}})->label, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of a point, or of what was found there, as a vector of Eigen's.
+// Converts the numbers of a point, or its results, to an Eigen vector.
 #pragma once
 
 #include <Eigen/Core>

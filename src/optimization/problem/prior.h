@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known of a variable before anything is fitted: a value and its standard deviation. It
-// counts as a measurement of the variable itself, one residual more:
-//   r = (x - value) / sigma                    or, where sigma is a share of the value and the
-//   r = ln(x / value) / ln(1 + sigma)          variable logarithmic
-// so beside residuals in units of their noise. [Tarantola, Inverse Problem Theory, 2005, ch. 3.2]
+// Prior knowledge of a variable before anything is fitted: a value and its standard deviation. The
+// prior counts as a measurement of the variable itself and adds one residual:
+//   r = (x - value) / sigma                    or, if sigma is a share of the value and the
+//   r = ln(x / value) / ln(1 + sigma)          variable is logarithmic,
+// in units of its noise like the other residuals. [Tarantola, Inverse Problem Theory, 2005, ch.
+// 3.2]
 #pragma once
 
 #include <cmath>
@@ -12,7 +13,7 @@ namespace latsch {
 
 struct Prior {
   double value = 0.0;  // SI
-  double sigma = 1.0;  // SI; of a logarithm a share of the value
+  double sigma = 1.0;  // SI; for a logarithm a share of the value
   bool of_logarithm = false;
 
   double residual(double x) const {

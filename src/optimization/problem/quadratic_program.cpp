@@ -12,10 +12,11 @@
 namespace latsch {
 namespace {
 
-constexpr double kViolated = 1e-11;   // of the size of a row's terms
-constexpr double kDependent = 1e-10;  // share of a normal that is not made of active ones
+constexpr double kViolated = 1e-11;   // relative to the size of a row's terms
+constexpr double kDependent = 1e-10;  // share of a normal that the active normals do not span
 
-/// The letters of the paper: constraints n_j'x >= b_j, the active ones in N, their multipliers u.
+/// The method with the letters of the paper: constraints n_j'x >= b_j, the active ones in N, their
+/// multipliers u.
 class DualActiveSet {
  public:
   explicit DualActiveSet(const QuadraticProgram& qp)
@@ -76,7 +77,7 @@ class DualActiveSet {
     return kViolated * (1.0 + std::abs(bound) + normal(j).cwiseAbs().dot(x_.cwiseAbs()));
   }
 
-  /// Equations first; an equation violated upward is turned around.
+  /// Returns equations first; an equation violated upward is reversed.
   int most_violated() {
     int worst = kNone;
     double least = 0.0;
@@ -96,8 +97,8 @@ class DualActiveSet {
     return worst;
   }
 
-  /// z = H n: how x moves for constraint n in the space of the active ones; r = N* n: how their
-  /// multipliers do.
+  /// Computes z = H n, the motion of x for constraint n in the space of the active ones, and r = N*
+  /// n, the motion of their multipliers.
   void directions(const Eigen::VectorXd& n) {
     const Eigen::VectorXd d = cholesky_.solve_lower(n);
     Eigen::VectorXd rest = d;
@@ -116,7 +117,7 @@ class DualActiveSet {
     z_ = cholesky_.solve_upper(rest);
   }
 
-  /// Steps 2a to 2c of the paper. False where constraint p cannot be fulfilled.
+  /// Performs steps 2a to 2c of the paper. Returns false if constraint p cannot be fulfilled.
   bool take_in(int p) {
     double u_p = 0.0;
     while (true) {
@@ -147,7 +148,8 @@ class DualActiveSet {
     }
   }
 
-  /// By Farkas' lemma: n_p is a combination of active normals, none of which gives way.
+  /// Returns contradictory rows by Farkas' lemma: n_p is a combination of active normals, none of
+  /// which can be released.
   std::vector<int> contradiction(int p) const {
     std::vector<int> rows;
     for (size_t k = 0; k < active_.size(); ++k) {
@@ -160,7 +162,7 @@ class DualActiveSet {
 
   const QuadraticProgram& qp_;
   int equations_, count_;
-  std::vector<double> sign_;     // of equations
+  std::vector<double> sign_;     // signs of equations
   numerics::Cholesky cholesky_;  // G = L L'
   Eigen::VectorXd x_;
   std::vector<int> active_;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Strictly convex quadratic programs, small and dense:
 //
-//   least 1/2 x'G x + g'x      with  E x = f  and  A x <= b
+//   minimize 1/2 x'G x + g'x      with  E x = f  and  A x <= b
 //
-// by the dual active-set method of Goldfarb and Idnani [Math. Programming 27 (1983) 1]: it starts
-// at the unconstrained minimum and takes in one violated constraint after the other, the worst
-// first. It needs no feasible start, and where there is no feasible point it ends with constraints
-// that contradict each other. The factors are made anew in every step, n^3 operations: for up to
-// about a hundred variables. Choose units in which rows of A and E have a length of about 1.
+// The solver is the dual active-set method of Goldfarb and Idnani [Math. Programming 27 (1983) 1].
+// It starts at the unconstrained minimum and adds one violated constraint after the other, the
+// worst first. It needs no feasible start, and if there is no feasible point it reports constraints
+// that contradict each other. Every step recomputes the factors with n^3 operations, so it suits up
+// to about a hundred variables. Choose units in which rows of A and E have a length of about 1.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,19 +26,20 @@ struct QuadraticProgram {
 
 struct QuadraticSolution {
   Eigen::VectorXd x;
-  /// Of the Lagrangian 1/2 x'G x + g'x + lambda'(E x - f) + mu'(A x - b),  mu >= 0.
+  /// Multipliers of the Lagrangian 1/2 x'G x + g'x + lambda'(E x - f) + mu'(A x - b),  mu >= 0.
   Eigen::VectorXd lambda, mu;
-  /// Empty where x is the solution or none was found; else rows of E, then of A, counted on, that
-  /// no x fulfills together.
+  /// Empty if x is the solution or none was found; otherwise indices of rows of E, continued by
+  /// rows of A, that no x fulfills together.
   std::vector<int> contradiction;
 
-  /// Rounding made it turn in circles until it was out of steps: x fulfills not all constraints.
+  /// True if rounding made the method cycle until its steps were used up: x violates some
+  /// constraints.
   bool is_out_of_steps = false;
 
   bool is_feasible() const { return contradiction.empty() && !is_out_of_steps; }
 };
 
-/// `most_steps`: for every constraint and one more.
+/// `most_steps` is the limit for each constraint, plus the same number once more.
 QuadraticSolution solve(const QuadraticProgram& program, int most_steps = 100);
 
 }  // namespace latsch

@@ -17,7 +17,8 @@ QuadraticProgram nearest_to(const VectorXd& u) {
 }
 
 TEST(QuadraticProgram, SolvesTheExampleOfTheBook) {
-  // [Nocedal & Wright, Numerical Optimization, 2006, example 16.4]: x = (1.4, 1.7).
+  // In [Nocedal & Wright, Numerical Optimization, 2006, example 16.4] the solution is x = (1.4,
+  // 1.7).
   QuadraticProgram qp;
   qp.G = 2.0 * MatrixXd::Identity(2, 2);
   qp.g = Eigen::Vector2d(-2.0, -5.0);
@@ -53,7 +54,8 @@ TEST(QuadraticProgram, FulfillsTheConditionsOfKarushKuhnAndTucker) {
     qp.A = draw(inequalities, n);
     const VectorXd inside = draw(n, 1);
     qp.f = qp.E * inside;
-    qp.b = qp.A * inside + draw(inequalities, 1).cwiseAbs() * (trial % 2);  // or all meet there
+    // In half of the trials all planes meet at the point.
+    qp.b = qp.A * inside + draw(inequalities, 1).cwiseAbs() * (trial % 2);
     const QuadraticSolution s = solve(qp);
     ASSERT_TRUE(s.is_feasible());
     const VectorXd slope =

@@ -1,37 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
-// How good a point is.
+// The outcome of an evaluated point.
 #pragma once
 
 #include <vector>
 
 namespace latsch {
 
-/// The target function (less is better) and, where the objective is a sum over residuals, these;
-/// where the model knows them, also their derivatives with respect to the values of the point, one
-/// row a residual.
+/// The target function (less is better), the residuals if the objective is a sum over residuals,
+/// and their derivatives with respect to the values of the point if the model knows them, one row
+/// for each residual.
 struct Score {
   double value = 0.0;
   std::vector<double> residuals = {};
-  std::vector<double> jacobian = {};  // empty: not known; DesignSpace::unit_jacobian
-  /// Residuals that only stand for a value this point does not have, such as that of a mode without
-  /// a partner: from points with more or less of them no slope can be told.
+  std::vector<double> jacobian = {};  // empty: not known; see DesignSpace::unit_jacobian
+  /// Number of residuals that stand in for a value this point does not have, such as that of a mode
+  /// without a partner. No slope can be computed between points with different numbers of
+  /// stand-ins.
   int stand_ins = 0;
-  /// Nonlinear constraints the evaluation reports: fulfilled where c_i <= 0, and where h_j = 0. In
-  /// units in which 1 is much.
+  /// Nonlinear constraints computed by the evaluation, fulfilled if c_i <= 0 and h_j = 0. A value
+  /// of 1 should be a large violation.
   std::vector<double> constraints = {};
   std::vector<double> equations = {};
 
   bool operator==(const Score&) const = default;
 };
 
-/// A constraint counts as fulfilled up to this.
+/// Violation up to which a constraint counts as fulfilled. A larger value accepts points farther
+/// off.
 constexpr double kFulfilled = 1e-4;
 
-/// The largest of c_i and |h_j|; 0 where all are fulfilled.
+/// Returns the largest of c_i and |h_j|; 0 if all are fulfilled.
 double violation(const Score& score);
 
-/// Less of the violation beyond what counts as fulfilled; of two that fulfill everything, the lower
-/// target.
+/// True if a violates the constraints less than b beyond the tolerance, or if both fulfill all and
+/// a has the lower target.
 bool is_better(const Score& a, const Score& b);
 
 }  // namespace latsch

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a method has seen, for states that look ahead: a copy shares all that was known when it was
-// made and keeps to itself what it adds. So a copy costs nothing, however long the history.
+// The outcomes a method has seen, for states that look ahead. A copy shares all outcomes known when
+// it was made and stores its own additions separately, so a copy is cheap however long the history.
 #pragma once
 
 #include <memory>
@@ -32,10 +32,10 @@ class SharedHistory {
   std::vector<T> own_;
 };
 
-/// Values by the bits of a point.
+/// A table of values whose keys are the bits of a point.
 class SharedTable {
  public:
-  /// nullptr: not known.
+  /// nullptr if the point is not known.
   const double* find(const std::string& bits) const {
     for (const Table* table : {&own_, static_cast<const Table*>(shared_.get())}) {
       if (const auto found = table->find(bits); found != table->end()) return &found->second;

@@ -7,7 +7,8 @@
 namespace latsch {
 namespace {
 
-constexpr double kAlong = 1e-9;  // of a normal: nothing is left of it beside the equations
+// A normal with less than this length after projection lies in the space of the equations.
+constexpr double kAlong = 1e-9;
 
 std::vector<Eigen::VectorXd> in_cube(const Eigen::VectorXd& x, int turn) {
   std::vector<Bound> at;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Poll directions at a point of a polytope: of those that stay inside it for a step of length
-// epsilon, some point downhill wherever the point is not stationary.
+// Poll directions at a point of a polytope. Steps of length epsilon along the core directions stay
+// inside the polytope, and one of them points downhill unless the point is stationary.
 //
-//   core        generators of the tangent cone of the constraints within epsilon: its rays, and in
-//               the space along all of these constraints a simplex, turned as in generating_set.h.
+//   core        generators of the tangent cone of the constraints within epsilon: its rays, and a
+//               simplex in the space along all of these constraints, turned as in generating_set.h.
 //               A step of epsilon along any of them stays inside.
-//   normals     of the same constraints, outward, projected on the equations: they lead onto the
-//               constraints. [Kolda, Lewis, Torczon, SIAM J. Optim. 17 (2006) 943; "projected
+//   normals     outward normals of these constraints, projected on the equations. They lead onto
+//               the constraints. [Kolda, Lewis, Torczon, SIAM J. Optim. 17 (2006) 943; "projected
 //               normals" of HOPSPACK, Plantenga, SAND2009-6265]
 //
-// In a cube, where bounds are the only constraints, it is generating_set() of the bounds the point
-// lies on: steps are bent along bounds there, and need no epsilon.
+// In a cube, where bounds are the only constraints, the set is generating_set() of the bounds the
+// point lies on: steps are bent along bounds there and need no epsilon.
 #pragma once
 
 #include <vector>

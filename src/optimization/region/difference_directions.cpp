@@ -7,9 +7,9 @@
 namespace latsch {
 namespace {
 
-constexpr double kIndependent = 1e-3;  // nearly parallel directions tell nothing apart
+constexpr double kIndependent = 1e-3;  // nearly parallel directions carry no separate information
 
-/// Inward along every axis; fewer columns where one does not fit.
+/// Returns the axes, inward; fewer columns if one does not fit.
 Eigen::MatrixXd axes(const FeasibleRegion& region, const Eigen::VectorXd& u, double step) {
   const auto n = u.size();
   Eigen::MatrixXd D(n, 0);
@@ -26,7 +26,7 @@ Eigen::MatrixXd axes(const FeasibleRegion& region, const Eigen::VectorXd& u, dou
   return D;
 }
 
-/// Lines and rays along the constraints nearer than a step.
+/// Returns lines and rays along the constraints nearer than a step.
 Eigen::MatrixXd generators(const FeasibleRegion& region, const Eigen::VectorXd& u, double step) {
   const ConeGenerators cone = tangent_cone(region.normals_within(u, step), region.E().transpose());
   Eigen::MatrixXd all(u.size(), cone.lines.cols() + std::ssize(cone.rays));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directions in which functions of a point are differenced without leaving a region: as many
-// independent ones as the region has dimensions there, of length 1, as columns.
+// Directions along which functions are differenced at a point without leaving a region. They are
+// unit columns, as many independent ones as the region has dimensions at the point.
 //
-// The axes, each toward the side on which there is more room, wherever a step fits; where equations
-// or corners leave no room along an axis, generators of the tangent cone (tangent_cone.h).
+// An axis is used if a step along it fits, toward the side with more room. If equations or corners
+// leave no room along an axis, generators of the tangent cone (tangent_cone.h) are used.
 #pragma once
 
 #include "optimization/problem/feasible_region.h"

@@ -9,17 +9,18 @@
 namespace latsch {
 namespace {
 
-constexpr int kFewest = 3;         // failures of an edge
-constexpr double kForetold = 0.7;  // share of them, each by the plane of the others
+constexpr int kFewest = 3;  // least number of failures for an edge
+// Share of the failures that the plane of the others has to predict.
+constexpr double kForetold = 0.7;
 constexpr int kMostEdges = 3;
-constexpr int kMostFailures = 2;  // of an edge, times n + 1: the nearest ones
-constexpr double kOffset = 1e-6;  // curvature of b, which is free: beside 1 of a
+constexpr int kMostFailures = 2;  // times n + 1: largest number of failures of an edge, the nearest
+constexpr double kOffset = 1e-6;  // curvature of b, which is free; that of a is 1
 
-/// The plane of the widest gap; nullopt where there is none.
+/// Returns the plane of the widest gap; nullopt if there is none.
 std::optional<Edge> plane(const std::vector<Eigen::VectorXd>& failures,
                           const std::vector<Eigen::VectorXd>& successes) {
   const auto n = failures.front().size();
-  const double unit = failures.front().norm();  // lengths of about 1
+  const double unit = failures.front().norm();  // scales lengths to about 1
   QuadraticProgram program;
   program.G = Eigen::MatrixXd::Identity(n + 1, n + 1);
   program.G(n, n) = kOffset;
@@ -37,7 +38,7 @@ std::optional<Edge> plane(const std::vector<Eigen::VectorXd>& failures,
     program.A.row(row).head(n) = x.transpose() / unit;
     program.A(row++, n) = -1.0;
   }
-  program.A.row(row).setZero();  // 0 itself
+  program.A.row(row).setZero();  // the success at 0
   program.A(row, n) = -1.0;
   const QuadraticSolution found = solve(program);
   const double length = found.x.head(n).norm();
@@ -49,14 +50,15 @@ std::optional<Edge> plane(const std::vector<Eigen::VectorXd>& failures,
   return parts ? std::optional(edge) : std::nullopt;
 }
 
-/// Whether the plane of the others mostly tells of each failure: it is farther out than all
-/// successes. (It need not be beyond that plane: midway, the innermost failure never is.)
+/// True if the plane of the others predicts most failures: each lies farther out than all
+/// successes. (A failure need not be beyond that plane: the innermost one never is, because the
+/// plane is midway.)
 bool foretells(const std::vector<Eigen::VectorXd>& failures,
                const std::vector<Eigen::VectorXd>& successes) {
   const auto is_foretold = [&](const Eigen::VectorXd& x) {
     std::vector<Eigen::VectorXd> others;
     for (const Eigen::VectorXd& other : failures) {
-      if (&other != &x) others.push_back(other);  // one that failed again stands there twice
+      if (&other != &x) others.push_back(other);  // a point that failed twice is in the list twice
     }
     const std::optional<Edge> edge = plane(others, successes);
     if (!edge) return false;
@@ -77,7 +79,7 @@ std::vector<Edge> failure_edges(const std::vector<Eigen::VectorXd>& failures,
   std::vector<Eigen::VectorXd> left = failures;
   while (std::ssize(left) >= kFewest && std::ssize(edges) < kMostEdges) {
     const auto n = static_cast<std::size_t>(left.front().size());
-    std::vector<Eigen::VectorXd> some = left;  // those nearest to the first
+    std::vector<Eigen::VectorXd> some = left;  // the failures nearest to the first
     std::stable_sort(some.begin(), some.end(), [&](const auto& x, const auto& y) {
       return (x - left.front()).squaredNorm() < (y - left.front()).squaredNorm();
     });

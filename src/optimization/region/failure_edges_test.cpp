@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector2d;
 
 TEST(FailureEdges, LieMidwayAndFaceTheFailures) {
-  // Failures at x = 3, successes up to x = 1: the widest gap is parted by x = 2.
+  // Failures are at x = 3, successes up to x = 1, so x = 2 lies in the middle of the widest gap.
   const auto edges = failure_edges({Vector2d(3, 0), Vector2d(3, 2), Vector2d(3, 1)},
                                    {Vector2d(1, 1), Vector2d(-1, 0)});
   ASSERT_EQ(edges.size(), 1u);
@@ -48,7 +48,7 @@ TEST(FailureEdges, BearAPointThatFailedAgainAndAgain) {
   EXPECT_NEAR(edges[0].b, 1.0, 1e-4);
 }
 
-/// Of 100 sets of failures at random places among successes, those with an edge.
+/// Counts the sets with an edge among 100 sets of failures at random places among successes.
 int sets_with_edge(int n, int failures, int successes) {
   int found = 0;
   for (std::uint64_t set = 0; set < 100; ++set) {
@@ -64,7 +64,8 @@ int sets_with_edge(int n, int failures, int successes) {
   return found;
 }
 
-// A plane parts nearly any few points in many variables: an edge was seen in all of these sets.
+// A plane separates nearly any few points in many variables, so a method without a cross-check
+// finds an edge in all of these sets.
 TEST(FailureEdges, AreSeldomSeenInFailuresByLot) {
   EXPECT_LE(sets_with_edge(3, 4, 16), 20);
   EXPECT_LE(sets_with_edge(8, 4, 16), 20);

@@ -19,7 +19,8 @@ int next_prime(int after) {
   return number;
 }
 
-/// Term `index` of the van der Corput sequence: the digits of the index mirrored at the point.
+/// Returns term `index` of the van der Corput sequence: the digits of the index mirrored at the
+/// point.
 double mirrored(int index, int base) {
   double value = 0.0;
   double digit = 1.0 / base;
@@ -27,7 +28,7 @@ double mirrored(int index, int base) {
   return value;
 }
 
-/// Halton's sequence in the cube from -1 to 1, as a unit vector.
+/// Returns a term of Halton's sequence in the cube from -1 to 1 as a unit vector.
 Eigen::VectorXd quasi_random_direction(int size, int index) {
   Eigen::VectorXd v(size);
   for (int i = 0, base = 2; i < size; ++i, base = next_prime(base)) {
@@ -37,16 +38,16 @@ Eigen::VectorXd quasi_random_direction(int size, int index) {
   return length > 1e-3 ? Eigen::VectorXd(v / length) : Eigen::VectorXd::Unit(size, 0);
 }
 
-/// The columns are orthonormal, and other ones for every turn.
+/// Returns orthonormal columns that differ for every turn.
 Eigen::MatrixXd turned_axes(int size, int turn) {
   const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(size, size);
   if (turn == 0 || size < 2) return I;
-  // Halton's first terms lie on a line; they are left out.
+  // Halton's first terms lie on a line, so they are left out.
   const Eigen::VectorXd v = quasi_random_direction(size, turn + next_prime(size + 1));
   return I - 2.0 * v * v.transpose();
 }
 
-/// The corners of a regular simplex as columns.
+/// Returns the corners of a regular simplex as columns.
 Eigen::MatrixXd simplex(const Eigen::MatrixXd& Q) {
   const int size = static_cast<int>(Q.cols());
   const double n = size;

@@ -9,7 +9,7 @@
 namespace latsch {
 namespace {
 
-constexpr double kZero = 1e-9;  // of unit vectors: lies in the plane
+constexpr double kZero = 1e-9;  // for unit vectors: less counts as in the plane
 constexpr int kMostRays = 2000;
 
 struct Basis {
@@ -24,16 +24,16 @@ Basis split(const Eigen::MatrixXd& M) {
   return {Q.leftCols(rank), Q.rightCols(n - rank), {order.begin(), order.begin() + rank}};
 }
 
-/// A ray and the planes it lies in.
+/// A ray and the planes that contain it.
 struct Ray {
   Eigen::VectorXd d;
   std::vector<int> planes;  // ascending
 };
 
-/// The rays of { d : c_j'd <= 0 }, plane after plane.
+/// The rays of { d : c_j'd <= 0 }, computed plane after plane.
 class DoubleDescription {
  public:
-  /// Of as many independent planes as there are dimensions: ray k lies in all of them but one.
+  /// Starts from as many independent planes as dimensions: ray k lies in all of them but one.
   DoubleDescription(const Eigen::MatrixXd& C, const std::vector<int>& independent) : C_(C) {
     Eigen::MatrixXd first(C.rows(), C.rows());
     for (size_t k = 0; k < independent.size(); ++k) first.col(k) = C.col(independent[k]);
@@ -71,7 +71,8 @@ class DoubleDescription {
   const std::vector<Ray>& rays() const { return rays_; }
 
  private:
-  /// In the plane and the face that two neighbors span; without planes where they are none.
+  /// Returns the ray in the plane and in the face that two neighbors span; it has no planes if the
+  /// rays are not neighbors.
   Ray between(const Ray& in, const Ray& out, int plane) const {
     std::vector<int> common;
     std::set_intersection(in.planes.begin(),

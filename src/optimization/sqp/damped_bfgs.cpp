@@ -4,8 +4,8 @@
 namespace latsch {
 namespace {
 
-constexpr double kDamped = 0.2;     // of the curvature B has along s: the least one it keeps
-constexpr double kNothing = 1e-14;  // a step this short says nothing
+constexpr double kDamped = 0.2;     // least share of the curvature along s that B keeps
+constexpr double kNothing = 1e-14;  // a shorter step carries no information
 
 }  // namespace
 

@@ -4,7 +4,7 @@
 namespace latsch {
 namespace {
 
-constexpr double kAbove = 1.5;  // of a multiplier
+constexpr double kAbove = 1.5;  // multiple of the multiplier
 
 void raise(Eigen::VectorXd& mu, const Eigen::VectorXd& multipliers) {
   const Eigen::VectorXd least = kAbove * multipliers.cwiseAbs();

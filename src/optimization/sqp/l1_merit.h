@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The l1 merit function of a line search among constraints, and its slope along a step:
+// The l1 merit function of a line search with constraints, and its slope along a step:
 //
 //   phi = f + sum mu_i max(c_i, 0) + sum mu_j |h_j|                                   (18.27)
-//   D phi = g'd - what the linearized constraints gain along d                        (18.29)
+//   D phi = g'd - (improvement of the linearized constraints along d)                 (18.29)
 //
-// Every mu stays above its multiplier, which makes phi exact and d a descent direction, but comes
-// down slowly after multipliers that were large on the way [Powell 1978]. Numbers of [Nocedal &
-// Wright, Numerical Optimization, 2006].
+// Every mu stays above its multiplier, which makes phi exact and d a descent direction. After large
+// multipliers mu decreases slowly [Powell 1978]. Equation numbers are those of [Nocedal & Wright,
+// Numerical Optimization, 2006].
 #pragma once
 
 #include "optimization/sqp/smooth_values.h"
@@ -24,7 +24,7 @@ class L1Merit {
 
  private:
   double penalty(const Eigen::VectorXd& c, const Eigen::VectorXd& h) const;
-  Eigen::VectorXd mu_, lambda_;  // of c and of h
+  Eigen::VectorXd mu_, lambda_;  // for c and for h
 };
 
 }  // namespace latsch

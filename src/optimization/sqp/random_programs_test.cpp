@@ -49,7 +49,7 @@ struct RandomProgram {
       rows.push_back(k < equations ? equal(row, sum) : at_most(row, sum + room));
     }
     const MatrixXd R = draw(n, n);
-    // A curvature of almost nothing makes the solution of a linear program one of a quadratic one.
+    // A tiny curvature makes the solution of a linear program that of a quadratic one.
     const double least = number % 4 == 0 ? 1e-7 : 0.1;
     G = (number % 4 == 0 ? 0.0 : 1.0) * R.transpose() * R + least * MatrixXd::Identity(n, n);
     g = 3.0 * draw(n, 1);
@@ -81,7 +81,7 @@ TEST(RandomPrograms, AreSolvedByEveryMethodAlikeWithoutLeavingTheRegion) {
         solve({program.G, program.g, region.E(), region.f(), region.A(), region.b()});
     ASSERT_TRUE(solution.is_feasible()) << number;
     const double expected = program(solution.x);
-    // Slopes are of size 1 to 10: a search down to a step of 1e-4 ends within some 1e-3.
+    // Slopes are of size 1 to 10, so a search down to a step of 1e-4 ends within about 1e-3.
     EXPECT_NEAR(least_found(Gss(space, {.step_tolerance = 1e-4}), space, program), expected, 2e-3)
         << number;
     EXPECT_NEAR(

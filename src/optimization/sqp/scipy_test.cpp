@@ -50,7 +50,7 @@ void write(const MatrixXd& M, const std::filesystem::path& file) {
   }
 }
 
-/// A random convex program in the unit cube, the middle of which is feasible.
+/// Returns a random convex program in the unit cube whose middle is feasible.
 QuadraticProgram random_program(int n, std::uint64_t seed) {
   RandomStream random(11, seed);
   const auto draw = [&](int rows, int cols) {
@@ -76,7 +76,7 @@ class SciPyOptimize : public testing::TestWithParam<int> {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// nullopt without SciPy.
+  /// Returns nullopt without SciPy.
   std::optional<VectorXd> scipy(const QuadraticProgram& qp) const {
     write(qp.G, folder_ / "G");
     write(qp.g, folder_ / "g");
@@ -139,7 +139,7 @@ TEST_P(SciPyOptimize, FindsTheSameSolution) {
   in_cube.A << qp.A, MatrixXd::Identity(n, n), -MatrixXd::Identity(n, n);
   in_cube.b.resize(3 * n);
   in_cube.b << qp.b, VectorXd::Ones(n), VectorXd::Zero(n);
-  // SLSQP ends where the target changes by 1e-15: x is known to the root of that.
+  // SLSQP ends if the target changes by less than 1e-15, so x is accurate to the root of that.
   EXPECT_LT((solve(in_cube).x - expected).norm(), 1e-6);
   const ConstrainedProblem problem = as_problem(qp);
   EXPECT_LT((found_by(Sqp(problem.space, {.step_tolerance = 1e-5, .difference = 1e-7}), problem) -

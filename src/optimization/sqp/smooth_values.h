@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an evaluation says of a smooth problem with constraints, and its derivatives in the unit
+// The values of a smooth problem with constraints at a point, and their derivatives in the unit
 // cube:
 //
-//   least f(u)  with  c(u) <= 0  and  h(u) = 0;      f = |r(u)|^2  where residuals r are known
+//   minimize f(u)  with  c(u) <= 0  and  h(u) = 0;      f = |r(u)|^2  if residuals r are known
 //
-// Derivatives are those the model knows, or differences along directions d_j that stay inside the
-// region:  J d_j = (F(u + t_j d_j) - F(u)) / t_j  for the values F of all functions.
+//
+// Derivatives are those of the model if it computes them. Otherwise they are differences along
+// directions d_j that stay inside the region:  J d_j = (F(u + t_j d_j) - F(u)) / t_j  for the
+// values F of all functions.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,32 +19,32 @@ namespace latsch {
 
 struct SmoothValues {
   double f = 0.0;
-  Eigen::VectorXd r;  // empty: none are known
+  Eigen::VectorXd r;  // empty: not known
   Eigen::VectorXd c, h;
 
   double violation() const;
 };
 
-/// nullopt where a value is not finite.
+/// nullopt if a value is not finite.
 std::optional<SmoothValues> smooth_values(const Score& score);
 
-/// As many residuals and constraints.
+/// True if both have equally many residuals and constraints.
 bool same_shape(const SmoothValues& a, const SmoothValues& b);
 
-/// Gradient of f, Jacobians of the others, one row a function.
+/// Gradient of f and Jacobians of the others, one row for each function.
 struct SmoothSlopes {
   Eigen::VectorXd g;
   Eigen::MatrixXd r, c, h;
 };
 
-/// Of the values F of all functions one after the other: f or, where they are known, residuals,
-/// then c, h.
+/// Returns the values F of all functions one after the other: the residuals if they are known, else
+/// f; then c and h.
 Eigen::VectorXd all_values(const SmoothValues& values);
 
-/// `J`: derivatives of all_values(values), a row each.
+/// `J` holds the derivatives of all_values(values), one row for each value.
 SmoothSlopes slopes_at(const SmoothValues& values, const Eigen::MatrixXd& J);
 
-/// The J with J D = S of least norm; directions as columns of D, differences as columns of S.
+/// Returns the J with J D = S of least norm. Columns of D are directions, columns of S differences.
 Eigen::MatrixXd jacobian_of(const Eigen::MatrixXd& S, const Eigen::MatrixXd& D);
 
 }  // namespace latsch

@@ -22,22 +22,24 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kEta = 1e-4;         // of the predicted gain of merit
-constexpr double kShorter = 0.5;      // after a step that brings nothing
-constexpr double kFailed = 0.25;      // after one that fails
-constexpr double kLongest = 0.5;      // half of every range
-constexpr double kReachGrowth = 4.0;  // of the longest step, over the one that was taken
-constexpr double kExhausted = 0.1;    // of the tolerance: a search ends with so short a step
-constexpr std::array kAttempts{1.0, -1.0, 0.25, -0.25};  // at a difference that fails
+constexpr double kEta = 1e-4;     // share of the predicted gain of merit
+constexpr double kShorter = 0.5;  // after a step without improvement
+constexpr double kFailed = 0.25;  // after a step that fails
+constexpr double kLongest = 0.5;  // share of every range
+// Largest growth of the longest step, relative to the accepted step.
+constexpr double kReachGrowth = 4.0;
+constexpr double kExhausted = 0.1;  // share of the tolerance: shorter steps end a line search
+// Multiples of a difference tried if it fails.
+constexpr std::array kAttempts{1.0, -1.0, 0.25, -0.25};
 
 enum class Phase { start, differences, search, ended };
 
-/// A point whose outcome it waits for.
+/// A point whose outcome the method waits for.
 struct WantedPoint {
   VectorXd u;
   DesignPoint point;
-  int column = 0;   // of the difference
-  int attempt = 0;  // which of kAttempts, or of start_toward_middle
+  int column = 0;   // index of the difference
+  int attempt = 0;  // index in kAttempts, or count of start_toward_middle
 };
 
 void check(const SqpOptions& options) {
@@ -66,19 +68,19 @@ struct Sqp::State {
   PendingPoints<WantedPoint> wanted;  // in the order proposed; empty: converged
 
   Iterate x;                       // the present point
-  std::optional<Iterate> foreign;  // the best point of others
-  MatrixXd J;                      // at x, where the model brings it; else empty, and
+  std::optional<Iterate> foreign;  // best point from other sources
+  MatrixXd J;                      // at x if the model brings it; otherwise empty, with
   MatrixXd D, S;                   // directions and differences at x
   SmoothSlopes slopes, before;     // at x, and at the point before
   MatrixXd B;
-  bool b_is_new = true;     // made of nothing but a step length
-  bool has_slopes = false;  // of a point before x
+  bool b_is_new = true;     // built from a step length alone
+  bool has_slopes = false;  // slopes of a point before x exist
   SqpStep step;
   L1Merit merit;
   double longest;
   double share = 1.0;            // a of the line search
-  std::optional<VectorXd> bent;  // the correction of second order that is being tried
-  bool is_corrected = false;     // one was tried along this d
+  std::optional<VectorXd> bent;  // second-order correction being tried
+  bool is_corrected = false;     // a correction was tried along this d
   VectorXd last_move;
 
   State(const DesignSpace& s, const SqpOptions& o)
@@ -90,8 +92,8 @@ struct Sqp::State {
     return {u, space.from_unit({u.begin(), u.end()}), column, attempt};
   }
 
-  /// The loop of algorithm 18.3 [Nocedal & Wright]. Wherever it needs outcomes it names its points
-  /// and returns; it goes on with each of them.
+  /// The loop of algorithm 18.3 [Nocedal & Wright]. When it needs outcomes it lists the points and
+  /// returns; each outcome continues it.
   void go_on(const WantedPoint& tried, const std::optional<Iterate>& known) {
     if (phase == Phase::differences) {
       take_difference(tried, known);
@@ -102,12 +104,12 @@ struct Sqp::State {
     take_slopes();    // f, c and their slopes at x
     update_b();       // B
     solve_program();  // d and multipliers; mu above these
-    begin_search();   // a = 1, shorter in takes_step() until phi falls as it should; x <- x + a d
+    begin_search();   // a = 1, shorter in takes_step() until phi falls enough; x <- x + a d
   }
 
   // x_0 --------------------------------------------------------------------------------------
 
-  /// False where another start is to be tried, or none is left.
+  /// Returns false if another start is to be tried, or none is left.
   bool begins(const WantedPoint& tried, const std::optional<Iterate>& known) {
     if (known || foreign) {
       x = known ? *known : *std::exchange(foreign, std::nullopt);
@@ -125,8 +127,8 @@ struct Sqp::State {
 
   // Slopes at x ------------------------------------------------------------------------------
 
-  /// The model's own derivatives, which are enough where it has no constraints to differentiate;
-  /// empty where differences are needed.
+  /// Returns the model's own derivatives, which suffice without nonlinear constraints; empty if
+  /// differences are needed.
   MatrixXd known_jacobian(const Iterate& at) const {
     if (!at.score.constraints.empty() || !at.score.equations.empty()) return {};
     return space.unit_jacobian(at.point, at.score);
@@ -145,7 +147,7 @@ struct Sqp::State {
     const bool is_comparable = foreign && same_shape(foreign->values, x.values);
     if (is_comparable && is_better(foreign->score, x.score)) {
       x = *std::exchange(foreign, std::nullopt);
-      has_slopes = false;  // of the Lagrangian along the last step
+      has_slopes = false;  // slopes of the Lagrangian along the last step are lost
     }
     J = known_jacobian(x);
     if (J.size() > 0) return;
@@ -180,7 +182,7 @@ struct Sqp::State {
     return at.g + at.c.transpose() * step.mu + at.h.transpose() * step.lambda;
   }
 
-  /// B so that the step along the steepest slope is the longest allowed.
+  /// Sets B so that the step along the steepest slope is the longest allowed.
   void renew_b() {
     const auto n = x.u.size();
     const double steepest = std::max(slopes.g.norm(), std::numeric_limits<double>::min());
@@ -209,7 +211,7 @@ struct Sqp::State {
     merit.raise_above(step);
   }
 
-  /// Steps end inside but for rounding, which `nearest` takes away.
+  /// Steps end inside except for rounding, which `nearest` removes.
   void begin_search() {
     share = 1.0;
     bent.reset();
@@ -223,7 +225,7 @@ struct Sqp::State {
     return step.d.lpNorm<Eigen::Infinity>() < options.step_tolerance && !b_is_new;
   }
 
-  /// False where another step is to be tried, or the search is over.
+  /// Returns false if another step is to be tried, or the search has ended.
   bool takes_step(const WantedPoint& tried, const std::optional<Iterate>& known) {
     const double predicted = merit.slope(x.values, slopes, step.d);
     const bool fits = known && same_shape(known->values, x.values);
@@ -252,7 +254,7 @@ struct Sqp::State {
     wanted = {at(region.nearest(x.u + share * step.d))};
   }
 
-  /// The same program with the constraints as they are at the end of the step.
+  /// Solves the program with the constraint values at the end of the step.
   void correct(const Iterate& end) {
     SmoothValues values = x.values;
     values.c = end.values.c - slopes.c * step.d;
@@ -262,7 +264,7 @@ struct Sqp::State {
     wanted = {at(region.nearest(x.u + *bent))};
   }
 
-  /// False at the end.
+  /// Returns false at the end of the search.
   bool accepts(const WantedPoint& tried, const Iterate& known) {
     last_move = tried.u - x.u;
     const double length = last_move.lpNorm<Eigen::Infinity>();
@@ -274,7 +276,7 @@ struct Sqp::State {
     return !ends;
   }
 
-  /// A B that leads nowhere is forgotten, once.
+  /// Resets B once if it leads nowhere.
   void give_up() {
     wanted.clear();
     if (b_is_new || slopes.r.size() > 0 || is_last()) {
@@ -307,7 +309,7 @@ struct Sqp::State {
     if (!foreign || is_better(known->score, foreign->score)) foreign = known;
   }
 
-  /// What it may ask for when the points it waits for are known.
+  /// Returns the points to evaluate next once the outstanding outcomes are known.
   PendingPoints<WantedPoint> speculation() const {
     if (phase != Phase::start && phase != Phase::search) return {};
     PendingPoints<WantedPoint> points = differences_at(wanted.front().u);

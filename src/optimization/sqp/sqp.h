@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sequential quadratic programming: for smooth targets with bounds, linear and nonlinear
-// constraints; the fewest evaluations where all functions are smooth and succeed.
+// Sequential quadratic programming for smooth targets with bounds, linear and nonlinear
+// constraints. It needs the fewest evaluations if all functions are smooth and no evaluation fails.
 //
 // At the point x, with slopes from differences or from the model itself:
 //
-//   step      d and multipliers from a quadratic program: sqp_step.h. Its B is 2 J'J where f is
-//             |r|^2 with known residuals (Gauss-Newton), else the damped BFGS approximation of the
-//             Hessian of the Lagrangian: damped_bfgs.h.
+//   step      d and multipliers from a quadratic program: sqp_step.h. Its B is 2 J'J if f is
+//             |r|^2 with known residuals (Gauss-Newton), otherwise the damped BFGS approximation of
+//             the Hessian of the Lagrangian: damped_bfgs.h.
 //   merit     phi(x) = f + sum mu_i max(c_i, 0) + sum mu_j |h_j|,  mu above the multipliers (18.27)
-//   search    x + a d for a = 1, 1/2, 1/4 ... until  phi(x + a d) <= phi(x) + eta a D phi (18.28)
-//             where a full step fails because constraints bend, once with a correction of second
-//             order (ch. 15.6). A Failure shortens the step to a quarter.
-//   end       where a step is shorter than the tolerance, or no step along d brings anything.
+//   search    x + a d for a = 1, 1/2, 1/4 ... until  phi(x + a d) <= phi(x) + eta a D phi (18.28);
+//             if a full step fails because constraints are curved, once with a second-order
+//             correction (ch. 15.6). A Failure shortens the step to a quarter.
+//   end       if a step is shorter than the tolerance, or no step along d brings an improvement.
 //
-// [Nocedal & Wright, Numerical Optimization, 2006, ch. 18]. Every point keeps bounds and linear
-// constraints, also those of differences. A difference that fails is tried the other way and
-// shorter; where all fail the slope counts as 0. A start that fails is moved toward the middle of
+// [Nocedal & Wright, Numerical Optimization, 2006, ch. 18]. Every point fulfills bounds and linear
+// constraints, also those of differences. A difference that fails is tried in the other direction
+// and shorter; if all fail, the slope counts as 0. A start that fails is moved toward the middle of
 // the region.
 //
-// The differences at x are independent of each other: as many workers as variables are busy. While
-// a step is tried, idle workers get the differences at its end and the next shorter step. Of
-// foreign points it takes over the best one when a step is complete. Limits: kinks and noise
-// (gss.h, residual_trust_region.h).
+// The differences at x are independent of each other, so as many workers as variables are busy.
+// While a step is evaluated, idle workers get the differences at its end and the next shorter step.
+// The best of the points from other sources is adopted when a step is complete. Limits: kinks and
+// noise (gss.h, residual_trust_region.h).
 #pragma once
 
 #include <memory>
@@ -34,9 +34,9 @@ namespace latsch {
 
 /// Lengths are in the unit cube: 1 is the whole range of a variable.
 struct SqpOptions {
-  double initial_step = 0.1;  // the longest first step
+  double initial_step = 0.1;  // longest first step
   double step_tolerance = 1e-3;
-  double difference = 1e-4;  // the root of the relative noise of the functions, or more
+  double difference = 1e-4;  // at least the root of the relative noise of the functions
 };
 
 class Sqp : public Optimizer {

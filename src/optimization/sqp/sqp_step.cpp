@@ -12,17 +12,17 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kWithoutSlope = 1e-12;  // a row without slope is left at its length
-constexpr double kLeastConvex = 1e-7;    // of the largest curvature: the least one
-constexpr double kRelaxed = 10.0;        // price of t over the steepest slope of the target
+constexpr double kWithoutSlope = 1e-12;  // a row with less slope is not scaled
+constexpr double kLeastConvex = 1e-7;    // least curvature relative to the largest
+constexpr double kRelaxed = 10.0;        // price of t relative to the steepest slope of the target
 
-/// B, whose curvatures are kept within the range that the program can be solved for.
+/// Returns B with its curvatures limited to a range for which the program can be solved.
 MatrixXd convex(const MatrixXd& B) {
   const double size = std::max(B.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
   return B + kLeastConvex * size * MatrixXd::Identity(B.rows(), B.cols());
 }
 
-/// Rows and bounds one below the other; rows of constraints have length 1.
+/// Collects rows and bounds, one below the other; rows of constraints have length 1.
 class Rows {
  public:
   explicit Rows(Eigen::Index columns) : A(0, columns), b(0) {}
@@ -46,7 +46,7 @@ VectorXd lengths(const MatrixXd& J) {
   return length;
 }
 
-/// What the program is made of; columns beyond those of d are for t.
+/// The linearized constraints of the program; columns beyond those of d are for t.
 struct Linearized {
   VectorXd length_c, length_h;
   MatrixXd J_c, J_h;

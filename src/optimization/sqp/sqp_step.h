@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step of sequential quadratic programming: the quadratic program at a point,
+// The step of sequential quadratic programming solves the quadratic program at a point,
 //
-//   least 1/2 d'B d + g'd   with   c + J_c d <= 0,  h + J_h d = 0,                    (18.11)
-//                                  u + d in the region,  |d_i| <= longest
+//   minimize 1/2 d'B d + g'd   with   c + J_c d <= 0,  h + J_h d = 0,                 (18.11)
+//                                     u + d in the region,  |d_i| <= longest
 //
-// Where the linearized constraints contradict each other, or the region, they are relaxed by one
-// t >= 0 that is made small:  c + J_c d <= t,  |h + J_h d| <= t.
-// [Nocedal & Wright, Numerical Optimization, 2006, ch. 18.1 and 18.5]
+// If the linearized constraints contradict each other or the region, they are relaxed by one small
+// t >= 0:  c + J_c d <= t,  |h + J_h d| <= t. [Nocedal & Wright, Numerical Optimization, 2006, ch.
+// 18.1 and 18.5]
 #pragma once
 
 #include "optimization/problem/feasible_region.h"
@@ -19,7 +19,7 @@ struct SqpStep {
   Eigen::VectorXd mu, lambda;  // multipliers of c and h
 };
 
-/// `values`: c and h with which it reckons: those at u, or for a correction of second order others.
+/// `values` supplies c and h: those at u, or others for a second-order correction.
 SqpStep sqp_step(const Eigen::MatrixXd& B,
                  const SmoothValues& values,
                  const SmoothSlopes& slopes,

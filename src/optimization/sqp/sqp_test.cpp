@@ -50,12 +50,12 @@ TEST(DampedBfgs, FulfillsTheSecantEquationAndStaysPositiveDefinite) {
   for (const Eigen::Vector2d& y : {downhill, Eigen::Vector2d(0, 0), Eigen::Vector2d(1e-9, 0)}) {
     const Eigen::MatrixXd next = damped_bfgs(B, s, y, false);
     EXPECT_GT(next.determinant(), 0.0);
-    EXPECT_NEAR(s.dot(next * s), 0.2 * s.dot(B * s), 1e-12);  // the least it keeps
+    EXPECT_NEAR(s.dot(next * s), 0.2 * s.dot(B * s), 1e-12);  // the least curvature that B keeps
   }
 }
 
 TEST(DifferenceDirections, AreIndependentAndStayInside) {
-  // In a corner of an equation, x1 + x2 + x3 = 1 at (1, 0, 0), two are left.
+  // In a corner of an equation, x1 + x2 + x3 = 1 at (1, 0, 0), two directions are left.
   const FeasibleRegion triangle(space_of({1, 0, 0}, {{0, 1}}, {equal({1, 1, 1}, 1)}));
   const Eigen::Vector3d corner(1, 0, 0);
   const Eigen::MatrixXd D = difference_directions(triangle, corner, 1e-4);
@@ -73,7 +73,8 @@ TEST(Sqp, SolvesProblemsOfHockAndSchittkowski) {
   for (const ConstrainedProblem& problem : problems) {
     const Found found = minimize(problem, kExact);
     EXPECT_LE(violation(found.score), kFulfilled) << problem.name;
-    // A constraint that is off by kFulfilled gains its multiplier, at most about 5, times that.
+    // A constraint violated by kFulfilled lowers the target by its multiplier, at most about 5,
+    // times that.
     EXPECT_NEAR(found.score.value, problem.least, 5e-4 + 1e-6 * std::abs(problem.least))
         << problem.name;
     for (size_t i = 0; i < found.x.size(); ++i) {
@@ -107,7 +108,7 @@ TEST(Sqp, NeedsFewestEvaluationsWhereItKnowsResidualsAndTheirDerivatives) {
 }
 
 TEST(Sqp, RelaxesConstraintsWhoseLinearizationsCannotBeFulfilled) {
-  // x^2 >= 1 from 0.1: its tangent wants a step of 5, the longest is 0.4.
+  // For x^2 >= 1 from 0.1 the tangent requires a step of 5, but the longest is 0.4.
   const ConstrainedProblem problem{"far",
                                    space_of({0.1}, {{-2, 2}}),
                                    [](const auto& x) { return x[0] * x[0]; },
@@ -208,7 +209,8 @@ TEST(Sqp, TakesDifferencesWhereTheJacobianIsNotFinite) {
     sqp.observe(point, score);
   }
   EXPECT_TRUE(sqp.converged());
-  // A search by differences alone ends here: (0.405, 0.3) but for the small third residual.
+  // A search by differences alone would end here: (0.405, 0.3), except for the small third
+  // residual.
   EXPECT_LT(least, 2e-4);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cascade: the result of one run starts the next, with tightened bounds around it.
 //
-// Each stage is an optimizer of its own on the space of the stage before, made narrower by a factor
-// in the unit cube; it is told the value of the point it starts from. The steps of a stage count in
-// its own, narrower cube, so the same options search more finely. [Hempel, Oertel, KGK 04/2016]
+// Each stage is a separate optimizer on the space of the stage before, narrowed by a factor in the
+// unit cube. It observes the value of the point it starts from. The steps of a stage are relative
+// to its own, narrower cube, so the same options search more finely. [Hempel, Oertel, KGK 04/2016]
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ namespace latsch {
 
 struct CascadeOptions {
   int stages = 2;
-  double tightening = 0.25;  // width of a stage's bounds over those of the one before
+  double tightening = 0.25;  // width of a stage's bounds relative to those of the stage before
 };
 
 class Cascade : public Optimizer {
@@ -27,15 +27,15 @@ class Cascade : public Optimizer {
   /// Throws InputError for less than one stage or a tightening that is not between 0 and 1.
   Cascade(const DesignSpace& space, CascadeOptions options, MakeOptimizer make_optimizer);
 
-  /// Speculation ends with the stage.
+  /// Proposes no points beyond the present stage.
   std::vector<DesignPoint> propose(int count) const override;
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
   std::string ending() const override { return optimizer_->ending(); }
 
-  /// 1, 2, ...
+  /// Number of the present stage: 1, 2, ...
   int stage() const { return stage_; }
-  /// Bounds of the present stage.
+  /// Returns the space with the bounds of the present stage.
   const DesignSpace& space() const { return space_; }
 
  private:

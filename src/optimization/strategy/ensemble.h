@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several optimizers at once on one pool of workers: each sees every outcome, whoever asked for it.
+// Several optimizers at once on one pool of workers: each observes every outcome, whichever
+// proposed it.
 //
-// A coarse method finds the basin, a fine one takes over from its best point; one that fails on
-// this kind of target costs its share and no more. Members take turns; next is the one of the least
+// A coarse method finds the basin, and a fine one continues from its best point. A method that
+// fails on this kind of target costs only its share. Members take turns; the next is the one with
+// the least
 //
 //   (turns so far + 1) / priority
 //
-// so that a member of priority 2 gets twice the steps of one of priority 1, and all of them what
-// others need no more. The turn, not the worker, decides whose point is the next step: the
-// trajectory is the same for any number of workers. Workers beyond the first are given what the
-// members want, in the order of their coming turns. A point some member knows is not asked for
-// again: the others are told what came of it.
+// so a member of priority 2 gets twice the steps of one of priority 1, and the members that still
+// want points share the steps of those that want none. The turn, not the worker, decides whose
+// point is the next step, so the path is the same for any number of workers. Workers beyond the
+// first get the points the members want, in the order of their coming turns. A point that some
+// member knows is not evaluated again: the others observe its outcome.
 //
-// It ends when all members have, or with the first that does. A member that ended goes on where
-// another one's point gives it reason to, as a generating-set search does for a better one.
-// [The "citizens" of HOPSPACK: Plantenga, SAND2009-6265]
+// The ensemble ends when all members have ended, or with the first that ends. A member that has
+// ended resumes if another member's point gives it reason to, as a better point does for a
+// generating-set search. [The "citizens" of HOPSPACK: Plantenga, SAND2009-6265]
 #pragma once
 
 #include <memory>
@@ -35,14 +37,14 @@ class Ensemble : public Optimizer {
  public:
   enum class End { all, first };
 
-  /// Throws InputError where there is no member or a priority is below 1.
+  /// Throws InputError if there is no member or a priority is below 1.
   explicit Ensemble(std::vector<EnsembleMember> members, End end = End::all);
 
   std::vector<DesignPoint> propose(int count) const override;
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
 
-  /// Steps every member was given.
+  /// Number of steps every member was given.
   const std::vector<long>& turns() const { return turns_; }
 
  private:
@@ -52,7 +54,7 @@ class Ensemble : public Optimizer {
   std::vector<EnsembleMember> members_;
   End end_;
   std::vector<long> turns_;
-  std::unordered_map<std::string, Result<Score>> known_;  // by the bits of the point
+  std::unordered_map<std::string, Result<Score>> known_;  // keys are the bits of points
 };
 
 }  // namespace latsch

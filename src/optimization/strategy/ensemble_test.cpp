@@ -18,14 +18,14 @@ DesignSpace plane(double start = 0.8) {
                       {.name = "b", .lower = -1.0, .upper = 1.0, .initial = start}});
 }
 
-/// Basins of different depth around (0.6, 0.6) and (-0.6, -0.6), the deeper one.
+/// Two basins of different depth around (0.6, 0.6) and (-0.6, -0.6); the second one is deeper.
 double two_basins(const std::vector<double>& x) {
   const double near = std::hypot(x[0] - 0.6, x[1] - 0.6);
   const double far = std::hypot(x[0] + 0.6, x[1] + 0.6);
   return std::min(0.5 + near, 2.0 * far);
 }
 
-/// Asks for the corners of a grid, one after the other; remembers what it was told.
+/// Proposes the corners of a grid one after the other and records the observed points.
 class Marcher : public Optimizer {
  public:
   Marcher(double first, int steps) : first_(first), steps_(steps) {}
@@ -107,7 +107,7 @@ TEST(Ensemble, FirstDoesNotDependOnHowManyPointsAreAskedFor) {
 }
 
 TEST(Ensemble, AFineSearchFinishesWhatACoarseOneFound) {
-  // Alone, the search by directions ends in the basin it starts in.
+  // The direct search alone ends in the basin in which it starts.
   const auto least = [](Optimizer& optimizer) {
     double f = INFINITY;
     while (!optimizer.converged()) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A search that moves some of the variables and leaves the others where the start has them. Points
-// stay points of the whole space, so trials of searches in different variables know of each other.
+// A search that moves some of the variables and holds the others at their start values. Points
+// remain points of the whole space, so searches in different variables share their trials.
 //
-// The search sees a space of the free variables alone: linear constraints with what the held ones
-// contribute taken to their bounds, Jacobians without their columns. Of points that others asked
-// for it is told those in which the held variables are where they are here, to the last bit.
+// The search uses a space of the free variables alone: the contributions of held variables to
+// linear constraints are moved to their bounds, and their columns are removed from Jacobians. It
+// observes points proposed by others only if their held variables agree to the last bit.
 #pragma once
 
 #include <functional>
@@ -16,15 +16,15 @@
 
 namespace latsch {
 
-/// The space of the free variables, the others at their initial values. Throws InputError where the
-/// start is outside of it.
+/// Returns the space of the free variables, with the others at their initial values. Throws
+/// InputError if the start is outside of it.
 DesignSpace free_part(const DesignSpace& space, const std::vector<int>& free);
 
 class HeldVariables : public Optimizer {
  public:
   using MakeOptimizer = std::function<std::unique_ptr<Optimizer>(const DesignSpace&)>;
 
-  /// `free`: places in the space, ascending, one at least.
+  /// `free` holds indices of variables in the space, ascending, at least one.
   HeldVariables(const DesignSpace& space,
                 std::vector<int> free,
                 const MakeOptimizer& make_optimizer);
@@ -35,7 +35,7 @@ class HeldVariables : public Optimizer {
   std::string ending() const override { return optimizer_->ending(); }
 
  private:
-  DesignPoint start_;  // of the whole space
+  DesignPoint start_;  // point of the whole space
   std::vector<int> free_;
   std::unique_ptr<Optimizer> optimizer_;
 };

@@ -11,7 +11,7 @@
 namespace latsch {
 namespace {
 
-/// r = (x - 1, y - 2, z - 3 x y) with its Jacobian.
+/// Returns r = (x - 1, y - 2, z - 3 x y) with its Jacobian.
 Score product(const DesignPoint& p) {
   const double x = p.values[0], y = p.values[1], z = p.values[2];
   Score score;
@@ -47,7 +47,7 @@ std::unique_ptr<Optimizer> by_slopes(const DesignSpace& space) {
   return std::make_unique<LevenbergMarquardt>(space);
 }
 
-// With y held at 1/2: min (x - 1)^2 + (z - 1.5 x)^2 is at x = 1, z = 1.5.
+// With y held at 1/2, the minimum of (x - 1)^2 + (z - 1.5 x)^2 is at x = 1, z = 1.5.
 TEST(HeldVariables, StayWhereTheyAreToTheLastBit) {
   for (const bool has_slopes : {true, false}) {
     HeldVariables search(three(), {0, 2}, [&](const DesignSpace& space) {
@@ -60,8 +60,8 @@ TEST(HeldVariables, StayWhereTheyAreToTheLastBit) {
   }
 }
 
-// x + 2 y + z <= 5 with y = 1/2 leaves x + z <= 4; x + z <= 2.2 binds: on z = 2.2 - x the least
-// (x - 1)^2 + (2.2 - 2.5 x)^2 is at x = 6.5 / 7.25.
+// With y = 1/2, x + 2 y + z <= 5 leaves x + z <= 4. x + z <= 2.2 is active: on z = 2.2 - x the
+// minimum of (x - 1)^2 + (2.2 - 2.5 x)^2 is at x = 6.5 / 7.25.
 TEST(HeldVariables, KeepToLinearConstraints) {
   const LinearConstraint all{.name = "sum", .coefficients = {1, 2, 1}, .upper = 3.2};
   DesignSpace space = three({{.name = "sum", .coefficients = {1, 2, 1}, .upper = 5.5}});

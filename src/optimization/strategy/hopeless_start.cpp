@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kSuspicious = 5;
 constexpr int kSpread = 8;
-constexpr int kDrawn = 64;  // to choose from, where linear constraints forbid some
+constexpr int kDrawn = 64;  // points to choose from, if linear constraints forbid some
 
 std::vector<DesignPoint> spread(const DesignSpace& space) {
   std::vector<DesignPoint> points =

@@ -2,12 +2,14 @@
 // Ends a search in which every point fails for a reason that has nothing to do with the point: a
 // license server that does not answer, a measurement that reaches beyond the simulated time.
 //
-// Where the first kSuspicious points fail alike before any succeeded, points spread over the whole
-// space are tried in the optimizer's place. Fail they all in the same words, numbers and names of
-// files aside, the search is hopeless: converged() is true and reason() says it. Succeeds one, or
-// does one fail for another reason, the optimizer is told of it and goes on as if nothing had been.
+// If the first kSuspicious points all fail alike, points spread over the whole space are tried
+// instead of the optimizer's. If all of them fail with the same message, apart from numbers and
+// names of files, the search is hopeless: converged() is true and reason() returns the message. If
+// one succeeds, or fails for another reason, the optimizer observes it and continues as if nothing
+// had happened.
 //
-// Of the outcomes alone, so that it is the same for any number of workers and after a crash.
+// The decision depends on the outcomes alone, so it is the same for any number of workers and after
+// a crash.
 #pragma once
 
 #include <memory>
@@ -30,20 +32,20 @@ class HopelessStart : public Optimizer {
     return reason_ ? "without a result: " + *reason_ : optimizer_->ending();
   }
 
-  /// Why nothing can succeed; nullopt where it may.
+  /// The reason why nothing can succeed; nullopt if a point may succeed.
   const std::optional<std::string>& reason() const { return reason_; }
 
  private:
   DesignSpace space_;
   std::unique_ptr<Optimizer> optimizer_;
   bool is_watching_ = true;
-  int alike_ = 0;  // points that failed for first_
+  int alike_ = 0;  // number of points that failed for first_
   std::string first_;
   std::vector<DesignPoint> spread_;  // still to be tried
   std::optional<std::string> reason_;
 };
 
-/// The words of a reason: without numbers and without words that are paths.
+/// Returns the words of a reason, without numbers and without words that are paths.
 std::string words_of(const std::string& reason);
 
 }  // namespace latsch

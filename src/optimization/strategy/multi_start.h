@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Multi-start: one run after another, each from a start of its own, such as the minima a design of
-// experiments found (basins.h). The best of all runs is the result.
+// Multi-start: several runs one after another, each from its own start, such as the minima found by
+// a design of experiments (basins.h). The best of all runs is the result.
 //
-// A run is told nothing of the others: it would leave its basin for the best point known. Points it
-// shares with them are not evaluated again where trials are stored.
+// A run does not observe the points of other runs, because it would leave its basin for the best
+// known point. Points that runs share are not evaluated again if trials are stored.
 #pragma once
 
 #include <functional>
@@ -19,18 +19,18 @@ class MultiStart : public Optimizer {
  public:
   using MakeOptimizer = std::function<std::unique_ptr<Optimizer>(const DesignSpace&)>;
 
-  /// Throws InputError where there is no start or one lies outside the space.
+  /// Throws InputError if there is no start or one lies outside the space.
   MultiStart(const DesignSpace& space,
              std::vector<DesignPoint> starts,
              MakeOptimizer make_optimizer);
 
-  /// Idle workers begin with the next run.
+  /// Proposes points of the next run for idle workers.
   std::vector<DesignPoint> propose(int count) const override;
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
   std::string ending() const override { return optimizer_->ending(); }
 
-  /// 1, 2, ...
+  /// Number of the present run: 1, 2, ...
   int run() const { return run_; }
 
  private:

@@ -14,7 +14,8 @@ std::unique_ptr<Optimizer> trust_region(const DesignSpace& space) {
   return std::make_unique<ResidualTrustRegion>(space);
 }
 
-/// Two minima: 0 at y = 4 and 48.98 at y = -0.897 [Moré, Garbow, Hillstrom 1981, problem 2].
+/// A function with two minima: 0 at y = 4 and 48.98 at y = -0.897 [Moré, Garbow, Hillstrom 1981,
+/// problem 2].
 Score freudenstein_roth(const DesignPoint& point) {
   const double x = point.values[0], y = point.values[1];
   const double a = -13.0 + x + ((5.0 - y) * y - 2.0) * y;

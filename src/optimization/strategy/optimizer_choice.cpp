@@ -14,7 +14,7 @@ namespace {
 struct MethodWords {
   Method method;
   std::string_view name, words;
-  bool knows_nonlinear;  // constraints; linear ones every method knows
+  bool knows_nonlinear;  // supports nonlinear constraints; all methods support linear ones
 };
 
 constexpr std::array kMethods{
@@ -26,7 +26,7 @@ constexpr std::array kMethods{
     MethodWords{Method::gss_nlc, "gss_nlc", "generating-set search with penalties", true},
     MethodWords{Method::nelder_mead, "nelder_mead", "Nelder-Mead", false},
     MethodWords{Method::genetic, "genetic", "genetic algorithm", false},
-    MethodWords{Method::ensemble, "ensemble", "ensemble", true}};  // its members are asked
+    MethodWords{Method::ensemble, "ensemble", "ensemble", true}};  // its members are checked
 
 const MethodWords& entry(Method method) {
   const auto is_it = [&](const MethodWords& words) { return words.method == method; };
@@ -35,12 +35,12 @@ const MethodWords& entry(Method method) {
   return *found;
 }
 
-constexpr double kMostFailures = 0.5;  // more, and models have nothing to stand on
-// f is 1 a value in units of the noise, as large as a step of a standard deviation in one variable
-// makes it larger. A linear model that promises a thousandth of that is a thirtieth of a standard
-// deviation from its minimum.
+constexpr double kMostFailures = 0.5;  // with more failures, models have too few samples
+// F is 1 for each value in units of the noise; a step of one standard deviation in one variable
+// increases it by as much. A linear model that promises a thousandth of that is a thirtieth of a
+// standard deviation from its minimum.
 constexpr double kFeltByNobody = 1e-3;
-constexpr int kMostPolled = 40;  // variables: a poll is that many evaluations
+constexpr int kMostPolled = 40;  // number of variables: a poll needs that many evaluations
 
 void check_constraints(Method method, const ProblemTraits& traits) {
   if (!traits.has_nonlinear_constraints || entry(method).knows_nonlinear) return;

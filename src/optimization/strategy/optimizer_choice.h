@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which method minimizes: by name, or chosen from what is known of the problem.
+// Selects the optimization method: by name, or by what is known about the problem.
 //
 //   residual_trust_region  the target is a sum over residuals, smooth between failures, with or
 //                          without linear constraints: fewest evaluations by far
-//   levenberg_marquardt    the same where trials bring the derivatives of their residuals
+//   levenberg_marquardt    such a target, if trials bring the derivatives of their residuals
 //   gss                    no residuals, kinks, or most points fail
 //   sqp                    nonlinear constraints, and residuals or a smooth target
 //   gss_nlc                nonlinear constraints and no residuals
-//   nelder_mead            on request: a few variables, nothing assumed
+//   nelder_mead            on request: few variables, no assumptions
 //   genetic                no residuals and many basins, or more variables than a pattern can poll
-//   ensemble               on request: several of these at once, each seeing the points of all
+//   ensemble               on request: several of these at once, each observing all points
 #pragma once
 
 #include <memory>
@@ -39,29 +39,29 @@ enum class Method {
   ensemble
 };
 
-/// As in a study: "gss" ...
+/// Returns the name used in a study, for example "gss".
 std::string_view name(Method method);
-/// As in a report: "generating-set search" ...
+/// Returns the name used in a report, for example "generating-set search".
 std::string_view in_words(Method method);
-/// The names of all methods, and "auto".
+/// Returns the names of all methods, and "auto".
 const std::vector<std::string>& method_names();
 
-/// What a choice can go by.
+/// The facts a choice depends on.
 struct ProblemTraits {
   int variables = 1;
   bool has_residuals = false;
   bool has_jacobian = false;  // every outcome brings the derivatives of its residuals
-  double failed_share = 0.0;  // of the points evaluated so far
+  double failed_share = 0.0;  // share of the points evaluated so far
   int basins = 1;             // found by a design of experiments
   bool has_linear_constraints = false;
   bool has_nonlinear_constraints = false;  // reported by the evaluation
-  long values = 0;                         // measured, in a fit of them; 0: not known
-  double noise_alone = 0.0;                // what noise, where stated, makes of the sum of squares
+  long values = 0;                         // number of measured values in a fit; 0: not known
+  double noise_alone = 0.0;                // sum of squares caused by noise, if noise is stated
 };
 
 struct MethodChoice {
   Method method;
-  std::string reason;  // a sentence for a person
+  std::string reason;  // a full sentence
 };
 
 MethodChoice choose_method(const ProblemTraits& traits);
@@ -77,23 +77,23 @@ struct OptimizerSettings {
   GeneticOptions genetic = {};
   SqpOptions sqp = {};
   GssNlcOptions gss_nlc = {};
-  std::vector<MemberSettings> members = {};  // of an ensemble
+  std::vector<MemberSettings> members = {};  // for an ensemble
   Ensemble::End ensemble_end = Ensemble::End::all;
 };
 
 struct MemberSettings {
   std::string name;
   int priority = 1;
-  OptimizerSettings settings;  // of any method but ensemble
+  OptimizerSettings settings;  // for any method but ensemble
 };
 
-/// The method of the settings; of "auto", the one chosen. Throws InputError for a name that is
-/// none.
+/// Returns the method of the settings; for "auto", the chosen one. Throws InputError for an unknown
+/// name.
 MethodChoice method_of(const OptimizerSettings& settings, const ProblemTraits& traits);
 
-/// Throws InputError where the traits have constraints which the method, or a member of an
-/// ensemble, does not know; for an ensemble without members or within another. `traits` are also
-/// what a member of method auto is chosen by.
+/// Throws InputError if the traits have constraints that the method, or a member of an ensemble,
+/// does not support; also for an ensemble without members or within another. `traits` also serve to
+/// choose a member's method if that is auto.
 std::unique_ptr<Optimizer> make_optimizer(Method method,
                                           const DesignSpace& space,
                                           const OptimizerSettings& settings,

@@ -6,14 +6,14 @@
 namespace latsch {
 namespace {
 
-constexpr double kFelt = 1e-6;  // of the residuals: well above their rounding, below any use
+constexpr double kFelt = 1e-6;  // share of the residuals: well above their rounding, below any use
 
 }  // namespace
 
 Eigen::MatrixXd flat_directions(const Eigen::MatrixXd& J, double length, double r) {
   if (!J.allFinite()) return Eigen::MatrixXd(J.cols(), 0);
   const auto [values, V] = numerics::singular_values(J);
-  Eigen::Index felt = 0;  // singular values descend; behind the last of them are zeros
+  Eigen::Index felt = 0;  // singular values descend; zeros follow the last of them
   while (felt < values.size() && values[felt] * length > kFelt * r) ++felt;
   return V.rightCols(J.cols() - felt);
 }

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directions of which the residuals feel nothing: v with  |J v| length <= 1e-6 |r|.
+// Directions with no effect on the residuals: v with  |J v| length <= 1e-6 |r|.
 //
-// Where a search ends with such directions, it knows nothing of what lies along them: an amplitude
-// whose peak stands outside the data, a spring that carries no load. Moving there costs nothing of
-// what was reached, so that is where a restart looks first.
+// A search that ends with such directions knows nothing about points along them: an amplitude whose
+// peak lies outside the data, a spring that carries no load. A move along them does not make the
+// result worse, so a restart looks there first.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace latsch {
 
-/// Orthonormal columns, none where every direction is felt. `J`: dr/du; `length`: of a move in u;
-/// `r`: norm of the residuals.
+/// Returns orthonormal columns; none if every direction has an effect. `J` is dr/du, `length` that
+/// of a move in u, and `r` the norm of the residuals.
 Eigen::MatrixXd flat_directions(const Eigen::MatrixXd& J, double length, double r);
 
-/// Whether two vectors of residuals differ by as little.
+/// True if two vectors of residuals differ by no more than this.
 bool is_same(const Eigen::VectorXd& r, const Eigen::VectorXd& other);
 
 }  // namespace latsch

@@ -7,7 +7,7 @@ namespace latsch {
 namespace {
 
 TEST(FlatDirections, AreThoseTheResidualsDoNotFeel) {
-  // r = (a + b, 3 c): only a - b is not felt.
+  // For r = (a + b, 3 c) only a - b has no effect.
   Eigen::MatrixXd J(2, 3);
   J << 1, 1, 0, 0, 0, 3;
   const Eigen::MatrixXd flat = flat_directions(J, 0.1, 1.0);
@@ -18,9 +18,9 @@ TEST(FlatDirections, AreThoseTheResidualsDoNotFeel) {
 
 TEST(FlatDirections, AreNoneWhereEveryVariableIsFelt) {
   Eigen::MatrixXd J = Eigen::MatrixXd::Identity(3, 2);
-  J(1, 1) = 1e-4;  // weakly, yet above a millionth
+  J(1, 1) = 1e-4;  // a weak effect, but above a millionth
   EXPECT_EQ(flat_directions(J, 0.1, 1.0).cols(), 0);
-  EXPECT_EQ(flat_directions(J, 0.1, 1e3).cols(), 1);  // beside large residuals it is nothing
+  EXPECT_EQ(flat_directions(J, 0.1, 1e3).cols(), 1);  // none beside large residuals
 }
 
 TEST(FlatDirections, ResidualsDifferByMoreThanAMillionthOrAreTheSame) {

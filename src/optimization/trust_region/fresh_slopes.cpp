@@ -6,21 +6,22 @@
 namespace latsch {
 namespace {
 
-constexpr double kReach = 2.0;    // of the frame's axes: the longest step
-constexpr double kShorter = 0.3;  // of that, after a step that disappointed
+constexpr double kReach = 2.0;    // longest step, in axes of the frame
+constexpr double kShorter = 0.3;  // factor of the range of steps after a disappointing one
 constexpr int kMostMisses = 3;
-constexpr double kFarther = 3.0;  // in the noise
-/// Of the deviation that noise makes of the target: a step that promised less and disappoints says
-/// nothing about slopes. Of 689 noisy runs (the Moré-Wild problems, 13 draws) solved within 10 and
-/// 100 (n + 1): 606 and 657 by 0.5, with four restarts; 599 and 654 by 0, that is any step, with
-/// three; 608 and 654 by 2, with five.
+constexpr double kFarther = 3.0;  // factor of lengths if the residuals are at noise level
+/// Share of the deviation of the target caused by noise. A disappointing step that promised less
+/// carries no information about slopes. A smaller share lets every such step count, a larger one
+/// only steps far above noise.
 constexpr double kTelling = 0.5;
-constexpr double kWorthARound = 1.0 - 1e-5;  // of the value: another one
+constexpr double kWorthARound = 1.0 - 1e-5;  // share of the value below which another round follows
 constexpr int kMostRounds = 8;
-/// Times what the residuals are: a move that changes them by more is too long for slopes.
+/// Multiple of the residuals' norm: a move that changes the residuals by more is too long for
+/// slopes.
 constexpr double kTooBlunt = 100.0;
-constexpr int kMostSharpened = 4;       // in a round
-constexpr int kMostStepsOfARound = 20;  // of a round, before their gains are held to be none
+constexpr int kMostSharpened = 4;  // largest number in a round
+// Largest number of steps of a round before their gains count as none.
+constexpr int kMostStepsOfARound = 20;
 
 }  // namespace
 
@@ -83,8 +84,8 @@ void FreshSlopes::shorten(int axis, double factor) {
   ++sharpened_;
 }
 
-/// Whether the axes along which moves are too long for slopes have been shortened, to be probed
-/// again.
+/// Shortens the axes along which moves are too long for slopes, to be probed again; returns false
+/// if there are none.
 bool FreshSlopes::sharpen(const TrustBox& box) {
   const Eigen::VectorXd changes = box.changes_along(frame_);
   if (!(changes.maxCoeff() > kTooBlunt)) return false;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes taken afresh where a search promises nothing any more, at lengths that noise and ripple
-// allow (natural_frame.h): probes along the axes of a frame, then steps of the model they make
-// until one promises nothing or several were in vain. Another round where they gained, or where
-// slopes were wrong by more than noise: its probes go to other places. In the noise once more, over
-// longer moves, over which noise counts less.
+// Recomputes slopes at the end of a search, when no step promises an improvement, with lengths
+// suited to noise and ripple (natural_frame.h). Each round probes along the axes of a frame and
+// then takes steps of the resulting model until one promises nothing or several were in vain.
+// Another round follows if the steps gained, or if slopes were wrong by more than noise; its probes
+// go to other places. If the residuals are at noise level, one more round takes longer moves, over
+// which noise counts less.
 //
 // The range of a variable may be so wide that a probe changes the residuals by hundreds of times
-// what they are, or explodes: nothing follows from it about a minimum. Then the axis is shortened
-// to where the residuals change by as much as they are, and probed again. Where an axis has no
-// probe that serves, the search has not seen whether it ended at a minimum: Ending::blind.
+// their size, or makes them explode. Such a probe does not help to judge a minimum. The axis is
+// then shortened until the residuals change by about their size, and probed again. If an axis has
+// no usable probe, the search cannot confirm that it ended at a minimum: Ending::blind.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,32 +23,33 @@ namespace latsch {
 class FreshSlopes {
  public:
   struct Options {
-    double shortest;     // move for slopes, of a width
-    double noise_alone;  // as in ResidualTrustRegionOptions
-    double f_least;      // a value below it is worth no round more
+    double shortest;     // shortest move for slopes, relative to a width
+    double noise_alone;  // see ResidualTrustRegionOptions
+    double f_least;      // a value below it is worth no further round
   };
 
-  /// Around the center of the box.
+  /// Starts around the center of the box.
   FreshSlopes(TrustBox& box, const Options& options);
 
-  /// False where the region is a point.
+  /// False if the region is a single point.
   bool has_axes() const { return frame_.axes() > 0; }
-  /// The next probe or step. nullopt: outcomes of `wanted` come first or, where there are none, it
-  /// has ended.
+  /// Returns the next probe or step. Returns nullopt while outcomes of `wanted` must come first or,
+  /// if `wanted` is empty, when the verification has ended.
   std::optional<Wanted> next(TrustBox& box, const PendingPoints<Wanted>& wanted);
   void observe_failed_step();
-  /// `change`: of the residuals over what they are, where the probe has any.
+  /// `change` is the change of the residuals relative to their size, if the probe has residuals.
   void observe_failed_probe(double change);
-  /// `is_bad`: it gained next to nothing of what it promised.
+  /// `is_bad` is true if the step gained almost nothing of what it promised.
   void observe_step(bool is_bad, double promise);
 
-  /// The value at the begin of this round.
+  /// Value of the target at the beginning of this round.
   double f_begin() const { return f_begin_; }
-  /// Moves are as short as the residuals ask for: no search in a box goes on from there.
+  /// True if moves had to be shortened to suit the residuals: no search in a box follows from
+  /// there.
   bool is_sharp() const { return is_sharp_; }
-  /// Once it has ended.
+  /// Valid once the verification has ended.
   Ending ending() const { return ending_; }
-  /// What noise makes of the value.
+  /// Standard deviation of the value caused by noise.
   double deviation() const { return deviation_; }
 
  private:
@@ -58,17 +60,17 @@ class FreshSlopes {
 
   Options options_;
   NaturalFrame frame_;
-  int axis_ = 0;  // the next to be probed
+  int axis_ = 0;  // next axis to probe
   int rounds_ = 0;
-  double change_ = 1.0;            // of the residuals along an axis, of what they are
-  double reach_ = 0.0;             // of steps, along the axes
-  int steps_ = 0;                  // of this round
-  int sharpened_ = 0;              // axes, in this round
-  bool is_sharp_ = false;          // one was, in any round
+  double change_ = 1.0;            // relative change of the residuals along an axis
+  double reach_ = 0.0;             // longest step, in axis coordinates
+  int steps_ = 0;                  // number in this round
+  int sharpened_ = 0;              // number of axes shortened in this round
+  bool is_sharp_ = false;          // an axis was shortened, in any round
   bool is_blind_ = false;          // an axis of this round has no slope
-  int misses_ = 0;                 // steps in a row that failed or disappointed
-  bool has_failed_ = false;        // the last step
-  bool has_disappointed_ = false;  // in this round, by more than noise explains
+  int misses_ = 0;                 // number of steps in a row that failed or disappointed
+  bool has_failed_ = false;        // the last step failed
+  bool has_disappointed_ = false;  // a step of this round did, by more than noise explains
   double deviation_ = 0.0;
   double f_begin_ = 0.0;
   Ending ending_ = Ending::none;

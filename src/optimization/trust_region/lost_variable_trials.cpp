@@ -10,11 +10,12 @@
 namespace latsch {
 namespace {
 
-constexpr double kTest = 0.1;  // of the initial radius: moves that tell which variables are lost
-/// Of n + 1 evaluations, to each place where lost variables are felt: one of them are the probes,
-/// so two are left for steps.
+// Length of the moves that test which variables are lost, as a share of the initial radius.
+constexpr double kTest = 0.1;
+/// Evaluations for each trial from a place where lost variables have an effect, in units of n + 1.
+/// One unit is for the probes, so two are left for steps.
 constexpr int kAllotment = 3;
-constexpr double kWorthIt = 0.9;  // of the value: what trials brought
+constexpr double kWorthIt = 0.9;  // share of the value below which the trials count as worth it
 
 }  // namespace
 
@@ -38,8 +39,8 @@ void LostVariableTrials::observe(const DesignPoint& point,
   if (allotted_ == 0 && look_.empty()) look_further();
 }
 
-/// Where the run settles, which variables are lost is tested first; then one place after the other
-/// as long as restarts are left for the trials.
+/// When the run settles, first tests which variables are lost, and then tries one place after the
+/// other as long as restarts are left for the trials.
 void LostVariableTrials::look_further() {
   while (run_.has_settled()) {
     TrustBox& box = run_.box();
@@ -58,7 +59,7 @@ void LostVariableTrials::look_further() {
   }
 }
 
-/// Where a place is felt, a trial begins.
+/// Begins a trial if the lost variables have an effect at the place.
 void LostVariableTrials::take_look(const DesignPoint& point,
                                    const std::optional<ResidualSample>& sample) {
   const bool was_test = lost_->is_testing();
@@ -79,8 +80,8 @@ void LostVariableTrials::start_trial(const DesignPoint& point,
                                      double factor) {
   ResidualTrustRegionOptions options = run_.options();
   options.restarts = 0;
-  // Steps of the felt variables are as long as before, those of the lost ones would be as much
-  // shorter as these are now: the geometric mean of both.
+  // Steps of the variables with an effect are as long as before, while those of the lost ones
+  // should be shorter by the factor: the radius uses the geometric mean of both.
   options.initial_radius =
       std::max(options.step_tolerance, std::sqrt(std::min(1.0, factor)) * options.initial_radius);
   trials_.emplace_back(run_.box().space.starting_at(point), options);
@@ -89,7 +90,7 @@ void LostVariableTrials::start_trial(const DesignPoint& point,
   allotted_ = kAllotment * (run_.box().n() + 1) + options.outstanding - 1;
 }
 
-/// The best of all is gone on with.
+/// Continues with the best of the run and the trials.
 void LostVariableTrials::choose() {
   const int restarts_left = run_.restarts_left();
   const double f_before = run_.best().f;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The strategy around a run of the residual trust region: where it settles, lost variables are
-// looked for (lost_variables.h). From every place where they are felt again a trial run of
-// 3 (n + 1) evaluations starts afresh, and the best of the trials and the run goes on. The trials
-// count as restarts unless they brought a clearly better value.
+// Extends a run of the residual trust region: when it settles, the search looks for lost variables
+// (lost_variables.h). From every place where they have an effect again, a trial run of 3 (n + 1)
+// evaluations starts afresh, and the best of the trials and the run continues. The trials count as
+// restarts unless they brought a clearly better value.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,18 +19,18 @@ class LostVariableTrials {
   LostVariableTrials(const DesignSpace& space, const ResidualTrustRegionOptions& options)
       : run_(space, options) {}
 
-  /// The run that goes on, whatever trials are under way.
+  /// Returns the main run, even while trials are in progress.
   const TrustRegionRun& run() const { return run_; }
-  /// Of it or of the trial in its place; empty: ended.
+  /// Returns the wanted points of the main run or of the trial that replaces it; empty: ended.
   const PendingPoints<Wanted>& wanted() const;
-  /// As TrustRegionRun::observe.
+  /// Takes the outcome of a point, as TrustRegionRun::observe does.
   void observe(const DesignPoint& point,
                const Eigen::VectorXd& u,
                const std::optional<ResidualSample>& sample);
-  /// By which idle workers are sent ahead: what the models predict, and of a look for lost
-  /// variables that it tells nothing.
+  /// Outcome assumed for a point when planning ahead for idle workers: the models' prediction, and
+  /// for a look for lost variables an outcome without information.
   ResidualSample expected(const DesignPoint& point) const;
-  /// Wants `count` points at a time from here on.
+  /// Wants `count` points at a time from now on.
   void widen(int count) { run_.widen(count); }
 
  private:
@@ -40,11 +40,11 @@ class LostVariableTrials {
   void choose();
 
   TrustRegionRun run_;
-  std::optional<LostVariables> lost_;   // while they are looked for
-  Eigen::VectorXd r_settled_;           // where the run settled
+  std::optional<LostVariables> lost_;   // present while they are looked for
+  Eigen::VectorXd r_settled_;           // residuals where the run settled
   PendingPoints<Wanted> look_;          // the next point of `lost_`; at most one
-  std::vector<TrustRegionRun> trials_;  // from the places where they are felt
-  int allotted_ = 0;                    // evaluations left to the last of them
+  std::vector<TrustRegionRun> trials_;  // start where lost variables have an effect
+  int allotted_ = 0;                    // evaluations left to the last trial
 };
 
 }  // namespace latsch

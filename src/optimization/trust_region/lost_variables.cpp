@@ -11,10 +11,11 @@
 namespace latsch {
 namespace {
 
-/// Toward zero farther than away: there most parts of a model are neutral, far out they vanish.
+/// Factors go farther toward zero than away from it: near zero most parts of a model are neutral,
+/// while far out they vanish.
 constexpr std::array kFactors{0.5, 2.0, 0.25, 4.0, 0.125, 8.0, 0.0625, 16.0, 0.03125, 0.015625};
 
-constexpr double kSamePlace = 1e-9;  // of the ranges: bounds stopped the move
+constexpr double kSamePlace = 1e-9;  // share of the ranges: bounds stopped the move
 
 }  // namespace
 
@@ -55,7 +56,7 @@ void LostVariables::learn(bool is_felt) {
     (is_felt ? at_most_ : at_least_) = is_felt ? bisected() - 1 : bisected();
     if (is_bisecting()) return;
     lost_.assign(order_.begin(), order_.begin() + at_least_);
-    // The one that comes next is felt: it was what showed.
+    // The next variable in the order has an effect, as the bisection showed.
     tested_alone_ = lost_.empty() ? n : std::min(n, at_least_ + 1);
   } else {
     if (!is_felt) lost_.push_back(order_[tested_alone_]);

@@ -29,7 +29,7 @@ Eigen::VectorXd unit(const DesignSpace& space, const std::vector<double>& x) {
   return to_vector(space.to_unit({x}));
 }
 
-/// Tells the search whether moves of these variables show.
+/// Observes for each test whether moves of the variables `felt` have an effect.
 std::vector<int> lost_of(LostVariables& search, const Eigen::VectorXd& u, std::vector<int> felt) {
   for (int tests = 0; search.is_testing(); ++tests) {
     EXPECT_LT(tests, 2 + std::log2(u.size()) + u.size());
@@ -54,8 +54,8 @@ TEST(LostVariables, AreFoundByBisectionInTheOrderOfTheirSlopes) {
   EXPECT_FALSE(none.has_next());
 }
 
-// As it is where the model's slopes are of the few samples it has: only the first of three was
-// found.
+// Slopes of a model of few samples are wrong: only the first of three lost variables is found by
+// bisection.
 TEST(LostVariables, AreFoundOneByOneBehindOneThatIsFelt) {
   const DesignSpace space = space_of({1, 2, 3, 4, 5, 6, 7}, 0.0, 8.0);
   const FeasibleRegion region(space);
@@ -97,7 +97,8 @@ TEST(LostVariables, AreLookedForTogetherByTheirMagnitudeInsideTheBounds) {
   for (std::size_t k = 0; k < first.size(); ++k) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(places[k][i], first[k][i], 1e-12);
   }
-  // Eight and sixteen times as much end at the bounds, where four times ended: not asked again.
+  // Eight and sixteen times the value end at the bounds, as four times does, so they are not tried
+  // again.
   EXPECT_EQ(places.size(), 8u);
 }
 
@@ -113,8 +114,8 @@ TEST(LostVariables, KeepToLinearConstraints) {
   for (; search.has_next(); search.observe(false)) EXPECT_TRUE(region.contains(search.next()));
 }
 
-// Spectrum-like data over 0 ... 10: a slope and two peaks, 1 + t / 10 + e^-(t - 3)^2
-// + 2 e^-3 (t - 7)^2. Started with both peaks behind the data and too narrow to reach into them.
+// Spectrum-like data over 0 ... 10: a slope and two peaks, 1 + t / 10 + e^-(t - 3)^2 + 2 e^-3 (t -
+// 7)^2. At the start both peaks are behind the data and too narrow to have an effect.
 std::vector<double> peaks(const std::vector<double>& x) {
   std::vector<double> r;
   for (double t = 0.0; t <= 10.0; t += 0.2) {
@@ -148,8 +149,8 @@ Found fit_peaks(int restarts, int outstanding, int most_evaluations) {
   return found;
 }
 
-// A stop that is never touched: gap and stiffness are lost, and where they are looked for does not
-// depend on where the search left them, at the bounds.
+// Gap and stiffness of a stop that is never touched are lost. The places at which they are looked
+// for do not depend on where the search left them, at the bounds.
 TEST(LostVariables, AreLookedForWhereTheSearchEndedOnBounds) {
   const DesignSpace space({{.name = "k", .lower = 50, .upper = 500, .initial = 100},
                            {.name = "gap", .lower = 0, .upper = 0.2, .initial = 0.16},
@@ -171,7 +172,7 @@ TEST(LostVariables, AreLookedForWhereTheSearchEndedOnBounds) {
     best = std::min(best, score.value);
     method.observe(point, score);
   }
-  EXPECT_LT(best, 1e-3);  // of 3e2 without the stop
+  EXPECT_LT(best, 1e-3);  // 3e2 without the stop
 }
 
 TEST(LostVariables, PeaksOutsideTheDataAreBroughtBack) {

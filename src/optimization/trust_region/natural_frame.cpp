@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kOnBound = 1e-9;
 
-/// Columns of unit vectors in widths that span what a move may use, bound variables apart.
+/// Unit vectors, in widths, that span the possible moves, with variables at a bound apart.
 struct Groups {
-  Eigen::MatrixXd free;            // in widths
-  std::vector<Eigen::Index> held;  // at a bound
+  Eigen::MatrixXd free;            // columns, in widths
+  std::vector<Eigen::Index> held;  // variables at a bound
 };
 
 Groups groups(const Eigen::VectorXd& u, const Eigen::MatrixXd& along) {

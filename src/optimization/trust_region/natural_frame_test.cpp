@@ -34,7 +34,7 @@ TEST(NaturalFrame, AVariableAtABoundHasAnAxisOfItsOwn) {
   EXPECT_EQ(frame.T(1, 1), 0.0);
 }
 
-// Decompositions of what is no number leave memory as it was: another search every time.
+// Decompositions of NaN leave memory uninitialized, so the search would differ every time.
 TEST(NaturalFrame, SlopesThatAreNoNumbersCountAsUnknown) {
   const auto frame_of = [](const Eigen::Matrix2d& J) {
     return natural_frame(J,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that is known of a vector of residuals: samples, whoever asked for them, and failed regions.
+// Stores everything known about a vector of residuals: samples, whoever proposed them, and failed
+// regions.
 //
-// A point that failed, or where the residuals exploded, makes a ball around it one to avoid, as
-// wide as a quarter of its distance to the nearest point that succeeded: a single failure hides
-// little, a region of them is closed off from all sides, and neither is ever entered twice.
+// A point that failed, or at which the residuals exploded, is surrounded by a ball to avoid, with a
+// radius of a quarter of its distance to the nearest point that succeeded. A single failure thus
+// excludes little, a region of failures is closed off from all sides, and neither is entered twice.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,7 +22,7 @@ struct ResidualSample {
   Eigen::VectorXd r;
   Eigen::MatrixXd J;  // dr/du; empty: not known
   double f;           // |r|^2
-  int stand_ins = 0;  // among the residuals (score.h)
+  int stand_ins = 0;  // number among the residuals (score.h)
 };
 
 class ResidualMemory {
@@ -32,37 +33,39 @@ class ResidualMemory {
   void add(ResidualSample sample);
   void add_failure(const Eigen::VectorXd& u);
 
-  /// The samples nearest to one, as many as a quadratic has coefficients and as there are
-  /// variables; without those that exploded or have other stand-ins. Distances are told by the half
-  /// widths h of a box.
+  /// Returns the samples nearest to the sample `center`, as many as a quadratic has coefficients
+  /// plus the number of variables, without samples that exploded or have other stand-ins. Distances
+  /// are measured in the half widths h of a box.
   std::vector<int> near(int center, const Eigen::VectorXd& h) const;
-  /// From here on a value counts as exploded, beside those near `center` and its own.
+  /// Returns the value from which on a sample counts as exploded, compared with the samples near
+  /// `center` and its own value.
   double explosion(int center, const Eigen::VectorXd& h) const;
-  /// Those near `center` in z = (u - center) / h.
+  /// Returns the samples near `center` in coordinates z = (u - center) / h.
   ResidualSamples around(int center, const Eigen::VectorXd& h) const;
-  /// Those in its neighborhood in y, without those so near that they tell of noise alone.
+  /// Returns the samples in the neighborhood of `center` in coordinates y, without those so near
+  /// that their differences are noise alone.
   ResidualSamples around(int center, const NaturalFrame& frame) const;
 
-  /// The edges of failed regions around `center`, in (u - center) / widths.
+  /// Returns the edges of failed regions around `center`, in (u - center) / widths.
   std::vector<Edge> edges(int center, const Eigen::VectorXd& widths) const;
   bool has_failed_near(const Eigen::VectorXd& u) const { return failure_near(u) >= 0; }
-  /// The failure whose ball u lies in; -1: none.
+  /// Returns the failure whose ball contains u; -1: none.
   int failure_near(const Eigen::VectorXd& u) const;
   const Eigen::VectorXd& failure(int i) const { return failures_[i].u; }
   int failures() const { return static_cast<int>(failures_.size()); }
-  /// Of the ball around it.
+  /// Returns the radius of the ball around failure `i`.
   double avoided(int i) const;
-  /// Whether a sample is nearer than `distance` in every variable.
+  /// True if a sample is nearer than `distance` in every variable.
   bool knows(const Eigen::VectorXd& u, const Eigen::VectorXd& distance) const;
 
  private:
-  /// Indices by their distance; `center` is not among them. Asked again and again between two
-  /// samples: the last answer is kept.
+  /// Returns indices ordered by distance, without `center`. The last result is kept, because it is
+  /// requested repeatedly between two samples.
   const std::vector<int>& nearest(int center, const Eigen::VectorXd& h) const;
 
   struct FailedPoint {
     Eigen::VectorXd u;
-    double success;  // its distance to the nearest point that succeeded
+    double success;  // distance to the nearest point that succeeded
   };
 
   SharedHistory<ResidualSample> samples_;

@@ -48,14 +48,14 @@ ResidualTrustRegion::ResidualTrustRegion(const DesignSpace& space,
 
 ResidualTrustRegion::~ResidualTrustRegion() = default;
 
-/// What it waits for, then what it would ask next if outcomes were as predicted.
+/// Returns the outstanding points, then those it would propose next if outcomes were as predicted.
 std::vector<DesignPoint> ResidualTrustRegion::propose(int count) const {
   assert(count >= 1);
   Plan plan(count);
   plan.add(search_->wanted());
   if (plan.is_empty() || plan.is_full()) return plan.points();
   LostVariableTrials future = *search_;
-  // Nothing to expect yet: the geometry will be wanted anyway.
+  // Without a center nothing can be predicted, but the geometry will be needed anyway.
   if (!future.run().box().has_center()) {
     future.widen(count);
     plan.add(future.wanted());
@@ -72,7 +72,7 @@ std::vector<DesignPoint> ResidualTrustRegion::propose(int count) const {
 void ResidualTrustRegion::observe(const DesignPoint& point, const Result<Score>& outcome) {
   const TrustBox& box = search_->run().box();
   const auto place = box.space.place(point);
-  if (!place) return;  // foreign: nothing can be learned of it
+  if (!place) return;  // a point from another source that carries no information
   const Eigen::VectorXd u = to_vector(*place);
   search_->observe(point, u, sample(box, point, u, outcome));
 }

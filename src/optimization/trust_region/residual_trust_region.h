@@ -1,56 +1,62 @@
 // SPDX-License-Identifier: Apache-2.0
-// Residual trust region: least sum of squares,  f(u) = |r(u)|^2,  from the residuals themselves,
-// without derivatives: a trust region over kriging models of all residuals, curvature included.
+// Residual trust region: minimizes a sum of squares,  f(u) = |r(u)|^2,  from the residuals
+// themselves, without derivatives. It uses a trust region over kriging models of all residuals,
+// with curvature.
 //
-// In the unit cube, around the best point c with a box of half widths h = radius w, w the widths of
-// the variables (variable_scale.h), at first 1 (trust_box.h):
+// Let c be the best point in the unit cube, in a box of half widths h = radius w. The widths w of
+// the variables (variable_scale.h) are 1 at first (trust_box.h):
 //
-//   model     r_hat, a quadratic for every residual, kriged from all samples around, whoever asked
-//             for them (a DOE, another method, an earlier run): residual_kriging.h.
-//   geometry  where samples leave a direction unknown, a probe along it; at the start one for every
-//             variable. A direction that is known poorly is probed when a step disappoints.
-//   step      the least value to be expected, |r_hat|^2 and the variance with which the model knows
-//             it, in box and bounds: box_least_squares.h; among linear constraints:
-//             polytope_least_squares.h.
+//   model     r_hat, a quadratic for every residual, kriged from all samples around, whoever
+//             proposed them (a DOE, another method, an earlier run): residual_kriging.h.
+//   geometry  If samples leave a direction unknown, a probe along it; at the start one for every
+//             variable. A poorly known direction is probed when a step disappoints.
+//   step      The minimum of the expected value, |r_hat|^2 plus the variance of the model, in box
+//             and bounds: box_least_squares.h; with linear constraints: polytope_least_squares.h.
 //             gain = (f(c) - f(u)) / (f(c) - expected(u))
-//   radius    grows with steps whose gain is good, shrinks with steps whose gain is bad.
-//   verify    where neither a step of the tolerance nor a model of good geometry promises anything,
-//             slopes are taken afresh, at lengths that noise and ripple allow (natural_frame.h);
-//             steps of the model they make are gone as long as they gain. In the noise once more,
-//             three times as far: noise then counts a third. What a restart gains beyond that is
-//             verified again only if it is more than noise makes of the target, or a tenth of it.
-//   end       when they promise nothing any more. ending() says how. Restarts follow as long as
-//             more is left than noise explains, where it is known, or than can be gained.
+//   radius    It grows after steps with a good gain and shrinks after steps with a bad gain.
+//   verify    If neither a step of the tolerance nor a model of good geometry promises anything,
+//             slopes are recomputed with lengths that suit noise and ripple (natural_frame.h), and
+//             steps of the resulting model are taken as long as they gain. At noise level this is
+//             repeated over three times the distance, which reduces the weight of noise to a third.
+//             A later gain of a restart is verified again only if it is more than noise makes of
+//             the target, or a tenth of the target.
+//   end       The search ends if these steps promise nothing. ending() reports the reason. Restarts
+//             follow as long as the residuals exceed what noise explains, if noise is known, or
+//             what can be gained.
 //
-// A Failure closes off the region around it (residual_memory.h), failures together the half space
-// behind a plane that parts them from successes (failure_edges.h): the step is looked for again
-// among what is left, along the edge. A second failure in a row halves the radius. So does a point
-// where residuals leap because values they are made of are gone (stand-ins, score.h); models are
-// made of samples with as many of these. Noise shows in models that disappoint again and again
-// although they interpolate: then they smooth, with the variance that is likeliest, and the radius
-// grows where noise drowns the slopes. A search that chased noise into a small box is not verified
-// at once: up to three times a run the box is widened to where curvature shows as much as noise
-// does, and the search goes on from its best point with all it knows: a soft restart, without new
-// probes. `restarts` starts again near the best point, a share of the initial radius off: out of a
-// local minimum or out of the noise. The first one, if the run ended with variables on bounds,
-// begins with these in the middle of their ranges: ranges are wider than what is thought possible,
-// so a bound is mostly where a side valley ends. Where the run ended with directions of which the
-// residuals feel nothing (flat_directions.h), n + 1 single points scout along them first, and the
-// run starts from the one that is felt. Single variables of which nothing is felt are looked for
-// farther off before that (lost_variables.h): from every place where they are felt again a trial of
-// 3 (n + 1) evaluations starts afresh; the best of the trials and the run goes on. The trials count
-// as restarts unless they brought a clearly better value. Where a Score brings a Jacobian, its
-// slopes take the place of the geometry, and samples tell curvature alone: no probes, no fresh
-// slopes at the end.
+// A Failure closes off the region around it (residual_memory.h). Several failures close off the
+// half space behind a plane that separates them from successes (failure_edges.h): the step is then
+// sought again in the remaining region, along the edge. A second failure in a row halves the
+// radius. The radius is also halved if residuals jump because values they are computed from are
+// missing (stand-ins, score.h); a model uses samples with equally many stand-ins.
 //
-// Several at once: `outstanding` points are under way at any time. The second and later ones are
-// steps in boxes of other sizes, then points around the best predicted one. Idle workers get what
-// the method would ask next if outcomes were as predicted.
+// Noise shows in models that disappoint again and again although they interpolate. The models then
+// smooth, with the likeliest variance, and the radius grows if noise exceeds the slopes. A search
+// that followed noise into a small box is not verified at once: up to three times a run the box is
+// widened until curvature is as large as noise, and the search continues from its best point with
+// all its samples. This is a soft restart without new probes.
 //
-// After DFO-LS [Cartis, Fiala, Marteau, Roberts, ACM TOMS 45 (2019) 32] and POUNDERS [Wild, in:
-// Advances and Trends in Optimization, SIAM 2017, ch. 40], but with other models, whose limits
-// residual_kriging.h states. Made for residuals that are smooth, if noisy, functions; for
-// targets with kinks or without residuals: gss.h.
+// A restart begins near the best point, at a distance of a share of the initial radius, to leave a
+// local minimum or the noise. If the run ended with variables on bounds, the first restart moves
+// these to the middle of their ranges: ranges are wider than what is thought possible, so a bound
+// is mostly the end of a side valley. If the run ended with directions of no effect on the
+// residuals (flat_directions.h), n + 1 single points scout along them first, and the run starts
+// from one with an effect. Before that, single variables without effect are moved farther off
+// (lost_variables.h): from every place where they have an effect again, a trial of 3 (n + 1)
+// evaluations starts afresh, and the best of the trials and the run continues. The trials count as
+// restarts unless they brought a clearly better value.
+//
+// If a Score brings a Jacobian, its slopes replace the geometry, and samples contribute curvature
+// alone: there are no probes and no fresh slopes at the end.
+//
+// Parallel evaluation: `outstanding` points are being evaluated at any time. The second and later
+// ones are steps in boxes of other sizes, then points around the best predicted one. Idle workers
+// get the points the method would propose next if outcomes were as predicted.
+//
+// The method follows DFO-LS [Cartis, Fiala, Marteau, Roberts, ACM TOMS 45 (2019) 32] and POUNDERS
+// [Wild, in: Advances and Trends in Optimization, SIAM 2017, ch. 40], but with other models, whose
+// limits are stated in residual_kriging.h. It suits residuals that are smooth, possibly noisy,
+// functions; for targets with kinks or without residuals use gss.h.
 #pragma once
 
 #include <cstdint>
@@ -66,23 +72,23 @@ namespace latsch {
 struct ResidualTrustRegionOptions {
   double initial_radius = 0.1;
   double step_tolerance = 1e-3;
-  /// How often it starts again after it ended, unless what is left of the sum of squares is less
-  /// than `explained` of its first value and of what a move by the initial radius adds to it, mean
-  /// of all directions, by the slopes at the best point: then it has found what it was sent for. A
-  /// bad start alone explains nothing. Where noise is stated, it alone says what is left: by the
-  /// walls of a narrow valley everything on its floor is next to nothing.
+  /// Number of restarts after the search ended. There is no restart if the remaining sum of squares
+  /// is less than `explained` times its first value and less than `explained` times its mean
+  /// increase over a move by the initial radius in any direction, by the slopes at the best point.
+  /// A bad start alone does not end the search. If noise is stated, noise alone decides, because
+  /// compared with the walls of a narrow valley everything on its floor is almost nothing.
   int restarts = 4;
   double explained = 1e-3;
-  /// What the noise of the measured values, where it is known, makes of the sum of squares at the
-  /// true values, with two standard deviations: for m residuals in units of their noise
-  /// m + 2 sqrt(2 m). At or below it nothing better can be told from noise, and no restart follows
-  /// [Morozov's discrepancy principle]; above it restarts do. 0: not known.
+  /// Sum of squares at the true values caused by the noise of the measured values, with two
+  /// standard deviations: m + 2 sqrt(2 m) for m residuals in units of their noise. At or below it
+  /// no better point can be told from noise, and no restart follows [Morozov's discrepancy
+  /// principle]; above it restarts follow. 0: not known.
   double noise_alone = 0.0;
-  /// Points the method decides on before it knows the outcome of the first of them: part of the
-  /// method, so that its trajectory does not depend on the workers. 1 needs the fewest evaluations,
-  /// a quarter more than there are workers the least time.
+  /// Number of points the method chooses before it knows the outcome of the first of them. It is
+  /// part of the method, so that the path does not depend on the workers. 1 needs the fewest
+  /// evaluations; a quarter more than the number of workers needs the least time.
   int outstanding = 1;
-  std::uint64_t seed = 1;  // of restarts and of points around predicted ones
+  std::uint64_t seed = 1;  // seed of restarts and points around predicted ones
 };
 
 class LostVariableTrials;

@@ -21,7 +21,7 @@ struct Found {
   int evaluations = 0;
 };
 
-/// Runs until converged; every point it asks for lies inside.
+/// Runs until converged and checks that every proposed point lies inside.
 Found minimize(ResidualTrustRegion& method,
                const DesignSpace& space,
                const LeastSquaresProblem::Residuals& residuals) {
@@ -65,7 +65,7 @@ TEST(TrustRegionAmongConstraints, SolvesProblemsOfHockAndSchittkowski) {
 }
 
 TEST(TrustRegionAmongConstraints, AnEquationIsWorthAVariable) {
-  // A decay with A + c = 1 is one with the two variables k and c: the same minimum.
+  // A decay with A + c = 1 has only the two variables k and c, with the same minimum.
   const auto decay = [](double A, double k, double c) {
     std::vector<double> r;
     for (int i = 0; i < 20; ++i) {
@@ -104,7 +104,8 @@ TEST(TrustRegionAmongConstraints, FindsItsWayInARegionThinnerThanItsSteps) {
 }
 
 TEST(TrustRegionAmongConstraints, LeavesACornerOfManyPlanesAndGoesAroundFailures) {
-  // From the corner (0, 0), where only directions between the axes and x1 = 2 x2 lead inside.
+  // The search starts in the corner (0, 0), from which only directions between the axes and x1 = 2
+  // x2 lead inside.
   const DesignSpace wedge =
       space_of({0, 0}, {{0, 1}}, {at_most({1, -2}, 0), at_least({1, -0.5}, 0)});
   const Found found = minimize(wedge, [](const auto& x) {
@@ -124,7 +125,7 @@ TEST(TrustRegionAmongConstraints, LearnsFromForeignPointsOutsideAndStaysInside) 
   for (const DesignPoint& point : sobol(DesignSpace(space.variables()), 32).points) {
     method.observe(point, sum_of_squares(residuals(point.values)));
   }
-  // On x1 + x2 = 1 the sum is 2 (x1 - 1/2)^2 + 0.18 + (x1 (1 - x1))^2: least at 1/2.
+  // On x1 + x2 = 1 the sum is 2 (x1 - 1/2)^2 + 0.18 + (x1 (1 - x1))^2, with its minimum at 1/2.
   const Found found = minimize(method, space, residuals);
   EXPECT_NEAR(found.x[0], 0.5, 2e-3);
   EXPECT_NEAR(found.x[1], 0.5, 2e-3);

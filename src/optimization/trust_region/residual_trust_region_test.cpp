@@ -42,7 +42,7 @@ struct Found {
   int evaluations = 0;
 };
 
-/// Runs until converged; residuals that are not finite are a failed trial.
+/// Runs until converged. Residuals that are not finite are a failed trial.
 Found minimize(ResidualTrustRegion& method, const DesignSpace& space, const Residuals& residuals) {
   Found found;
   while (!method.converged() && found.evaluations < 2000) {
@@ -63,7 +63,7 @@ Found minimize(const DesignSpace& space, const Residuals& residuals, const Optio
 }
 
 /// Frequencies  sqrt(1 + sum w_ik (E_k - 1))  and forces  1 + sum v_jk (E_k^0.8 - 1)  of a tire
-/// with five stiffnesses, relative to those of E = 1.
+/// with five stiffnesses, relative to those at E = 1.
 std::vector<double> tire(const std::vector<double>& E) {
   std::vector<double> r;
   for (int i = 0; i < 14; ++i) {
@@ -100,15 +100,15 @@ TEST(ResidualTrustRegion, IdentifiesFiveStiffnessesWithinAPercentInSixtyEvaluati
 
 TEST(ResidualTrustRegion, FollowsRosenbrocksValley) {
   const Found found = minimize(box({-1.2, 1.0}, -2.0, 2.0, Scale::linear), rosenbrock);
-  EXPECT_LT(found.f, 1e-6);          // from 24.2
-  EXPECT_LT(found.evaluations, 30);  // residuals of order two are known from six points
+  EXPECT_LT(found.f, 1e-6);          // the start has 24.2
+  EXPECT_LT(found.evaluations, 30);  // quadratic residuals are known from six points
 }
 
 TEST(ResidualTrustRegion, FindsAMinimumAtABound) {
   const Found found = minimize(box({0.3, 0.6}, 0.0, 1.0, Scale::linear), [](const auto& x) {
     return std::vector{x[0] - 2.0, x[1] - 0.3, 0.5 * x[0] * x[1]};
   });
-  EXPECT_EQ(found.x[0], 1.0);                 // the bits of the bound
+  EXPECT_EQ(found.x[0], 1.0);                 // exactly the bound
   EXPECT_NEAR(found.x[1], 0.3 / 1.25, 1e-3);  // (y - 0.3)^2 + y^2 / 4
 }
 
@@ -144,7 +144,7 @@ TEST(ResidualTrustRegion, StartsFromADesignWithoutProbing) {
 }
 
 TEST(ResidualTrustRegion, GoesAroundAFailedRegion) {
-  // No outcome in a half space next to the minimum nor in a ball on the way to it.
+  // Points in a half space next to the minimum and in a ball on the way to it fail.
   const DesignSpace space = box({0.1, 0.1, 0.9}, 0.0, 1.0, Scale::linear);
   const Found found = minimize(space, [](const std::vector<double>& x) {
     const bool in_ball = std::hypot(x[0] - 0.35, x[1] - 0.35, x[2] - 0.6) < 0.1;
@@ -157,8 +157,8 @@ TEST(ResidualTrustRegion, GoesAroundAFailedRegion) {
 }
 
 TEST(ResidualTrustRegion, EndsAtTheEdgeOfAFailedRegionNotBeforeIt) {
-  // Least |x - (0.8, 0.7)|^2 with x + y / 2 <= 0.9, where everything beyond fails: the foot of the
-  // perpendicular, (0.8, 0.7) - 0.25 / 1.25 (1, 0.5).
+  // The minimum of |x - (0.8, 0.7)|^2 with x + y / 2 <= 0.9, beyond which everything fails, is the
+  // foot of the perpendicular, (0.8, 0.7) - 0.25 / 1.25 (1, 0.5).
   const DesignSpace space = box({0.1, 0.9}, 0.0, 1.0, Scale::linear);
   ResidualTrustRegion method(space);
   const Found found = minimize(method, space, [](const std::vector<double>& x) {
@@ -172,8 +172,8 @@ TEST(ResidualTrustRegion, EndsAtTheEdgeOfAFailedRegionNotBeforeIt) {
 }
 
 TEST(ResidualTrustRegion, VerifiesBeforeItEndsOnRoughGround) {
-  // Two directions, one felt a hundredth as much as the other, under a ripple of 1e-3: differences
-  // over short moves show the ripple alone.
+  // One of two directions has a hundredth of the other's effect, under a ripple of 1e-3:
+  // differences over short moves show the ripple alone.
   const DesignSpace space = box({0.2, 0.8}, 0.0, 1.0, Scale::linear);
   ResidualTrustRegion method(space);
   double best = INFINITY;  // without the ripple
@@ -193,9 +193,9 @@ TEST(ResidualTrustRegion, VerifiesBeforeItEndsOnRoughGround) {
   EXPECT_LT(found.evaluations, 50 * 3);  // 50 (n + 1)
 }
 
-// A power law whose exponent and factor make up for each other, under a ripple of 3e-3: slopes of
-// the search show the ripple, and so do fresh ones over moves that change the residuals by as much
-// as they are.
+// The exponent and factor of a power law compensate each other, under a ripple of 3e-3. Slopes of
+// the search show the ripple, and so do fresh slopes over moves that change the residuals by their
+// own size.
 TEST(ResidualTrustRegion, GoesFartherBeforeItEndsInTheNoise) {
   const DesignSpace space = box({0.2, 0.8, 0.9}, 0.0, 1.0, Scale::linear);
   const auto curve = [](const std::vector<double>& x, double t) {
@@ -217,12 +217,13 @@ TEST(ResidualTrustRegion, GoesFartherBeforeItEndsInTheNoise) {
     asked.insert(DesignPoint{x}.bits());
     return r;
   });
-  EXPECT_LT(best, 0.2 * 20 * 0.5 * 9e-6);           // a fifth of the ripple's, from 7.6
+  EXPECT_LT(best, 0.2 * 20 * 0.5 * 9e-6);           // a fifth of the ripple's value; 7.6 at the
+                                                    // start
   EXPECT_GE(std::ssize(asked), found.evaluations);  // no point twice
 }
 
-/// Sixty residuals of six stiffnesses, all 1 where data with errors of 0.02 are true, under a
-/// ripple of 0.007 with 20 to 100 waves over every range, as of a mesh that rolls.
+/// Sixty residuals of six stiffnesses, all 1 in the data, which have errors of 0.02, under a ripple
+/// of 0.007 with 20 to 100 waves over every range, like that of a rolling mesh.
 std::vector<double> rippled(const std::vector<double>& E, int draw, bool has_ripple) {
   std::vector<double> r;
   for (int i = 0; i < 60; ++i) {
@@ -242,7 +243,8 @@ std::vector<double> rippled(const std::vector<double>& E, int draw, bool has_rip
   return r;
 }
 
-// Verifying every lucky value that the ripple gives a restart, and probing far inside it, take 24.
+// The search would need 24 (n + 1) evaluations if it verified every lucky value of a restart and
+// probed far inside the ripple.
 TEST(ResidualTrustRegion, EndsOnARippledProblemInWhatNoiseAllows) {
   const DesignSpace space = box({3.0, 0.4, 2.0, 0.5, 1.5, 0.6}, 0.2, 4.0, Scale::logarithmic);
   int evaluations = 0;
@@ -264,13 +266,13 @@ TEST(ResidualTrustRegion, EndsOnARippledProblemInWhatNoiseAllows) {
     evaluations += count;
     const double exact = score(rippled(best.values, draw, false)).value;
     const Found found = minimize(space, [&](const auto& E) { return rippled(E, draw, false); });
-    EXPECT_LT(exact, found.f + 6.0 * 0.02 * 0.02);  // as of one deviation of every stiffness
+    EXPECT_LT(exact, found.f + 6.0 * 0.02 * 0.02);  // one deviation of every stiffness
   }
   EXPECT_LT(evaluations, 8 * 20 * 7);  // 20 (n + 1) in the mean
 }
 
-// Along a curved valley, 1 % of noise on every residual: a step that gains by luck leaves a small
-// box, a good one in it a smaller one. Without widening 24 of the 60 draws came so close.
+// In a curved valley with 1 % of noise on every residual, a step that gains by luck leaves a small
+// box, and a good step in it a smaller one. Without widening only 24 of the 60 draws came so close.
 TEST(ResidualTrustRegion, SearchesOnWhereItChasedNoiseIntoASmallBox) {
   constexpr double kLeast = 9.76723;  // at (0.143, -0.009)
   int solved = 0;
@@ -294,8 +296,8 @@ TEST(ResidualTrustRegion, SearchesOnWhereItChasedNoiseIntoASmallBox) {
   EXPECT_GE(solved, 45);
 }
 
-// Two minima: at a bound, small beside the start, and inside. What ended at a bound is looked for
-// from the middle of that range before it is believed.
+// There are two minima: one at a bound, beside the start, and one inside. A search that ended at a
+// bound is continued from the middle of that range before its result is accepted.
 TEST(ResidualTrustRegion, LeavesBoundsOnce) {
   const DesignSpace space = box({0.9, 0.9}, 0.0, 1.0, Scale::linear);
   const Found found = minimize(space, [](const std::vector<double>& x) {
@@ -305,12 +307,13 @@ TEST(ResidualTrustRegion, LeavesBoundsOnce) {
   EXPECT_NEAR(found.x[1], 0.3, 1e-3);
 }
 
-/// Minima near 0.5 (sum of squares: 0.6) and at 0.46 (0) of the first variable; 1e6 at its end.
+/// A function with minima near 0.5 (sum of squares: 0.6) and at 0.46 (0) of the first variable; 1e6
+/// at its end.
 std::vector<double> two_wells(const std::vector<double>& x) {
   return {4e3 * (x[0] - 0.46) * (x[0] - 0.5), 20.0 * (x[0] - 0.46), x[1] - 0.3};
 }
 
-// A start may be as bad as it likes: it does not make a local minimum explained.
+// However bad a start is, it does not make a local minimum count as explained.
 TEST(ResidualTrustRegion, LooksFurtherFromALocalMinimumWhereverItStarted) {
   for (const double start : {0.52, 0.6, 0.75}) {
     int found = 0;
@@ -390,8 +393,8 @@ TEST(ResidualTrustRegion, ComesCloseUnderNoise) {
   EXPECT_LT(best, 14 * 0.002 * 0.002);  // below the noise itself
 }
 
-// A hundred values with noise of 1, in whose target a ripple makes minima of its own: restarts go
-// on until what is left is what the noise makes, and no farther.
+// A hundred values have noise of 1, and a ripple makes additional minima of the target. Restarts
+// continue until only the noise is left, and no farther.
 TEST(ResidualTrustRegion, RestartsUntilNothingIsLeftButTheNoiseThatIsStated) {
   const DesignSpace space = box({0.9, 0.1}, 0.0, 1.0, Scale::linear);
   constexpr int m = 100;
@@ -417,9 +420,10 @@ TEST(ResidualTrustRegion, RestartsUntilNothingIsLeftButTheNoiseThatIsStated) {
   EXPECT_GT(stuck, 0);  // a minimum of the ripple
 }
 
-// A narrow curved valley whose walls rise 150 to 600 times as steeply as its floor: from a start on
-// a wall a thousandth of the first value is thousands of times the noise. Three of the 36 searches
-// ended there, with up to 2.6 times what noise makes and all restarts left.
+// The walls of a narrow curved valley rise 150 to 600 times as steeply as its floor: from a start
+// on a wall a thousandth of the first value is thousands of times the noise. Without stated noise
+// three of the 36 searches ended there, with up to 2.6 times the value of the noise and all
+// restarts left.
 TEST(ResidualTrustRegion, DoesNotTakeAFarStartForAGoodEndWhereNoiseIsStated) {
   constexpr int m = 100;
   const double noise_alone = m + 2.0 * std::sqrt(2.0 * m);
@@ -460,8 +464,8 @@ TEST(ResidualTrustRegion, SaysThatNoiseIsWhatIsLeftOnlyWhereNoiseIsStated) {
   EXPECT_NE(known.ending().find("stated noise"), std::string::npos) << known.ending();
 }
 
-// A mode loses its partner where x0 x1 > 2 and counts as an error of 1 from there: a leap beside
-// the way from (0.4, 3) to the minimum at (0.8, 1.6). No smooth model holds on both sides of it.
+// A mode loses its partner if x0 x1 > 2 and then counts as an error of 1: a jump beside the way
+// from (0.4, 3) to the minimum at (0.8, 1.6). No smooth model holds on both sides of the jump.
 TEST(ResidualTrustRegion, ALeapThatIsToldIsGoneAround) {
   const auto scored = [](const std::vector<double>& x) {
     std::vector<double> r;

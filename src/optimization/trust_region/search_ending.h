@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a search of the residual trust region ended.
+// The reason why a search of the residual trust region ended.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 namespace latsch {
 
 enum class Ending {
-  none,       // it has not
+  none,       // not ended
   verified,   // fresh slopes promise nothing
-  noise,      // nor do they above noise and ripple
-  edge,       // steps that gain fail
-  rough,      // steps do not bring what fresh slopes promise
-  blind,      // along a direction no slope could be had
+  noise,      // fresh slopes promise nothing above noise and ripple
+  edge,       // steps that would gain fail
+  rough,      // steps do not gain what fresh slopes promise
+  blind,      // along some direction no slope could be computed
   known,      // the model's own slopes promise nothing
-  explained,  // next to nothing is left of the residuals
+  explained,  // almost nothing is left of the residuals
   hopeless    // nothing ever succeeded
 };
 

@@ -14,19 +14,22 @@
 namespace latsch {
 namespace {
 
-// Of the radius: a probe's length. Shorter ones are nearer to the slope, longer ones rise above
-// noise; a third of this or three times it change little, and so does the length that noise and
-// curvature ask for, (8 noise)^(1/4) radii.
+// Length of a probe as a share of the radius. Shorter probes measure the slope more exactly, longer
+// ones rise above noise; a third or three times this length make little difference.
 constexpr double kProbe = 0.03;
-constexpr double kRoom = 0.5;          // of a probe's length: what has to be left of it
-constexpr double kShort = 0.01;        // of the radius: a step not worth an evaluation in this box
-constexpr double kFlat = 1e-6;         // of f: a predicted decrease that is none
-constexpr double kBackOff = 0.5;       // of a step that no cut keeps out of a failed region
-constexpr double kBeyondBall = 1.001;  // of its radius: a step on the cut is outside of it
+constexpr double kRoom = 0.5;  // least share of a probe's length that must remain
+// Share of the radius: a shorter step is not worth an evaluation.
+constexpr double kShort = 0.01;
+constexpr double kFlat = 1e-6;    // share of f: a smaller predicted decrease counts as none
+constexpr double kBackOff = 0.5;  // factor of a step that no cut keeps out of a failed region
+// Multiple of a ball's radius that places a step on the cut outside of the ball.
+constexpr double kBeyondBall = 1.001;
 constexpr int kMostCuts = 20;
-constexpr double kLongestProbe = 0.2;  // of a range: fresh slopes where little is felt
+// Longest probe as a share of a range, for fresh slopes along directions with little effect.
+constexpr double kLongestProbe = 0.2;
 constexpr int kProbeShortenings = 3;
-constexpr double kSame = 0.1;  // of a step: nearer to a known point nothing is learned
+// Share of a step: a point nearer to a known one gives no information.
+constexpr double kSame = 0.1;
 
 }  // namespace
 
@@ -81,7 +84,7 @@ SlopeVariance TrustBox::geometry(const PendingPoints<Wanted>& wanted) const {
   for (Eigen::Index i = 0; i < Z.rows(); ++i) Z.row(i) = places[i].cwiseQuotient(h());
   if (region.E().rows() == 0) return slope_variance(Z);
   const Eigen::MatrixXd N = along();
-  if (N.cols() == 0) return {};  // the region is a point
+  if (N.cols() == 0) return {};  // the region is a single point
   SlopeVariance found = slope_variance(Z * N);
   found.directions = N * found.directions;
   return found;
@@ -92,7 +95,7 @@ ResidualKriging TrustBox::model(bool is_noisy) {
     const ResidualKriging here(samples(), noise);
     const Eigen::MatrixXd J = here.jacobian(Eigen::VectorXd::Zero(n()));  // dr/dz
     scale_.learn(J * h().cwiseInverse().asDiagonal());
-    edges_of_[0] = -1;  // they are in widths
+    edges_of_[0] = -1;  // edges are in widths, which have changed
   }
   const ResidualSamples around = samples();
   if (is_noisy || noise > 0.0) noise = likeliest_noise(around);
@@ -127,7 +130,7 @@ bool TrustBox::is_beyond_edge(const Eigen::VectorXd& u) const {
       edges().begin(), edges().end(), [&](const Edge& edge) { return edge.a.dot(x) > edge.b; });
 }
 
-/// Whether to ask there would be to ask again, or for a failure.
+/// True if the point is near a known or wanted one, or in a failed region.
 bool TrustBox::is_pointless(const Eigen::VectorXd& u,
                             double distance,
                             const PendingPoints<Wanted>& wanted) const {
@@ -159,9 +162,9 @@ std::optional<Wanted> TrustBox::probe(Eigen::VectorXd direction,
   return std::nullopt;
 }
 
-// Where the least value lies in a failed region, it is looked for again on this side of it: with a
-// half space that closes off the ball around that failure and all behind it, as seen from c. So
-// steps go on along the edge.
+// If the minimum lies in a failed region, it is sought again on the near side of a half space that
+// closes off the ball around that failure and everything behind it, as seen from c. So steps follow
+// the edge.
 Eigen::VectorXd TrustBox::least_expected(const ResidualKriging& m,
                                          const Eigen::MatrixXd& T,
                                          double box) const {
@@ -269,7 +272,7 @@ Eigen::VectorXd TrustBox::changes_along(const NaturalFrame& frame) const {
 }
 
 bool TrustBox::has_moved_along(int axis, const NaturalFrame& frame) const {
-  constexpr double kTells = 0.05;  // of the axis
+  constexpr double kTells = 0.05;  // share of the axis
   const ResidualSamples around = memory.around(center_, frame);
   return around.Z.rows() > 0 && around.Z.col(axis).cwiseAbs().maxCoeff() > kTells;
 }
@@ -281,8 +284,8 @@ Wanted TrustBox::natural_step(const ResidualKriging& m,
   const Eigen::VectorXd z = least_expected(m, frame.T, reach);
   Wanted step = at(c() + frame.T * z, Wanted::Kind::step);
   step.predicted = m.expected(z);
-  // The best of many noisy values is too low: the model's own value there is what a step may gain
-  // on.
+  // The best of many noisy values is too low, so a step is compared with the model's own value
+  // there.
   const double here = std::max(f(), m.expected(Eigen::VectorXd::Zero(z.size())));
   const bool is_promising = step.predicted < (1.0 - kFlat) * here;
   if (is_pointless(step.u, kSame * step.length, wanted) || !is_promising) step.length = 0.0;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The box of a residual trust region: what is known in it, and the points worth an evaluation.
+// The box of a residual trust region: the samples in it, and the points worth an evaluation.
 //
-// Around the best point c with half widths h = radius w; its part inside bounds and linear
-// constraints is where points are taken from. Three kinds of them:
-//   probe    along a direction which the samples leave unknown
-//   step     to the least value to be expected (box_least_squares.h)
+// The box surrounds the best point c with half widths h = radius w. Points are chosen from its part
+// inside bounds and linear constraints. There are three kinds:
+//   probe    along a direction that the samples leave unknown
+//   step     to the minimum of the expected value (box_least_squares.h)
 //   explore  anywhere near the point predicted to be the best
-// Directions are those along the equations among the constraints. Samples from outside of the
-// region help the models and are never the center.
+// Directions are along the equations among the constraints. Samples from outside of the region
+// improve the models and are never the center.
 #pragma once
 
 #include <array>
@@ -32,92 +32,95 @@ struct Wanted {
   Eigen::VectorXd u;
   DesignPoint point;
   Kind kind;
-  int center = -1;         // from which it was chosen
-  double f_center = 0.0;   // its value
+  int center = -1;         // sample from which the point was chosen
+  double f_center = 0.0;   // value of that sample
   double length = 0.0;     // |u - center|, largest component in widths of the variables
-  double predicted = 0.0;  // value to be expected, of steps
+  double predicted = 0.0;  // expected value, for steps
 };
 
 class TrustBox {
  public:
-  /// Around the initial values of the space.
+  /// Starts around the initial values of the space.
   TrustBox(const DesignSpace& space, double radius, std::uint64_t seed);
 
   DesignSpace space;
   FeasibleRegion region;
   ResidualMemory memory;
   double radius;
-  double noise = 0.0;  // of the model, in its units
+  double noise = 0.0;  // noise of the model, in its units
 
   int n() const { return space.size(); }
-  /// The equations leave nothing to vary.
+  /// True if the equations leave nothing to vary.
   bool is_point() const { return region.E().rows() > 0 && along().cols() == 0; }
   const Eigen::VectorXd& c() const { return center_ >= 0 ? memory[center_].u : start_; }
   double f() const;
-  /// The best sample inside the region since the last `move_to`; -1: none.
+  /// Returns the best sample inside the region since the last `move_to`; -1: none.
   int center() const { return center_; }
   bool has_center() const { return center_ >= 0; }
-  /// The best sample of all inside the region; -1: none.
+  /// Returns the best of all samples inside the region; -1: none.
   int best() const { return best_; }
-  /// Whether its value is no more than that; false for 0.
+  /// True if the best value is at most `value`; false for 0.
   bool is_down_to(double value) const {
     return value > 0.0 && best_ >= 0 && memory[best_].f <= value;
   }
 
-  /// Begins anew around u.
+  /// Starts again around u.
   void move_to(const Eigen::VectorXd& u);
-  /// Whether residuals leapt: it is worse than the center, with more stand-ins among them.
+  /// True if residuals jump: the sample is worse than the center and has more stand-ins.
   bool leaps(const ResidualSample& sample) const;
-  /// True where the sample is the new center.
+  /// Returns true if the sample is the new center.
   bool take(ResidualSample sample);
-  /// From here on a value counts as exploded, beside those around the center or, where a run has
-  /// none yet, around the best point of all.
+  /// Returns the value from which on a sample counts as exploded, compared with the samples around
+  /// the center or, if a run has no center yet, around the best point of all.
   double explosion() const;
 
-  /// What the samples and `wanted` leave open of the slopes.
+  /// Returns the variance of the slopes that the samples and `wanted` leave.
   SlopeVariance geometry(const PendingPoints<Wanted>& wanted) const;
-  /// Of the samples around c; `is_noisy`: it looks for noise.
+  /// Builds a model of the samples around c. If `is_noisy` is true, it estimates the noise.
   ResidualKriging model(bool is_noisy);
-  /// dr/du at c, as the model knows it.
+  /// Returns dr/du at c according to the model.
   Eigen::MatrixXd slopes();
-  /// The outcome as the model expects it.
+  /// Returns the outcome that the model expects.
   ResidualSample expected(const DesignPoint& point) const;
 
   Wanted at(const Eigen::VectorXd& u, Wanted::Kind kind) const;
-  /// Along a direction, to the side with more room, as long as it can be; nullopt where bounds and
-  /// constraints leave it none.
+  /// Returns a probe along a direction, to the side with more room, as long as possible; nullopt if
+  /// bounds and constraints leave no room.
   std::optional<Wanted> probe(Eigen::VectorXd direction, const PendingPoints<Wanted>& wanted) const;
-  /// The step in a box of half width `box` radii; with a length of 0 where it is not worth an
+  /// Returns the step in a box of half width `box` radii; its length is 0 if it is not worth an
   /// evaluation.
   Wanted step(const ResidualKriging& m, double box, const PendingPoints<Wanted>& wanted) const;
-  /// Whether the value to be expected of it is less.
+  /// True if the expected value of the step is less than that of the center.
   bool promises(const Wanted& step) const;
-  /// Where fresh slopes at c are to be taken; `J`: dr/du there; `change` of the residuals along an
-  /// axis, of what they are.
+  /// Returns the frame for fresh slopes at c. `J` is dr/du there; `change` is the intended change
+  /// of the residuals along an axis, relative to their size.
   NaturalFrame natural_frame(const Eigen::MatrixXd& J, double change, double shortest) const;
-  /// By `move` from c or back, as far as the region and failures leave room; nullopt: no room.
+  /// Returns a probe by `move` from c or in the opposite direction, as far as the region and
+  /// failures leave room; nullopt: no room.
   std::optional<Wanted> probe_by(const Eigen::VectorXd& move,
                                  const PendingPoints<Wanted>& wanted) const;
-  /// Of the samples which the frame brings near.
+  /// Builds a model of the samples that are near in the frame.
   ResidualKriging natural_model(const NaturalFrame& frame, double& noise) const;
-  /// By the same samples: how far the residuals change over a move of 1 along each axis, of their
-  /// norm, by the move mainly along it that changes them least; 0 where there is none.
+  /// Returns for each axis how far the residuals change over a move of 1, relative to their norm,
+  /// from the samples in the frame: by the move mainly along the axis that changes them least; 0 if
+  /// there is none.
   Eigen::VectorXd changes_along(const NaturalFrame& frame) const;
-  /// Whether one of them tells anything of that axis.
+  /// True if a sample gives information about that axis.
   bool has_moved_along(int axis, const NaturalFrame& frame) const;
-  /// The step of that model as far as `reach` along the axes.
+  /// Returns the step of that model, by at most `reach` along the axes.
   Wanted natural_step(const ResidualKriging& m,
                       const NaturalFrame& frame,
                       double reach,
                       const PendingPoints<Wanted>& wanted) const;
-  /// Near the point predicted to be the best, at a distance of any magnitude.
+  /// Returns a point near the one predicted to be the best, at a distance of any order of
+  /// magnitude.
   std::optional<Wanted> explore(const PendingPoints<Wanted>& wanted);
-  /// u with every variable moved at random by up to `reach` widths, inside the region.
+  /// Returns u with every variable moved at random by up to `reach` widths, inside the region.
   Eigen::VectorXd moved(const Eigen::VectorXd& u, double reach);
-  /// A point of the region, up to `reach` from u in every variable, equally likely anywhere there
-  /// inside the bounds.
+  /// Returns a random point of the region, up to `reach` from u in every variable, uniformly
+  /// distributed inside the bounds.
   Eigen::VectorXd drawn_near(const Eigen::VectorXd& u, double reach);
-  /// Numbers in -1 ... 1, one a variable.
+  /// Returns random numbers in -1 ... 1, one for each variable.
   Eigen::VectorXd draw();
 
  private:
@@ -131,7 +134,8 @@ class TrustBox {
                     const PendingPoints<Wanted>& wanted) const;
   const std::vector<Edge>& edges() const;
   bool is_beyond_edge(const Eigen::VectorXd& u) const;
-  /// Least value expected at c + T z with |z_i| <= box, outside of failed regions.
+  /// Returns the point c + T z, |z_i| <= box, with the least expected value outside of failed
+  /// regions.
   Eigen::VectorXd least_expected(const ResidualKriging& m,
                                  const Eigen::MatrixXd& T,
                                  double box) const;
@@ -142,10 +146,10 @@ class TrustBox {
   int best_ = -1;
   VariableScale scale_;
   mutable std::vector<Edge> edges_;                // around the center, in widths
-  mutable std::array<int, 3> edges_of_{-1, 0, 0};  // center, samples and failures they were made of
-  int scaled_for_ = -1;  // the center whose Jacobian the scale learned last
+  mutable std::array<int, 3> edges_of_{-1, 0, 0};  // center, samples and failures of edges_
+  int scaled_for_ = -1;  // the center whose Jacobian was last used for the scale
   std::uint64_t seed_;
-  std::uint64_t drawn_ = 0;  // random points so far
+  std::uint64_t drawn_ = 0;  // number of random points so far
 };
 
 }  // namespace latsch

@@ -13,43 +13,45 @@ namespace {
 
 using Kind = Wanted::Kind;
 
-// Of the variance of slopes before anything was known:
-constexpr double kUnknown = 0.5;  // a direction to be probed before any step
+// Shares of the variance of slopes before anything was known:
+constexpr double kUnknown = 0.5;  // a direction to probe before any step
 constexpr double kPoor =
-    0.02;  // one to be probed when a step disappoints: no sample within 7 radii
+    0.02;  // a direction to probe when a step disappoints: no sample within 7 radii
 
 constexpr double kGoodGain = 0.5;
 constexpr double kBadGain = 0.1;
-constexpr double kGrowth = 2.0;      // of the radius over the step, at least, after a good gain
-constexpr double kMostGrowth = 4.0;  // at most
-constexpr double kShrinkage = 0.7;   // of the radius after a bad gain
+constexpr double kGrowth = 2.0;      // least factor of the radius over the step after a good gain
+constexpr double kMostGrowth = 4.0;  // largest factor
+constexpr double kShrinkage = 0.7;   // factor of the radius after a bad gain
 constexpr double kMostShrinkage = 0.1;
-constexpr double kWidest = 0.5;  // a box as wide as the cube
+constexpr double kWidest = 0.5;  // half the cube's width
 
-constexpr double kSettled = 0.1;  // of the initial radius: below it a flat model is believed
+constexpr double kSettled = 0.1;  // share of the initial radius: below it a flat model is believed
 
 constexpr int kFailuresToShrink = 2;
-constexpr int kFailuresToGiveUp = 4;  // in a row: no more probes beside this center
-constexpr int kDisappointments = 3;   // in a row, before noise is looked for
-constexpr double kDrowned = 1e4;      // noise as large as the slopes
-constexpr int kWidenings = 3;         // of a box too small for the noise
+constexpr int kFailuresToGiveUp = 4;  // number in a row after which this center gets no more probes
+constexpr int kDisappointments = 3;   // number in a row before noise is estimated
+constexpr double kDrowned = 1e4;      // noise relative to curvature: as large as the slopes
+constexpr int kWidenings = 3;         // largest number, for a box too small for the noise
 
-/// Boxes for further steps while the outcome of the first one is awaited.
+/// Box sizes of further steps while the outcome of the first one is awaited.
 constexpr std::array kBoxes{1.0, 0.25, 2.0, 0.5, 0.1, 4.0, 0.03, 0.01};
-/// Of the initial radius: how far from the best point restarts begin, one after the other.
+/// Distances of restarts from the best point, one after the other, as shares of the initial radius.
 constexpr std::array kJumps{0.1, 1.0, 0.03, 0.3};
 
-// Verification:
-constexpr double kSharp = 0.1;  // of the step tolerance: the shortest move for fresh slopes
+// Constants of the verification:
+constexpr double kSharp = 0.1;  // shortest move for fresh slopes over the step tolerance
 constexpr double kWorthASearch = 0.5;
-constexpr double kBeyondNoise = 0.9;   // of the value: less is verified anew whatever the noise
-constexpr double kNothingLeft = 1e-8;  // of the first value: a ten-thousandth of the residuals
+// Share of the value: less is verified again whatever the noise.
+constexpr double kBeyondNoise = 0.9;
+// Share of the first value: a ten-thousandth of the residuals.
+constexpr double kNothingLeft = 1e-8;
 
 constexpr double kAtBound = 1e-9;
 
-constexpr double kWorthALook = 0.9;  // of the value when it last had settled
+constexpr double kWorthALook = 0.9;  // share of the value when it last settled
 
-/// Of the sum of squares, by slopes J, over moves of a length, mean of all directions.
+/// Mean rise of the sum of squares over moves of a length in all directions, by slopes J.
 double mean_rise(const Eigen::MatrixXd& J, double length) {
   return length * length * J.squaredNorm() / static_cast<double>(J.cols());
 }
@@ -70,7 +72,7 @@ void TrustRegionRun::fill() {
   }
 }
 
-/// The next point, after those already wanted_; nullopt at the end.
+/// Returns the next point, after those already wanted_; nullopt at the end.
 std::optional<Wanted> TrustRegionRun::next() {
   if (is_over_ || has_settled_) return std::nullopt;
   if (verification_) return next_to_verify();
@@ -84,7 +86,7 @@ std::optional<Wanted> TrustRegionRun::next() {
   return look_around();
 }
 
-/// Geometry, model, step, radius; nullopt where nothing is promised any more.
+/// Handles geometry, model, step and radius; returns nullopt if nothing is promised.
 std::optional<Wanted> TrustRegionRun::next_of_search() {
   while (box_.radius >= options_.step_tolerance && !is_hopeless()) {
     const bool bears_probes = !box_.has_center() || failures_ < kFailuresToGiveUp;
@@ -118,7 +120,7 @@ void TrustRegionRun::observe(const DesignPoint& point,
                              const Eigen::VectorXd& u,
                              const std::optional<ResidualSample>& sample) {
   const std::optional<Wanted> own = wanted_.take(point);
-  if (!own && !sample) {  // whoever asked for it: it says nothing about the steps of this run
+  if (!own && !sample) {  // a failure from any source carries no information about this run's steps
     box_.memory.add_failure(u);
     return;
   }
@@ -174,14 +176,16 @@ void TrustRegionRun::take_failure(const Wanted& tried,
   }
 }
 
-/// Of the residuals from the center, of what they are there; NaN where the trial has none.
+/// Returns the change of the residuals from the center relative to their size there; NaN if the
+/// trial has none.
 double TrustRegionRun::change_of(const std::optional<ResidualSample>& sample) const {
   if (!sample || !box_.has_center()) return std::numeric_limits<double>::quiet_NaN();
   const Eigen::VectorXd& r = box_.memory[box_.center()].r;
   return (sample->r - r).norm() / r.norm();
 }
 
-/// The one least known; none where the model brought its slopes, or the region is a point.
+/// Returns the least known direction; none if the model brought its slopes, or the region is a
+/// single point.
 TrustRegionRun::OpenDirection TrustRegionRun::open_direction() const {
   if (box_.has_center() && box_.memory[box_.center()].J.size() > 0) return {};
   const SlopeVariance g = box_.geometry(wanted_);
@@ -204,8 +208,8 @@ std::optional<Wanted> TrustRegionRun::another_step(const ResidualKriging& m) {
   return box_.explore(wanted_);
 }
 
-/// Where steps chased noise until the box was too small to show anything else: back to twice the
-/// radius at which curvature, whose variance in the box counts as radius^4, is as large as noise.
+/// If steps followed noise until the box was too small to show anything else, widens it to twice
+/// the radius at which curvature, whose variance in the box goes as radius^4, is as large as noise.
 bool TrustRegionRun::widen_in_noise() {
   if (box_.noise <= 0.0 || box_.radius >= options_.initial_radius) return false;
   if (widenings_ >= kWidenings) return false;
@@ -216,13 +220,13 @@ bool TrustRegionRun::widen_in_noise() {
   return true;
 }
 
-/// Outcomes under way may lead on; meanwhile idle workers look around, each once.
+/// Explores around the center while outcomes are outstanding, once for each idle worker.
 std::optional<Wanted> TrustRegionRun::look_around() {
   return explored_++ < options_.outstanding ? box_.explore(wanted_) : std::nullopt;
 }
 
-/// False where nothing is left to gain, the last one still holds but for noise, the model brings
-/// its slopes, or the region is a point.
+/// Returns false if nothing is left to gain, if the last verification still holds within noise, if
+/// the model brings its slopes, or if the region is a single point.
 bool TrustRegionRun::begin_verification() {
   if (box_.memory[box_.center()].J.size() > 0 || box_.f() >= f_verified_) return false;
   if (box_.f() < kNothingLeft * f_first_) {
@@ -240,7 +244,7 @@ bool TrustRegionRun::begin_verification() {
   return verification_.has_value();
 }
 
-/// Where nothing is promised above noise: a restart.
+/// Returns the next point of the verification, or a restart if nothing is promised above noise.
 std::optional<Wanted> TrustRegionRun::next_to_verify() {
   if (auto point = verification_->next(box_, wanted_)) return point;
   if (!wanted_.empty()) return look_around();
@@ -250,7 +254,7 @@ std::optional<Wanted> TrustRegionRun::next_to_verify() {
   return restart();
 }
 
-/// Where it gained much, a search begins anew.
+/// Starts a new search if the step gained much.
 void TrustRegionRun::judge_verifying_step(double gain, double promise) {
   verification_->observe_step(gain < kBadGain, promise);
   if (verification_->is_sharp()) return;
@@ -285,7 +289,8 @@ std::optional<Wanted> TrustRegionRun::restart() {
   return start();
 }
 
-/// From the middle of the ranges of variables that ended on a bound, once a best point.
+/// Restarts with variables that ended on a bound moved to the middle of their ranges, once for each
+/// best point.
 std::optional<Wanted> TrustRegionRun::release() {
   if (!box_.region.is_cube() || best().f >= kWorthALook * f_released_) return std::nullopt;
   if (best().f < kNothingLeft * f_first_) return std::nullopt;
@@ -307,7 +312,7 @@ std::optional<Wanted> TrustRegionRun::release() {
   return box_.at(box_.c(), Kind::start);
 }
 
-/// Beside the best point: along flat_ directions as long as there are scouts_.
+/// Starts beside the best point, along flat_ directions as long as scouts_ are left.
 Wanted TrustRegionRun::start() {
   const Eigen::VectorXd best = box_.memory[box_.best()].u;
   is_scouting_ = scouts_-- > 0;
@@ -320,8 +325,8 @@ Wanted TrustRegionRun::start() {
   return box_.at(box_.c(), Kind::start);
 }
 
-/// Where a start failed: the next scout or restart; elsewhere, farther and farther away, as long
-/// as nothing ever succeeded.
+/// After a failed start, begins the next scout or restart, or, as long as nothing has ever
+/// succeeded, a start farther and farther away.
 void TrustRegionRun::start_again(const Eigen::VectorXd& failed) {
   if (is_hopeless()) return;
   if (box_.best() >= 0) {
@@ -334,14 +339,14 @@ void TrustRegionRun::start_again(const Eigen::VectorXd& failed) {
   constexpr int kTries = 100;  // the region may be thin
   for (int k = 0; k < kTries; ++k) {
     const Eigen::VectorXd u = box_.drawn_near(failed, reach);
-    if (box_.memory.has_failed_near(u)) continue;  // the same bits again
+    if (box_.memory.has_failed_near(u)) continue;  // same bits as before
     box_.move_to(u);
     wanted_.push_back(box_.at(u, Kind::start));
     return;
   }
 }
 
-/// Nothing ever succeeded, in many places.
+/// True if nothing ever succeeded, in many places.
 bool TrustRegionRun::is_hopeless() const { return box_.best() < 0 && failures_ > 20 * (n() + 1); }
 
 void TrustRegionRun::go_on(int restarts_left) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One run of the residual trust region from one start, with its restarts: the method as
-// residual_trust_region.h describes it, but for lost variables, which are looked for between runs.
+// One run of the residual trust region from one start, with its restarts: the method of
+// residual_trust_region.h without the look for lost variables, which happens between runs.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,26 +16,27 @@ namespace latsch {
 
 class TrustRegionRun {
  public:
-  /// From the initial values of the space.
+  /// Starts from the initial values of the space.
   TrustRegionRun(const DesignSpace& space, const ResidualTrustRegionOptions& options);
 
-  /// In the order proposed; empty: ended, or it has settled.
+  /// Returns the wanted points in the order proposed; empty: ended or settled.
   const PendingPoints<Wanted>& wanted() const { return wanted_; }
-  /// `sample`: none for a failure.
-  /// `u`: its place, outside of the unit cube for a foreign point outside of the bounds.
+  /// Takes the outcome of a point; `sample` is empty for a failure. `u` is the point's place,
+  /// outside of the unit cube for a point from another source outside of the bounds.
   void observe(const DesignPoint& point,
                const Eigen::VectorXd& u,
                const std::optional<ResidualSample>& sample);
 
-  /// Before a restart from a value clearly better than at the last time: it waits for `go_on`.
+  /// True before a restart from a value clearly better than at the last time: the run waits for
+  /// `go_on`.
   bool has_settled() const { return has_settled_; }
-  /// Of the search that led to the best point.
+  /// Returns the ending of the search that led to the best point.
   Ending ending() const { return is_hopeless() ? Ending::hopeless : ending_; }
-  /// Nothing is left that the noise of the measured values, where it is known, does not explain.
+  /// True if the noise of the measured values, where it is known, explains all that is left.
   bool is_down_to_noise() const { return box_.is_down_to(options_.noise_alone); }
   int restarts_left() const { return options_.restarts - restarts_; }
   void go_on(int restarts_left);
-  /// Wants `count` points at a time from here on.
+  /// Wants `count` points at a time from now on.
   void widen(int count);
 
   const ResidualTrustRegionOptions& options() const { return options_; }
@@ -46,12 +47,12 @@ class TrustRegionRun {
 
  private:
   struct OpenDirection {
-    double share = 0.0;  // of the variance of its slope
+    double share = 0.0;  // share of the variance of its slope
     Eigen::VectorXd direction;
   };
 
   int n() const { return box_.n(); }
-  // What to ask next: a search in the box, verified at its end, started again.
+  // Chooses the next points: a search in the box, verification at its end, restarts.
   void fill();
   std::optional<Wanted> next();
   std::optional<Wanted> next_of_search();
@@ -67,7 +68,7 @@ class TrustRegionRun {
   Wanted start();
   void start_again(const Eigen::VectorXd& failed);
   bool is_hopeless() const;
-  // What an outcome makes of the box.
+  // Updates the box with an outcome.
   void take(const Wanted& tried, ResidualSample sample);
   void take_failure(const Wanted& tried, const std::optional<ResidualSample>& exploded);
   double change_of(const std::optional<ResidualSample>& sample) const;
@@ -75,25 +76,26 @@ class TrustRegionRun {
 
   ResidualTrustRegionOptions options_;
   TrustBox box_;
-  std::optional<FreshSlopes> verification_;  // at the end of a search
+  std::optional<FreshSlopes> verification_;  // present at the end of a search
   Ending ending_ = Ending::known;
-  double rise_ = 0.0;  // of f, an initial radius off the best point, when it last was the center
-  double f_first_ = std::numeric_limits<double>::infinity();  // of the start, or the first success
-  double f_verified_ = std::numeric_limits<double>::infinity();  // from below it one more pays
+  // Increase of f at an initial radius off the best point, from the last time it was the center.
+  double rise_ = 0.0;
+  double f_first_ = std::numeric_limits<double>::infinity();     // at the start, or first success
+  double f_verified_ = std::numeric_limits<double>::infinity();  // below it, verify once more
   bool is_geometry_doubted_ = false;                             // a step disappointed
-  bool has_widened_ = false;  // the radius, for noise, since the last outcome
-  int disappointments_ = 0;   // in a row
-  int failures_ = 0;          // in a row
-  int explored_ = 0;          // points at the end of a run, since its last better one
-  int widenings_ = 0;         // of the radius, at the end of a search in the noise
+  bool has_widened_ = false;  // widened the radius for noise since the last outcome
+  int disappointments_ = 0;   // number in a row
+  int failures_ = 0;          // number in a row
+  int explored_ = 0;          // number of points at the end of a run since its last better one
+  int widenings_ = 0;         // number of widenings of the radius, for a search at noise level
   int restarts_ = 0;
   Eigen::MatrixXd flat_;      // directions without effect at the best point of all
-  int scouts_ = 0;            // along them, left of this restart
-  bool is_scouting_ = false;  // the start under way is one
+  int scouts_ = 0;            // number of points along them left in this restart
+  bool is_scouting_ = false;  // the start being evaluated is a scout
   bool is_over_ = false;      // the last restart failed
   bool has_settled_ = false;
-  double f_settled_ = std::numeric_limits<double>::infinity();   // the best value when it last had
-  double f_released_ = std::numeric_limits<double>::infinity();  // the best when bounds were left
+  double f_settled_ = std::numeric_limits<double>::infinity();   // best value when it last settled
+  double f_released_ = std::numeric_limits<double>::infinity();  // best value at the last release
   PendingPoints<Wanted> wanted_;
 };
 

@@ -5,7 +5,7 @@ namespace latsch {
 namespace {
 
 constexpr double kExponent = 0.5;
-constexpr double kInsensitive = 1e-3;  // of the largest D_i: all below count as this
+constexpr double kInsensitive = 1e-3;  // share of the largest D_i: smaller ones count as this
 
 }  // namespace
 

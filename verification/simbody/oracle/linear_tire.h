@@ -47,7 +47,7 @@ class LinearTire : public SimTK::Force::Custom::Implementation {
 
  private:
   SimTK::MobilizedBody wheel_;
-  SimTK::Vec3 center_;  // of the wheel, in its body
+  SimTK::Vec3 center_;  // center of the wheel, in its body
   TireData data_;
   RoadData road_;
   double speed_;

@@ -13,10 +13,11 @@ namespace {
 
 using namespace SimTK;
 
-constexpr int kRows = 12;  // the first half without damping
+constexpr int kRows = 12;  // the first half has no damping
 constexpr unsigned kSeed = 20;
 
-// Reach of what is drawn, both ways: m, rad, m/s, rad/s. Far beyond any bushing's own.
+// Ranges of the random values on both sides of 0: m, rad, m/s, rad/s. They exceed those of any real
+// bushing by far.
 constexpr double kPoint = 0.5, kTravel = 0.02, kTurn = 0.4, kVelocity = 2.0, kSpin = 20.0;
 
 const std::array<const char*, 17> kVectors = {"point",
@@ -39,7 +40,8 @@ const std::array<const char*, 17> kVectors = {"point",
 
 class Draws {
  public:
-  /// Between -reach and reach: of raw numbers, which every standard library has alike.
+  /// Returns a number between -reach and reach, from raw numbers that are identical in every
+  /// standard library.
   double number(double reach) {
     return reach * (2.0 * static_cast<double>(generator_()) / 4294967295.0 - 1.0);
   }

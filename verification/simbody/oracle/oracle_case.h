@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a case file says, as the oracle reads it: bodies on bushings, loads, tires on a road.
-// All SI; x forward, y left, z up; every place and axis is that at rest. README.md has the fields.
+// The contents of a case file for the oracle: bodies on bushings, loads, tires on a road. Units are
+// SI; x forward, y left, z up; places and axes are those at rest. README.md lists the fields.
 #pragma once
 
 #include <SimTKcommon.h>
@@ -13,7 +13,7 @@ namespace oracle {
 struct BodyData {
   std::string name;
   double mass;
-  SimTK::Vec3 center;             // of mass, the body's origin
+  SimTK::Vec3 center;             // center of mass, which is the body's origin
   SimTK::Vec3 moments, products;  // Ixx Iyy Izz; Ixy Ixz Iyz, elements of the tensor
 };
 
@@ -25,7 +25,7 @@ struct BushingData {
   SimTK::Vec3 damping, rotational_damping;      // N s/m, N m s/rad
 };
 
-/// Of fixed direction, at a point of a body.
+/// A load of fixed direction at a point of a body.
 struct LoadData {
   std::string body;
   SimTK::Vec3 point, force, moment;
@@ -33,7 +33,7 @@ struct LoadData {
 
 struct LoadCase {
   std::string name;
-  std::vector<LoadData> loads;  // besides those that are always there
+  std::vector<LoadData> loads;  // in addition to those that are always applied
 };
 
 /// F = k (R - (z_c - h)) + c (h' - z_c'), upward at the wheel center, while it is above zero.
@@ -43,8 +43,8 @@ struct TireData {
   double radius, stiffness, damping;
 };
 
-/// `count` times H/2 (1 - cos 2π s/L), the first from `start` on, for
-/// lateral[0] <= y <= lateral[1].
+/// A road profile: `count` times H/2 (1 - cos 2π s/L), the first from `start` on, for lateral[0] <=
+/// y <= lateral[1].
 struct RoadData {
   double pitch = 1.0, height = 0.0, start = 0.0;
   int count = 0;
@@ -64,7 +64,7 @@ struct Case {
   SimTK::Vec3 gravity;
   std::vector<BodyData> bodies;
   std::vector<BushingData> bushings;
-  /// Springs to the ground that hold in statics what nothing else does; empty body: none.
+  /// Springs to the ground that hold, in statics, what nothing else holds; empty body: none.
   BushingData held_in_statics;
   std::vector<LoadData> loads;
   std::vector<LoadCase> load_cases;

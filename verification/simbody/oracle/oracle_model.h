@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A case as a Simbody system: every body free against the ground (MobilizedBody::Free), bushings as
-// the library's own Force::LinearBushing, loads as ConstantForce and ConstantTorque, the tires as
-// force elements of ours. No joint is a constraint.
+// A case as a Simbody system: every body is free relative to the ground (MobilizedBody::Free),
+// bushings are the library's own Force::LinearBushing, loads are ConstantForce and ConstantTorque,
+// and the tires are our own force elements. No joint is a constraint.
 //
 // Force::LinearBushing has the law of the comparison: body-fixed 1-2-3 angles, generalized forces
-// -(k q + c q'), force along the axes of the first body, acting on the second at its own point and
-// reversed on the first at that same point. `simbody_oracle bushing` prints its wrenches, which the
-// tests hold against formulas.
+// -(k q + c q'), and a force along the axes of the first body that acts on the second at its own
+// point and, reversed, on the first at that same point. `simbody_oracle bushing` prints its
+// wrenches, which the tests compare with formulas.
 #pragma once
 
 #include <Simbody.h>
@@ -23,7 +23,7 @@ class Model {
  public:
   enum class Held { as_in_statics, free };
 
-  /// With the loads of this load case besides those that are always there.
+  /// Applies the loads of this load case in addition to those that are always applied.
   Model(const Case& data, const LoadCase& load_case, Held held);
 
   const SimTK::MultibodySystem& system() const { return system_; }
@@ -31,10 +31,11 @@ class Model {
 
   int bodies() const { return static_cast<int>(mobilized_.size()); }
   const SimTK::MobilizedBody& body(int i) const { return mobilized_[static_cast<std::size_t>(i)]; }
-  /// Forces of all elements: moment about the body's origin and force, in the ground's axes.
+  /// Returns the forces of all elements: moment about the body's origin and force, in the ground's
+  /// axes.
   SimTK::SpatialVec wrench(const SimTK::State& state, int body) const;
   double energy_of_bushings(const SimTK::State& state) const;  // J
-  /// Of output point i from where it is at rest.
+  /// Returns the displacement of output point i from its place at rest.
   SimTK::Vec3 displacement(const SimTK::State& state, int output) const;
   const Case& data() const { return data_; }
 

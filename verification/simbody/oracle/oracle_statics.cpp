@@ -14,7 +14,8 @@ using namespace SimTK;
 
 constexpr double kEnough = 1e-7;  // N, N m
 constexpr int kIterations = 30;
-constexpr double kStep = 1e-7;  // m, rad: error of order 2 in it, noise of rounding over it
+// M, rad: the error is of order 2 in it, the rounding noise inversely proportional.
+constexpr double kStep = 1e-7;
 
 Vector forces(const Model& model, const State& state) {
   model.system().realize(state, Stage::Dynamics);
@@ -29,7 +30,7 @@ Vector forces(const Model& model, const State& state) {
   return r;
 }
 
-/// Travel of a body's origin, then a rotation by its vector, both in the ground's axes.
+/// Moves a body by the travel of its origin, then by a rotation vector, both in the ground's axes.
 void move(const Model& model, State& state, int i, const Vec3& travel, const Vec3& rotation) {
   const Transform at = model.body(i).getMobilizerTransform(state);
   const double angle = rotation.norm();
@@ -54,8 +55,8 @@ Matrix jacobian(const Model& model, State state) {
   return J;
 }
 
-/// All bodies lowered until linear tires carry what presses the car down: where tires only touch,
-/// their differences are of either side.
+/// Returns a start with all bodies lowered until linear tires carry the load. If tires only touched
+/// the road, their differences would mix both sides.
 State start_of(const Model& model) {
   State state = model.at_rest();
   double stiffness = 0.0, down = 0.0;
@@ -79,7 +80,7 @@ Statics solve_statics(const Model& model) {
     const Vector r = forces(model, found.state);
     found.left = r.normInf();
     if (found.left <= kEnough && found.left > 0.5 * before)
-      return found;  // to what rounding leaves
+      return found;  // to the limit of rounding
     if (!std::isfinite(found.left) || found.iterations == kIterations)
       throw std::runtime_error("no equilibrium: " + std::to_string(found.left) + " N are left");
     Vector x;

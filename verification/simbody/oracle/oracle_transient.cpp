@@ -12,7 +12,7 @@ namespace {
 
 using namespace SimTK;
 
-// No step jumps over a kerb, 13 ms long.
+// Longest step: it cannot skip a kerb, which lasts 13 ms.
 constexpr double kLongestStep = 1e-3;  // s
 
 void print_head(const Case& data) {

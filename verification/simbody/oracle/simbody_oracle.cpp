@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statics and transients of bodies on bushings by Simbody, for tests to compare with: a program of
-// its own, never part of the product.
+// Statics and transients of bodies on bushings by Simbody, as a reference for tests. It is a
+// separate program and never part of the product.
 //
 //   simbody_oracle statics CASE.json       displacements, rotations, energy of every load case
 //   simbody_oracle transient CASE.json [ACCURACY [explicit|cpodes]]      displacements over time
 //   simbody_oracle bushing                 wrenches of one bushing, far from rest
 //
-// Numbers go to the standard output as CSV, what they took to the standard error.
+// Numbers go to the standard output as CSV, the cost of the computation to the standard error.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -21,7 +21,7 @@
 namespace {
 
 using namespace SimTK;
-// Of the processor: this is one thread, and others may be at work beside it.
+// Returns processor time: this is one thread, and others may run beside it.
 double seconds_since(std::clock_t start) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }

@@ -11,9 +11,8 @@
 
 namespace latsch::ring_tire {
 
-/// What the elements of node k carry: the tension in the middle of segment k (three components),
-/// (3) along x and z with the turning of n with the slope, at knot k and in the middle of the
-/// segment, (4), (5).
+/// Elements of node k: the tension in the middle of segment k (three components); (3) along x and z
+/// with the rotation of n by the slope, at knot k and in the middle of the segment; (4); (5).
 struct Elements {
   enum {
     kString = 0,
@@ -44,7 +43,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// s of (3).
+/// Returns s of (3).
 template <class Place>
 double bend_of(const BendRule& rule, const Place& place, const Vector3d& a) {
   Vector3d c = Vector3d::Zero(), d = Vector3d::Zero();
@@ -61,7 +60,7 @@ double bend_of(const BendRule& rule, const Place& place, const Vector3d& a) {
 BeltForces::BeltForces(const Belt& belt, int nodes) : nodes_(nodes), law_() {
   const double x = 2.0 * std::numbers::pi / nodes;
   const double node_radius = belt.radius * node_radius_over_knot_radius(nodes);
-  // The pressure on a node at rest; the tension along g_k counts T0 L0/R there.
+  // The pressure force on a node at rest; the tension along g_k balances it with T0 L0/R.
   const double outward = 2.0 * (kArea1 * std::sin(x) + kArea2 * std::sin(2.0 * x)) * node_radius *
                          belt.pressure * belt.pressure_width;
   law_ = {

@@ -8,12 +8,12 @@ namespace {
 
 using Eigen::Matrix4d;
 
-/// D of one strain of viscosity c, by forms.
+/// Returns D of one strain of viscosity c, by forms.
 BendMatrix turning(const Strain& e, double viscosity, const BendVector& rate) {
   return viscosity * (e.slope.dot(rate) * e.second + e.slope * (e.second * rate).transpose());
 }
 
-/// Of the product of two strains, whose stresses are the other's.
+/// Returns D of the product of two strains, each of which gives the stress of the other.
 BendMatrix turning(const Strain& a, const Strain& b, double viscosity, const BendVector& rate) {
   return viscosity * (a.slope.dot(rate) * b.second + b.slope * (a.second * rate).transpose() +
                       b.slope.dot(rate) * a.second + a.slope * (b.second * rate).transpose());

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the belt's damping (30) changes with the places of its nodes. With c the viscosity of a
-// strain e, C = Σ c e_q e_q' and v the velocities against the rim, the force -Σ c e_q e' has the
-// slope -D by places and -C by velocities,
+// Derivative of the belt's damping (30) by the places of its nodes. With the viscosity c of a
+// strain e, C = Σ c e_q e_q' and velocities v relative to the rim, the force -Σ c e_q e' has the
+// derivative -D by places and -C by velocities,
 //   D = Σ c (e' e_qq + e_q (e_qq v)')                                                       (31)
-// D is not symmetric and a small part of a step's tangent: the strains turn little in a step.
-// Newton's method leaves it out, derivatives of a step (motion_slopes.h) have it.
+// D is not symmetric and a small part of a step's tangent, because strains rotate little in a step.
+// Newton's method omits D; derivatives of a step (motion_slopes.h) include it.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,7 +26,7 @@ class WholeBand {
   const Eigen::Matrix4d& block(int k, int j) const {
     return blocks_[static_cast<std::size_t>(k * kWidth + j + CyclicBand::kReach)];
   }
-  /// A x and A' x of columns; a row an unknown.
+  /// Return A x and A' x of columns; each row is an unknown.
   SideBySide multiply(const SideBySide& x) const;
   SideBySide multiply_transposed(const SideBySide& x) const;
 
@@ -36,7 +36,7 @@ class WholeBand {
   std::vector<Eigen::Matrix4d> blocks_;
 };
 
-/// D of (31), in inertial axes, with the nodes at `at` and their rates against the rim.
+/// Returns D of (31) in inertial axes, with the nodes at `at` and their rates relative to the rim.
 WholeBand damping_by_places(const BeltForces& belt,
                             const RimRows& at,
                             const RimRows& rate,

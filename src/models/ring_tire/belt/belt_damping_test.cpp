@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// (30) against strains written out here by the equations of docs/ring_tire.md, and their
+// (30) is compared with strains written here from the equations of docs/ring_tire.md, and their
 // differences.
 #include <gtest/gtest.h>
 
@@ -62,13 +62,13 @@ NodeValues shaken(NodeValues q, double place, double torsion) {
   return q;
 }
 
-/// A strain e and its viscosity c: the power lost is c e'². Twist is joined by the plies to the
-/// bend, two before it in the list.
+/// A strain e and its viscosity c: the power lost is c e'². The plies couple twist to the bend, two
+/// before it in the list.
 struct DampedStrain {
   double viscosity, value, joined = 0.0;
 };
 
-/// All of (1), (3), (4), (5) at q.
+/// Returns all strains of (1), (3), (4), (5) at q.
 std::vector<DampedStrain> strains(const RingParameters& ring,
                                   const NodeValues& q,
                                   const RimFrame& rim) {
@@ -104,7 +104,8 @@ std::vector<DampedStrain> strains(const RingParameters& ring,
       const auto [p, c, d] = curve(s);
       const double share = s == 0.0 ? 1.0 / 3.0 : 2.0 / 3.0;
       const double bend = (d.x() * c.z() - d.z() * c.x()) / std::hypot(c.x(), c.z());
-      // Of the ring tilted by 1 over its radius: u = cos φ, ψ = cos φ / R vanishes in (4), (5).
+      // The ring tilted by 1 over its radius, u = cos φ, ψ = cos φ / R, has zero strains in (4),
+      // (5).
       const auto wave = [&](double at) { return std::cos(x * at); };
       const double rest = -b.radius * node_radius_over_knot_radius(N) *
                           (s == 0.0 ? 2.0 * (1.0 - wave(1.0)) : wave(0.5) - wave(1.5));
@@ -116,7 +117,8 @@ std::vector<DampedStrain> strains(const RingParameters& ring,
       all.push_back({kBeltTime * share * b.bending_in_plane / cube, bend});
       all.push_back(
           {kBeltTime * share * b.bending_out_of_plane / cube, d.y() - zeta * p[3] * bend});
-      // Joined with the bend, two before; none of its own at the knots.
+      // The twist is coupled to the bend, two before it; at the knots it has no viscosity of its
+      // own.
       const double across = -L0 * L0 / (b.radius * rest);
       all.push_back({s == 0.0 ? 0.0 : kBeltTime * b.twist / L0,
                      c[3] + across * c.y() * bend / (L0 * L0),
@@ -130,7 +132,7 @@ std::vector<DampedStrain> strains(const RingParameters& ring,
   return all;
 }
 
-/// -Σ c (de/dq) e', e' = (de/dq) v, v against the turning rim.
+/// Returns -Σ c (de/dq) e', with e' = (de/dq) v and v relative to the rotating rim.
 NodeValues viscous_force(const RingParameters& ring,
                          const NodeValues& q,
                          const NodeValues& v,
@@ -164,7 +166,7 @@ NodeValues viscous_force(const RingParameters& ring,
   return (-gradient.transpose() * stress).reshaped(4, q.cols());
 }
 
-/// What the belt adds where its nodes move with v.
+/// Returns the force that the belt adds if its nodes move with v.
 NodeValues damping_force(const BeltForces& belt,
                          const NodeValues& q,
                          const NodeValues& v,
@@ -180,7 +182,7 @@ NodeValues damping_force(const BeltForces& belt,
   return moving - still;
 }
 
-/// v of the rim's material there, and `more`.
+/// Returns the velocity of the rim's material at the nodes plus `more`.
 NodeValues with_rim(const NodeValues& q, const RimFrame& rim, const NodeValues& more) {
   NodeValues v = more;
   for (Eigen::Index k = 0; k < q.cols(); ++k)
@@ -197,8 +199,8 @@ TEST(BeltDamping, IsTheStrainsRateTimesItsViscosity) {
   const NodeValues force = damping_force(belt, q, v, rim);
   const NodeValues expected = viscous_force(ring, q, v, rim);
   EXPECT_GT(expected.norm(), 100.0);
-  EXPECT_LT((force - expected).norm(), 1e-8 * expected.norm());  // differences' rounding
-  // Each of both times alone.
+  EXPECT_LT((force - expected).norm(), 1e-8 * expected.norm());  // rounding of the differences
+  // Each of the two damping times is also tested alone.
   for (const bool of_extension : {false, true}) {
     RingParameters one = ring;
     (of_extension ? one.belt.damping_time : one.belt.extension_damping_time) = 0.0;
@@ -209,7 +211,7 @@ TEST(BeltDamping, IsTheStrainsRateTimesItsViscosity) {
   }
 }
 
-// Turning with the rim nothing is lost, nor in any rigid motion in the plane of the rim.
+// A rotation with the rim, or any rigid motion in the plane of the rim, loses nothing.
 TEST(BeltDamping, HoldsNothingOfARigidMotion) {
   const RingParameters ring = damped_ring();
   const BeltForces belt(ring.belt, kDampedNodes);
@@ -224,8 +226,8 @@ TEST(BeltDamping, HoldsNothingOfARigidMotion) {
   EXPECT_LT(damping_force(belt, q, with_rim(q, rim, turning), rim).norm(), 1e-9 * ordinary);
 }
 
-// The damping matrix is the slope of the force by the rates, which Newton's stiffness has its share
-// of.
+// The damping matrix is the derivative of the force by the rates; Newton's stiffness contains its
+// share.
 TEST(BeltDamping, MatrixIsTheSlopeByTheRates) {
   const RingParameters ring = damped_ring();
   const BeltForces belt(ring.belt, kDampedNodes);

@@ -6,13 +6,13 @@ namespace latsch::ring_tire::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
 
-/// (26) of a row, of eight segments.
+/// Evaluates (26) for one row and eight segments.
 LATSCH_INLINE Lanes slope_at(const double* row, int k) {
   return 0.125 *
          (5.0 * (lanes(row + k + 1) - lanes(row + k)) + (lanes(row + k + 2) - lanes(row + k - 1)));
 }
 
-/// Its transpose: what a value in the middle of each segment is on eight nodes.
+/// Transpose of slope_at: the contribution of values in the middle of the segments to eight nodes.
 LATSCH_INLINE Lanes from_slopes(const double* row, int k) {
   return 0.125 *
          (5.0 * (lanes(row + k) - lanes(row + k - 1)) + (lanes(row + k + 1) - lanes(row + k - 2)));
@@ -23,13 +23,13 @@ LATSCH_INLINE Lanes bend_between(const double* row, int k) {
   return 0.5 * ((lanes(row + k - 1) + lanes(row + k + 2)) - (lanes(row + k) + lanes(row + k + 1)));
 }
 
-/// Torsion there, times ζ of (4).
+/// Torsion in the middle of eight segments, times ζ of (4).
 LATSCH_INLINE Lanes torsion_between(double zeta, const double* psi, int k) {
   return (zeta / 48.0) *
          ((lanes(psi + k - 1) + lanes(psi + k + 2)) + 23.0 * (lanes(psi + k) + lanes(psi + k + 1)));
 }
 
-/// At eight knots: torsion, twice the first and the second derivative by s.
+/// Torsion, and twice the first and the second derivative by s, at eight knots.
 LATSCH_INLINE Lanes torsion_at(const double* psi, int k) {
   return (lanes(psi + k - 1) + 4.0 * lanes(psi + k) + lanes(psi + k + 1)) * (1.0 / 6.0);
 }
@@ -40,9 +40,9 @@ LATSCH_INLINE Lanes bend_at(const double* row, int k) {
   return (lanes(row + k + 1) + lanes(row + k - 1)) - 2.0 * lanes(row + k);
 }
 
-/// Elements of the segments -2 .. nodes and of the knots -1 .. nodes, nodes at x, y, z with
-/// torsions (rows of rim_rows.h). In the rim's axes a × (t_x, 0, t_z) = (t_z, 0, -t_x).
-/// With the rates of the nodes' places where these are damped.
+/// Evaluates the elements of the segments -2 .. nodes and of the knots -1 .. nodes, with nodes at
+/// x, y, z and their torsions (rows of rim_rows.h). In the rim's axes a × (t_x, 0, t_z) = (t_z, 0,
+/// -t_x). If `damped`, the rates of the nodes' places add the damping.
 template <bool damped>
 LATSCH_INLINE void strain_of(int nodes,
                              const BeltLaw& law,
@@ -146,7 +146,7 @@ void strain_damped(int nodes,
   strain_of<true>(nodes, law, rows, rates, e);
 }
 
-/// What the elements do to the nodes, and the pressure (2).
+/// Sums the forces of the elements on the nodes, and the pressure (2).
 void gather(int nodes,
             const BeltLaw& law,
             const double* const rows[4],
@@ -157,7 +157,7 @@ void gather(int nodes,
   const double by_L = 1.0 / law.L0;
   by_eight(0, nodes, [&](int k) {
     const auto at = [&](int row, int node) { return lanes(e.row[row] + node); };
-    // At k itself, from the node behind, from the node ahead.
+    // Factors of the nodes behind and ahead of k.
     const Lanes behind = 1.0 - at(Elements::kTurning, k - 1),
                 ahead = 1.0 + at(Elements::kTurning, k + 1);
     const auto turning = [&](int segment) {

@@ -1,26 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // Second derivatives of the belt's energy. s = a . (d × c)/|c| of (3) is a product of linear forms
-// over a length, so its second derivatives in the slope c and the second derivative d are short:
-// with t along c, n = a × t, κ the stiffness, m = κ (s - s_0) and along = d . t/|c|, an element of
-// weights g_i of c and b_i of d counts
+// over a length, so its second derivatives by the slope c and the second derivative d are short.
+// With t along c, n = a × t, κ the stiffness, m = κ (s - s_0) and along = d . t/|c|, an element
+// with weights g_i of c and b_i of d contributes
 //   b_i b_j A + g_i g_j B + b_i g_j C + g_i b_j C'                                          (27)
 //   A = κ n n',  B = κ along² n n' + m ((along/|c|) (t n' + n t') - (s/|c|²) n n'),
 //   C = -κ along n n' - (m/|c|) t n'
-// (4) and (5) add to κ and m, their second and first derivative by s, and hang places in the plane
-// of the rim together with torsion and travel across it: s changes by (b_j - g_j along) n of node
-// j.
+// (4) and (5) add their second and first derivative by s to κ and m. They also couple places in the
+// plane of the rim with torsion and lateral travel: s changes by (b_j - g_j along) n of node j.
 #include "models/ring_tire/belt/belt.h"
 #include "models/ring_tire/belt/bend_rule.h"
 #include "models/ring_tire/belt/ply_coupling.h"
 
 namespace latsch::ring_tire {
 
-/// What the elements of node k carry: the string of segment k, symmetric; in the middle of the
-/// segment and at knot k (27), then of (4) and (5): u'' with ψ, ψ with itself, along, n, and s with
-/// u'', ψ and between knots u' and ψ'; of (5) u' with ψ' and with itself.
+/// Elements of node k: the tension of segment k, symmetric; in the middle of the segment and at
+/// knot k (27), then for (4) and (5): u'' with ψ, ψ with itself, along, n, and s with u'', ψ and
+/// between knots u' and ψ'; for (5) u' with ψ' and with itself.
 struct ElementStiffness {
   enum { kString = 0, kBetween = 6, kKnot = 25, kTwist = 42, kRows = 44 };
-  enum { kA = 0, kB = 3, kC = 6 };  // xx, xz, zz; the same; xx, xz, zx, zz
+  enum { kA = 0, kB = 3, kC = 6 };  // xx, xz, zz; xx, xz, zz; xx, xz, zx, zz
   enum { kTilt = 10, kTiltTilt, kAlong, kNx, kNz, kBendS, kTorsionS, kSlopeS, kTwistS };
   double* row[kRows];
 };
@@ -32,8 +31,8 @@ struct ElementStiffness {
 
 namespace latsch::ring_tire {
 
-/// Beside the stress stands what strains stretch: with (30) that is more by the share of a strain's
-/// rate that hangs on the strain at the end of a step.
+/// The stress is computed by one law, the stiffness of the strains by another: with (30) that is
+/// larger by the part of a strain's rate that depends on the strain at the end of a step.
 void BeltForces::find_stiffness(const RimRows& at,
                                 double velocity,
                                 double scale,
@@ -75,7 +74,7 @@ void BeltForces::find_by_laws(const BeltLaw& stress,
   if (stretch.D16 != 0.0) add_ply_stiffness(stress, stretch, at, scale, K);
 }
 
-/// Of (4) and (5) what does not change with the belt's bend.
+/// Adds the parts of (4) and (5) that do not change with the belt's bend.
 void BeltForces::add_lateral_stiffness(const BeltLaw& law, double scale, StiffnessRows& K) const {
   const double EI = scale * law.EI_out_of_plane / (law.L0 * law.L0 * law.L0);
   const double GJ = scale * law.GJ / law.L0;

@@ -6,14 +6,14 @@ namespace latsch::ring_tire::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
 
-/// A row of eight segments by weights of the nodes k-1 .. k+2, nothing for a weight of 0.
+/// Sums a row for eight segments with weights of the nodes k-1 .. k+2; skips a fourth weight of 0.
 LATSCH_INLINE Lanes weighted(const double* row, int k, const double (&w)[4]) {
   Lanes sum = w[0] * lanes(row + k - 1) + w[1] * lanes(row + k) + w[2] * lanes(row + k + 1);
   if (w[3] != 0.0) sum += w[3] * lanes(row + k + 2);
   return sum;
 }
 
-/// s of (3) and what it hangs on. In the rim's axes n = a × (t_x, 0, t_z) = (t_z, 0, -t_x).
+/// s of (3) and the values it depends on. In the rim's axes n = a × (t_x, 0, t_z) = (t_z, 0, -t_x).
 struct Bend {
   Lanes tx, tz, shorter, s, along;
 };
@@ -26,7 +26,7 @@ LATSCH_INLINE Bend bend_of(const BendRule& rule, const double* const rows[4], in
   return {tx, tz, shorter, dx * tz - dz * tx, (dx * tx + dz * tz) * shorter};
 }
 
-/// A, B and C of (27), ten rows; stiffness and moment: κ, m.
+/// Computes A, B and C of (27), ten rows, from the stiffness κ and the moment m.
 LATSCH_INLINE void bending(
     const Bend& bend, const Lanes& stiffness, const Lanes& m, int k, double* const* to) {
   const auto& [tx, tz, shorter, s, along] = bend;
@@ -49,12 +49,12 @@ LATSCH_INLINE void bending(
   put(ElementStiffness::kNz, -tx);
 }
 
-/// First and second derivative by s of what (4), and where there is (5) that, add to (3).
+/// First and second derivative by s that (4), and (5) where it is evaluated, add to (3).
 struct BySlope {
   Lanes moment, stiffness;
 };
 
-/// (4), EI (u'' - ζ ψ s)²/2, of a rule; stressed by another EI.
+/// Evaluates (4), EI (u'' - ζ ψ s)²/2, for one rule; the stress may have another EI.
 LATSCH_INLINE BySlope tilting(const BendRule& rule,
                               double stress_EI,
                               double EI,
@@ -74,8 +74,8 @@ LATSCH_INLINE BySlope tilting(const BendRule& rule,
   return {-(lateral * tilt), EI * tilt * tilt};
 }
 
-/// Of the segments -2 .. nodes and of the knots -1 .. nodes, nodes at x, y, z with torsions;
-/// `stretch`: what strains stretch, where that is not `law`, by which they are stressed.
+/// Evaluates the segments -2 .. nodes and the knots -1 .. nodes, with nodes at x, y, z and their
+/// torsions. `law` gives the stresses and `stretch` the stiffnesses of the strains.
 void stiffen(int nodes,
              const BeltLaw& law,
              const BeltLaw& stretch,
@@ -146,20 +146,20 @@ void stiffen(int nodes,
   });
 }
 
-/// Blocks (k, k + j) of eight nodes: x, across the plane, z, torsion.
+/// Blocks (k, k + j) of eight nodes; rows and columns: x, lateral, z, torsion.
 struct BlockSums {
   Lanes of[4][4];
 };
 
-/// (27) and what (4) and (5) hang together, of all elements of a rule on both nodes. `twists`: the
-/// rule has (5).
+/// Adds (27) and the coupling by (4) and (5), of all elements of a rule that contain both nodes.
+/// `twists` is true if the rule evaluates (5).
 template <int kNodes, int j, bool twists>
 LATSCH_INLINE void add_bending(const BendRule& rule, double* const* rows, int k, BlockSums& sums) {
   enum { x, y, z, psi };
   auto& to = sums.of;
 #pragma GCC unroll 4
   for (int i = 0; i < kNodes - j; ++i) {
-    const int at = k - i + 1, n = i + j;  // the element whose node i is k, and n is k + j
+    const int at = k - i + 1, n = i + j;  // the element whose node i is k and node n is k + j
     const auto value = [&](int row) { return lanes(rows[row] + at); };
     const double bb = rule.second[i] * rule.second[n], gg = rule.slope[i] * rule.slope[n];
     const double bg = rule.second[i] * rule.slope[n], gb = rule.slope[i] * rule.second[n];
@@ -229,8 +229,8 @@ LATSCH_INLINE void gather_blocks(int nodes,
   });
 }
 
-/// What the elements and the pressure are to the nodes, in place of what stood there: sixteen rows
-/// of each j.
+/// Computes the stiffness of the elements and the pressure for the nodes and overwrites `rows`:
+/// sixteen rows for each j.
 void gather_stiffness(int nodes, double pressure, const ElementStiffness& e, double* const* rows) {
   gather_blocks<0>(nodes, 0.0, e, rows);
   gather_blocks<1>(nodes, kArea1 * pressure, e, rows + 16);

@@ -24,7 +24,7 @@ RimFrame some_rim() {
   return RimFrame::of(motion);
 }
 
-/// Nodes whose curve has its knots at `radius`.
+/// Returns nodes whose curve has its knots at `radius`.
 NodeValues nodes_at_rest(const RimFrame& rim, double radius) {
   const NodeAngles angles(kBeltNodes);
   NodeValues q(4, kBeltNodes);
@@ -34,7 +34,7 @@ NodeValues nodes_at_rest(const RimFrame& rim, double radius) {
   return q;
 }
 
-/// Deformed by centimeters and tenths of a radian.
+/// Returns nodes displaced by centimeters and tenths of a radian.
 NodeValues deformed(const RimFrame& rim, double radius) {
   NodeValues q = nodes_at_rest(rim, radius);
   RandomStream random(11, 1);
@@ -60,7 +60,7 @@ TEST(BeltForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
       minus(i, k) -= h;
       direction(i, k) = 1.0;
       const double slope = (belt.energy(plus, rim) - belt.energy(minus, rim)) / (2.0 * h);
-      // The rounding of an energy of some kJ over 2h.
+      // The tolerance is the rounding of an energy of some kJ over 2h.
       EXPECT_NEAR(force(i, k), -slope, 1e-9 * force.norm() + 1e-5);
       const NodeValues f1 = force_of(belt, plus, rim), f0 = force_of(belt, minus, rim);
       const NodeValues column = K.multiply(direction);
@@ -70,7 +70,7 @@ TEST(BeltForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
 
 TEST(BeltForces, OfCoupledPliesAndOfAConeAreTheGradientAndItsSlopeTheHessian) {
   RingParameters ring = passenger_ring();
-  ring.belt.extension = 2e4;  // its rounding aside
+  ring.belt.extension = 2e4;  // reduces its rounding
   ring.belt.bending_in_plane = 10.0;
   ring.belt.bending_twist = 20.0;
   ring.belt.conicity = 0.05;
@@ -97,8 +97,8 @@ TEST(BeltForces, OfCoupledPliesAndOfAConeAreTheGradientAndItsSlopeTheHessian) {
   }
 }
 
-// A cone stands without stress where its sections have turned by ψ_0, belt and sidewall alike; its
-// belt, and one of coupled plies, tilt freely.
+// A cone has no stress if its sections are rotated by ψ_0, in belt and sidewall alike. Its belt,
+// and one of coupled plies, tilt freely.
 TEST(BeltForces, OfAConeVanishAtItsRest) {
   RingParameters ring = passenger_ring();
   ring.belt.bending_in_plane = 10.0;
@@ -143,7 +143,7 @@ TEST(BeltForces, VanishAtRestAndUnderARigidTilt) {
     q(3, k) = tilt * c;
   }
   force = force_of(BeltForces(slack.belt, kBeltNodes), q, rim);
-  // What is left is of second order in the tilt: the extension of the belt, EA tilt²/2.
+  // The rest is of second order in the tilt: the extension of the belt, EA tilt²/2.
   EXPECT_LT(force.row(3).norm(), 1e-9);
   EXPECT_LT(force.norm(), 3.0 * slack.belt.extension * tilt * tilt);
 }
@@ -181,8 +181,8 @@ TEST(SidewallForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
   }
 }
 
-// Five elements in parallel slip one after the other at 1/15, 2/15 ... of the whole force; the loop
-// of a large travel is twice that force wide.
+// Five elements in parallel slip one after the other at 1/15, 2/15 ... of the whole force. The loop
+// of a large travel has a width of twice that force.
 TEST(SidewallForces, FrictionElementsMakeALoopOfTheirForce) {
   RingParameters ring = passenger_ring();
   ring.sidewall.radial.friction_stiffening = 0.5;

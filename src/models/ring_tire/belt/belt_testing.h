@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces and stiffness of belt and sidewall, each alone, in inertial axes: for tests.
+// For tests: forces and stiffness of belt and sidewall, each alone, in inertial axes.
 #pragma once
 
 #include "models/ring_tire/belt/belt.h"
@@ -28,7 +28,7 @@ inline CyclicBand stiffness_of(const BeltForces& belt, const NodeValues& q, cons
   return K;
 }
 
-/// On the knots, whose places are `knots`, at rest.
+/// Returns the forces on the knots, whose places are `knots`, at rest.
 inline NodeValues force_of(const SidewallForces& sidewall,
                            const NodeValues& knots,
                            const RimFrame& rim) {
@@ -41,7 +41,7 @@ inline NodeValues force_of(const SidewallForces& sidewall,
   return turned;
 }
 
-/// On the nodes.
+/// Returns the stiffness of the nodes.
 inline CyclicBand stiffness_of(const SidewallForces& sidewall,
                                const NodeValues& knots,
                                const RimFrame& rim) {

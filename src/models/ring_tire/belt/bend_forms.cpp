@@ -10,12 +10,12 @@ using Eigen::Matrix2d;
 using Eigen::Matrix4d;
 using Eigen::Vector2d;
 
-/// Of factor * s: derivatives by what else it hangs on are added by the caller.
+/// Returns factor * s; the caller adds derivatives by other variables in the factor.
 Strain times(const Strain& s, double factor) {
   return {factor * s.value, factor * s.slope, factor * s.second};
 }
 
-/// Of the product of s with a form.
+/// Returns the product of s with a form.
 Strain times_form(const Strain& s, double factor, double value, BendForm form) {
   Strain product = times(s, factor * value);
   product.slope[form] += factor * s.value;
@@ -24,7 +24,7 @@ Strain times_form(const Strain& s, double factor, double value, BendForm form) {
   return product;
 }
 
-/// s = d . n of (3), n = a × t: derivatives as in (27).
+/// Returns s = d . n of (3), n = a × t, with derivatives as in (27).
 Strain bend_of(const BendVector& z) {
   const Vector2d c = z.segment<2>(kSlopeX), d = z.segment<2>(kBendX);
   const double length = c.norm();

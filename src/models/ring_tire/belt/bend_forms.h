@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The strains of (1) and (3) to (5) at one place of the belt, by eight linear forms of its four
-// nodes in the rim's axes: with x, z in the plane of the rim, y across it, by s of one a segment
+// The strains of (1) and (3) to (5) at one place of the belt as functions of eight linear forms of
+// its four nodes in the rim's axes. With x, z in the plane of the rim, y lateral, and s from 0 to 1
+// in a segment, the forms are
 //   x', z', x'', z'', y', y'', ψ', ψ
-// What hangs on strains one by one is short in them: for what is needed seldom, beside the
-// kernels, which work on eight places at once.
+// The forms keep code short that needs single strains. It runs rarely, unlike the kernels, which
+// process eight places at once.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,20 +18,20 @@ enum BendForm { kSlopeX, kSlopeZ, kBendX, kBendZ, kSlopeY, kBendY, kTwist, kTors
 using BendVector = Eigen::Vector<double, kBendForms>;
 using BendMatrix = Eigen::Matrix<double, kBendForms, kBendForms>;
 
-/// Where the forms are taken, and of it what belt.h says.
+/// A place at which the forms are evaluated, and its constants from belt.h.
 struct BendPlace {
   const BendRule& rule;
-  double share, tilt, tilt_twist, s0;  // of Simpson's rule; ζ of (4), of (5) over L0²; s at rest
-  bool between;                        // in the middle of a segment, where (1) and (5) are taken
+  double share, tilt, tilt_twist, s0;  // Simpson's weight; ζ of (4); ζ of (5) over L0²; s at rest
+  bool between;                        // true in the middle of a segment, where (1) and (5) apply
 
   static BendPlace at_knot(const BeltLaw& law);
   static BendPlace middle(const BeltLaw& law);
 };
 
-/// Values of the forms at knot or segment k, of rows of nodes or their rates.
+/// Returns the values of the forms at knot or segment k, from rows of nodes or their rates.
 BendVector bend_forms(const BendRule& rule, const RimRows& rows, int k);
 
-/// A strain, its first and its second derivatives by the forms.
+/// A strain with its first and second derivatives by the forms.
 struct Strain {
   double value;
   BendVector slope;
@@ -44,7 +45,7 @@ struct Strains {
   Strains(const BendPlace& place, const BendVector& forms);
 };
 
-/// The block of node i with node j, by x, y, z, ψ of each, of a matrix by forms.
+/// Returns the block of node i with node j, each with x, y, z, ψ, of a matrix by forms.
 Eigen::Matrix4d on_nodes(const BendRule& rule, const BendMatrix& by_form, int i, int j);
 
 }  // namespace latsch::ring_tire

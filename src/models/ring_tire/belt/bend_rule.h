@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where bending, (3) and (4) of belt.h, is taken: what the nodes k-1 .. k+2 count in the curve's
-// place and in its first and second derivative by s.
+// Weights of the nodes k-1 .. k+2 at a point where bending, (3) and (4) of belt.h, is evaluated:
+// for the curve's place and for its first and second derivative by s.
 #pragma once
 
 namespace latsch::ring_tire {

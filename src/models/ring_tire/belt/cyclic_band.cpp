@@ -84,8 +84,8 @@ void CyclicBandFactor::clear_border() {
           panel(k) + BandPanel::kRows * c + BandPanel::kBorder, BandPanel::kBorderRows, 0.0);
 }
 
-/// Every panel has A(k, k + j) transposed below its diagonal: those of border nodes go where they
-/// belong.
+/// Every panel has A(k, k + j) transposed below its diagonal; this function moves the blocks of
+/// border nodes to their places.
 void CyclicBandFactor::close_ring() {
   for (int j = 1; j <= kReach; ++j)
     for (int k = interior_ - j; k < interior_; ++k) {

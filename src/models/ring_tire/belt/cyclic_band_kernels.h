@@ -10,10 +10,10 @@ using namespace latsch::LATSCH_KERNELS;
 constexpr int kRows = BandPanel::kRows, kNext = BandPanel::kNext, kLast = BandPanel::kLast,
               kBorder = BandPanel::kBorder, kBorderRows = BandPanel::kBorderRows;
 
-/// The inverse of a symmetric block, of which the lower triangle counts, by halves of two rows;
-/// false where it is not positive definite. Exactly symmetric: eliminations would let what rounding
-/// leaves between the triangles grow along the chain, 1e-16 at its beginning to all digits after a
-/// hundred nodes of a stiff belt.
+/// Inverts a symmetric block, given by its lower triangle, by halves of two rows; returns false if
+/// it is not positive definite. The inverse is exactly symmetric: eliminations would amplify
+/// rounding differences between the triangles along the chain, from 1e-16 at its beginning to all
+/// digits after a hundred nodes of a stiff belt.
 LATSCH_INLINE bool invert(const double* S, int stride, double* inverse) {
   const auto at = [&](int r, int c) { return S[c * stride + r]; };
   const double a = at(0, 0), b = at(1, 0), c = at(1, 1), det = a * c - b * b;
@@ -41,7 +41,7 @@ LATSCH_INLINE bool invert(const double* S, int stride, double* inverse) {
   return true;
 }
 
-/// y - L x, L: columns `stride` apart.
+/// Returns y - L x; the columns of L are `stride` apart.
 LATSCH_INLINE Lanes4 less_times(const Lanes4& y, const double* L, int stride, const double* x) {
   return (y - lanes4(L) * x[0] - lanes4(L + stride) * x[1]) -
          (lanes4(L + 2 * stride) * x[2] + lanes4(L + 3 * stride) * x[3]);
@@ -51,7 +51,7 @@ LATSCH_INLINE Lanes less_times(const Lanes& y, const double* L, int stride, cons
          (lanes(L + 2 * stride) * x[2] + lanes(L + 3 * stride) * x[3]);
 }
 
-/// to - A b, A: four columns in registers; b: four numbers `apart`.
+/// Computes to - A b; A has four columns in registers, b four numbers `apart`.
 LATSCH_INLINE void subtract(double* to, const Lanes* A, const double* b, int apart) {
   store(lanes(to) - A[0] * b[0] - A[1] * b[apart] - A[2] * b[2 * apart] - A[3] * b[3 * apart], to);
 }
@@ -59,7 +59,7 @@ LATSCH_INLINE void subtract(double* to, const Lanes4* A, const double* b, int ap
   store(lanes4(to) - A[0] * b[0] - A[1] * b[apart] - A[2] * b[2 * apart] - A[3] * b[3 * apart], to);
 }
 
-/// Rows of a panel under its diagonal: two neighbors, the third; two nodes of the border, its last.
+/// Rows of a panel below its diagonal: two neighbors, the third; two nodes of the border, its last.
 struct PanelRows {
   Lanes near, border;
   Lanes4 third, last;
@@ -72,13 +72,13 @@ LATSCH_INLINE PanelRows rows_of(const double* column) {
           .last = lanes4(column + kBorder + 8)};
 }
 
-/// Eliminates the node of a panel from those of its three neighbors, which follow, and from the
-/// border where that counts. Its rows of A become those of L, its diagonal its inverse.
+/// Eliminates the node of a panel from its three neighbors, whose panels follow, and from the
+/// border if that counts. The node's rows of A become those of L, its diagonal the inverse.
 template <bool with_border>
 LATSCH_INLINE bool eliminate(double* panel, double* border) {
   double inverse[16];
   if (!invert(panel, kRows, inverse)) return false;
-  // By registers of L, as they meet the panels they are taken from.
+  // Registers of L are grouped as they are used with the panels.
   Lanes near[4], shifted[4], of_border[4];
   Lanes4 first[4], second[4], lone[4], border_high[4], border_last[4];
   {
@@ -100,7 +100,8 @@ LATSCH_INLINE bool eliminate(double* panel, double* border) {
       }
     }
   }
-  // One register of L after the other, so that AVX2 has enough of them for its columns.
+  // One register of L is processed after the other, so that AVX2 has enough registers for its
+  // columns.
   if constexpr (with_border) {
 #pragma GCC unroll 3
     for (int i = 0; i < 3; ++i)
@@ -155,7 +156,7 @@ LATSCH_INLINE bool eliminate(double* panel, double* border) {
   return true;
 }
 
-/// Whether L of the border is below `least` in this panel and the two before it.
+/// True if L of the border is below `least` in this panel and the two before it.
 LATSCH_INLINE bool faded(const double* panel, double least) {
   Lanes squares = all(0.0);
   Lanes4 last = Lanes4(0.0);
@@ -169,10 +170,10 @@ LATSCH_INLINE bool faded(const double* panel, double least) {
   return sum(low_half(squares) + high_half(squares) + last) < least * least;
 }
 
-/// `panels`: a node each, three more of zeros; `border`: 12 x 12, of which the lower triangle of
-/// blocks counts. `least`, `far`: see CyclicBandFactor.
+/// `panels` has one panel for each node and three panels of zeros. `border` is 12 x 12; the lower
+/// triangle of its blocks counts. `least`, `far`: see CyclicBandFactor.
 bool eliminate_chain(int interior, double* panels, double* border, double least, int& far) {
-  constexpr int kLooks = 4;  // nodes from one look to the next
+  constexpr int kLooks = 4;  // nodes from one check to the next
   far = interior - 3;
   for (int k = 0; k < interior; ++k) {
     double* const panel = panels + k * BandPanel::kSize;
@@ -184,7 +185,7 @@ bool eliminate_chain(int interior, double* panels, double* border, double least,
     double* const own = border + (kBorderRows + 1) * 4 * k;
     double inverse[16];
     if (!invert(own, kBorderRows, inverse)) return false;
-    Lanes4 A[8];  // by block below and column
+    Lanes4 A[8];  // index: block below the diagonal, column
     double old[32];
     for (int i = k + 1; i < 3; ++i)
       for (int c = 0; c < 4; ++c) {
@@ -210,7 +211,7 @@ bool eliminate_chain(int interior, double* panels, double* border, double least,
   return true;
 }
 
-/// x <- A x at every node, A: columns of four.
+/// Computes x <- A x at every node; A has columns of four.
 void turn_nodes(int nodes, const double* A, double* x) {
   const Lanes4 a0 = lanes4(A), a1 = lanes4(A + 4), a2 = lanes4(A + 8), a3 = lanes4(A + 12);
   for (int k = 0; k < nodes; ++k) {
@@ -219,14 +220,14 @@ void turn_nodes(int nodes, const double* A, double* x) {
   }
 }
 
-/// D^-1 x
+/// Returns D^-1 x.
 LATSCH_INLINE Lanes4 diagonal_times(const double* inverse, int stride, const double* x) {
   return lanes4(inverse) * x[0] + lanes4(inverse + stride) * x[1] +
          (lanes4(inverse + 2 * stride) * x[2] + lanes4(inverse + 3 * stride) * x[3]);
 }
 
-/// The neighbors of the node at work stay in registers: what was just stored by fours is not to be
-/// read by eights.
+/// The neighbors of the current node stay in registers, because values just stored by fours should
+/// not be read by eights.
 void solve_chain(int interior, int far, const double* panels, const double* border, double* x) {
   const auto beside = [&](int k) { return k < far || k >= interior - 3; };
   double* const at_border = x + 4 * interior;
@@ -288,7 +289,7 @@ void solve_chain(int interior, int far, const double* panels, const double* bord
   }
 }
 
-/// A node's four unknowns of eight columns.
+/// The four unknowns of a node in eight columns.
 struct Rows4 {
   Lanes v[4] = {all(0.0), all(0.0), all(0.0), all(0.0)};
 
@@ -309,13 +310,13 @@ struct Rows4 {
       v[i] = (v[i] + x.v[0] * A[4 * i] + x.v[1] * A[4 * i + 1]) +
              (x.v[2] * A[4 * i + 2] + x.v[3] * A[4 * i + 3]);
   }
-  /// - L x
+  /// Subtracts L x.
   LATSCH_INLINE void less_times(const double* L, int apart, const Rows4& x) {
     for (int i = 0; i < 4; ++i)
       v[i] = (v[i] - x.v[0] * L[i] - x.v[1] * L[apart + i]) -
              (x.v[2] * L[2 * apart + i] + x.v[3] * L[3 * apart + i]);
   }
-  /// - L^T x
+  /// Subtracts L^T x.
   LATSCH_INLINE void less_transposed(const double* L, int apart, const Rows4& x) {
     for (int i = 0; i < 4; ++i)
       v[i] = (v[i] - x.v[0] * L[apart * i] - x.v[1] * L[apart * i + 1]) -
@@ -323,8 +324,8 @@ struct Rows4 {
   }
 };
 
-/// y += A x around the ring, rows `columns` long, eight columns at a time; blocks: kReach + 1 a
-/// node.
+/// Computes y += A x around the ring for rows of length `columns`, eight columns at a time.
+/// `blocks` has kReach + 1 blocks for each node.
 void add_product(
     int nodes, const Eigen::Matrix4d* blocks, const double* x, double* y, int columns) {
   constexpr int kReach = CyclicBand::kReach;
@@ -346,7 +347,7 @@ void add_product(
     }
 }
 
-/// turn_nodes for `columns` side by side, eight at a time; rows `stride` apart.
+/// Applies turn_nodes to `columns` columns side by side, eight at a time; rows are `stride` apart.
 void turn_columns(int nodes, const double* A, double* x, int columns, int stride) {
   for (int k = 0; k < nodes; ++k)
     for (int first = 0; first < columns; first += 8) {
@@ -357,7 +358,8 @@ void turn_columns(int nodes, const double* A, double* x, int columns, int stride
     }
 }
 
-/// solve_chain for `columns` right-hand sides side by side, eight at a time; rows `stride` apart.
+/// Applies solve_chain to `columns` right-hand sides side by side, eight at a time; rows are
+/// `stride` apart.
 void solve_chain_of_columns(int interior,
                             int far,
                             const double* panels,
@@ -368,7 +370,7 @@ void solve_chain_of_columns(int interior,
   const auto beside = [&](int k) { return k < far || k >= interior - 3; };
   for (double* x = all_columns; x != all_columns + columns; x += 8) {
     const auto at = [&](int node) { return x + 4 * node * stride; };
-    // `node` less what `other` does to it by L.
+    // Subtracts L times `other` from `node`.
     const auto less = [&](int node, const double* L, int apart, const Rows4& other) {
       Rows4 y(at(node), stride);
       y.less_times(L, apart, other);

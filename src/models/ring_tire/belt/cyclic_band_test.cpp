@@ -22,7 +22,7 @@ CyclicBand random_band(int nodes) {
       for (int e = 0; e < 16; ++e) A.block(k, j)(e / 4, e % 4) = random.uniform() - 0.5;
   for (int k = 0; k < nodes; ++k) {
     A.block(k, 0) = (A.block(k, 0) + A.block(k, 0).transpose()).eval();
-    A.block(k, 0).diagonal().array() += 16.0;  // more than the rows' sums: positive definite
+    A.block(k, 0).diagonal().array() += 16.0;  // more than the sums of rows: positive definite
   }
   return A;
 }
@@ -54,7 +54,7 @@ TEST(CyclicBand, SolvesLikeADenseFactorization) {
     EXPECT_LT((Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()) - expected).norm(),
               1e-13 * expected.norm());
     EXPECT_LT((A.multiply(x) - b).norm(), 1e-13 * b.norm());
-    SideBySide many(4 * nodes + 1, 16);  // column j: (j + 1) b
+    SideBySide many(4 * nodes + 1, 16);  // column j is (j + 1) b
     many.setOnes();
     for (int j = 0; j < 16; ++j) many.col(j).head(4 * nodes) = (j + 1.0) * b.reshaped();
     const SideBySide before = many;
@@ -69,7 +69,7 @@ TEST(CyclicBand, SolvesLikeADenseFactorization) {
   }
 }
 
-// What the border has to do with a node of this matrix falls to a third from one to the next.
+// The coupling of the border with a node of this matrix falls to a third from node to node.
 TEST(CyclicBand, ForgetsTheBorderWhereItHasFaded) {
   const int nodes = 64;
   const double least = 1e-6;
@@ -98,10 +98,11 @@ TEST(CyclicBand, ForgetsTheBorderWhereItHasFaded) {
   Eigen::Matrix4Xd exact = Eigen::Matrix4Xd::Ones(4, nodes), x = exact;
   whole.solve(exact);
   short_of.solve(x);
-  EXPECT_GT((x - exact).norm(), 0.0);  // or nothing was forgotten
+  EXPECT_GT((x - exact).norm(), 0.0);  // some of it was dropped
 }
 
-// The free ring's own matrix, condition 1e6 to 1e8: backward stable whatever the chain's length.
+// The free ring's own matrix has a condition of 1e6 to 1e8. The solution is backward stable for any
+// length of the chain.
 TEST(CyclicBand, SolvesAStiffBeltOfAnyLength) {
   for (int nodes : {48, 96, 160, 320}) {
     RingParameters ring = passenger_ring();
@@ -118,7 +119,7 @@ TEST(CyclicBand, SolvesAStiffBeltOfAnyLength) {
   }
 }
 
-// A matrix given in turned axes, some by rows and some by blocks, and turned on from there.
+// A matrix is given in rotated axes, partly by rows and partly by blocks, and then rotated further.
 TEST(CyclicBand, SolvesInTurnedAxes) {
   for (int nodes : {8, 9, 40}) {
     const CyclicBand A = random_band(nodes);

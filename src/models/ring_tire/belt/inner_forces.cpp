@@ -9,7 +9,7 @@ namespace latsch::ring_tire {
 
 namespace {
 
-/// Of the nodes, whose curve has the run-out at its knots.
+/// Returns the run-out of the nodes for which the curve has the given run-out at its knots.
 std::vector<double> lateral_rest_of(const RingParameters& ring) {
   std::vector<double> rest;
   if (ring.uniformity.lateral_runout.empty()) return rest;
@@ -39,7 +39,7 @@ InnerForces::InnerForces(const RingParameters& parameters)
 
 void InnerForces::place_nodes(const NodeValues& q, const RimFrame& rim) { nodes_.place(q, rim); }
 
-/// From here on places across the rim count from those at rest.
+/// Subtracts the lateral rest positions and computes the knots.
 void InnerForces::place_knots() {
   if (!lateral_rest_.empty()) nodes_.count_from(lateral_rest_);
   knots_.place_knots(nodes_);
@@ -94,7 +94,7 @@ WholeBand InnerForces::belt_damping_by_places(const NodeValues& q,
   return damping_by_places(belt_, nodes_, node_rates_, rim);
 }
 
-/// Knots turned with the rim go by (z, 0, -x), their forces turn by as much.
+/// Knots rotated with the rim move by (z, 0, -x), and their forces rotate by the same angle.
 void InnerForces::find_turned_rim(double scale, RimRows& row) {
   const double *x = knots_.row(RimRows::kX), *z = knots_.row(RimRows::kZ);
   const double *fx = of_sidewall_.row(RimRows::kX), *fz = of_sidewall_.row(RimRows::kZ);

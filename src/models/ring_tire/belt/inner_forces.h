@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Belt and sidewall together, with the memory their loops work on, kept from step to step.
+// Belt and sidewall together, with the work memory of their loops, which is kept from step to step.
 #pragma once
 
 #include "models/ring_tire/belt/belt.h"
@@ -16,34 +16,34 @@ class InnerForces {
   const SidewallForces& sidewall() const { return sidewall_; }
   SidewallForces& sidewall() { return sidewall_; }
 
-  /// What both do to the nodes at q with velocities v, in inertial axes.
+  /// Computes the forces of both on the nodes at q with velocities v, in inertial axes.
   void find_force(const NodeValues& q,
                   const NodeValues& v,
                   const RimFrame& rim,
                   const StepRule& rule,
                   NodeValues& force);
-  /// How that falls with q, times scale; until the next.
+  /// Returns minus the derivative of the forces by q, times scale; valid until the next call.
   StiffnessRows& find_stiffness(const NodeValues& q,
                                 const RimFrame& rim,
                                 const StepRule& rule,
                                 double scale);
-  /// C of (30) at q; until the next.
+  /// Returns C of (30) at q; valid until the next call.
   StiffnessRows& find_belt_damping(const NodeValues& q, const RimFrame& rim);
-  /// D of (31) at q with velocities v.
+  /// Returns D of (31) at q with velocities v.
   WholeBand belt_damping_by_places(const NodeValues& q, const NodeValues& v, const RimFrame& rim);
-  /// m, along the spin axis, by which the nodes stand off the plane of the rim at rest: lateral
-  /// run-out, from where belt and sidewall count; empty: none.
+  /// Lateral run-out: distance of each node from the plane of the rim at rest along the spin axis,
+  /// m. Belt and sidewall are measured from there. Empty: none.
   const std::vector<double>& lateral_rest() const { return lateral_rest_; }
-  /// q less that.
+  /// Returns q minus the lateral run-out.
   NodeValues from_rest(const NodeValues& q, const RimFrame& rim) const;
-  /// How the forces on the rim change with the nodes, and those on the nodes with the rim, both
-  /// against the same fields of motion: rim and nodes turned about the spin axis, or moved along a
-  /// unit vector of the rim's axes X, a, Z. By nodes, in these axes; of the last find_force and
-  /// find_stiffness, of the same place. The belt's own forces turn and move along: the sidewall's
-  /// count alone.
+  /// Derivatives of the forces on the rim by the nodes, and of those on the nodes by the rim. Both
+  /// are projected on the same motions: rim and nodes rotated about the spin axis, or moved along a
+  /// unit vector of the rim's axes X, a, Z. The rows are by nodes, in these axes, and belong to the
+  /// last find_force and find_stiffness at the same place. The belt's own forces rotate and move
+  /// with it, so only the sidewall's count.
   void find_turned_rim(double scale, RimRows& row);
   void find_moved_rim(const Eigen::Vector3d& along, double scale, RimRows& row);
-  /// The step is done at q.
+  /// Ends the step at q.
   void commit(const NodeValues& q, const RimFrame& rim, const StepRule& rule);
 
  private:
@@ -60,7 +60,7 @@ class InnerForces {
   SidewallForces sidewall_;
   RimRows nodes_, node_rates_, knots_, knot_rates_;
   RimRows of_belt_, of_sidewall_;  // forces
-  RimRows at_knots_;               // of a row of the rim
+  RimRows at_knots_;               // for a row of the rim
   StiffnessRows stiffness_;
 };
 

@@ -15,8 +15,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// All that a sidewall can have, on a wheel that leans and stands off its belt. It does not spin:
-/// the turning of dampers with the wheel is left out.
+/// A sidewall with all its elements, on a wheel that leans and is displaced from its belt. The
+/// wheel does not spin, because the rotation of dampers with the wheel is left out.
 class RimRowsOfForces : public testing::Test {
  protected:
   RimRowsOfForces() : forces_(parameters()), g_(kNodes), q_(4, kNodes), v_(4, kNodes) {
@@ -52,15 +52,15 @@ class RimRowsOfForces : public testing::Test {
     return ring;
   }
 
-  /// Forces on the nodes where these are `by` further along a field, and their velocities with
-  /// them.
+  /// Returns forces on the nodes displaced by `by` along a field, with the corresponding
+  /// velocities.
   NodeValues forces_at(const NodeValues& field, double by) {
     NodeValues force(4, kNodes);
     forces_.find_force(q_ + by * field, v_ + by * kRule.velocity * field, rim_, kRule, force);
     return force;
   }
 
-  /// By the nodes' places: how what `of` makes of places and forces changes.
+  /// Compares the row with differences of a function `of` of places and forces.
   template <class Of>
   void expect_slopes(const Of& of) {
     constexpr double kBy = 1e-6;
@@ -91,7 +91,7 @@ class RimRowsOfForces : public testing::Test {
   NodeValues q_, v_;
 };
 
-// The belt is in the forces and not in the row.
+// The belt is part of the forces but not of the row.
 TEST_F(RimRowsOfForces, AreTheSlopesOfTheMomentAboutTheAxis) {
   (void)forces_at(NodeValues::Zero(4, kNodes), 0.0);
   (void)forces_.find_stiffness(q_, rim_, kRule, kScale);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rim as the belt's nodes see it: node k stands at the angle φ_k = 2π k/N of axes that turn
-// with the rim, along e_r = X sin φ - Z cos φ, e_t = X cos φ + Z sin φ and the spin axis a, so that
-// e_t × a = -e_r. At spin 0 node 0 points at the road.
+// The rim with the angles of the belt's nodes. Node k is at the angle φ_k = 2π k/N of axes that
+// rotate with the rim, with e_r = X sin φ - Z cos φ, e_t = X cos φ + Z sin φ and the spin axis a,
+// so that e_t × a = -e_r. At spin 0 node 0 points at the road.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,17 +13,17 @@
 namespace latsch::ring_tire {
 
 struct RimFrame {
-  Eigen::Vector3d center, X, a, Z;   // inertial; X, a, Z turn with the rim
+  Eigen::Vector3d center, X, a, Z;   // inertial; X, a, Z rotate with the rim
   Eigen::Vector3d velocity;          // m/s, of the center
   Eigen::Vector3d angular_velocity;  // rad/s, of the rim
-  double spin_rate = 0.0;            // rad/s, about a, against the carrier
+  double spin_rate = 0.0;            // rad/s, about a, relative to the carrier
 
   static RimFrame of(const WheelMotion& motion);
 
-  /// Columns X, a, Z.
+  /// Returns the matrix with the columns X, a, Z.
   Eigen::Matrix3d axes() const { return (Eigen::Matrix3d() << X, a, Z).finished(); }
 
-  /// Velocity of the rim's material at an inertial point.
+  /// Returns the velocity of the rim's material at an inertial point.
   Eigen::Vector3d velocity_at(const Eigen::Vector3d& point) const {
     return velocity + angular_velocity.cross(point - center);
   }
@@ -50,8 +50,8 @@ class NodeAngles {
   std::vector<double> sine_, cosine_;
 };
 
-/// Node by node: x, y, z (inertial, m) and the section's torsion ψ (rad, about e_t, against the
-/// rim); its rates; forces and the moment conjugate to ψ.
+/// One column a node: x, y, z (inertial, m) and the section's torsion ψ (rad, about e_t, relative
+/// to the rim); or their rates; or forces and the moment conjugate to ψ.
 using NodeValues = Eigen::Matrix4Xd;
 
 }  // namespace latsch::ring_tire

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between columns of nodes and rows in the rim's axes (rim_rows.h).
+// Conversion between columns of nodes and rows in the rim's axes (rim_rows.h).
 #include "numerics/kernels/kernel_loops.h"
 
 namespace latsch::ring_tire::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
 
-/// rows = R^T (columns - origin); `axes`: X, a, Z one after the other.
+/// Computes rows = R^T (columns - origin); `axes` holds X, a, Z one after the other.
 void turn_to_rim(
     int nodes, const double* columns, const double* origin, const double* axes, const Rows& rows) {
   const auto along = [&](int i, const Lanes4& dx, const Lanes4& dy, const Lanes4& dz) {
@@ -24,7 +24,7 @@ void turn_to_rim(
   });
 }
 
-/// rates -= ω × places.
+/// Computes rates -= ω × places.
 void leave_turning(int nodes, const double* omega, const ConstRows& at, const Rows& rates) {
   around(nodes, [&](auto type, int k) {
     using T = decltype(type);
@@ -43,7 +43,7 @@ void turn_to_inertial(int nodes, const ConstRows& rows, const double* axes, doub
           columns + 4 * k);
 }
 
-/// (26) at the knot k of a row; T: Lanes for eight at a time, Lane for one.
+/// Evaluates (26) at knot k of a row. T is Lanes for eight knots at a time, Lane for one.
 template <class T>
 LATSCH_INLINE T knots(const double* row, int k) {
   return (4.0 / 6.0) * T::load(row + k) +

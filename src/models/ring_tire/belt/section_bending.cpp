@@ -7,13 +7,13 @@
 namespace latsch::ring_tire {
 namespace {
 
-/// cos β cosh β = 1.
+/// Solutions of cos β cosh β = 1.
 constexpr double kBeta[SectionBending::kModes] = {
     4.730040744862704, 7.853204624095838, 10.995607838001671};
 
-/// The inverse of the cyclic tridiagonal matrix of (25) at distance d from its diagonal: with
-/// k = λ L0, s = κ T0/L0 and ρ < 1 the root of s ρ² - (k + 2 s) ρ + s = 0,
-/// (ρ^d + ρ^(N-d))/(s (1/ρ - ρ) (1 - ρ^N)).
+/// Returns the inverse of the cyclic tridiagonal matrix of (25) at distance d from its diagonal.
+/// With k = λ L0, s = κ T0/L0 and ρ < 1 the root of s ρ² - (k + 2 s) ρ + s = 0, it is (ρ^d +
+/// ρ^(N-d))/(s (1/ρ - ρ) (1 - ρ^N)).
 double inverse_at(double k, double s, int N, int d) {
   if (s == 0.0) return d == 0 ? 1.0 / k : 0.0;
   const double half = 1.0 + 0.5 * k / s;
@@ -61,7 +61,7 @@ void SectionBending::reset() {
   own_.resize(0, 0);
 }
 
-/// All nodes from those in contact.
+/// Computes γ of all nodes from those in contact.
 void SectionBending::spread() {
   if (contact_.empty()) return;
   const Eigen::VectorXd f = own_ * values();
@@ -119,7 +119,7 @@ bool SectionBending::border(const CyclicBandFactor& factor,
     KB_.col(i) = column.reshaped();
   }
   if (B.cols() == 0) return true;
-  // B is of the nodes that blocks on the road hang on.
+  // B is nonzero only for nodes that blocks on the road depend on.
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < B_.rows(); ++i)
     if ((B_.row(i).array() != 0.0).any()) rows.push_back(i);

@@ -30,7 +30,7 @@ SectionBending section_of(double bending, double coupling) {
   return {belt, kWidth, kChord, kTension, kBendingNodes};
 }
 
-/// The integral of f over the width, Simpson's rule.
+/// Returns the integral of f over the width by Simpson's rule.
 template <class Function>
 double over_width(const Function& f) {
   constexpr int kParts = 2000;
@@ -42,7 +42,7 @@ double over_width(const Function& f) {
   return sum * kWidth / (3.0 * kParts);
 }
 
-// Modes of a free beam are orthogonal to each other and to what moves it as a rigid body.
+// Modes of a free beam are orthogonal to each other and to rigid motions.
 TEST(SectionBending, ShapesAreModesOfAFreeBeam) {
   const SectionBending section = section_of(10.0, 1.0);
   for (int i = 0; i < SectionBending::kModes; ++i) {
@@ -55,13 +55,14 @@ TEST(SectionBending, ShapesAreModesOfAFreeBeam) {
   }
 }
 
-// D u'''' = p of a free beam, integrated twice by hand: M'' = p from a free end, u'' = M/D. Loads
-// without resultant and moment. The beam is the same all around the ring, so nothing couples.
+// D u'''' = p of a free beam is integrated twice by hand: M'' = p from a free end, u'' = M/D, for
+// loads without resultant and moment. The beam is the same all around the ring, so there is no
+// coupling.
 TEST(SectionBending, BendsAsABeamUnderLineLoads) {
   constexpr double kBending = 12.0;
   const SectionBending section = section_of(kBending, 1.0);
   const auto even = [](double y) { return std::cos(2.0 * M_PI * y / kWidth) * 1e5; };
-  const auto odd = [](double y) {  // y³ less its share of y
+  const auto odd = [](double y) {  // y³ minus its linear part
     return 1e5 * (std::pow(2.0 * y / kWidth, 3) - 0.6 * 2.0 * y / kWidth);
   };
   for (const auto& load : std::vector<std::function<double(double)>>{even, odd}) {
@@ -69,7 +70,7 @@ TEST(SectionBending, BendsAsABeamUnderLineLoads) {
     const double step = kWidth / kParts;
     std::vector<double> u(kParts + 1);
     double shear = 0.0, moment = 0.0, slope = 0.0, place = 0.0;
-    for (int i = 0; i <= kParts; ++i) {  // midpoints: of second order
+    for (int i = 0; i <= kParts; ++i) {  // midpoint rule, of second order
       u[static_cast<std::size_t>(i)] = place;
       const double p = load(kWidth * ((i + 0.5) / kParts - 0.5));
       const double moment_then = moment + step * shear + 0.5 * step * step * p;
@@ -94,7 +95,7 @@ TEST(SectionBending, BendsAsABeamUnderLineLoads) {
   }
 }
 
-// The closed form of the inverse, put back into (25).
+// The closed form of the inverse is inserted into (25).
 TEST(SectionBending, IsSmoothedAlongTheRingByACyclicTridiagonalSystem) {
   for (const double coupling : {0.0, 1.0, 20.0}) {
     const SectionBending section = section_of(8.0, coupling);
@@ -136,8 +137,8 @@ Eigen::Vector3d of_road(const RingTire& tire) {
   return sum;
 }
 
-// A crown presses the middle of the section in: more lines touch, less pressure in the middle. What
-// the hub feels is what the road does.
+// A crown presses the middle of the section in: more lines touch, with less pressure in the middle.
+// The forces on the hub equal those of the road.
 TEST(SectionBending, FlattensTheCrownInBalance) {
   RingTire stiff(crowned(0.0)), soft(crowned(8.0));
   for (const double camber : {0.0, 0.05}) {
@@ -154,7 +155,7 @@ TEST(SectionBending, FlattensTheCrownInBalance) {
   }
 }
 
-// Rigid sections are those of the tire without the parameter; statics, modes and rolling.
+// A tire with rigid sections equals one without the parameter in statics, modes and rolling.
 TEST(SectionBending, OfAStiffSectionChangesNothing) {
   RingTire without(crowned(0.0)), rigid(crowned(1e9));
   const road::ProfileRoad road = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);
@@ -184,8 +185,8 @@ TEST(SectionBending, OfAStiffSectionChangesNothing) {
     EXPECT_NEAR(modes[1][k] / modes[0][k], 1.0, 1e-5) << k;
 }
 
-// The modes of bent sections against a dense matrix with γ eliminated by itself: K - B (A +
-// G^-1)^-1 B', G by bending under unit forces.
+// The modes of bent sections are compared with a dense matrix with γ eliminated separately: K - B
+// (A + G^-1)^-1 B', where G is the bending under unit forces.
 TEST(SectionBending, VibratesAsADenseMatrixSays) {
   RingTire tire(crowned(8.0));
   ASSERT_TRUE(tire.settle(standing(tire, 0.02), road::PlaneRoad(), 0.0));
@@ -226,7 +227,7 @@ TEST(SectionBending, VibratesAsADenseMatrixSays) {
   }
 }
 
-// Steady rolling: momentum stays, so hub and road balance.
+// In steady rolling momentum is constant, so hub and road balance.
 TEST(SectionBending, RollsInBalance) {
   RingTire tire(crowned(8.0));
   const road::PlaneRoad road;
@@ -248,8 +249,8 @@ TEST(SectionBending, RollsInBalance) {
   EXPECT_LT((hub - ground).norm(), 2e-3 * hub.z());
 }
 
-// Blocks that come down at 60 m/s have dampers that carry as much as their springs: to a section,
-// which has no inertia, they are twice as stiff as its tangent knows.
+// Blocks that come down at 60 m/s have dampers that carry as much as their springs. To a section,
+// which has no inertia, they are twice as stiff as in its tangent.
 TEST(SectionBending, RollsOverADeepKerb) {
   const road::ProfileRoad road = road::kerb_road({.shape = road::Kerb::Shape::triangle,
                                                   .pitch = 0.8,
@@ -280,8 +281,8 @@ TEST(SectionBending, RollsOverADeepKerb) {
   }
 }
 
-// Pushed aside and held the tire rings on the ground: dampers and friction take energy, nothing
-// gives any.
+// The tire, pushed sideways and held, vibrates on the ground: dampers and friction take energy,
+// nothing supplies any.
 TEST(SectionBending, OnTheGroundItRingsAndLosesEnergy) {
   RingTire tire(crowned(8.0), {.tolerance = 1e-6});
   WheelMotion motion = standing(tire, 0.025);

@@ -7,7 +7,7 @@
 
 namespace latsch::ring_tire {
 
-/// (9) at a node.
+/// The torsion spring (9) of a node.
 struct TorsionSpring {
   double stiffness, damping, by_lateral, rest;
 };
@@ -116,7 +116,8 @@ void SidewallForces::add_memory(int direction,
   }
 }
 
-/// Along e_r = (sin, 0, -cos), less R, e_t = (cos, 0, sin) and a: three rows one after the other.
+/// Computes travel along e_r = (sin, 0, -cos), minus R, e_t = (cos, 0, sin) and a: three rows one
+/// after the other.
 void SidewallForces::to_polar(const RimRows& at, double R, double* const polar[3]) const {
   LATSCH_KERNEL(to_polar)
   (angles_.nodes(),
@@ -169,7 +170,8 @@ void SidewallForces::find_force(const RimRows& at,
    force.row(RimRows::kTorsion));
 }
 
-/// Along e_r, e_t and a at the knots, then in the rim's axes, then on the nodes.
+/// Computes the stiffness along e_r, e_t and a at the knots, then in the rim's axes, then on the
+/// nodes.
 void SidewallForces::add_stiffness(const RimRows& at,
                                    const StepRule& rule,
                                    double scale,
@@ -220,7 +222,7 @@ void SidewallForces::commit(const RimRows& at, const StepRule& rule) {
   double* const rows[3] = {&u(0, 0), &u(1, 0), &u(2, 0)};
   to_polar(at, R_, rows);
   if (has_memory_) {
-    // Nothing is left of Maxwell's forces at rest.
+    // At rest Maxwell elements have no force.
     if (rule.statics()) memory_.maxwell.setZero();
     for (int i = 0; i < 3 && !rule.statics(); ++i) LATSCH_KERNEL(go_on_maxwell)
     (nodes, half_step(rule), &memory_.travel(i, 0), &u(i, 0), &memory_.maxwell(i, 0));

@@ -7,7 +7,7 @@ namespace latsch::ring_tire::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
 
-/// Along e_r = (s, 0, -c), less R, e_t = (c, 0, s) and a.
+/// Converts to travel along e_r = (s, 0, -c), minus R, e_t = (c, 0, s) and a.
 void to_polar(int nodes,
               const double* x,
               const double* y,
@@ -42,7 +42,7 @@ void from_polar(int nodes,
   });
 }
 
-/// (9); lateral: travel along a.
+/// Evaluates (9); `lateral` is the travel along a.
 void add_torsion(int nodes,
                  const TorsionSpring& spring,
                  const double* psi,
@@ -91,7 +91,7 @@ void add_rim_slope(int nodes, double k, double travel, const double* u, double* 
   });
 }
 
-/// constant + kP u²/(u² + u_p²), the slope of (7).
+/// Computes constant + kP u²/(u² + u_p²), the slope of (7).
 void find_progressive(
     int nodes, double constant, double kP, double up, const double* u, double* slope) {
   around(nodes, [&](auto type, int i) {
@@ -101,7 +101,7 @@ void find_progressive(
   });
 }
 
-/// k where a friction element of (8) sticks.
+/// Adds k if a friction element of (8) sticks.
 void add_sticking(int nodes,
                   double k,
                   double most,
@@ -117,7 +117,7 @@ void add_sticking(int nodes,
   });
 }
 
-/// Slopes along e_r = (s, 0, -c), e_t = (c, 0, s) and a as entries xx, xz, zz, yy.
+/// Converts slopes along e_r = (s, 0, -c), e_t = (c, 0, s) and a to entries xx, xz, zz, yy.
 void turn_slopes(int nodes,
                  double scale,
                  const double* const slope[3],
@@ -135,7 +135,7 @@ void turn_slopes(int nodes,
   });
 }
 
-/// What is k at the knots is B' k B on the nodes: its blocks (i, i + j).
+/// Adds the blocks (i, i + j) of B' k B on the nodes for a stiffness k at the knots.
 void add_from_knots(int nodes, int j, const double* k, double* to) {
   around(nodes, [&](auto type, int i) {
     using T = decltype(type);
@@ -151,12 +151,13 @@ void add_from_knots(int nodes, int j, const double* k, double* to) {
   });
 }
 
-/// (6) by the trapezoidal rule: u - u_i at the end of the step; half: h/(2 τ).
+/// Integrates (6) by the trapezoidal rule and returns u - u_i at the end of the step; half is h/(2
+/// τ).
 template <class T>
 LATSCH_INLINE T maxwell_end(double half, const T& before, const T& stretch, const T& u) {
   return ((1.0 - half) * stretch + (u - before)) * (1.0 / (1.0 + half));
 }
-/// (8): stretch of a friction spring at the end.
+/// Returns the stretch of a friction spring at the end of the step by (8).
 template <class T>
 LATSCH_INLINE T friction_end(double most, const T& before, const T& stretch, const T& u) {
   return larger(smaller(stretch + (u - before), most), -most);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From rows in the rim's axes to blocks in inertial ones (stiffness_rows.h).
+// Conversion of rows in the rim's axes to blocks in inertial axes (stiffness_rows.h).
 #include "models/ring_tire/belt/cyclic_band.h"
 #include "numerics/kernels/kernel_loops.h"
 
@@ -7,8 +7,8 @@ namespace latsch::ring_tire::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
 
-/// blocks = same + axes B axes^T, of eight nodes at a time. `axes`: X, a, Z one after the other.
-/// Blocks are columns of four, `apart` from node to node.
+/// Computes blocks = same + axes B axes^T, eight nodes at a time. `axes` holds X, a, Z one after
+/// the other. Blocks are columns of four, `apart` from node to node.
 void turn_blocks(int nodes,
                  const double* const rows[16],
                  const double* axes,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A ring of the size 205/55 R16 for tests and benchmarks; numbers of the order a passenger tire
-// has.
+// A ring of the size 205/55 R16 for tests and benchmarks, with numbers of the order of a passenger
+// tire's.
 #pragma once
 
 #include "models/ring_tire/description/ring_parameters.h"

@@ -25,14 +25,14 @@ SidewallElement read_element(const Node& node) {
   return e;
 }
 
-/// Where the belt lies on the rim.
+/// Reads the contact of the belt with the rim.
 void read_rim(const Node& node, Sidewall& s) {
   s.rim_travel = node.quantity("travel", "m", Range::positive());
   s.rim_stiffness = node.quantity("stiffness", "N/m^2", Range::positive());
 }
 
-/// Springs as stiff as the pressure makes them: of each, the share `pressure_share` is the
-/// pressure's at `reference_pressure`, the rest its own.
+/// Scales the springs with the pressure: the share `pressure_share` of each is due to the pressure
+/// at `reference_pressure`, the rest is the sidewall's own.
 void stiffen_by_pressure(const Node& node, double pressure, Sidewall& s) {
   const double share = node.quantity("pressure_share", "1", Range::between(0.0, 1.0), 0.0);
   if (share == 0.0 && !node.has("reference_pressure")) return;
@@ -60,7 +60,7 @@ Sidewall read_sidewall(const Node& node, double pressure) {
   return s;
 }
 
-/// Names that others use for something else.
+/// Rejects keys that have other meanings elsewhere.
 void reject_old_names(const Node& belt) {
   for (const auto& [old, now] : {std::pair{"bending_lateral", "bending_out_of_plane"},
                                  std::pair{"section_bending", "bending_across"}}) {
@@ -184,7 +184,7 @@ double young_modulus_of_shore_a(double hardness) {
 
 RingParameters read_ring_tire(const Node& root) {
   root.choice("kind", {"ring_tire"});
-  root.choice("side", {"left", "right"}, "left");  // whoever mounts it asks (car_kind.cpp)
+  root.choice("side", {"left", "right"}, "left");  // used by car_kind.cpp
   root.text("title", "");
   RingParameters ring;
   const Node belt = root.table("belt");

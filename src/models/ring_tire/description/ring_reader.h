@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The file of a flexible ring tire. Every number has its unit and can be a design variable.
+// Reads the file of a flexible ring tire. Every number has its unit and can be a design variable.
 //
 //   kind = "ring_tire"
 //   side = "left"                      # of the car, as it was measured: default; or "right". A car
@@ -74,7 +74,8 @@ namespace latsch::ring_tire {
 /// Throws InputError naming the place, what was found and what was expected; unknown keys too.
 RingParameters read_ring_tire(const Node& root);
 
-/// Pa, of rubber of that hardness: E = 10^(5.33905 + 0.020477 S) [Gipser, FTire documentation].
+/// Returns Young's modulus, Pa, of rubber of that hardness: E = 10^(5.33905 + 0.020477 S) [Gipser,
+/// FTire documentation].
 double young_modulus_of_shore_a(double hardness);
 
 }  // namespace latsch::ring_tire

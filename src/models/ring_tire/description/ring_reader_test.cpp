@@ -19,7 +19,7 @@ TEST(RingReader, ReadsEveryNumberInItsUnit) {
   EXPECT_DOUBLE_EQ(ring.belt.radius, 0.305);
   EXPECT_DOUBLE_EQ(ring.belt.pressure, 2.4e5);
   EXPECT_EQ(ring.nodes, 80);
-  EXPECT_NEAR(ring.tread.young_modulus, 5.92e6, 0.01e6);  // of Shore 70
+  EXPECT_NEAR(ring.tread.young_modulus, 5.92e6, 0.01e6);  // modulus of Shore 70
 }
 
 TEST(RingReader, EveryNumberCanBeVaried) {
@@ -41,13 +41,13 @@ TEST(RingReader, KnowsTheRimAndWhatPressureDoesToTheSidewall) {
   const RingParameters ring = read_ring_tire(document.root());
   EXPECT_DOUBLE_EQ(ring.sidewall.rim_travel, 0.07);
   EXPECT_DOUBLE_EQ(ring.sidewall.rim_stiffness, 5e6);
-  EXPECT_NEAR(ring.sidewall.radial.stiffness, own * (1.0 + 0.6 * 0.2), 1e-9 * own);  // 2.4 bar
-  Document without = document;  // a share that is varied may come to nothing
+  EXPECT_NEAR(ring.sidewall.radial.stiffness, own * (1.0 + 0.6 * 0.2), 1e-9 * own);  // at 2.4 bar
+  Document without = document;  // a share that is varied may become 0
   without.set("sidewall.pressure_share", 0.0);
   EXPECT_DOUBLE_EQ(read_ring_tire(without.root()).sidewall.radial.stiffness, own);
 }
 
-// Energies of bending and twist that coupling would make negative are refused.
+// Coupling that would make energies of bending and twist negative is refused.
 TEST(RingReader, KnowsDampingPliesAndConeOfTheBelt) {
   const auto with = [](const std::string& keys) {
     std::string text = example().text();
@@ -111,7 +111,7 @@ TEST(RingReader, ComplaintsNameThePlace) {
   }
 }
 
-// A file of before, whose names are other numbers elsewhere, is not read as if it had none of them.
+// An old file, whose names mean other numbers elsewhere, is refused rather than read without them.
 TEST(RingReader, SaysWhatANumberIsCalledNow) {
   for (const auto& [old, now] : {std::pair("bending_lateral", "bending_out_of_plane"),
                                  std::pair("section_bending", "bending_across")}) {

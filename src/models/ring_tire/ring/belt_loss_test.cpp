@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the belt's damping (30) takes from a moving tire.
+// Energy that the belt's damping (30) takes from a moving tire.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -15,7 +15,7 @@
 namespace latsch::ring_tire {
 namespace {
 
-/// Nothing else is lost.
+/// Returns a ring with no other losses.
 RingParameters losing_in_the_belt(double time) {
   RingParameters ring = passenger_ring();
   for (SidewallElement* e :
@@ -27,7 +27,7 @@ RingParameters losing_in_the_belt(double time) {
   return ring;
 }
 
-// Struck in the shape of a mode, the tire in the air loses 1 - exp(-2 D ω t) of its energy.
+// A tire in the air struck in the shape of a mode loses 1 - exp(-2 D ω t) of its energy.
 TEST(BeltLoss, AStruckTireLosesTheEnergyThatItsModesDampingSays) {
   const RingParameters ring = losing_in_the_belt(2e-5);
   for (const int n : {3, 6}) {
@@ -52,17 +52,17 @@ TEST(BeltLoss, AStruckTireLosesTheEnergyThatItsModesDampingSays) {
       ASSERT_TRUE(tire.advance(motion, road::PlaneRoad(), i * h, h));
     const double kept = std::exp(-4.0 * std::numbers::pi * mode.damping * periods);
     EXPECT_LT(kept, 0.9);
-    // 1 % of the exponent: the shape struck is that of nodes, not of knots, and of first order.
+    // 1 % of the exponent: the shape is that of nodes, not of knots, and of first order.
     EXPECT_NEAR(std::log((tire.energy() - rest) / struck), std::log(kept), -0.01 * std::log(kept));
   }
 }
 
-// Spun up in the air and rolling on the ground: nothing against the spin in the first, in the
-// second the more the longer the time.
+// The wheel spins in the air and rolls on the ground: in the air there is no drag, on the ground it
+// grows with the damping time.
 TEST(BeltLoss, RollsAgainstItsOwnBendingAlone) {
   const auto drag = [&](double time, bool loaded) {
     RingParameters ring = losing_in_the_belt(time);
-    if (!loaded)  // what the start left swings out soon
+    if (!loaded)  // initial vibrations decay soon
       for (SidewallElement* e :
            {&ring.sidewall.radial, &ring.sidewall.tangential, &ring.sidewall.lateral})
         e->damping = 1000.0;
@@ -84,7 +84,7 @@ TEST(BeltLoss, RollsAgainstItsOwnBendingAlone) {
     }
     return sum / 200.0;  // W
   };
-  // What is left without the damping is the steps' own.
+  // The remaining drag without the damping is that of the time steps.
   EXPECT_NEAR(drag(5e-4, false), drag(0.0, false), 1e-6);
   const double none = drag(0.0, true), some = drag(2e-4, true), more = drag(4e-4, true);
   EXPECT_GT(some - none, 5.0);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// -dr/d(place, γ) of a step's residual r, (17) with the rows of (25) below, but for the turning of
-// dampers with the wheel. With K the factorized tangent and E what that leaves out of the blocks,
-// among the unknowns c that patches hang on,
+// Exact tangent -dr/d(place, γ) of a step's residual r, which is (17) followed by the rows of (25);
+// the rotation of dampers with the wheel is left out. K is the factorized tangent and E the part of
+// the blocks' derivatives that K omits, among the unknowns c of the patches:
 //   (K + E) x = b:  x = K^-1 (b - w),  w = (1 + E S)^-1 E K^-1 b,  S: K^-1 among c
-// which is Woodbury's formula.
+// This is Woodbury's formula.
 #pragma once
 
 #include <vector>
@@ -14,17 +14,19 @@
 
 namespace latsch::ring_tire {
 
-/// Where what an entry of a patch stands for is among all unknowns, those of the belt first.
+/// Returns the index of an entry of a patch among all unknowns, of which those of the belt come
+/// first.
 Eigen::Index patch_row(const PatchSlopes& patch,
                        int entry,
                        const SectionBending& section,
                        int nodes);
 
-/// Keeps its memory from one tangent to the next.
+/// An exact tangent that keeps its memory from one tangent to the next.
 class ExactTangent {
  public:
-  /// `exact`: of the blocks; `approximate`: what the factor has of them; B, A: of the section's
-  /// border; `scale`: of blocks and sections in r.
+  /// Finds the tangent. `exact` are the derivatives of the blocks, `approximate` those contained in
+  /// the factor; B and A belong to the section's border; `scale` is that of blocks and sections in
+  /// r.
   void find(const CyclicBandFactor& factor,
             const SectionBending& section,
             const std::vector<PatchSlopes>& exact,
@@ -32,7 +34,8 @@ class ExactTangent {
             const Eigen::MatrixXd& B,
             const Eigen::MatrixXd& A,
             double scale);
-  /// x <- (K + E)^-1 x of a multiple of eight columns, by the factor and border it was found with.
+  /// Computes x <- (K + E)^-1 x for a multiple of eight columns, with the factor and border used in
+  /// find().
   void solve(const CyclicBandFactor& factor,
              const SectionBending& section,
              Eigen::Ref<SideBySide> x);
@@ -45,10 +48,10 @@ class ExactTangent {
                      const Eigen::MatrixXd& A,
                      double scale);
 
-  std::vector<int> nodes_;          // of the patches
+  std::vector<int> nodes_;          // nodes of the patches
   std::vector<Eigen::Index> rows_;  // c
   Eigen::MatrixXd E_, S_, whole_, y_c_, w_;
-  numerics::Lu lu_;  // of 1 + E S
+  numerics::Lu lu_;  // factors of 1 + E S
   SideBySide y_;
 };
 

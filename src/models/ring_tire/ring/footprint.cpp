@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tread blocks tell about the contact: forces, footprint, energy, depth of a tire pushed
-// into the road.
+// Results of the tread blocks for the contact: forces, footprint, energy, and the depth of a tire
+// pushed into the road.
 //
-// The outline runs where the depth of the unloaded tips goes through zero, linear between a block
-// on the road and its neighbor above it: along the lines and across them. So it moves smoothly
-// with the load, by less than blocks.
+// The outline is where the depth of the unloaded tips is zero, interpolated linearly between a
+// block on the road and its neighbor above the road: along the lines and across them. So the
+// outline moves smoothly with the load, by less than a block.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,19 +56,19 @@ std::vector<BlockContact> TreadContact::contacts(const NodeValues& q) const {
 
 namespace {
 
-/// A block on a line of the footprint: its place along the line and how deep it is.
+/// A block on a line of the footprint: its place along the line and its depth.
 struct Dot {
   double at, depth;
 };
 
-/// Where such a line begins and ends; nothing touches: both 0.
+/// Beginning and end of the contact on such a line; both 0 if nothing touches.
 struct Span {
   double begin = 0.0, end = 0.0;
-  int above = 0;  // blocks between the two that do not touch
+  int above = 0;  // number of blocks between the two that do not touch
 };
 
-/// From a block at the edge of the contact on to where the depth is zero, `spacing` at most; the
-/// tread may end half a spacing on.
+/// Returns the distance from a block at the edge of the contact to the point of zero depth, at most
+/// `spacing`. The tread may end half a spacing beyond the block.
 double beyond(const Dot& edge, const Dot* next, double spacing) {
   if (next == nullptr || std::abs(next->at - edge.at) > 1.5 * spacing) return 0.5 * spacing;
   return std::abs(next->at - edge.at) * edge.depth / (edge.depth - next->depth);

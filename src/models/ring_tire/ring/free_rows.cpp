@@ -129,7 +129,7 @@ Result<HubForces> RingTire::advance_free(
   return hub_forces(motion.carrier);
 }
 
-/// Newton's step of the belt becomes that of belt and wheel.
+/// Changes Newton's step of the belt to that of belt and wheel.
 bool RingTire::correct_wheel() {
   if (!free_->correct(rim_, q1_, residual_)) return false;
   rim_ = RimFrame::of(free_->motion());

@@ -17,9 +17,9 @@ namespace latsch::ring_tire {
 namespace {
 
 const road::PlaneRoad kPit({.height = -1.0}), kFlat;
-constexpr double kInertia = 0.8;  // kg m^2, of the wheel
+constexpr double kInertia = 0.8;  // kg m^2, inertia of the wheel
 
-/// Springs alone; with lines and blocks enough for a patch.
+/// Returns a ring of springs alone, with lines and blocks enough for a patch.
 RingParameters undamped_ring() {
   RingParameters ring = passenger_ring();
   for (SidewallElement* of :
@@ -55,7 +55,7 @@ FreeWheel free_spin(const WheelMotion& motion, double moment) {
   return wheel;
 }
 
-/// A free wheel goes on by a step.
+/// Advances a free wheel by a step.
 Result<HubForces> go_on(RingTire& tire,
                         WheelMotion& motion,
                         FreeWheel& wheel,
@@ -66,8 +66,8 @@ Result<HubForces> go_on(RingTire& tire,
   return tire.advance_free(motion, wheel, road, time, h);
 }
 
-// Off the road wheel and belt turn against each other on the sidewall's springs: momentum stays,
-// the rest rings with omega^2 = K (1/I + 1/I_b).
+// Off the road wheel and belt oscillate against each other on the sidewall's springs: momentum is
+// constant, the rest oscillates with omega^2 = K (1/I + 1/I_b).
 TEST(FreeRows, TheWheelRingsAgainstTheBeltToOrderTwo) {
   const RingParameters ring = undamped_ring();
   const double R = ring.belt.radius, I_b = belt_inertia(ring);
@@ -94,7 +94,7 @@ TEST(FreeRows, TheWheelRingsAgainstTheBeltToOrderTwo) {
     EXPECT_NEAR(std::log2(off(parts) / off(2 * parts)), 2.0, 0.1) << parts;
 }
 
-// 20 times as stiff it rings with 290 Hz: h omega = 0.9, 3.6 and 18.
+// With 20 times the stiffness the frequency is 290 Hz: h omega = 0.9, 3.6 and 18.
 TEST(FreeRows, NoEnergyComesOfLongSteps) {
   RingParameters stiff = undamped_ring();
   for (SidewallElement* of :
@@ -107,12 +107,13 @@ TEST(FreeRows, NoEnergyComesOfLongSteps) {
       ASSERT_TRUE(tire.settle(motion, kPit, 0.0));
       FreeWheel wheel = free_spin(motion, 0.0);
       wheel.spin->rate = 1.0;
-      const double rest = tire.energy();  // the pressure's work is in it
+      const double rest = tire.energy();  // the pressure's energy is part of it
       const auto energy = [&] {
         return tire.energy() - rest + 0.5 * kInertia * wheel.spin->rate * wheel.spin->rate;
       };
       const double first = energy();
-      // At θ above 0 it is another energy that (17) keeps from growing: this one comes back.
+      // For θ above 0, (17) keeps another energy from growing; this energy returns to its initial
+      // value.
       double most = 0.0, later = 0.0;
       for (int i = 1; i <= 2000; ++i) {
         const auto hub = tire.advance_free(motion, wheel, kPit, i * h, h);
@@ -126,8 +127,8 @@ TEST(FreeRows, NoEnergyComesOfLongSteps) {
   }
 }
 
-/// Fx and the wheel's speed after a moment has turned a standing wheel on for 20 ms, all of the
-/// tread that touches sticking.
+/// Returns Fx and the wheel's speed after a moment has rotated a standing wheel for 20 ms, with all
+/// of the touching tread sticking.
 std::pair<double, double> turned_on(double h) {
   RingTire tire(passenger_ring(), {.tolerance = 1e-5});
   WheelMotion motion = standing(tire, 0.018);
@@ -155,7 +156,7 @@ TEST(FreeRows, OnAStickingTreadForceAndSpeedAreOfOrderTwo) {
   }
 }
 
-/// Fx and the wheel's speed every ms over a cleat that rises over 50 mm.
+/// Returns Fx and the wheel's speed every ms over a cleat that rises over 50 mm.
 std::pair<std::vector<double>, std::vector<double>> over_a_cleat(double h, double from) {
   road::ProfileRoad::Settings settings;
   settings.along = road::cleat_profile(0.010, 0.12, 0.05);
@@ -186,9 +187,9 @@ double sum_of_squares(const std::vector<double>& a, const std::vector<double>& b
   return sum;
 }
 
-// Two halvings of the step make the change sixteen times smaller at order 2, four times at order 1.
-// Blocks that come and go in the midst of a step scatter it, by 0.2 N of Fx at the finest steps,
-// as they do where the spin is told: so over eight passages together.
+// Two halvings of the step reduce the change sixteenfold at order 2, fourfold at order 1. Blocks
+// that come and go within a step scatter the change, by 0.2 N of Fx at the finest steps, as they do
+// with a prescribed spin; the test therefore sums over eight passages.
 TEST(FreeRows, OverACleatForceAndSpeedAreOfOrderTwo) {
   double coarse[2] = {}, fine[2] = {};
   for (int passage = 0; passage < 8; ++passage) {
@@ -204,7 +205,7 @@ TEST(FreeRows, OverACleatForceAndSpeedAreOfOrderTwo) {
   EXPECT_GT(std::sqrt(coarse[1] / fine[1]), 7.0);
 }
 
-/// A wheel and an axle of 300 kg under a load over a cleat, `check` after each step.
+/// Rolls a wheel and an axle of 300 kg under a load over a cleat and calls `check` after each step.
 template <class Check>
 void roll_over_a_cleat(const RingParameters& ring, double h, const Check& check) {
   const road::ProfileRoad road = road::cleat_road(0.3, 0.015, 0.03, 0.005);
@@ -227,7 +228,8 @@ void roll_over_a_cleat(const RingParameters& ring, double h, const Check& check)
   }
 }
 
-// Both rules hold at the end of each step, and the step is that which the motion found makes.
+// Both rules hold at the end of each step, and the step equals one with the resulting motion
+// prescribed.
 TEST(FreeRows, StepAndWheelAreSolvedTogether) {
   for (const double bending : {0.0, 8.0}) {
     RingParameters ring = passenger_ring();
@@ -326,7 +328,7 @@ TEST(FreeRows, AFreeWheelTakesNoMoreEvaluations) {
             1.05 * static_cast<double>(told.counts().evaluations - first));
 }
 
-// A step longer than the longest is divided, and the wheel with it.
+// A step longer than the longest is divided, together with the wheel's.
 TEST(FreeRows, ALongStepIsTwoShortOnes) {
   constexpr double h = 2e-3;
   const auto run = [](int parts) {
@@ -362,14 +364,14 @@ TEST(FreeRows, AFailureLeavesAllAsItWas) {
   EXPECT_EQ(motion, before);
   EXPECT_EQ(wheel.height->rate, -500.0);
   EXPECT_EQ(wheel.spin->rate, 0.0);
-  // Nor do numbers that are none come further than that.
+  // Values that are not numbers also fail here.
   wheel.height.reset();
   wheel.spin->push = [](double, double) -> Push { return {std::nan(""), 0.0}; };
   EXPECT_FALSE(tire.advance_free(motion, wheel, kFlat, 1e-3, 1e-3));
   EXPECT_EQ(tire.state(), state);
 }
 
-// (I + I_b) w' = M off the road, once belt and wheel have come to turn alike.
+// Off the road (I + I_b) w' = M, once belt and wheel rotate together.
 TEST(FreeRows, ADrivenWheelTakesItsBeltAlong) {
   constexpr double M = 60.0, h = 5e-4;
   RingTire tire(passenger_ring());
@@ -382,12 +384,14 @@ TEST(FreeRows, ADrivenWheelTakesItsBeltAlong) {
     ASSERT_TRUE(tire.advance_free(motion, wheel, kPit, i * h, h));
     if (i == 1000) then = motion.spin_rate;
   }
-  // The belt grows under its own speed, 60 rad/s, by some tenths of a percent of its inertia.
+  // Its own speed, 60 rad/s, expands the belt and increases its inertia by some tenths of a
+  // percent.
   const double rate = M / (kInertia + belt_inertia(passenger_ring()));
   EXPECT_NEAR((motion.spin_rate - then) / (200 * h), rate, 5e-3 * rate);
 }
 
-// At 10 m/s, with twice the moment that friction can hold: it locks, slides and stays locked.
+// At 10 m/s, with twice the moment that friction can hold, the wheel locks, slides and stays
+// locked.
 TEST(FreeRows, ABrakedWheelLocks) {
   constexpr double h = 5e-4;
   RingTire tire(passenger_ring());
@@ -409,8 +413,8 @@ TEST(FreeRows, ABrakedWheelLocks) {
       locked = i;
     }
   }
-  // 1.2 kg m^2 from 32 rad/s by 2500 N m less what the road turns it on by: none at first, then
-  // 1100 N m.
+  // An inertia of 1.2 kg m^2 is stopped from 32 rad/s by 2500 N m minus the moment of the road:
+  // none at first, then 1100 N m.
   EXPECT_GT(locked, 100 + 31);
   EXPECT_LT(locked, 100 + 57);
   const double mu = -forces.force.x() / forces.force.z();
@@ -418,7 +422,7 @@ TEST(FreeRows, ABrakedWheelLocks) {
   EXPECT_LT(mu, 1.1);
 }
 
-// The axle of a flat track: c z' = Fz - load.
+// The axle of a flat track follows c z' = Fz - load.
 TEST(FreeRows, AnAxleWithoutMassComesToItsLoad) {
   constexpr double h = 5e-4;
   for (const double load : {4000.0, 50.0}) {

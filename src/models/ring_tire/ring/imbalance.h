@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mass on the belt: at a point of the curve, x = Σ w_i x_i of four nodes, it counts
+// A mass on the belt at a point of the curve, x = Σ w_i x_i of four nodes. It adds
 //   M_ij += m w_i w_j  of x, y, z                                                            (34)
-// and m w_i g in their weight, if the belt has any. Where the wheel spins in the air, the hub feels
-// m r ω² along its radius. The same in all axes, it does not turn with the wheel.
+// and m w_i g to their weight, if the belt has any. If the wheel spins in the air, the force m r ω²
+// acts on the hub along the mass's radius. The mass matrix is the same in all axes and does not
+// rotate with the wheel.
 #pragma once
 
 #include <array>
@@ -17,12 +18,12 @@ class Imbalance {
  public:
   Imbalance(const Uniformity& uniformity, int nodes);
 
-  /// force += M a, of accelerations or velocities.
+  /// Adds M a to `force`, where `a` are accelerations or velocities.
   void add_inertia(const NodeValues& a, NodeValues& force) const;
-  /// K += factor M.
+  /// Adds factor times M to K.
   void add_mass(double factor, CyclicBand& K) const;
   void add_mass(double factor, CyclicBandFactor& K) const;
-  /// Of gravity g, m/s²: force on the nodes; J above height 0.
+  /// For gravity g, m/s²: the weight on the nodes, and the potential energy, J, above height 0.
   void add_weight(double g, NodeValues& force) const;
   double height_energy(double g, const NodeValues& q) const;
 

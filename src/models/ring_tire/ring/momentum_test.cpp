@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the wheel gets from the tire is what the road gives, less what goes into the belt's motion:
+// The wheel receives from the tire what the road gives, minus the change of the belt's motion:
 // forces, moments about all axes, energy.
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ struct Wrench {
   Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();  // about the wheel center
 };
 
-/// Of the blocks on the road, one by one.
+/// Returns the wrench of the blocks on the road, summed one by one.
 Wrench road_wrench(const RingTire& tire, const Vector3d& center) {
   Wrench sum;
   for (const BlockContact& block : tire.contacts()) {
@@ -37,7 +37,8 @@ Wrench road_wrench(const RingTire& tire, const Vector3d& center) {
   return sum;
 }
 
-/// Rates of momentum and angular momentum, from the accelerations, and the belt's weight.
+/// Returns the rates of momentum and angular momentum, from the accelerations, and the belt's
+/// weight.
 Wrench inertia_wrench(const RingParameters& ring, const RingState& state) {
   NodeValues M_a;
   at_knots_and_back(Eigen::Vector4d::Ones(), state.acceleration, M_a);
@@ -52,7 +53,8 @@ Wrench inertia_wrench(const RingParameters& ring, const RingState& state) {
   return sum;
 }
 
-/// Of the mass on the belt at node `at`: its share of the nodes' forces M a and weight, one by one.
+/// Returns the wrench of the mass on the belt at node `at`: its share of the nodes' forces M a and
+/// weight, summed one by one.
 Wrench of_imbalance(const RingParameters& ring, const RingState& state) {
   const auto N = static_cast<Eigen::Index>(ring.nodes);
   const auto at_knot = [N](const NodeValues& x) -> Vector3d {

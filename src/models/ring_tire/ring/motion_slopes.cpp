@@ -25,7 +25,7 @@ Vector3d rotation_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to
   return turn.angle() * turn.axis();
 }
 
-/// Unit rotations: e_j × x of all nodes in three columns.
+/// Returns unit rotations: e_j × x of all nodes in three columns.
 Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> unit_turns(const NodeValues& x) {
   Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> to;
   to.setZero(x.size(), 3);
@@ -67,13 +67,14 @@ std::optional<HubSlopes> MotionSlopes::over(RingTire& tire,
   return hub_slopes();
 }
 
-/// The motion at the end of the part, where that of the step is `by` more of a column.
+/// Returns the motion at the end of the part if that of the step has a column increased by `by`.
 WheelMotion MotionSlopes::part_motion(int column, double by) const {
   const WheelMotion to = moved(*to_, column, by);
   return share_ == 1.0 ? to : between(from_->motion, to, share_);
 }
 
-/// The tire at the end of the part, with the tangent there. False: it is not definite.
+/// Sets the tire to the end of the part and computes the tangent there. Returns false if the
+/// tangent is not definite.
 bool MotionSlopes::begin_part(const StepTaken& part) {
   part_time_ = part.time;
   part_step_ = part.step;
@@ -103,8 +104,8 @@ bool MotionSlopes::begin_part(const StepTaken& part) {
   return t.factorize(q1_, rule_.acceleration, 1.0 - t.settings_.dissipation, rule_);
 }
 
-/// The tire, restored to a beginning, at the end of a part that moves otherwise, with nodes and
-/// sections as they are. False where others may touch.
+/// Sets the tire, restored to a beginning, to the end of a part with another motion, with nodes and
+/// sections unchanged. Returns false if other nodes may touch the road.
 bool MotionSlopes::place(const WheelMotion& motion) {
   tire_->predict(motion, *road_, part_time_, part_step_);
   if (tire_->section_.on()) {
@@ -116,7 +117,7 @@ bool MotionSlopes::place(const WheelMotion& motion) {
   return true;
 }
 
-/// Of the blocks on nodes and sections, and their moment on the rim.
+/// Returns the blocks' forces on nodes and sections, and their moment on the rim.
 Eigen::VectorXd MotionSlopes::tread_forces() {
   RingTire& t = *tire_;
   if (t.section_.on()) t.tread_.bend(t.section_);
@@ -131,7 +132,8 @@ Eigen::VectorXd MotionSlopes::tread_forces() {
   return all;
 }
 
-/// Over `by` on either side, along the slope of the state at the beginning, if there is one.
+/// Returns a central difference over `by`, also along the derivative of the state at the beginning,
+/// if there is one.
 std::optional<Eigen::VectorXd> MotionSlopes::tread_slope(const RingState* slope,
                                                          const WheelMotion& further,
                                                          const WheelMotion& back,
@@ -144,7 +146,7 @@ std::optional<Eigen::VectorXd> MotionSlopes::tread_slope(const RingState* slope,
   return (more - tread_forces()) / (2.0 * by);
 }
 
-/// ω × x of all nodes.
+/// Computes ω × x of all nodes.
 void MotionSlopes::turn_by(const Vector3d& omega, const Columns& x, Columns& to) const {
   to.resize(4 * q1_.cols(), kPadded);
   for (Eigen::Index k = 0; k < 4 * q1_.cols(); k += 4) {
@@ -155,7 +157,8 @@ void MotionSlopes::turn_by(const Vector3d& omega, const Columns& x, Columns& to)
   }
 }
 
-/// What dampers at the knots, and those of the belt, hold against velocities of the nodes.
+/// Subtracts the forces of the dampers at the knots and of the belt's damping for given velocities
+/// of the nodes.
 void MotionSlopes::damp(const Columns& rate, Columns& force) {
   const Eigen::Index N = q1_.cols();
   const auto mean = [N](const Columns& x, Eigen::Index k, auto&& to) {
@@ -177,7 +180,7 @@ void MotionSlopes::damp(const Columns& rate, Columns& force) {
   if (belt_damping_) force += belt_damping_->multiply_columns(rate);
 }
 
-/// Of the end of the part, by the factor that the tire has there.
+/// Computes the tangent at the end of the part with the tire's factor there.
 void MotionSlopes::find_tangent() {
   RingTire& t = *tire_;
   const double scale = 1.0 - t.settings_.dissipation;
@@ -234,9 +237,10 @@ void MotionSlopes::find_rim_motion() {
   }
 }
 
-/// Forces of belt and sidewall turn with the rim; nodes that stay move against it by -c - φ × x,
-/// with velocities -v_c - ω × x + Ω × c - φ × (their own against the rim), of which the stiffness
-/// has the rule's share of their places.
+/// Derivatives with the nodes held: forces of belt and sidewall rotate with the rim, and fixed
+/// nodes move relative to it by -c - φ × x, with velocities -v_c - ω × x + Ω × c - φ × (their own
+/// velocities relative to the rim). The stiffness contains the rule's share of these velocities by
+/// places.
 void MotionSlopes::find_held_forces() {
   const Eigen::Index N = q1_.cols();
   NodeValues against = v1_;
@@ -261,7 +265,8 @@ void MotionSlopes::find_held_forces() {
   held_ -= more_;
 }
 
-/// What the state at the beginning does to velocities, accelerations and the sidewall's memory.
+/// Adds the effect of the state at the beginning on velocities, accelerations and the sidewall's
+/// memory.
 void MotionSlopes::add_state(int column) {
   const RingState& slope = slopes_[static_cast<std::size_t>(column)];
   const double h = part_step_, by = difference_step(column, step_);
@@ -279,8 +284,8 @@ void MotionSlopes::add_state(int column) {
   held_.col(column) += ((forces[0] - forces[1]) / (2.0 * by)).reshaped();
 }
 
-/// The blocks, where they feel it: the spin axis at first, and where sections flow the spin rate;
-/// later the state at the beginning as well.
+/// Computes the derivatives of the blocks by the columns that affect them: first the spin axis and,
+/// if sections flow, the spin rate; in later parts also the state at the beginning.
 bool MotionSlopes::find_tread_slopes() {
   tread_.setZero(q1_.size() + gamma_.size() + 3, kPadded);
   const auto find = [&](int column) {
@@ -309,7 +314,7 @@ bool MotionSlopes::find_tread_slopes() {
   return true;
 }
 
-/// dr/dm.
+/// Computes dr/dm.
 void MotionSlopes::find_right_sides() {
   const double theta = tire_->settings_.dissipation, scale = 1.0 - theta;
   x_ = scale * tread_.topRows(q1_.size() + gamma_.size());
@@ -322,8 +327,8 @@ void MotionSlopes::find_right_sides() {
   }
 }
 
-/// (29), the dampers' turning and (31) by iteration: 1e-4 of the tangent in steps of 0.2 ms at
-/// 60 m/s, of a belt without damping.
+/// Solves (29). The rotation of dampers and (31) are included by iteration: they are 1e-4 of the
+/// tangent in steps of 0.2 ms at 60 m/s, for a belt without damping.
 void MotionSlopes::solve() {
   constexpr double kEnough = 1e-7;
   constexpr int kMost = 20;
@@ -340,7 +345,7 @@ void MotionSlopes::solve() {
     next_.bottomRows(gamma_.size()).setZero();
     tangent_.solve(tire_->factor_, tire_->section_, next_);
     x_ += next_;
-    // What is still to come, as a geometric series.
+    // The remaining corrections are estimated as a geometric series.
     const auto now = size(next_);
     const double ratio = (now.array() / before.array().max(1e-300)).maxCoeff();
     if ((ratio * now.array() <= kEnough * size(x_).array()).all()) break;
@@ -348,7 +353,7 @@ void MotionSlopes::solve() {
   }
 }
 
-/// dF/dm of (18), turned into the carrier's axes, which turn too.
+/// Computes dF/dm of (18) in the carrier's axes, which rotate too.
 HubSlopes MotionSlopes::hub_slopes() {
   const int N = tire_->angles_.nodes();
   Vector3d sum = Vector3d::Zero(), moment = moment_on_rim_;
@@ -357,7 +362,7 @@ HubSlopes MotionSlopes::hub_slopes() {
     sum += f;
     moment -= (q1_.col(k).head<3>() - rim_.center).cross(f);
   }
-  // Of dq1/dm: by stiffness and dampers, and by the arms of the forces.
+  // Terms by dq1/dm: by stiffness and dampers, and by the arms of the forces.
   damp(fields_, more_);
   turn_by(rim_.angular_velocity, more_, turned_);
   turned_ += stiff_transposed_;
@@ -386,7 +391,8 @@ HubSlopes MotionSlopes::hub_slopes() {
   return hub;
 }
 
-/// Slopes of the state that the part leaves: nodes by (16), (17), memory by differences.
+/// Computes the derivatives of the state after the part: nodes by (16), (17), memory by
+/// differences.
 bool MotionSlopes::follow_state(const StepTaken& part) {
   const double theta = tire_->settings_.dissipation;
   std::vector<RingState> after;

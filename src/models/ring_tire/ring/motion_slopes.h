@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the forces of a step on the hub change with the wheel's motion m at its end. Newton's method
-// has solved r(q1; m) = 0 of (17), so
+// Derivatives of a step's forces on the hub with respect to the wheel's motion m at its end.
+// Newton's method has solved r(q1; m) = 0 of (17), so
 //   J dq1/dm = dr/dm,  J = -dr/dq1;  dF/dm = dF/dm at q1 + dF/dq1 dq1/dm                     (29)
-// with v1 and a1 of (16). The rim's part of dr/dm is written out: moving the rim is moving the
-// belt the other way, and turning forces. Frames of the blocks and planes of the road follow the
-// spin axis: differences of the blocks' forces. A step divided in parts is followed part by part:
-// the end's motion enters those between, and each begins with the slopes of the state before it.
-//   Valid: where no block is about to touch, to leave, to slip or to stick, and no friction
-// element of the sidewall to slip. There slopes are one-sided, and these are of the side that
-// the end of the step is on.
+// with v1 and a1 of (16). The rim's part of dr/dm is analytical: moving the rim is equivalent to
+// moving the belt the other way and rotating forces. Frames of the blocks and planes of the road
+// follow the spin axis, so this part uses differences of the blocks' forces. A step divided into
+// parts is differentiated part by part: the motion at the end determines those between, and each
+// part begins with the derivatives of the state before it.
+//   Valid: if no block is about to touch, to leave, to slip or to stick, and no friction element
+//   of the sidewall is about to slip. At such a point the derivatives are one-sided, on the side
+//   of the end of the step.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,18 +26,18 @@ namespace latsch::ring_tire {
 
 class RingTire;
 
-/// A step of a ring's advance, by its end.
+/// One step of a ring's advance and the state at its end.
 struct StepTaken {
   double time, step;  // s
   RingState end;
 };
 
-/// Keeps its memory from one step to the next.
+/// Computes derivatives of steps and keeps its memory from one step to the next.
 class MotionSlopes {
  public:
-  /// Of a step from `from` to `to`, `step` long, that ends at `time`, by the steps that were taken
-  /// to its end. The tire's memory is used, restore() comes after. Nothing where a tangent is not
-  /// definite, or where what may touch the road changes.
+  /// Returns the derivatives of a step from `from` to `to` of length `step` that ends at `time`,
+  /// from the steps taken to its end. It overwrites the tire's memory, so restore() has to follow.
+  /// Returns nothing if a tangent is not definite, or if the blocks that may touch the road change.
   std::optional<HubSlopes> over(RingTire& tire,
                                 const RingState& from,
                                 const WheelMotion& to,
@@ -76,9 +77,9 @@ class MotionSlopes {
   const WheelMotion* to_ = nullptr;
   const road::Road* road_ = nullptr;
   double time_ = 0.0, step_ = 0.0;
-  std::vector<RingState> slopes_;  // by column, of the state at the beginning; empty: none
+  std::vector<RingState> slopes_;  // derivatives of the first state by column; empty: none
 
-  // Of the part at work.
+  // Data of the current part.
   const RingState* begin_ = nullptr;
   double part_time_ = 0.0, part_step_ = 0.0, share_ = 1.0;
   WheelMotion motion_;
@@ -87,24 +88,24 @@ class MotionSlopes {
   NodeValues q1_, v1_, inner_;
   Eigen::Vector3d moment_on_rim_;
   Eigen::VectorXd gamma_;
-  std::vector<Eigen::Matrix4d> dampers_;  // of knots, in inertial axes
-  // The belt's own where it has any: C of (30), D of (31).
+  std::vector<Eigen::Matrix4d> dampers_;  // dampers of the knots, in inertial axes
+  // The belt's own damping if it has any: C of (30), D of (31).
   std::optional<CyclicBand> belt_damping_;
   std::optional<WholeBand> belt_turning_;
-  // Unit translations and rotations about the center; what the belt's stiffness makes of them, and
-  // its transpose.
+  // Unit translations and rotations about the center, and the belt's stiffness and its transpose
+  // times these.
   Columns fields_, stiff_, stiff_transposed_;
-  // By column, of the rim: its center, rotation with spin, velocity, angular velocity; and the
-  // rotation of the carrier.
+  // Columns of the rim's motion: its center, rotation with spin, velocity, angular velocity; and
+  // the rotation of the carrier.
   Vectors center_, turn_, velocity_, rate_, carrier_;
-  // By column, with the nodes held: forces of belt and sidewall; of the blocks on nodes and
-  // sections, and their moment on the rim; velocities and accelerations by the state at the
+  // Columns with the nodes held: forces of belt and sidewall; forces of the blocks on nodes and
+  // sections, and their moment on the rim; velocities and accelerations from the state at the
   // beginning.
   Columns held_, tread_, velocities_, accelerations_;
   std::vector<PatchSlopes> blocks_;
   ExactTangent tangent_;
   Columns x_;                                     // dr/dm, then d(q1, γ)/dm
-  Columns rates_, turned_, knots_, more_, next_;  // at work
+  Columns rates_, turned_, knots_, more_, next_;  // work memory
 };
 
 }  // namespace latsch::ring_tire

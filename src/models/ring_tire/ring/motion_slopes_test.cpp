@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ∂force/∂motion against central differences of trials whose steps are solved until rounding.
+// Compares ∂force/∂motion with central differences of trials whose steps are solved down to
+// rounding.
 #include "models/ring_tire/ring/motion_slopes.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +47,7 @@ RingParameters bent(RingParameters ring) {
   return ring;
 }
 
-/// How a wheel of that free radius rolls.
+/// Rolling motion of a wheel with a given free radius.
 struct SlippingWheel {
   double slip = 0.0, camber = 0.0, steer = 0.0, yaw_rate = 0.0, surface = 0.0;
 
@@ -65,14 +66,15 @@ struct SlippingWheel {
   }
 };
 
-/// Of a step after some: the largest part of a column by which slopes and differences differ.
+/// Returns, for a step after some others, the largest difference between derivatives and central
+/// differences relative to the column.
 double deviation(const RingParameters& ring,
                  const road::Road& road,
                  const SlippingWheel& rolling,
                  int steps,
                  double step,
                  double largest_step = 2e-3) {
-  constexpr double kBefore = 4e-4;  // s, a step of those before
+  constexpr double kBefore = 4e-4;  // s, length of the steps before
   RingTire tire(ring);
   EXPECT_TRUE(tire.settle(rolling.at(tire.free_radius(), 0.0), road, 0.0));
   for (int i = 1; i <= steps; ++i)
@@ -129,7 +131,7 @@ TEST(MotionSlopes, OfBentSections) {
   EXPECT_LT(deviation(bent(plain()), road::PlaneRoad(), tilted, 10, 5e-4), kTolerance);
 }
 
-// Times of rubber, and more than it ever has.
+// The damping times are those of rubber, and one longer than rubber ever has.
 TEST(MotionSlopes, OfADampedBelt) {
   const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);
   const SlippingWheel tilted{.slip = -0.02, .camber = 0.03, .steer = 0.02, .yaw_rate = 2.0};
@@ -143,7 +145,7 @@ TEST(MotionSlopes, OfADampedBelt) {
   }
 }
 
-// A thin tread, pressed by half its height on the flat and by more on the cleat.
+// A thin tread is pressed by half its height on the flat and by more on the cleat.
 TEST(MotionSlopes, OfATreadThatBottomsOut) {
   const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);
   const SlippingWheel tilted{.slip = -0.02, .camber = 0.03, .steer = 0.02};
@@ -170,7 +172,7 @@ TEST(MotionSlopes, OfCoupledPliesAndACone) {
   }
 }
 
-// The middle motions hang on the end's, and each part on the state that the one before left.
+// Motions in the middle depend on that at the end, and each part on the state after the one before.
 TEST(MotionSlopes, OfAStepDividedInParts) {
   const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);
   const SlippingWheel tilted{.slip = -0.02, .camber = 0.03, .steer = 0.02, .yaw_rate = 2.0};
@@ -179,7 +181,7 @@ TEST(MotionSlopes, OfAStepDividedInParts) {
   EXPECT_LT(deviation(bent(remembering()), cleat, tilted, 27, 9e-4, 3e-4), kTolerance);
 }
 
-// Where a step has no solution within some iterations, it is taken in halves.
+// A step without solution within a number of iterations is halved.
 TEST(MotionSlopes, OfAStepThatIsHalved) {
   const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);
   const SlippingWheel tilted{.slip = -0.02, .camber = 0.03, .steer = 0.02, .yaw_rate = 2.0};
@@ -197,7 +199,7 @@ TEST(MotionSlopes, OfAStepThatIsHalved) {
             kTolerance);
 }
 
-// Asked for or not: the same forces and state, to the bit.
+// Forces and state are identical to the bit with and without derivatives.
 TEST(MotionSlopes, LeaveTheTrialAsItIs) {
   const auto cleat = road::cleat_road(0.1, 0.015, 0.03, 0.005, 0.4);
   RingTire tire(remembering());

@@ -9,11 +9,12 @@
 
 namespace latsch::ring_tire {
 
-/// Positions of a meter have 1e-16 m, springs of the belt 1e8 N/m.
+/// Settings that solve steps down to rounding: positions of a meter have a rounding of 1e-16 m,
+/// springs of the belt 1e8 N/m.
 inline const RingSettings kUntilRounding = {.tolerance = 2e-8, .most_iterations = 100};
 
-/// Over columns, the largest deviation from central differences of forces, and that of moments,
-/// over the largest of the column. Infinite where a trial fails.
+/// Returns the largest deviation from central differences over the columns, for forces and for
+/// moments, relative to the largest of the column. Infinite if a trial fails.
 inline double slopes_off_differences(const RingParameters& ring,
                                      const RingSettings& settings,
                                      const RingState& from,

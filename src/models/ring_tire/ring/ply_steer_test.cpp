@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coupled plies (32) and the cone (33): modes against the continuous ring, and what a tire does to
-// the side that rolls straight ahead.
+// Coupled plies (32) and the cone (33): modes compared with the continuous ring, and lateral forces
+// of a tire rolling straight ahead.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +19,9 @@ namespace {
 
 using Eigen::Vector4d;
 
-/// Frequencies of n waves of the continuous ring, rim fixed: u_r = A cos, u_t = B sin, u_y = C sin,
-/// ψ = D sin of nθ for coupled plies, C and D cosines for a cone. All energies of second order.
+/// Returns the frequencies of n waves of the continuous ring with the rim fixed: u_r = A cos, u_t =
+/// B sin, u_y = C sin, ψ = D sin of nθ for coupled plies; C and D are cosines for a cone. All
+/// energies are of second order.
 Eigen::VectorXd continuous_frequencies(const RingParameters& ring, int n) {
   const Belt& b = ring.belt;
   const double R = b.radius, T0 = b.pressure * b.pressure_width * R;
@@ -38,7 +39,7 @@ Eigen::VectorXd continuous_frequencies(const RingParameters& ring, int n) {
                       b.bending_in_plane * square(bend) + b.bending_out_of_plane * square(across) +
                       b.twist * square(twist) +
                       b.bending_twist * (bend * twist.transpose() + twist * bend.transpose());
-  // p w times what the area changes in second order, T0/R² of (u_r² + u_t² + 2 u_r u_t').
+  // p w times the second-order change of the area, T0/R² of (u_r² + u_t² + 2 u_r u_t').
   K(0, 0) -= T0 / (R * R);
   K(1, 1) -= T0 / (R * R);
   K(0, 1) -= n * T0 / (R * R);
@@ -83,7 +84,7 @@ TEST(PlySteer, ModesOfCoupledPliesConvergeToTheContinuousRing) {
     const double order = std::log2(largest_deviation(ring, 40, n) / largest_deviation(ring, 80, n));
     EXPECT_GT(order, 3.5) << n;
   }
-  // The coupling is seen: one moves by more than what is left.
+  // The coupling is visible: one frequency changes by more than the remaining error.
   const auto moved = [&](int n) {
     const Eigen::ArrayXd ratio =
         continuous_frequencies(ring, n).array() / continuous_frequencies(apart, n).array();
@@ -104,8 +105,8 @@ TEST(PlySteer, ModesOfAConeConvergeToTheContinuousRing) {
             1.0);  // Hz
 }
 
-/// N to the left, mean over a meter after five, rolling straight ahead (way 1) or back (-1) with
-/// hardly any force along the road.
+/// Returns the lateral force, N to the left, as a mean over a meter after five, rolling straight
+/// ahead (way 1) or back (-1) with nearly no force along the road.
 double side_force(const RingParameters& ring, double way) {
   RingTire tire(ring);
   const road::PlaneRoad road;
@@ -134,7 +135,8 @@ RingParameters coarse() {
   return ring;
 }
 
-// Positive D16: sections in the front of a standing tire's patch lean right, those behind left.
+// With positive D16, sections in the front of a standing tire's patch lean right, those behind
+// left.
 TEST(PlySteer, FlattenedPliesLeanOneWayBeforeAndTheOtherBehind) {
   RingParameters ring = coarse();
   ring.belt.bending_twist = 5.0;
@@ -149,8 +151,8 @@ TEST(PlySteer, FlattenedPliesLeanOneWayBeforeAndTheOtherBehind) {
   }
 }
 
-// The force of ply steer turns with the direction of rolling, that of a cone keeps its side: in
-// axes that stay with the wheel, by which both are told apart [SAE J670, J1988]. Small ones are
+// The force of ply steer changes sign with the direction of rolling, that of a cone keeps its side,
+// in axes that stay with the wheel. This distinguishes the two [SAE J670, J1988]. Small values are
 // linear.
 TEST(PlySteer, ForceOfPliesTurnsWithTheRollingThatOfAConeKeepsItsSide) {
   const double none = side_force(coarse(), 1.0);

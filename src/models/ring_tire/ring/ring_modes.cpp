@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 using Eigen::Matrix4cd;
 using Eigen::Matrix4d;
 
-/// Axes e_r, e_t, a and torsion of node k as columns.
+/// Returns axes e_r, e_t, a and torsion of node k as columns.
 Matrix4d axes(const RimFrame& rim, const NodeAngles& angles, int k) {
   Matrix4d Q = Matrix4d::Identity();
   Q.block<3, 1>(0, 0) = angles.radial(rim, k);
@@ -26,7 +26,7 @@ Matrix4d axes(const RimFrame& rim, const NodeAngles& angles, int k) {
   return Q;
 }
 
-/// The ring at rest, unloaded.
+/// The unloaded ring at rest.
 struct RestingRing {
   explicit RestingRing(const RingParameters& ring)
       : angles(ring.nodes),
@@ -44,8 +44,8 @@ struct RestingRing {
     if (inner.belt().damped()) inner.find_belt_damping(q, rim).turn_back(rim, C);
   }
 
-  /// K(n) of (20), and the like of C, of amplitudes at the knots; node 0 is far enough from the
-  /// ring's end that blocks to both sides are stored.
+  /// Returns K(n) of (20), or the corresponding matrix of C, for amplitudes at the knots. The node
+  /// used is far enough from the ring's end that blocks on both sides are stored.
   Matrix4cd harmonic(const CyclicBand& K, int n) const {
     const int N = angles.nodes(), at = CyclicBand::kReach;
     const Matrix4d Q = axes(rim, angles, at);
@@ -57,14 +57,14 @@ struct RestingRing {
           Q.transpose() * K.block(at - j, j).transpose() * axes(rim, angles, at - j);
       sum += after * std::polar(1.0, phase) + before * std::polar(1.0, -phase);
     }
-    // e_r and e_t turn from node to node: a wave n of them is one of n + 1 and one of n - 1 along
-    // axes that stand.
+    // e_r and e_t rotate from node to node, so a wave n along them consists of waves n + 1 and n -
+    // 1 along fixed axes.
     const Matrix4cd B = knots_over_nodes(n);
     const Matrix4cd inverse = B.inverse();
     return inverse.adjoint() * sum * inverse;
   }
 
-  /// B of belt_curve.h for waves n.
+  /// Returns B of belt_curve.h for waves n.
   Matrix4cd knots_over_nodes(int n) const {
     const int N = angles.nodes();
     const Matrix4d Q = axes(rim, angles, 0);
@@ -79,12 +79,12 @@ struct RestingRing {
   NodeAngles angles;
   RimFrame rim;
   NodeValues q;
-  CyclicBand K, C;  // C: of (30)
+  CyclicBand K, C;  // C of (30)
 };
 
-/// Of waves n.
+/// Losses of waves n.
 struct Losses {
-  Eigen::Vector4d damping, maxwell;  // of a node's sidewall
+  Eigen::Vector4d damping, maxwell;  // for a node's sidewall
   double tau;
   Matrix4cd of_belt;
 
@@ -114,7 +114,8 @@ RingMode mode_of(double squared, const Eigen::Vector4cd& shape, const Losses& lo
   return mode;
 }
 
-/// In-plane (u_r, u_t) and lateral (u_y, ψ) motion do not mix in the ring at rest.
+/// Appends modes of one plane: in-plane (u_r, u_t) and lateral (u_y, ψ) motion are independent in
+/// the ring at rest.
 void append_plane(const Matrix4cd& K,
                   const Eigen::Vector4d& mass,
                   bool lateral,
@@ -122,7 +123,7 @@ void append_plane(const Matrix4cd& K,
                   const Losses& losses,
                   std::vector<RingMode>& modes) {
   const int first = lateral ? 2 : 0;
-  // Without inertia of the section its torsion follows statically.
+  // If the section has no inertia, its torsion follows statically.
   if (lateral && mass[3] == 0.0) {
     Eigen::Vector4cd shape = Eigen::Vector4cd::Zero();
     const bool stiff = std::abs(K(3, 3)) > 0.0;
@@ -147,8 +148,8 @@ void append_plane(const Matrix4cd& K,
   }
 }
 
-/// All four together, where plies or a cone mix the two planes: named after the one that has more
-/// of the kinetic energy.
+/// Appends modes of all four components, for plies or a cone that couple the two planes. A mode is
+/// named after the plane with more of its kinetic energy.
 void append_mixed(const Matrix4cd& K,
                   const Eigen::Vector4d& mass,
                   int n,
@@ -177,7 +178,8 @@ void append_mixed(const Matrix4cd& K,
 DampedMode damped_mode(double squared, double damping, double maxwell, double time_constant) {
   double omega = std::sqrt(std::max(squared, 0.0));
   const auto x = [&] { return omega * time_constant * omega * time_constant; };
-  // A contraction: the bracket changes by less than 1 with ω²; 30 rounds are to the last bit.
+  // The iteration contracts, because the derivative of the bracket by ω² is less than 1; 30 rounds
+  // reach the last bit.
   for (int round = 0; maxwell > 0.0 && round < 30; ++round)
     omega = std::sqrt(std::max(squared + maxwell * x() / (1.0 + x()), 0.0));
   return {.frequency = omega / (2.0 * std::numbers::pi),

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modes of the unloaded ring, rim fixed. In axes that turn with the angle of the node the ring at
-// rest is the same everywhere, so its modes are waves around it: for each circumferential number n
+// Modes of the unloaded ring with the rim fixed. In axes that rotate with the angle of the node the
+// ring at rest is the same everywhere, so its modes are waves around it. For each circumferential
+// number n
 //   (K(n) - ω^2 M) φ = 0,  K(n) = sum over j of K_0j exp(2πi n j/N),  4 x 4, Hermitian.       (20)
-// Damping and dynamic stiffening at the mode's own frequency, to first order in the shape:
+// Damping and dynamic stiffening are taken at the mode's own frequency, to first order in the
+// shape:
 //   ω^2 = ω_K^2 + φ* K_M φ (ωτ)^2/(1 + (ωτ)^2),  2 D ω = φ* (C + K_M τ/(1 + (ωτ)^2)) φ        (21)
-// What is not the same all around, imbalance and run-out, is left out.
-// Friction elements stick: vibrations are small. In the plane of the rim and out of it the ring
-// moves alone, unless its plies join the two (32) or it is a cone (33).
+// Imbalance and run-out are left out. Friction elements stick, because vibrations are small.
+// Motions in the plane of the rim and out of it are independent, unless the plies couple them (32)
+// or the belt is a cone (33).
 #pragma once
 
 #include <vector>
@@ -20,21 +22,21 @@ struct RingMode {
   bool lateral = false;              // out of the plane of the rim, with torsion
   int order = 1;                     // 1, 2, ... among modes of the same n and plane, by frequency
   double frequency = 0.0;            // Hz, undamped
-  double damping = 0.0;              // D, of critical
+  double damping = 0.0;              // D, share of critical damping
   std::array<double, 4> shape = {};  // amplitudes of u_r, u_t, u_y (m) and ψ (rad), mass 1
 };
 
-/// (21): Hz and of critical, of ω_K^2 and of φ* C φ, φ* K_M φ.
+/// Frequency, Hz, and damping ratio by (21), from ω_K^2, φ* C φ and φ* K_M φ.
 struct DampedMode {
   double frequency, damping;
 };
 DampedMode damped_mode(double squared, double damping, double maxwell, double time_constant);
 
-/// All modes with n = 0 .. most_waves, by n, plane and order. Those of n > 0 come in pairs, named
-/// once.
+/// Returns all modes with n = 0 .. most_waves, ordered by n, plane and order. Modes with n > 0 come
+/// in pairs, listed once.
 std::vector<RingMode> unloaded_modes(const RingParameters& ring, int most_waves);
 
-/// The mode of that n, plane and order.
+/// Returns the mode of that n, plane and order.
 const RingMode& find_mode(const std::vector<RingMode>& modes, int n, bool lateral, int order = 1);
 
 }  // namespace latsch::ring_tire

@@ -32,26 +32,26 @@ TEST(RingModes, ConvergeToTheClosedFormWithOrderFour) {
   const RingParameters ring = bare_ring();
   EXPECT_LT(error_of(ring, 200, 0), 1e-6);
   for (int n : {1, 2}) EXPECT_LT(error_of(ring, 200, n), 1e-6) << n;
-  for (int n : {4, 7}) {  // at n <= 2 what is left is the belt's extension
+  for (int n : {4, 7}) {  // at n <= 2 the rest is the belt's extension
     const double order = std::log2(error_of(ring, 40, n) / error_of(ring, 80, n));
     EXPECT_NEAR(order, 4.0, 0.1) << n;
   }
 }
 
-// Rigid ring on its sidewall: sqrt(k_y/ρA) sideways, and tilt, where lateral travel and torsion go
-// together: ω² = (k_y r² + c_ψ + T0)/(m r² + J), T0 for the tension that a tilted ring keeps in the
-// plane of the pressure.
+// A rigid ring on its sidewall has the lateral frequency sqrt(k_y/ρA), and a tilt mode, in which
+// lateral travel and torsion move together: ω² = (k_y r² + c_ψ + T0)/(m r² + J), with T0 for the
+// tension that a tilted ring keeps in the plane of the pressure.
 TEST(RingModes, LateralTranslationAndTiltHaveTheirClosedForms) {
   RingParameters ring = bare_ring();
   ring.nodes = 200;
-  ring.belt.bending_out_of_plane = 1e7;  // rigid: the section turns with the ring
+  ring.belt.bending_out_of_plane = 1e7;  // rigid: the section rotates with the ring
   const auto modes = unloaded_modes(ring, 1);
   EXPECT_NEAR(find_mode(modes, 0, true).frequency / lateral_frequency(ring), 1.0, 1e-5);
   EXPECT_NEAR(find_mode(modes, 1, true).frequency / tilt_frequency(ring), 1.0, 2e-4);
 }
 
-// One degree of freedom with a Maxwell element: at ωτ >> 1 its spring adds to the other, at any
-// frequency the loss is k_M ωτ/(1 + (ωτ)²).
+// One degree of freedom with a Maxwell element: at ωτ >> 1 its spring adds to the other one, and at
+// any frequency the loss is k_M ωτ/(1 + (ωτ)²).
 TEST(RingModes, DynamicStiffeningRaisesFrequencyAndDamping) {
   RingParameters ring = bare_ring();
   const double before = find_mode(unloaded_modes(ring, 0), 0, true).frequency;
@@ -64,9 +64,9 @@ TEST(RingModes, DynamicStiffeningRaisesFrequencyAndDamping) {
   EXPECT_NEAR(mode.damping, 0.5 * 0.2 / 1.2 / omega, 1e-4 / omega);
 }
 
-// 2 D ω is the viscosity in a mode over the mass in it, with the stiffness of bending in the closed
-// form of the frequency times τ: τ EI n²(n²-1)²/R⁴ /(ρA (1 + n²)), beside the sidewall's
-// (d_t + n² d_r)/(ρA (1 + n²)).
+// 2 D ω is the viscosity in a mode over its mass. It is τ times the stiffness of bending in the
+// closed form of the frequency, τ EI n²(n²-1)²/R⁴ /(ρA (1 + n²)), plus that of the sidewall, (d_t +
+// n² d_r)/(ρA (1 + n²)).
 TEST(RingModes, BendingOfTheBeltDampsAsItsClosedForm) {
   RingParameters ring = bare_ring();
   ring.nodes = 200;
@@ -85,8 +85,8 @@ TEST(RingModes, BendingOfTheBeltDampsAsItsClosedForm) {
   }
 }
 
-// Sections held upright, the belt bends across its plane: τ (EI_o + GJ/n²) n⁴/R⁴ beside d_y. In
-// the breathing ring its extension and its bend, τ_e EA/R² + τ EI/R⁴ beside d_r.
+// With sections held upright, the belt bends laterally: τ (EI_o + GJ/n²) n⁴/R⁴ plus d_y. In the
+// breathing ring extension and bend give τ_e EA/R² + τ EI/R⁴ plus d_r.
 TEST(RingModes, OutOfPlaneBendingTwistAndExtensionDampAsTheirClosedForms) {
   RingParameters ring = bare_ring();
   ring.nodes = 200;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a flexible ring remembers from one step to the next: a value, copied, compared, stored. Of
-// the tread the patch alone is in it.
+// State of a flexible ring between two steps: a value that is copied, compared and stored. Only the
+// contact patch of the tread is part of it.
 #pragma once
 
 #include "models/ring_tire/belt/rim_frame.h"
@@ -11,8 +11,8 @@
 namespace latsch::ring_tire {
 
 struct RingState {
-  WheelMotion motion;                    // of the rim
-  NodeValues place, rate, acceleration;  // of the nodes: m, rad; per s; per s^2
+  WheelMotion motion;                    // motion of the rim
+  NodeValues place, rate, acceleration;  // values of the nodes: m, rad; per s; per s^2
   NodeValues force;                      // f of (15), N, N m
   SidewallForces::Memory sidewall;
   TreadMemory tread;

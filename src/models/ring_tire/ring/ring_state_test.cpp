@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 constexpr double kStep = 5e-4, kSpeed = 10.0;
 
-/// With memory in the sidewall, in the tread and, where sections bend, in them.
+/// Returns a ring with memory in the sidewall, in the tread and, if sections bend, in the sections.
 RingParameters with_memory(double bending_across) {
   RingParameters ring = passenger_ring();
   ring.sidewall.radial.dynamic_stiffening = 0.2;
@@ -41,14 +41,14 @@ WheelMotion at_step(int i) {
 
 class RingStateOn : public testing::TestWithParam<double> {
  protected:
-  /// Rolled up to a cleat by 40 steps.
+  /// Returns a tire that has rolled up to a cleat in 40 steps.
   RingTire before_the_cleat() {
     RingTire tire(with_memory(GetParam()));
     EXPECT_TRUE(tire.settle(at_step(0), road_, 0.0));
     for (int i = 1; i <= 40; ++i) EXPECT_TRUE(tire.advance(at_step(i), road_, i * kStep, kStep));
     return tire;
   }
-  /// Forces of the next steps, each tried twice and taken.
+  /// Returns the forces of the next steps, each tried twice and then taken.
   std::vector<HubForces> over_the_cleat(RingTire& tire, RingState state) {
     std::vector<HubForces> forces;
     for (int i = 41; i <= 60; ++i) {
@@ -91,7 +91,7 @@ TEST_P(RingStateOn, ComesBackAsItWas) {
   EXPECT_TRUE(tire.contacts().empty());
 }
 
-// A wheel far into the ground in one step and in ten, and one at no place: nothing is lost.
+// A step far into the ground in one step and in ten, or to no place, loses nothing.
 TEST_P(RingStateOn, IsAsItWasAfterAStepThatFails) {
   RingTire tire = before_the_cleat();
   const RingState state = tire.state();
@@ -164,8 +164,8 @@ TEST_P(RingStateOn, IsAsItWasWhereItFindsNoRest) {
   EXPECT_TRUE(tire.state() == state);
 }
 
-// Where rounding of places makes more of the masses' forces than the tolerance: an integrator
-// that ends on a given time takes such steps.
+// In these steps rounding of places causes larger inertia forces than the tolerance. An integrator
+// that ends at a given time takes such steps.
 TEST_P(RingStateOn, TakesShortStepsFarAway) {
   for (const auto& [way, step] : {std::pair{0.0, 1e-9}, {1e4, 1e-7}, {0.0, 1e-12}}) {
     RingTire tire(with_memory(GetParam()));
@@ -187,7 +187,7 @@ TEST_P(RingStateOn, TakesShortStepsFarAway) {
   }
 }
 
-// Of the tread the patch alone.
+// The state contains only the patch of the tread.
 TEST_P(RingStateOn, IsSmall) {
   const RingState state = before_the_cleat().state();
   EXPECT_GT(state.tread.tips()->columns.size(), 400u);

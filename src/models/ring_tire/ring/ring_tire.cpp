@@ -23,15 +23,17 @@ Eigen::Vector4d mass_of_node(const RingParameters& p) {
   return {m, m, m, J};
 }
 
-// What the tangent of a step forgets of the far side of the ring (cyclic_band.h): a correction is
-// out by no more than that share of itself.
+// Decay of the far side of the ring at which the tangent of a step drops it (cyclic_band.h): a
+// correction has at most this relative error. A larger value saves work.
 constexpr double kFaded = 1e-6;
-constexpr double kSlow = 0.2;  // a tangent that reduces what is left by less is renewed
+// A tangent that leaves more than this share of the residual is renewed.
+constexpr double kSlow = 0.2;
 
-/// Whether a correction is known to leave less than the tolerance of `left`, where the one before,
-/// with the same tangent, left that of `last`. Curvature alone leaves 2 left²/last. Blocks that
-/// begin to touch or to slip leave more, and what they keep of the step is of before the
-/// correction: hence ten, and no more than twenty tolerances.
+/// True if a correction is known to leave less than the tolerance. `left` is the residual before
+/// it, `last` the residual before the correction preceding it, which used the same tangent.
+/// Curvature alone leaves 2 left²/last. Blocks that begin to touch or to slip leave more, and their
+/// stored results belong to the state before the correction, so the test uses a factor of ten and
+/// at most twenty tolerances.
 bool known_to_end(double left, double last, double tolerance) {
   return left <= tolerance / kSlow ||
          (left <= 20.0 * tolerance && 10.0 * left * left <= tolerance * last);
@@ -188,8 +190,8 @@ HubForces RingTire::hub_forces(const Eigen::Matrix3d& carrier) const {
   return {carrier.transpose() * force, carrier.transpose() * moment};  // (18)
 }
 
-/// The shape X(χ) over the angle χ = φ - spin stands in the carrier; node k flows through it:
-/// x' = c' + ω × (x - c) - spin' dX/dχ,  x'' = spin'^2 d²X/dχ². Differences of fourth order.
+/// The shape X(χ) over the angle χ = φ - spin is fixed in the carrier, and node k flows through it:
+/// x' = c' + ω × (x - c) - spin' dX/dχ,  x'' = spin'^2 d²X/dχ². Differences are of fourth order.
 void RingTire::roll_on(const WheelMotion& motion) {
   const int N = angles_.nodes();
   const double step = 2.0 * std::numbers::pi / N, rate = motion.spin_rate;
@@ -218,7 +220,8 @@ Result<HubForces> RingTire::advance(const WheelMotion& motion,
   return hub_forces(motion.carrier);
 }
 
-/// Empty, or why there is no state at the end: then it is the one before.
+/// Returns why there is no state at the end, in which case the tire keeps the state before; empty
+/// on success.
 std::string RingTire::advance_in_parts(const WheelMotion& motion,
                                        const road::Road& road,
                                        double time,
@@ -288,7 +291,8 @@ Result<RingTrial> RingTire::trial(const RingState& from,
   return trial;
 }
 
-/// A step, or where it has no solution two of half the length. Empty, or why there is none.
+/// Takes a step, or two of half the length if it has no solution. Returns why there is none; empty
+/// on success.
 std::string RingTire::substep(const WheelMotion& from,
                               const WheelMotion& to,
                               const road::Road& road,
@@ -303,8 +307,8 @@ std::string RingTire::substep(const WheelMotion& from,
   return first.empty() ? substep(middle, to, road, time, 0.5 * step, halvings - 1) : first;
 }
 
-/// Where Newton's method starts: in a rolling tire accelerations stand in space rather than at a
-/// node, which flows through them by `turn` in the step.
+/// Initial guess of Newton's method: in a rolling tire accelerations are fixed in space rather than
+/// at a node, which flows through them by `turn` in the step.
 void RingTire::guess_end(double turn) {
   const int N = angles_.nodes();
   const double segments = turn * N / (2.0 * std::numbers::pi), whole = std::floor(segments);
@@ -317,7 +321,7 @@ void RingTire::guess_end(double turn) {
   }
 }
 
-/// What of (16) stands before the step's end is known, and the road there.
+/// Computes the part of (16) that does not depend on the step's end, and the road there.
 void RingTire::predict(const WheelMotion& motion, const road::Road& road, double time, double h) {
   const double theta = settings_.dissipation, gamma = 0.5 + theta;
   const double beta = 0.25 * (1.0 + theta) * (1.0 + theta);
@@ -335,10 +339,10 @@ void RingTire::predict(const WheelMotion& motion, const road::Road& road, double
   if (section_.on()) section_.touch(tread_.nodes_near_road());
 }
 
-/// v1_ and a1_ of (16) at q1_.
+/// Computes v1_ and a1_ of (16) at q1_.
 void RingTire::follow() { ring_tire::follow(rule_, q1_, q_predicted_, v_predicted_, a_, v1_, a1_); }
 
-/// The tangent at q1_, with more mass where that alone would not be definite.
+/// Renews the tangent at q1_, with more mass if it would not be definite otherwise.
 bool RingTire::renew_tangent() {
   constexpr double kMostMass = 64.0;
   for (double more = 1.0; more <= kMostMass; more *= 2.0) {
@@ -351,8 +355,9 @@ bool RingTire::renew_tangent() {
   return false;
 }
 
-/// Forces after a correction that is known to leave less than the tolerance: belt and sidewall
-/// anew, all together by (17). The blocks, most of the work, need not be asked again.
+/// Updates the forces after a correction that is known to leave less than the tolerance: belt and
+/// sidewall are evaluated, the total follows from (17). The blocks, most of the work, are not
+/// evaluated again.
 void RingTire::balance() {
   const double theta = settings_.dissipation;
   follow();
@@ -361,7 +366,7 @@ void RingTire::balance() {
   total_ = (inertia_ - theta * force_) / (1.0 - theta);
 }
 
-/// The step is done.
+/// Ends the step.
 void RingTire::accept() {
   q_.swap(q1_);
   v_.swap(v1_);
@@ -372,7 +377,7 @@ void RingTire::accept() {
   if (section_.on()) section_.accept();
 }
 
-/// One step of (16), (17). Empty, or why there is no solution.
+/// Takes one step of (16), (17). Returns why there is no solution; empty on success.
 std::string RingTire::step_forward(const WheelMotion& motion,
                                    const road::Road& road,
                                    double time,
@@ -380,7 +385,7 @@ std::string RingTire::step_forward(const WheelMotion& motion,
   predict(free_ ? free_->begin(motion, time, h) : motion, road, time, h);
   ++counts_.steps;
   if (!tread_.knows_road()) return no_solution(time, kNoRoad);
-  // The border that bending sections add to a tangent is not turned.
+  // The border that bending sections add to a tangent cannot be rotated.
   const bool held = reuse_.serves(rule_.acceleration) && !section_.on() &&
                     (!free_ || free_->knows_tangent(counts_.factorizations));
   const int age = reuse_.age();
@@ -402,14 +407,16 @@ std::string RingTire::step_forward(const WheelMotion& motion,
   return {};
 }
 
-/// (17) by Newton's method, at first with the tangent held from an earlier step.
+/// Solves (17) by Newton's method, at first with the tangent held from an earlier step.
 std::string RingTire::solve_step(bool held, double time) {
   const double theta = settings_.dissipation;
-  constexpr double kCrawling = 0.5;    // a step that leaves more than that of what was left
-  constexpr double kViolent = 1000.0;  // N, left at a node by the guess of a step
+  // A tangent whose step leaves more than this share of the residual is renewed.
+  constexpr double kCrawling = 0.5;
+  constexpr double kViolent = 1000.0;  // N, residual at a node for the guess of a step
   if (held) factor_.turn_to(rim_.axes());
   double last = std::numeric_limits<double>::infinity();
-  // What rounding of places makes of the masses' forces in the shortest steps, far away.
+  // Error of the inertia forces caused by rounding of places, in very short steps far from the
+  // origin.
   const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * rule_.acceleration *
                           mass_.maxCoeff() * q1_.cwiseAbs().maxCoeff();
   double tolerance = std::max(settings_.tolerance, rounding);
@@ -443,10 +450,10 @@ std::string RingTire::solve_step(bool held, double time) {
   return no_solution(time, fmt::format("{:.3g} N are left at a node", last));
 }
 
-/// Empty, or that the belt is so near the axle, or so far from it, that what is found there means
-/// nothing.
+/// Returns an error text if the belt is so near the axle, or so far from it, that results are
+/// meaningless; otherwise empty.
 std::string RingTire::torn_off(const NodeValues& q, double time) const {
-  constexpr double kNearest = 0.3, kFarthest = 2.0;  // of the belt's radius
+  constexpr double kNearest = 0.3, kFarthest = 2.0;  // shares of the belt's radius
   const double R = parameters_.belt.radius;
   for (int k = 0; k < angles_.nodes(); ++k) {
     const double distance = (q.col(k).head<3>() - rim_.center).norm();

@@ -4,18 +4,18 @@
 //   M q'' = f(q, q', t),  q: positions of the nodes and torsions of their sections          (15)
 //   q1 = q0 + h v0 + h^2 ((1/2 - β) a0 + β a1),  v1 = v0 + h ((1 - γ) a0 + γ a1)            (16)
 //   M a1 = (1 - θ) f1 + θ f0,  β = (1 + θ)^2/4,  γ = 1/2 + θ                                (17)
-// θ = 0 is the trapezoidal rule; a small θ damps what vibrates faster than the step, still of order
-// 2 [Hilber, Hughes, Taylor 1977]. Each step is solved by Newton's method with the cyclic band
-// matrix M/(β h^2) + (1 - θ) (K + γ/(β h) C).
+// θ = 0 is the trapezoidal rule. A small θ damps vibrations faster than the step, still of order 2
+// [Hilber, Hughes, Taylor 1977]. Each step is solved by Newton's method with the cyclic band matrix
+// M/(β h^2) + (1 - θ) (K + γ/(β h) C).
 //   hub force = -Σ f_k,  f: all but those of road and weight                                (18)
 //   moment = -Σ (x_k - c) × f_k + Σ (T - c) × F + p_E × M - Σ (x_k - c) × f_road,k
-// so that road and hub agree about all axes: what of the blocks' moment the nodes do not carry, the
-// sections hand to the rim, against which ψ is counted.
+// so that road and hub agree about all axes: the sections transmit the part of the blocks' moment
+// that the nodes do not carry to the rim, from which ψ is measured.
 //
-// settle() lowers the rim from first touch in equal steps, each an equilibrium (statics.cpp),
-// so friction in the contact has the history of a tire pressed down. Where the wheel spins, the
-// shape found is kept in space and the belt flows through it: velocities and accelerations of
-// steady rolling up to the change that speed brings.
+// settle() lowers the rim from first touch in equal steps, each an equilibrium (statics.cpp), so
+// friction in the contact has the history of a tire pressed down. If the wheel spins, the resulting
+// shape is kept in space and the belt flows through it, with velocities and accelerations of steady
+// rolling except for the change due to speed.
 //   Limits: docs/ring_tire.md, section 9.
 #pragma once
 
@@ -40,26 +40,26 @@ namespace latsch::ring_tire {
 
 struct RingSettings {
   double dissipation = 0.05;  // θ, 0 .. 1/3
-  // N (m on torsion: per meter), largest force left at a node. Where a step begins with more than
-  // 1 kN left at one, as large a share of that.
+  // Tolerance, N (for torsion: N per meter): largest residual force at a node. If a step begins
+  // with a residual above 1 kN, the tolerance grows in proportion. A larger value saves iterations.
   double tolerance = 0.1;
-  double static_tolerance = 1e-3;  // N, all forces left together
-  int halvings = 4;                // of a step that has no solution
-  int most_iterations = 15;        // of Newton's method a step
+  double static_tolerance = 1e-3;  // N, norm of all residual forces
+  int halvings = 4;                // number of times a step without solution is halved
+  int most_iterations = 15;        // largest number of Newton iterations in a step
   int lowerings = 8;               // steps of the rim from first touch in settle()
   double largest_step = 2e-3;      // s; advance() divides longer ones
 };
 
-/// What advance() and settle() cost so far.
+/// Cost of advance() and settle() so far.
 struct RingCounts {
   long steps = 0, evaluations = 0, factorizations = 0;
 };
 
-/// A step tried: what the rim would feel, and the state it would leave.
+/// A trial step: the forces on the rim and the state after it.
 struct RingTrial {
   HubForces hub;
   RingState state;
-  /// Where they were asked for and are to be had: MotionSlopes::over().
+  /// Present if requested and available: MotionSlopes::over().
   std::optional<HubSlopes> slopes;
 };
 
@@ -78,13 +78,15 @@ class RingTire final : public Tire {
                                  const road::Road& road,
                                  double time,
                                  double step) override;
-  /// All that advance() goes on from. A step that fails leaves it as it was.
+  /// Returns everything from which advance() continues. A step that fails does not change it.
   RingState state() const;
-  /// Goes on from there. Contacts and footprint are those of a step: none until the next.
+  /// Continues from that state. Contacts and footprint belong to a step, so there are none until
+  /// the next step.
   void restore(const RingState& state);
-  /// A step from `from` to `motion` with this tire's memory for its work: taken by restore() of
-  /// what comes back, else thrown away. The same bits whatever was computed before. With slopes:
-  /// also how the hub's forces change with `motion`, motion_slopes.h; then there is no footprint.
+  /// Computes a step from `from` to `motion` with this tire's memory. restore() of the returned
+  /// state accepts the step; otherwise it is discarded. The result does not depend on what was
+  /// computed before, to the last bit. With slopes it also has the derivatives of the hub's forces
+  /// with respect to `motion`, motion_slopes.h, but no footprint.
   Result<RingTrial> trial(const RingState& from,
                           const WheelMotion& motion,
                           const road::Road& road,
@@ -100,26 +102,27 @@ class RingTire final : public Tire {
   const SectionBending& section() const { return section_; }
   const NodeValues& positions() const { return q_; }
   const NodeValues& velocities() const { return v_; }
-  /// The blocks on the road.
+  /// Returns the blocks on the road.
   std::vector<BlockContact> contacts() const { return tread_.contacts(q_); }
-  /// N, N m on the nodes, of the last step: what the blocks on the road do.
+  /// Forces and moments of the blocks on the nodes in the last step, N, N m.
   NodeValues road_forces() const;
   const RingCounts& counts() const { return counts_; }
-  /// J: kinetic and in all springs.
+  /// Kinetic energy and that of all springs, J.
   double energy() const;
-  /// Without the blocks' springs: what the road's work on the nodes goes into.
+  /// Energy without the blocks' springs, J. It changes by the road's work on the nodes.
   double inner_energy() const;
-  /// What small vibrations about the tire as it stands feel: friction of the road and in the
-  /// sidewall sticks. `maxwell`: stiffness of the Maxwell elements, of one time constant.
+  /// Linearization of the tire in its present state for small vibrations: friction of the road and
+  /// in the sidewall sticks. `maxwell` is the stiffness of the Maxwell elements, which have one
+  /// time constant.
   struct Linearized {
     CyclicBand mass, stiffness, damping, maxwell;
     double time_constant;
-    // What the bending of the sections adds: SectionBending::border().
+    // Contribution of the bending of sections: SectionBending::border().
     Eigen::MatrixXd section_border, section_stiffness;
   };
   Linearized linearized() const;
-  /// Tangent stiffness of belt, sidewall and contact as they stand, and mass of a knot (m, m, m,
-  /// J).
+  /// Tangent stiffness of belt, sidewall and contact in the present state, and the mass of a knot
+  /// (m, m, m, J).
   CyclicBand stiffness();
   Eigen::Vector4d knot_mass() const { return mass_; }
 
@@ -129,7 +132,7 @@ class RingTire final : public Tire {
   static constexpr const char* kNoRoad =
       "the road has no height under the tread, or none that is finite";
 
-  /// f of (15) at q, v, on the rim where it stands: inner forces, then those of the road.
+  /// Evaluates f of (15) at q, v with the present rim: inner forces, then those of the road.
   void evaluate(const NodeValues& q, const NodeValues& v);
   Result<HubForces> find_rest(const WheelMotion& motion, const road::Road& road, double time);
   Result<bool> equilibrate(const road::Road& road, double time);
@@ -162,13 +165,13 @@ class RingTire final : public Tire {
   std::string no_solution(double time, const std::string& why) const;
   bool factorize(const NodeValues& q, double mass_factor, double scale, const StepRule& rule);
   bool correct_wheel();
-  /// residual_, and the section's, become Newton's step.
+  /// Replaces residual_ and the section's residual by Newton's step.
   void solve();
-  /// The largest force left, N; on the section's unknowns and a free wheel too.
+  /// Returns the largest residual force, N, including the section's unknowns and a free wheel.
   double left_at_a_node(double of_nodes);
-  /// Of all together.
+  /// Returns the norm of all residual forces.
   double left_together() const;
-  /// B' m B a of belt_curve.h.
+  /// Computes B' m B a of belt_curve.h.
   void times_mass(const NodeValues& a, NodeValues& force) const;
   HubForces hub_forces(const Eigen::Matrix3d& carrier) const;
   void place_at_rest();
@@ -192,7 +195,7 @@ class RingTire final : public Tire {
   WheelMotion last_motion_;
   bool settled_ = false;
   MotionSlopes slopes_;
-  std::vector<StepTaken>* taken_ = nullptr;  // where someone keeps the steps of an advance
+  std::vector<StepTaken>* taken_ = nullptr;  // set while a caller keeps the steps of an advance
   FreeRows free_rows_;
   FreeRows* free_ = nullptr;  // while the wheel is free
   RingCounts counts_;

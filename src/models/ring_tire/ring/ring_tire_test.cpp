@@ -31,7 +31,7 @@ struct Resultant {
   Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
 };
 
-/// Of the road's forces about the wheel center.
+/// Returns the resultant of the road's forces about the wheel center.
 Resultant of_road(const RingTire& tire, const Vector3d& center) {
   Resultant sum;
   for (const BlockContact& block : tire.contacts()) {
@@ -66,7 +66,7 @@ HubForces roll(RingTire& tire, WheelMotion& motion, const road::Road& road, int 
   return forces;
 }
 
-// Newton's third law: what the hub feels is what the road does, with camber as well.
+// Newton's third law: the forces on the hub equal those of the road, with camber as well.
 TEST(RingTire, StandsOnItsPatchInBalance) {
   RingTire tire(passenger_ring());
   const road::PlaneRoad road;
@@ -82,8 +82,8 @@ TEST(RingTire, StandsOnItsPatchInBalance) {
   }
 }
 
-// In steady rolling momentum and angular momentum stay, so hub and road balance again; the hub's
-// torque is the longitudinal force at the loaded radius and rolling resistance.
+// In steady rolling momentum and angular momentum are constant, so hub and road balance again. The
+// hub's torque is the longitudinal force at the loaded radius plus rolling resistance.
 TEST(RingTire, RollsInBalance) {
   RingTire tire(passenger_ring());
   const road::PlaneRoad road;
@@ -104,7 +104,7 @@ TEST(RingTire, RollsInBalance) {
   EXPECT_NEAR(hub.moment.y(), ground.moment.y(), 2.0);
 }
 
-/// Hub forces over a cleat in steps of h.
+/// Returns hub forces over a cleat in steps of h.
 std::vector<Vector3d> over_a_cleat(double tolerance, double h) {
   const road::ProfileRoad road = road::cleat_road(0.3, 0.015, 0.03, 0.005);
   RingTire tire(passenger_ring(), {.tolerance = tolerance});
@@ -116,8 +116,8 @@ std::vector<Vector3d> over_a_cleat(double tolerance, double h) {
   return forces;
 }
 
-// Steps end with a correction whose forces are not computed, short ones begin with an earlier
-// tangent: neither shows beyond the tolerance, which is what may be left at a node.
+// Steps end with a correction whose forces are not computed, and short steps begin with an earlier
+// tangent: neither changes the result beyond the tolerance of the residual at a node.
 TEST(RingTire, LeavesNoMoreThanItsTolerance) {
   constexpr double kTolerance = 0.1;  // N
   for (double h : {5e-4, 1e-4}) {
@@ -130,7 +130,7 @@ TEST(RingTire, LeavesNoMoreThanItsTolerance) {
   }
 }
 
-// An earlier tangent is tried where it saves work: in steps that turn the wheel by little.
+// An earlier tangent is tried if it saves work: in steps that rotate the wheel by little.
 TEST(RingTire, HoldsItsTangentInShortSteps) {
   for (const auto& [h, most] : {std::pair{5e-4, 1.2}, {5e-5, 0.3}}) {
     RingTire tire(passenger_ring());
@@ -144,7 +144,7 @@ TEST(RingTire, HoldsItsTangentInShortSteps) {
   }
 }
 
-// Turned by one node the ring is the same ring.
+// The ring rotated by one node is the same ring.
 TEST(RingTire, IsTheSameTurnedByANode) {
   const road::ProfileRoad road = road::cleat_road(0.1, 0.015, 0.03, 0.005);
   const RingParameters ring = passenger_ring();
@@ -160,9 +160,9 @@ TEST(RingTire, IsTheSameTurnedByANode) {
   EXPECT_LT((forces[0].moment - forces[1].moment).norm(), 1e-4 * forces[0].force.norm());
 }
 
-/// What the tire has taken from the rim so far, J: the work of the rim on the tire by the
-/// trapezoidal rule, less what the tire has more in itself. The road stands and does no work: what
-/// friction and dampers turned into heat.
+/// Energy that the tire has turned into heat so far, J: the work of the rim on the tire by the
+/// trapezoidal rule, minus the increase of the tire's energy. The road stands still and does no
+/// work.
 class Heat {
  public:
   Heat(const RingTire& tire, const WheelMotion& motion, const HubForces& hub)
@@ -187,8 +187,8 @@ class Heat {
   double stored_, power_, work_ = 0.0, heat_ = 0.0;
 };
 
-// The rim of a standing tire is pushed aside and ahead and held: belt and tread ring on the ground,
-// and lose energy to dampers and friction, never gain any.
+// The rim of a standing tire is pushed sideways and forward and held: belt and tread vibrate on the
+// ground and lose energy to dampers and friction, and never gain any.
 TEST(RingTire, OnTheGroundItRingsAndLosesEnergy) {
   RingTire tire(passenger_ring(), {.tolerance = 1e-6});
   const road::PlaneRoad road;
@@ -208,8 +208,8 @@ TEST(RingTire, OnTheGroundItRingsAndLosesEnergy) {
   EXPECT_LT(last, first - 1.0);
 }
 
-// Rolling with side slip and braked a tire makes heat all the time; in steady rolling, where it
-// stores no more than before, as much as the rim gives it.
+// A tire that rolls with side slip and is braked produces heat all the time. In steady rolling,
+// when its energy is constant, the heat equals the work of the rim.
 TEST(RingTire, RollingItTurnsWorkIntoHeat) {
   RingTire tire(passenger_ring(), {.tolerance = 1e-4});
   const road::PlaneRoad road;
@@ -235,7 +235,7 @@ TEST(RingTire, RollingItTurnsWorkIntoHeat) {
   EXPECT_NEAR(heat.value(), heat.work(), 0.02 * heat.work());
 }
 
-/// Forces on a hub that heaves while the wheel rolls, every 2 ms.
+/// Returns forces on a hub that heaves while the wheel rolls, every 2 ms.
 std::vector<Vector3d> rolling_and_heaving(int parts) {
   constexpr double kEvery = 2e-3, kSpeed = 10.0, omega = 2.0 * std::numbers::pi * 25.0;
   constexpr int kRecords = 30;
@@ -258,8 +258,8 @@ std::vector<Vector3d> rolling_and_heaving(int parts) {
   return forces;
 }
 
-// Rolling, with blocks that come and go in the midst of a step: two halvings make the change some
-// sixteen times smaller at order 2 and four times at order 1, of Fx and Fz.
+// While the tire rolls, blocks come and go within a step: two halvings reduce the change of Fx and
+// Fz about sixteenfold at order 2 and fourfold at order 1.
 TEST(RingTire, IsOfOrderTwoInRolling) {
   std::vector<std::vector<Vector3d>> runs;
   for (const int parts : {2, 4, 8, 16}) runs.push_back(rolling_and_heaving(parts));
@@ -292,7 +292,7 @@ TEST(RingTire, TheHubCarriesTheBeltsWeight) {
   EXPECT_NEAR(standing->force.z(), of_road - ring.belt.mass * 9.81, 0.01);
 }
 
-/// A road that says nothing of what it looks like around a point.
+/// A road that reports nothing about the surroundings of a point.
 class SilentRoad final : public road::Road {
  public:
   explicit SilentRoad(const road::Road& road) : road_(road) {}
@@ -304,7 +304,7 @@ class SilentRoad final : public road::Road {
   const road::Road& road_;
 };
 
-// Level ground has a shorter way to the same forces.
+// Level ground uses a shorter computation of the same forces.
 TEST(RingTire, RollsOnLevelGroundAsOnAnyGround) {
   const road::PlaneRoad plane;
   const SilentRoad silent(plane);
@@ -312,8 +312,8 @@ TEST(RingTire, RollsOnLevelGroundAsOnAnyGround) {
   for (int i : {0, 1}) {
     const road::Road& road = i == 0 ? static_cast<const road::Road&>(silent) : plane;
     RingTire tire(passenger_ring());
-    WheelMotion motion = rolling(tire.free_radius() - 0.015, 10.0, 0.32);  // it brakes
-    motion.velocity.y() = 0.5;                                             // and slides sideways
+    WheelMotion motion = rolling(tire.free_radius() - 0.015, 10.0, 0.32);  // braking
+    motion.velocity.y() = 0.5;                                             // and sliding sideways
     ASSERT_TRUE(tire.settle(motion, road, 0.0));
     forces[i] = roll(tire, motion, road, 40, 5e-4);
   }
@@ -321,8 +321,8 @@ TEST(RingTire, RollsOnLevelGroundAsOnAnyGround) {
   EXPECT_LT((forces[0].moment - forces[1].moment).norm(), 1e-9 * forces[0].force.norm());
 }
 
-/// Fx and Fz over a cleat, with everything that has a kernel: damping with memory, friction,
-/// progressive springs, camber; 80 nodes or 83, which are no multiple of eight.
+/// Returns Fx and Fz over a cleat, with everything that has a kernel: damping with memory,
+/// friction, progressive springs, camber; 80 nodes, or 83, which is no multiple of eight.
 std::vector<double> over_a_cleat(KernelSet set,
                                  int nodes,
                                  double belt_damping_time,
@@ -356,8 +356,8 @@ std::vector<double> over_a_cleat(KernelSet set,
   return forces;
 }
 
-// Same bits where both sets have a fused multiply-add. The baseline has none: Newton's method ends
-// elsewhere within its tolerance of 0.1 N at a node.
+// The result is identical to the bit if both sets have a fused multiply-add. The baseline has none,
+// so Newton's method ends elsewhere within its tolerance of 0.1 N at a node.
 TEST(RingTire, EveryKernelSetRollsTheSame) {
   for (const auto& [nodes, damping_time, bottoming] : {std::tuple{80, 0.0, 0.0},
                                                        std::tuple{83, 0.0, 0.0},
@@ -408,8 +408,8 @@ TEST(RingTire, RegressionOverAnObliqueCleat) {
   }
 }
 
-// What a road says of rectangles saves time and changes nothing: drum, plane and kerb with it and
-// without, blocks that do not fill their lanes included.
+// Information about rectangles of the road saves time and changes nothing: drum, plane and kerb
+// with it and without, including blocks that do not fill their lanes.
 TEST(RingTire, WhatARoadSaysOfRectanglesChangesNoForce) {
   const road::DrumRoad outside({.diameter = 2.5, .surface = 12.0}),
       inside({.diameter = 3.0, .inner = true, .surface = 12.0});
@@ -438,7 +438,7 @@ TEST(RingTire, WhatARoadSaysOfRectanglesChangesNoForce) {
         const auto by_bounds = known.advance(motion, *road, i * h, h);
         const auto by_points = asked.advance(motion, silent, i * h, h);
         ASSERT_TRUE(by_bounds && by_points);
-        // The mean height over a cell is exact here, there a sum.
+        // The mean height over a cell is exact with it and a sum without it.
         EXPECT_LT((by_bounds->force - by_points->force).norm(), 1e-3 * by_points->force.norm())
             << "step " << i;
       }

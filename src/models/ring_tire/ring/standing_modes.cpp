@@ -40,7 +40,7 @@ numerics::EigenPairs<double> lowest(const CyclicBandFactor& factor,
   return numerics::lanczos(problem, {.count = count, .tolerance = 1e-10});
 }
 
-/// The shape at the knots, along e_r, e_t, a of each.
+/// Returns the shape at the knots, along e_r, e_t, a of each knot.
 NodeValues along_node_axes(const NodeValues& shape, const RingTire& tire) {
   NodeValues along = at_knots(shape);
   const RimFrame& rim = tire.rim();
@@ -53,7 +53,7 @@ NodeValues along_node_axes(const NodeValues& shape, const RingTire& tire) {
   return along;
 }
 
-/// Kinetic energy in waves n of two rows, in the plane of the rim or out of it.
+/// Returns the kinetic energy in waves n of two rows, in the plane of the rim or out of it.
 double energy_in(const NodeValues& shape, const Eigen::Vector4d& mass, int n, bool lateral) {
   const int N = static_cast<int>(shape.cols());
   double sum = 0.0;
@@ -77,7 +77,8 @@ void name_by_waves(StandingMode& mode, const Eigen::Vector4d& mass) {
     }
 }
 
-/// By the overlap with the mirror image in the plane x = 0, where node 0 is lowest: u_t turns.
+/// Returns the phase from the overlap with the mirror image in the plane x = 0, for node 0 lowest;
+/// u_t changes sign.
 char phase_of(const NodeValues& shape, const Eigen::Vector4d& mass) {
   constexpr double kClear = 0.5;
   const int N = static_cast<int>(shape.cols());

@@ -35,7 +35,7 @@ RingTire standing(const RingParameters& ring, double depth, double camber = 0.0)
 
 using NodesOfBlock = std::array<Eigen::Vector4d, 4>;
 
-/// The weights of a block's nodes at the share s of its segment: the cubic B-spline.
+/// Returns the weights of a block's nodes at the share s of its segment: the cubic B-spline.
 std::array<double, 4> weights_at(double s) {
   const double r = 1.0 - s;
   return {r * r * r / 6.0,
@@ -50,7 +50,7 @@ Vector3d belt_at(const NodesOfBlock& x, double s) {
   return place;
 }
 
-/// (10) of a block at the share s of its segment, its frame following the belt.
+/// Returns (10) for a block at the share s of its segment, with its frame following the belt.
 Vector3d tip_of(const NodesOfBlock& x, double s, double H, double y, const Vector3d& a) {
   const double r = 1.0 - s;
   const double d[4] = {-0.5 * r * r, -2.0 * s + 1.5 * s * s, 2.0 * r - 1.5 * r * r, 0.5 * s * s};
@@ -65,8 +65,9 @@ Vector3d tip_of(const NodesOfBlock& x, double s, double H, double y, const Vecto
   return p.head<3>() + H * (n + p[3] * a) + y * (a - lean * t - p[3] * n);
 }
 
-/// Of a tip whose cell's ends stand higher and lower by its fourth entry: the share of the cell
-/// below z = 0, and the mean over the cell of the square of what is.
+/// The fourth entry of a tip is the height difference of its cell's ends from the middle. Returns
+/// the share of the cell below z = 0; the next function returns the mean over the cell of the
+/// squared depth.
 double share_below(const Eigen::Vector4d& tip) {
   const double low = tip[2] - std::abs(tip[3]), high = tip[2] + std::abs(tip[3]);
   return high <= 0.0 ? 1.0 : low >= 0.0 ? 0.0 : low / (low - high);
@@ -78,8 +79,8 @@ double mean_square_below(const Eigen::Vector4d& tip) {
   return low * low * low / (3.0 * (low - high));
 }
 
-/// What a neo-Hookean block of height b has beyond a linear spring, at two points of the cell:
-/// 1/6 (λ² + 2/λ - 3) b² - δ²/2.
+/// Returns the excess energy of a neo-Hookean block of height b over a linear spring, at two points
+/// of the cell: 1/6 (λ² + 2/λ - 3) b² - δ²/2.
 double beyond_linear_below(const Eigen::Vector4d& tip, double b) {
   if (b == 0.0) return 0.0;
   double sum = 0.0;
@@ -91,7 +92,7 @@ double beyond_linear_below(const Eigen::Vector4d& tip, double b) {
   return sum;
 }
 
-/// Second differences of the energy of a sticking block on the road z = 0.
+/// Returns second differences of the energy of a sticking block on the road z = 0.
 Eigen::Matrix<double, 16, 16> block_stiffness(
     const NodesOfBlock& at,
     const std::function<double(const Eigen::Vector4d&)>& energy,
@@ -112,7 +113,8 @@ Eigen::Matrix<double, 16, 16> block_stiffness(
   return K;
 }
 
-/// Masses at the knots, of which each moves as one sixth, four and one of its nodes.
+/// Returns the mass matrix of masses at the knots, each of which moves as one sixth, four sixths
+/// and one sixth of its nodes.
 MatrixXd consistent_mass(const RingTire& tire) {
   const int N = tire.parameters().nodes;
   MatrixXd knots = MatrixXd::Zero(4 * N, 4 * N);
@@ -123,7 +125,8 @@ MatrixXd consistent_mass(const RingTire& tire) {
   return knots.transpose() * tire.knot_mass().replicate(N, 1).asDiagonal() * knots;
 }
 
-/// Differences of the belt's and the sidewall's forces and of the blocks' energy, all unknowns.
+/// Returns differences of the belt's and the sidewall's forces and of the blocks' energy for all
+/// unknowns.
 MatrixXd stiffness_by_differences(const RingTire& tire) {
   const RingParameters& ring = tire.parameters();
   const int N = ring.nodes;
@@ -157,7 +160,7 @@ MatrixXd stiffness_by_differences(const RingTire& tire) {
         for (int m = 0; m < 4; ++m)
           at[static_cast<std::size_t>(m)] = tire.positions().col((segment + m - 1 + N) % N);
         const double cell = 0.5 / ring.tread.blocks;
-        // The tip, and in the place of its fourth how much higher the belt is at the cell's end.
+        // The tip, with the height difference of the belt at the cell's end as fourth entry.
         const auto tip = [&](const NodesOfBlock& x) {
           const double rise = 0.5 * (belt_at(x, s + cell) - belt_at(x, s - cell)).z();
           return (Eigen::Vector4d() << tip_of(x, s, H, y, a), rise).finished();
@@ -187,9 +190,9 @@ MatrixXd stiffness_by_differences(const RingTire& tire) {
   return K;
 }
 
-// A dense generalized eigen-solve of differences: of the belt's and the sidewall's forces, and of
-// an energy of the blocks that the test writes down by itself. Differences of steps of 1e-5 m in
-// an energy of up to 1 J leave 4e-6 of a block's stiffness.
+// The reference is a dense generalized eigen-solve of differences: of the belt's and the sidewall's
+// forces, and of an energy of the blocks written independently in this test. Differences with steps
+// of 1e-5 m in an energy of up to 1 J have an error of 4e-6 of a block's stiffness.
 TEST(StandingModes, AreThoseOfADenseMatrixOfDifferences) {
   RingParameters ring = passenger_ring();
   ring.sidewall.progressivity = 1.2;
@@ -210,7 +213,7 @@ TEST(StandingModes, AreThoseOfADenseMatrixOfDifferences) {
   }
 }
 
-// Off the road nothing is left but the ring at rest: every mode of n > 0 twice.
+// Off the road only the ring at rest is left: every mode with n > 0 occurs twice.
 TEST(StandingModes, OfATireInTheAirAreTheUnloadedOnes) {
   RingParameters ring = passenger_ring();
   ring.sidewall.radial.dynamic_stiffening = 0.2;
@@ -234,25 +237,26 @@ TEST(StandingModes, OfATireInTheAirAreTheUnloadedOnes) {
   }
 }
 
-/// The modes in the plane symmetric to φ = 0: ω² and how far they move a tip down that hangs from
-/// nodes at φ = -3, -1, 1, 3 halves of a segment.
+/// The modes in the plane that are symmetric to φ = 0: ω² and the downward motion of a tip that
+/// depends on nodes at φ = -3, -1, 1, 3 halves of a segment.
 struct Poles {
   std::vector<double> squared, moved;
 };
 Poles symmetric_poles(const RingParameters& ring) {
   Poles poles;
   const double x = 2.0 * std::numbers::pi / ring.nodes;
-  // How far the curve in the middle of a segment moves in a wave m that its knots take part in.
+  // Returns the motion of the curve in the middle of a segment for a wave m of the knots with
+  // amplitude 1.
   const auto middle = [&](int m) {
     const double knots = (4.0 + 2.0 * std::cos(m * x)) / 6.0;
     return (23.0 * std::cos(0.5 * m * x) + std::cos(1.5 * m * x)) / 24.0 / knots;
   };
   for (const RingMode& mode : unloaded_modes(ring, ring.nodes / 2)) {
     if (mode.lateral) continue;
-    // u_r = A cos n φ, u_t = -+B sin n φ: minus where the belt keeps its length, u_r + u_t' = 0,
-    // which is the lower of two; plus in the upper, by orthogonality.
+    // u_r = A cos n φ, u_t = -+B sin n φ: minus if the belt keeps its length, u_r + u_t' = 0, in
+    // the lower of two modes; plus in the upper one, by orthogonality.
     const double sign = mode.order == 1 ? -1.0 : 1.0;
-    // Down is u_r cos φ - u_t sin φ: waves n + 1 and n - 1.
+    // The downward motion is u_r cos φ - u_t sin φ: waves n + 1 and n - 1.
     const double u_r = mode.shape[0], u_t = sign * mode.shape[1];
     const double down = 0.5 * ((u_r + u_t) * middle(mode.n + 1) + (u_r - u_t) * middle(mode.n - 1));
     const bool single = mode.n == 0 || 2 * mode.n == ring.nodes;
@@ -262,11 +266,11 @@ Poles symmetric_poles(const RingParameters& ring) {
   return poles;
 }
 
-// One block without shear touches by a hair: a spring c between the road and the ring there. The
+// One block without shear barely touches and acts as a spring c between the road and the ring. The
 // frequencies of modes symmetric to it are roots of the secular equation
 //   1/c + Σ φ_i²/(ω_i² - ω²) = 0
-// over the unloaded modes, φ_i: how far mode i moves the tip. The hair of 1 µm, 3e-6 of the radius,
-// bears a newton.
+// over the unloaded modes, where φ_i is the motion of the tip in mode i. The depth of 1 µm, 3e-6 of
+// the radius, carries a newton.
 TEST(StandingModes, OnOneBlockSolveTheSecularEquation) {
   RingParameters ring = passenger_ring();
   ring.tread.lines = ring.tread.blocks = 1;
@@ -292,7 +296,7 @@ TEST(StandingModes, OnOneBlockSolveTheSecularEquation) {
   ASSERT_TRUE(modes) << modes.failure().reason;
   for (std::size_t i = 0; i < 6; ++i) {
     double low = sorted[i] * (1.0 + 1e-12), high = sorted[i + 1] * (1.0 - 1e-12);
-    if (secular(low) * secular(high) > 0.0) continue;  // that mode does not move the tip
+    if (secular(low) * secular(high) > 0.0) continue;  // this mode does not move the tip
     for (int k = 0; k < 60; ++k) {
       const double middle = 0.5 * (low + high);
       (secular(low) * secular(middle) > 0.0 ? low : high) = middle;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ring at rest. From first touch the rim comes down in equal steps; each is an equilibrium by
-// two loops:
-//   renewal    frames of the blocks, road below them and what friction holds, for the shape found
-//   relaxing   with those held every force is the gradient of an energy: Newton's method with a
-//              line search goes down until it is flat
-// The first is a fixed point that contracts by the tread's height times the contact force over the
-// belt's tension; the second cannot fail where the energy is bounded. A step of the rim that finds
-// none within its iterations is divided.
+// Equilibrium of the ring. From first touch the rim is lowered in equal steps; each is an
+// equilibrium found by two loops:
+//   renewal    updates frames of the blocks, road below them and friction limits for the shape
+//   relaxing   with these fixed every force is the gradient of an energy: Newton's method with a
+//              line search minimizes it
+// The first is a fixed-point iteration that contracts by the tread's height times the contact force
+// over the belt's tension; the second cannot fail if the energy is bounded. A step of the rim that
+// finds no equilibrium within its iterations is divided.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,14 +18,14 @@ namespace latsch::ring_tire {
 namespace {
 
 constexpr double kSmallestShift = 1e4, kLargestShift = 1e12;  // 1/s^2
-constexpr double kLargestMove = 5e-3;                         // m, of a node in one iteration
+constexpr double kLargestMove = 5e-3;                         // m, for a node in one iteration
 
 }  // namespace
 
-/// q_ goes along a direction of falling energy until the force along it has all but gone. False
-/// where it does not come down.
+/// Moves q_ along a direction of falling energy until the force along it has nearly vanished.
+/// Returns false if the energy does not fall.
 bool RingTire::advance_along(const NodeValues& direction) {
-  constexpr double kFlat = 0.5;  // of the first slope
+  constexpr double kFlat = 0.5;  // share of the first slope
   constexpr int kMost = 20;
   const Eigen::VectorXd bent = section_.values(), bending = section_.direction();
   const auto slope_now = [&] {
@@ -45,7 +45,8 @@ bool RingTire::advance_along(const NodeValues& direction) {
       q_ = q1_;
       return true;
     }
-    // Regula falsi (Illinois) between falling and rising energy; halves where it is not finite.
+    // Regula falsi (Illinois) between falling and rising energy; bisection if the energy is not
+    // finite.
     if (falls) {
       low = share;
       at_low = slope;
@@ -61,7 +62,7 @@ bool RingTire::advance_along(const NodeValues& direction) {
   return false;
 }
 
-/// With frames, road and friction held, from q_ to the least energy.
+/// Minimizes the energy from q_ with frames, road and friction limits fixed.
 bool RingTire::relax() {
   constexpr int kMost = 60;
   constexpr double kOfTolerance = 0.3;
@@ -82,10 +83,11 @@ bool RingTire::relax() {
   return false;
 }
 
-/// The equilibrium at the rim's place, from q_.
+/// Finds the equilibrium at the rim's place, starting at q_.
 Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
   constexpr int kRenewals = 40;
-  // A block on an edge of the road may have no place between its two planes: it keeps its own.
+  // A block on an edge of the road may alternate between its two planes: it keeps its plane after
+  // this number of updates.
   constexpr int kLooksAtRoad = 12;
   rule_ = {};
   v1_.setZero();
@@ -117,7 +119,7 @@ Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
                   rim_.center.z())};
 }
 
-/// The rim from one height to another, in parts where one step finds no equilibrium.
+/// Moves the rim from one height to another, in parts if one step finds no equilibrium.
 Result<bool> RingTire::lower(
     double from, double to, const road::Road& road, double time, int halvings) {
   const NodeValues before = q_;

@@ -14,7 +14,8 @@
 namespace latsch::ring_tire {
 namespace {
 
-/// 960 blocks a line whatever the number of segments: the belt is refined, the tread is not.
+/// Returns a ring with 960 blocks in a line for any number of segments: the belt is refined, the
+/// tread is not.
 RingParameters ring_of(int nodes) {
   RingParameters ring = passenger_ring();
   ring.nodes = nodes;
@@ -38,7 +39,8 @@ double load(const RingParameters& ring, double depth, const road::Road& road, do
   return hub ? hub->force.z() : 0.0;
 }
 
-/// The mean of a knot below the axle and of the middle of a segment.
+/// Returns the mean of the loads with a knot below the axle and with the middle of a segment below
+/// it.
 double mean_load(int nodes) {
   const RingParameters ring = ring_of(nodes);
   double sum = 0.0;
@@ -47,8 +49,8 @@ double mean_load(int nodes) {
   return sum;
 }
 
-// Bending, extension and pressure of the belt's curve are of fourth order in its segments; where
-// the patch ends, its pressure has a kink.
+// Bending, extension and pressure of the belt's curve are of fourth order in its segments; the
+// pressure has a kink at the end of the patch.
 TEST(RingStatics, LoadConvergesWithTheSegments) {
   const double F40 = mean_load(40), F80 = mean_load(80), F160 = mean_load(160);
   EXPECT_GT(std::log2((F40 - F80) / (F80 - F160)), 3.0);
@@ -58,7 +60,8 @@ TEST(RingStatics, LoadConvergesWithTheSegments) {
     EXPECT_NEAR(load(ring_of(nodes), 0.022, road::PlaneRoad()), F320, 1e-3 * F320) << nodes;
 }
 
-// From the first touch of a few blocks to the load that presses the belt nearly to the rim.
+// Loads range from the first touch of a few blocks to the load that presses the belt nearly to the
+// rim.
 TEST(RingStatics, StandsOnEveryRoadUnderEveryLoad) {
   road::DrumRoad::Settings drum{.diameter = 2.0};
   const road::DrumRoad smooth(drum);
@@ -76,8 +79,8 @@ TEST(RingStatics, StandsOnEveryRoadUnderEveryLoad) {
       }
 }
 
-// Parts of the sidewall that keep a memory are at work too. The forces left at the nodes have a
-// norm of at most 1 mN, so their sum is at most sqrt(160) of that.
+// Parts of the sidewall with memory are active too. The residual forces at the nodes have a norm of
+// at most 1 mN, so their sum is at most sqrt(160) times that.
 TEST(RingStatics, BalancesToTheTolerance) {
   RingParameters ring = ring_of(160);
   ring.sidewall.radial.friction_stiffening = 0.1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tire whose tread bottoms out (37): energy, and hard hits.
+// A tire whose tread bottoms out (37): energy, and hard impacts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,8 +25,8 @@ RingParameters bottoming_ring(double bottoming) {
   return ring;
 }
 
-/// J: what a tire without losses and friction has gained, in itself and at the road, beyond the
-/// work of the rim; it rolls while the hub heaves. The most of the run, and that work.
+/// Energy, J, that a tire without losses and friction has gained, in itself and at the road, beyond
+/// the work of the rim, while it rolls and the hub heaves: its maximum in the run, and that work.
 struct EnergyDrift {
   double most = 0.0, work = 0.0;
 };
@@ -73,8 +73,8 @@ EnergyDrift heaving(double bottoming, double h) {
   return drift;
 }
 
-// The energy of (37) is that of the blocks' forces: what the road takes and gives back is in it.
-// The rest falls with the square of the step, as with linear rubber.
+// The energy of (37) matches the blocks' forces: the balance includes the energy exchanged with the
+// road. The rest falls with the square of the step, as with linear rubber.
 TEST(TreadBottoming, RollingWithoutLossesKeepsItsEnergy) {
   for (const double bottoming : {0.0, 1.0, 0.35}) {
     const EnergyDrift wide = heaving(bottoming, 2e-4), narrow = heaving(bottoming, 5e-5);
@@ -84,7 +84,7 @@ TEST(TreadBottoming, RollingWithoutLossesKeepsItsEnergy) {
   }
 }
 
-/// m, by how much the deepest block is pressed in as the tire hits a plank 50 mm high at 60 m/s.
+/// Returns the largest compression of a block, m, as the tire hits a plank 50 mm high at 60 m/s.
 double deepest_at_a_plank(double bottoming) {
   RingParameters ring = bottoming_ring(bottoming);
   ring.tread.damping_time = 1e-4;
@@ -118,8 +118,8 @@ TEST(TreadBottoming, AHardHitDoesNotPressItToNothing) {
     EXPECT_LT(deepest_at_a_plank(bottoming), bottoming * height) << bottoming;
 }
 
-// Barely pressed it is linear rubber; under a load it is stiffer, the more so the sooner it bottoms
-// out.
+// A barely pressed tread behaves as linear rubber. Under a load it is stiffer, and more so the
+// sooner it bottoms out.
 TEST(TreadBottoming, BarelyPressedItIsLinear) {
   const auto standing_load = [](double bottoming, double sink) {
     RingTire tire(bottoming_ring(bottoming));

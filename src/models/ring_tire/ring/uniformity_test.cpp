@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What imbalance and run-out do to a ring: closed forms in the air, the tire's own stiffness on the
-// road.
+// Effects of imbalance and run-out on a ring: closed forms in the air, the tire's own stiffness on
+// the road.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -24,7 +24,8 @@ namespace {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-/// Hub forces over one turn of the wheel after some, `per_turn` steps each.
+/// Returns hub forces over one revolution of the wheel after some others, with `per_turn` steps
+/// each.
 std::vector<HubForces> over_a_turn(
     const RingParameters& ring, double height, double spin_rate, double turns, int per_turn) {
   RingTire tire(ring, {.tolerance = 1e-6});
@@ -48,7 +49,7 @@ std::vector<HubForces> over_a_turn(
   return forces;
 }
 
-/// The n-th harmonic of an axis of the force over the spin: c in Re(c exp(-i n spin)).
+/// Returns the n-th harmonic of a force component over the spin: c in Re(c exp(-i n spin)).
 std::complex<double> harmonic(const std::vector<HubForces>& forces, int axis, int n) {
   std::complex<double> sum = 0.0;
   const double count = static_cast<double>(forces.size());
@@ -57,7 +58,7 @@ std::complex<double> harmonic(const std::vector<HubForces>& forces, int axis, in
   return (n == 0 ? 1.0 : 2.0) / count * sum;
 }
 
-/// On a carcass so stiff that the belt moves with the rim.
+/// Returns a ring on a carcass so stiff that the belt moves with the rim.
 RingParameters on_a_stiff_carcass() {
   RingParameters ring = passenger_ring();
   for (SidewallElement* e :
@@ -68,9 +69,9 @@ RingParameters on_a_stiff_carcass() {
   return ring;
 }
 
-// m r ω² along the radius of the mass, which at spin 0 stands at its angle from the lowest place to
-// the front and then goes down to the rear; nothing at other orders. With gravity the mass adds its
-// weight, and about the axle the moment of its weight.
+// The force m r ω² acts along the radius of the mass. At spin 0 the mass is at its angle from the
+// lowest place to the front; it then moves down to the rear. Other orders are zero. With gravity
+// the mass adds its weight, and the moment of its weight about the axle.
 TEST(Uniformity, AnImbalanceInTheAirPullsAtTheHubByItsCentrifugalForce) {
   RingParameters ring = on_a_stiff_carcass();
   ring.uniformity.imbalance = 0.05;
@@ -96,7 +97,8 @@ TEST(Uniformity, AnImbalanceInTheAirPullsAtTheHubByItsCentrifugalForce) {
   }
 }
 
-// A mass moves a mode of mass 1 by -m/2 times the square of its shape there.
+// A mass m changes the frequency of a mode of mass 1 by the relative amount -m/2 times the square
+// of its shape there.
 TEST(Uniformity, AnImbalanceLowersTheModesThatMoveIt) {
   RingParameters ring = passenger_ring();
   const auto lateral = [&] {
@@ -116,10 +118,10 @@ TEST(Uniformity, AnImbalanceLowersTheModesThatMoveIt) {
       lateral() / without - 1.0, -0.5 * 1e-3 / ring.belt.mass, 0.01 * 1e-3 / ring.belt.mass);
 }
 
-// Slowly rolling, a tread that is thicker by a presses the wheel by a more: radial force variation
-// is the run-out times the stiffness of the rolling tire, but for the share that a patch of half
-// length l sees of a wave, sin(n l/R)/(n l/R), 2 % at n = 1 and 8 % at n = 2. In phase with the
-// thickest place at the bottom.
+// In slow rolling, a tread thicker by a presses the wheel by a more. Radial force variation is the
+// run-out times the stiffness of the rolling tire, reduced by the share of a wave that a patch of
+// half length l averages, sin(n l/R)/(n l/R), 2 % at n = 1 and 8 % at n = 2. It is in phase with
+// the thickest place at the bottom.
 TEST(Uniformity, RadialRunOutOnTheRoadIsFeltByTheStiffness) {
   RingParameters ring = passenger_ring();
   ring.nodes = 60;
@@ -143,10 +145,10 @@ TEST(Uniformity, RadialRunOutOnTheRoadIsFeltByTheStiffness) {
   }
 }
 
-// A belt that runs out to the sides stands so without stress. Rolling, each of its points lands
-// where it stands and stays there, so hardly a force to the side comes of it; but the load comes
-// once a turn from the left and once from the right of the wheel: a moment Fz times the run-out,
-// and what force there is at the height of the axle.
+// A belt with lateral run-out has no stress. In rolling, each of its points lands at its lateral
+// position and stays there, so the lateral force is nearly zero. But the load acts alternately left
+// and right of the wheel's plane in each revolution: this is a moment Fz times the run-out, plus
+// the lateral force times the height of the axle.
 TEST(Uniformity, LateralRunOutStandsFreeAndCarriesTheLoadFromSideToSide) {
   RingParameters ring = passenger_ring();
   ring.nodes = 60;
@@ -166,7 +168,7 @@ TEST(Uniformity, LateralRunOutStandsFreeAndCarriesTheLoadFromSideToSide) {
   const auto whole = over_a_turn(ring, height, 10.0, 2.0, 600);
   ring.uniformity.lateral_runout[0].amplitude = 0.5e-3;
   const auto half = over_a_turn(ring, height, 10.0, 2.0, 600);
-  // About the axis ahead.
+  // The moment about the forward axis.
   const auto moment = [](std::vector<HubForces> forces) {
     for (HubForces& hub : forces) hub.force = hub.moment;
     return harmonic(forces, 0, 1);
@@ -175,12 +177,12 @@ TEST(Uniformity, LateralRunOutStandsFreeAndCarriesTheLoadFromSideToSide) {
   const std::complex<double> expected =
       std::polar(1e-3 * harmonic(whole, 2, 0).real(), 0.4) + height * side;
   EXPECT_LT(std::abs(side), 1.0);
-  // The patch sees 2 % less of the wave, and the carcass gives way.
+  // The patch averages 2 % of the wave, and the carcass is compliant.
   EXPECT_LT(std::abs(moment(whole) - expected), 0.05 * std::abs(expected));
   EXPECT_LT(std::abs(moment(half) - 0.5 * moment(whole)), 0.005 * std::abs(expected));
 }
 
-// Modes of the unloaded ring are those of an even one.
+// Modes of the unloaded ring are those of a uniform one.
 TEST(Uniformity, UnloadedModesAreThoseOfTheEvenRing) {
   const RingParameters even = passenger_ring();
   RingParameters uneven = even;
@@ -193,7 +195,8 @@ TEST(Uniformity, UnloadedModesAreThoseOfTheEvenRing) {
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].frequency, b[i].frequency);
 }
 
-// Slopes of a trial over a cleat, with and without bent sections; steps and statics solve as ever.
+// Derivatives of a trial over a cleat, with and without bent sections; steps and statics are solved
+// as usual.
 TEST(Uniformity, SlopesOfATrialKnowAllOfIt) {
   RingParameters ring = passenger_ring();
   ring.nodes = 60;

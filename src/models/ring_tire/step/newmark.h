@@ -6,10 +6,11 @@
 
 namespace latsch::ring_tire {
 
-/// B' m B a of belt_curve.h, m: of a knot's unknowns.
+/// Computes B' m B a of belt_curve.h; m is the mass of a knot's unknowns.
 void at_knots_and_back(const Eigen::Vector4d& m, const NodeValues& a, NodeValues& to);
 
-/// v1, a1 of (16) at q1, where v and a are the velocities predicted and the accelerations before.
+/// Computes v1, a1 of (16) at q1, where v and a are the predicted velocities and the accelerations
+/// before.
 void follow(const StepRule& rule,
             const NodeValues& q1,
             const NodeValues& predicted,
@@ -18,7 +19,7 @@ void follow(const StepRule& rule,
             NodeValues& v1,
             NodeValues& a1);
 
-/// (1 - θ) f1 + θ f0 - M a1. Its largest entry; NaN where one is.
+/// Computes (1 - θ) f1 + θ f0 - M a1 and returns its largest entry; NaN if an entry is NaN.
 double find_residual(double theta,
                      const NodeValues& f1,
                      const NodeValues& f0,

@@ -6,7 +6,7 @@ namespace latsch::ring_tire::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
 
-/// (26) twice: each node's unknowns by those of the two on either side.
+/// Applies (26) twice: each node's unknowns from those of the two nodes on either side.
 void at_knots_and_back(int nodes, const double* m, const double* a, double* to) {
   const auto at = [&](int k) { return lanes4(a + 4 * k); };
   const auto wrapped = [&](int k) { return at(k < 0 ? k + nodes : k < nodes ? k : k - nodes); };

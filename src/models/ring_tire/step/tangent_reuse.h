@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the tangent of an earlier step serves this one too. In axes that turn with the rim it
-// changes only as the contact travels along the belt: little in steps that turn the wheel by a
-// fraction of a segment, where factorizing is most of the work. It is held as long as a step with
-// it takes no more evaluations than one with a tangent of its own did. Where it fails in the very
-// next step, it is not tried in the following ones: 1, 3, 7 .. 31 as that goes on.
+// Decides whether the tangent of an earlier step is used for this one too. In axes that rotate with
+// the rim the tangent changes only as the contact travels along the belt. The change is small in
+// steps that rotate the wheel by a fraction of a segment, in which the factorization is most of the
+// work. The tangent is held as long as a step with it takes no more evaluations than one with its
+// own tangent did. If it fails in the very next step, it is not tried in the following 1, 3, 7 ..
+// 31 steps, more each time.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +13,11 @@ namespace latsch::ring_tire {
 
 class TangentReuse {
  public:
-  /// None is held.
+  /// Drops the tangent.
   void forget() { *this = {}; }
 
-  /// At the beginning of a step of that d(acceleration)/d(place), 1/s^2.
+  /// True if the tangent can be used at the beginning of a step with that d(acceleration)/d(place),
+  /// 1/s^2.
   bool serves(double acceleration) {
     ++age_;
     if (wait_ > 0) {
@@ -24,20 +26,21 @@ class TangentReuse {
     }
     return acceleration == acceleration_;
   }
-  /// A step made its own tangent.
+  /// Records that a step made its own tangent.
   void made(double acceleration) {
     acceleration_ = acceleration;
     age_ = 0;
   }
-  /// At the end of a step: with its own tangent alone it took so many evaluations.
+  /// Records the number of evaluations of a step with its own tangent alone.
   void took_with_own(int evaluations) { alone_ = evaluations; }
-  /// With one `held` for that many steps it took so many, those after it was given up included.
+  /// Records the number of evaluations of a step with a tangent held for `held` steps, including
+  /// those after it was dropped.
   void took_with_held(int evaluations, int held) {
     constexpr int kLongest = 31;
     if (evaluations <= alone_) return;
     patience_ = held == 1 ? std::min(2 * patience_ + 1, kLongest) : 0;
     wait_ = patience_;
-    if (age_ > 0) acceleration_ = 0.0;  // it was not given up: it goes now
+    if (age_ > 0) acceleration_ = 0.0;  // it was not dropped within the step, so it is now
   }
   int age() const { return age_; }
 

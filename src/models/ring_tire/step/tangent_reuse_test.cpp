@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kAcceleration = 4e8;  // 1/s^2
 
-/// Steps that made their own tangent, of `steps`, where one held takes so many more evaluations
-/// than its own after `lives` steps.
+/// Returns the steps, among `steps`, that made their own tangent, if a held tangent takes more
+/// evaluations than its own after `lives` steps.
 std::vector<int> steps_with_their_own(int steps, int lives) {
   TangentReuse reuse;
   std::vector<int> own;
@@ -36,7 +36,7 @@ TEST(TangentReuse, HoldsATangentAsLongAsItSavesWork) {
   EXPECT_EQ(steps_with_their_own(5, 100), (std::vector<int>{0}));
 }
 
-// Tried after 1, 3, 7, 15 and 31 steps, and every 32 from there on.
+// A held tangent is tried after 1, 3, 7, 15 and 31 steps, and every 32 from there on.
 TEST(TangentReuse, IsTriedEverMoreRarelyWhereItNeverServes) {
   const int own = static_cast<int>(steps_with_their_own(1000, 1).size());
   EXPECT_GE(own, 960);

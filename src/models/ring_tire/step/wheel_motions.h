@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wheel motions beside and between others: parts of a step, and directions of derivatives.
+// Wheel motions near and between given ones: parts of a step, and directions of derivatives.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,10 +9,11 @@
 
 namespace latsch::ring_tire {
 
-/// The motion at a share 0 .. 1 of the way; the carrier turns about one axis.
+/// Returns the motion at a share 0 .. 1 of the way; the carrier rotates about one axis.
 WheelMotion between(const WheelMotion& from, const WheelMotion& to, double share);
 
-/// What of a motion forces are derived by: columns, three of each vector, inertial x, y, z.
+/// Components of a motion by which forces are differentiated: columns, three for each vector,
+/// inertial x, y, z.
 enum MotionColumn {
   kByCenter = 0,           // m
   kByRotation = 3,         // rad, small rotation of the carrier about inertial axes
@@ -23,17 +24,18 @@ enum MotionColumn {
   kMotionColumns = 14
 };
 
-/// All as it was but `column`, which is `by` more. A rotation turns the carrier alone: velocities
-/// stay in inertial axes.
+/// Returns the motion with `column` increased by `by`. A rotation rotates the carrier alone:
+/// velocities stay in inertial axes.
 WheelMotion moved(const WheelMotion& motion, int column, double by);
 
-/// By how much to move for differences: nodes differ by about 1e-7 m at the end of a step so long.
+/// Returns the increment for differences: nodes move by about 1e-7 m at the end of a step of this
+/// length.
 double difference_step(int column, double step);
 
 /// d(hub force, then moment, in C)/d(motion), N and N m per unit of the column.
 using HubSlopes = Eigen::Matrix<double, 6, kMotionColumns>;
 
-/// Empty, or why the ring cannot take a step of that length, s, to `motion`.
+/// Returns why the ring cannot take a step of that length, s, to `motion`; empty if it can.
 std::string trouble_with_step(const WheelMotion& motion, double step);
 
 }  // namespace latsch::ring_tire

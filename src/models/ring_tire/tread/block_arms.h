@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a block's tip hangs on the four nodes of its segment.
+// Dependence of a block's tip on the four nodes of its segment.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,13 +8,13 @@
 
 namespace latsch::ring_tire {
 
-/// A block's station: what its four nodes do to its tip.
+/// A block's station: the effect of its four nodes on its tip.
 struct TreadContact::Arms {
   Eigen::Vector3d t, n, a;
   double length, H, y;
   double w[4], d[4];
 
-  /// dT by x and ψ of node m.
+  /// Returns dT by x and ψ of node m.
   Eigen::Matrix<double, 3, 4> tip_by(int m) const {
     Eigen::Matrix<double, 3, 4> by;
     by.leftCols<3>() =
@@ -22,7 +22,7 @@ struct TreadContact::Arms {
     by.col(3) = w[m] * (H * a - y * n);
     return by;
   }
-  /// θ, σ, α and dψ by x and ψ of node m.
+  /// Returns θ, σ, α and dψ by x and ψ of node m.
   Eigen::Matrix4d turning_by(int m) const {
     Eigen::Matrix4d by = Eigen::Matrix4d::Zero();
     by.row(0).head<3>() = (d[m] / length) * n.transpose();
@@ -31,7 +31,7 @@ struct TreadContact::Arms {
     by(3, 3) = w[m];
     return by;
   }
-  /// -F . d²T by θ, σ, α and dψ.
+  /// Returns -F . d²T by θ, σ, α and dψ.
   Eigen::Matrix4d turning(const Eigen::Vector3d& F) const {
     const double along = F.dot(t), out = F.dot(n);
     Eigen::Matrix4d K = Eigen::Matrix4d::Zero();

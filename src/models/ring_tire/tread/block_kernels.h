@@ -5,14 +5,15 @@
 
 namespace latsch::ring_tire::LATSCH_KERNELS {
 
-/// (11). The damper carries no more than the spring: no jump at the touch and no pull.
+/// Evaluates (11). The damper carries no more than the spring, so there is no jump at first touch
+/// and no pull.
 LATSCH_INLINE Lanes push(const BlockLaw& law, const Touch& touch, const Lanes& rate) {
   const Lanes fast = smaller(law.damping_time * touch.slope * rate, touch.depth);
   return law.normal * (touch.depth + larger(fast, -touch.depth));
 }
 
-/// s since what touches now and did not at the beginning of the step came down, by its mean depth:
-/// the part of the cell behind the share that did.
+/// Returns the time, s, since the part of a cell that did not touch at the beginning of the step
+/// came down, from the mean depth of this part.
 LATSCH_INLINE Lanes since_touch(const BlockLaw& law,
                                 const Touch& touch,
                                 const Lanes& rate,
@@ -22,17 +23,18 @@ LATSCH_INLINE Lanes since_touch(const BlockLaw& law,
   return select(rate * law.step > depth, depth / rate, all(law.step));
 }
 
-/// Of what touches, the share that did at the beginning of the step.
+/// Returns the share of the touching part that already touched at the beginning of the step.
 LATSCH_INLINE Lanes kept(const Touch& touch, const Lanes& before) {
   return smaller(touch.share, before) / larger(touch.share, all(1e-300));
 }
 
-/// Force over that of a sticking tip, and how far the tip gave way, per force T.
+/// Force over that of a sticking tip, and the slip of the tip per force T.
 struct Grip {
   Lanes share, slip;
 };
 
-/// (13), (14): what of the force T of sticking tips friction holds. False where it holds all.
+/// Applies (13), (14): the part of the force T of sticking tips that friction holds. Returns false
+/// if it holds all.
 LATSCH_INLINE bool slides(const BlockLaw& law,
                           const Lanes& T2,
                           const Lanes& Fn,
@@ -51,7 +53,7 @@ LATSCH_INLINE bool slides(const BlockLaw& law,
   return true;
 }
 
-/// Eight blocks none of which touches; `axes` of the plane are asked for.
+/// Handles eight blocks of which none touches; `axes` is the number of axes of the plane.
 template <int axes>
 LATSCH_INLINE Lanes3 leave_off(const BlockResults& results, const BlockMemory& before, int block) {
   const Lanes none = all(0.0);
@@ -65,8 +67,8 @@ LATSCH_INLINE Lanes3 leave_off(const BlockResults& results, const BlockMemory& b
   return {none, none, none};
 }
 
-/// On level ground only x and y are left of the plane. A tip that sticks is where it was, less the
-/// way of the road, so T + t_d V is all that is needed along x and y.
+/// Blocks on level ground, where only x and y of the plane are needed. A tip that sticks is where
+/// it was, minus the motion of the road, so only T + t_d V is needed along x and y.
 template <class Rubber>
 struct LevelBlocks {
   Rubber rubber;
@@ -76,7 +78,7 @@ struct LevelBlocks {
   BlockResults results;
 
   struct Belt {
-    Section place, rate, lagging;  // T, V against the road, T + t_d V
+    Section place, rate, lagging;  // T, V relative to the road, T + t_d V
   };
 
   LATSCH_INLINE Belt at(const SegmentStations& at, int j, Section place, Section rate) const {
@@ -147,17 +149,17 @@ struct AnyPlane {
       : N(lanes3(ground.N, block)), velocity(lanes3(ground.velocity, block)) {}
 
   LATSCH_INLINE Lanes height(const Lanes3& v) const { return dot(N, v); }
-  /// v + s N.
+  /// Returns v + s N.
   LATSCH_INLINE Lanes3 raised(const Lanes3& v, const Lanes& s) const {
     return {v.x + s * N.x, v.y + s * N.y, v.z + s * N.z};
   }
-  /// v + s times the velocity.
+  /// Returns v + s times the velocity.
   LATSCH_INLINE Lanes3 carried(const Lanes3& v, double s) const {
     return {v.x + s * velocity.x, v.y + s * velocity.y, v.z + s * velocity.z};
   }
 };
 
-/// The same on a drum, where neither has a y.
+/// The plane on a drum, where normal and velocity have no y.
 struct DrumPlane {
   Lanes N_x, N_z, velocity_x, velocity_z;
 
@@ -176,8 +178,8 @@ struct DrumPlane {
   }
 };
 
-/// On a plane of its own under each block. With x the tip where it sticks, e + t_d e' is the part
-/// in the plane of x - T - t_d V: neither x nor V need be in it.
+/// Blocks on separate planes. With x the sticking tip, e + t_d e' is the part in the plane of x - T
+/// - t_d V; neither x nor V needs to be in the plane.
 template <class Rubber, class Plane>
 struct UnevenBlocks {
   Rubber rubber;
@@ -248,12 +250,12 @@ using BlocksOnPlanes = UnevenBlocks<Rubber, AnyPlane>;
 template <class Rubber>
 using BlocksOnDrum = UnevenBlocks<Rubber, DrumPlane>;
 
-/// What a sliding block's stiffness in the plane lacks along its force, per force squared.
+/// Reduction of a sliding block's in-plane stiffness along its force, per force squared.
 LATSCH_INLINE Lanes along_slip(const Lanes& plane, const Lanes& gripped, const Lanes& F2) {
   return select(gripped < 1.0, plane / larger(F2, all(1e-300)), all(0.0));
 }
 
-/// Six entries of a symmetric matrix over eight stations, and y, y^2 times them.
+/// Sums of six entries of a symmetric matrix over eight stations, and of y and y^2 times them.
 struct StiffnessSums {
   Lanes K[3][6];
 
@@ -357,7 +359,8 @@ void gaps_to_drum(const double* columns,
     find_gaps_to_drum(columns, lines, stride, drum, gap, StraightLines{});
 }
 
-/// m, of a line along x; what the section's bending makes of it is far below a percent.
+/// Returns the length of a cell along x, m; the effect of the section's bending on it is far below
+/// a percent.
 inline double cell_along_x(
     const double* columns, int stride, const BlockLines& of, int line, int blocks) {
   const auto x = [&](int j) {
@@ -387,8 +390,8 @@ LATSCH_INLINE void place_on_drum(const BlockSpan& at,
       const Lanes from_axis = x - drum.x;
       const Lanes depth = sqrt(R2 - from_axis * from_axis), over = 1.0 / depth;
       const Lanes slope = drum.up * from_axis * over, cosine = depth * (1.0 / drum.radius);
-      // Of second derivative up R²/depth³: its mean over the cell is by 1/24 of the length squared
-      // off that in the middle.
+      // The second derivative of the surface is up R²/depth³, so its mean over the cell differs
+      // from the value in the middle by 1/24 of the length squared.
       const Lanes bow = (drum.up * R2 * cell * cell * (1.0 / 24.0)) * over * over * over;
       const Lanes z = drum.z - drum.up * depth + bow;
       store(-slope * cosine, ground.N[0] + block);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eight stations of a segment at once: from the belt's four nodes to the tips of a line's blocks
-// and back (10). What a block does in between is told by `Blocks`.
+// and back (10). `Blocks` defines the forces of the blocks.
 #if defined(LATSCH_RING_BLOCK_LANES) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_RING_BLOCK_LANES
 #undef LATSCH_RING_BLOCK_LANES
@@ -37,7 +37,7 @@ LATSCH_INLINE Lanes dot(const Lanes3& a, const Lanes3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// The belt at eight stations: T = p + H G + y A, or its rate.
+/// The belt at eight stations: T = p + H G + y A, or the rate of T.
 struct Section {
   Lanes3 p, G, A;
 };
@@ -46,7 +46,7 @@ LATSCH_INLINE Lanes mixed(const Lanes w[4], const double* const nodes[4], int i)
   return w[0] * nodes[0][i] + w[1] * nodes[1][i] + w[2] * nodes[2][i] + w[3] * nodes[3][i];
 }
 
-/// (10); `own`: 1, or 0 for rates, which n and a themselves do not have.
+/// Evaluates (10); `own` is 1, or 0 for rates, because n and a themselves have no rate.
 LATSCH_INLINE Section section(const SegmentStations& at,
                               const double* const nodes[4],
                               int j,
@@ -72,7 +72,7 @@ LATSCH_INLINE Section section(const SegmentStations& at,
                 own * az - nu_a * t.z - psi * n.z}};
 }
 
-// H: of a line, or of eight stations of one where the section is bent.
+// H is that of a line, or of eight stations of a line if the section is bent.
 template <class Height>
 LATSCH_INLINE Lanes
 at_line(const Lanes& p, const Lanes& G, const Lanes& A, const Height& H, double y) {
@@ -101,9 +101,9 @@ LATSCH_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Adds the stations' forces to four nodes by (10), and what of their moment these do not carry to
-/// that of the rim (18); a node's x, y, z and torsion, and the moment, are still spread over the
-/// lanes.
+/// Adds the stations' forces to four nodes by (10), and the part of their moment that the nodes do
+/// not carry to that of the rim (18). A node's x, y, z and torsion, and the moment, are still
+/// spread over the lanes.
 LATSCH_INLINE void spread(const SegmentStations& at,
                           int j,
                           const Section& belt,
@@ -141,7 +141,7 @@ LATSCH_INLINE void add_to_nodes(const Lanes to_node[4][4], double* const force[4
     for (int i = 0; i < 4; ++i) force[m][i] += sum(to_node[m][i]);
 }
 
-/// Heights of the lines where sections are straight, and where they are bent.
+/// Heights of the lines for straight sections, and for bent ones.
 struct StraightLines {
   LATSCH_INLINE double height(const BlockLines& lines, int line, int) const {
     return lines.height[line];
@@ -154,16 +154,16 @@ struct BentLines {
   }
 };
 
-/// Half of what the belt gains along the cells of eight stations.
+/// Returns half of the belt's increment along the cells of eight stations.
 LATSCH_INLINE Lanes3 half_cell(const SegmentStations& at, int j) {
   Lanes half[4];
   for (int m = 0; m < 4; ++m) half[m] = lanes(at.halves + m * at.stride + j);
   return {mixed(half, at.nodes, 0), mixed(half, at.nodes, 1), mixed(half, at.nodes, 2)};
 }
 
-/// All blocks of a segment. `Blocks` has at(stations, j, place, rate), the belt as its ground wants
-/// it, and force(belt, half, H, y, entering, block, moment), the force of eight blocks of a line on
-/// the tire, which adds to the moment on their half cells.
+/// Processes all blocks of a segment. `Blocks` has at(stations, j, place, rate), the belt in the
+/// form its ground needs, and force(belt, half, H, y, entering, block, moment), which returns the
+/// force of eight blocks of a line on the tire and adds to the moment on their half cells.
 template <class Blocks, class Shape>
 LATSCH_INLINE void add_block_forces(const BlockStep& step,
                                     const Blocks& blocks,
@@ -200,7 +200,7 @@ LATSCH_INLINE void add_block_forces(const BlockStep& step, const Blocks& blocks)
     add_block_forces(step, blocks, StraightLines{});
 }
 
-/// On their ground, of the rubber they have.
+/// Processes the blocks on their ground with their kind of rubber.
 template <template <class> class Blocks, class Ground>
 LATSCH_INLINE void add_block_forces(const BlockStep& step, const Ground& ground) {
   const auto add = [&](auto rubber) {

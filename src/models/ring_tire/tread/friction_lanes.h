@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tread_friction.h for eight blocks at a time.
+// Version of tread_friction.h for eight blocks at a time.
 #if defined(LATSCH_RING_FRICTION_LANES) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_RING_FRICTION_LANES
 #undef LATSCH_RING_FRICTION_LANES
@@ -24,7 +24,7 @@ LATSCH_INLINE Lanes adhesion(const FrictionLaw::Table& law, const Lanes& p) {
   return coefficient(law.at[0], clamped(law, p));
 }
 
-/// Where (14) holds on a straight piece of μ; `holds`: it is on it.
+/// Solution of (14) on a straight piece of μ; `holds` is true if it is on the piece.
 struct OnPiece {
   Lanes v;
   Lanes::Mask holds;
@@ -42,7 +42,8 @@ LATSCH_INLINE OnPiece on_piece(const FrictionLaw::Table& law,
   return {v, (steeper > 0.0) & (v <= law.speed[i + 1])};
 }
 
-/// v >= 0 of (14); `factor` of the road multiplies μ, `slope` is c (h + t_d), c of what touches.
+/// Returns v >= 0 of (14). `factor` of the road multiplies μ; `slope` is c (h + t_d) with c of the
+/// touching part.
 LATSCH_INLINE Lanes sliding_speed(const FrictionLaw::Table& law,
                                   const Lanes& T,
                                   const Lanes& slope,
@@ -58,7 +59,7 @@ LATSCH_INLINE Lanes sliding_speed(const FrictionLaw::Table& law,
   if (!every(slowest.holds | sticks)) {
     for (int i = 2; i < 4; ++i) mu[i] = coefficient(law.at[i], inside);
     v = (T - mu[3] * F) / slope;
-    for (int i = 2; i > 0; --i) {  // the slowest solution has the last word
+    for (int i = 2; i > 0; --i) {  // the slowest solution overrides the others
       const OnPiece own = on_piece(law, i, T, slope, F, mu[i], mu[i + 1]);
       v = select(own.holds, own.v, v);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel of tread_contact_test.cpp: the sliding speed of eight equal blocks.
+// For tread_contact_test.cpp: a kernel with the sliding speed of eight equal blocks.
 #include "models/ring_tire/tread/friction_lanes.h"
 
 namespace latsch::ring_tire::LATSCH_KERNELS {

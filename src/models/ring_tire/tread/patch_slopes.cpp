@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Differences of the blocks' forces, patch by patch: they hang on sixteen numbers alone, or on six
-// more where sections bend, and are piecewise as good as quadratic in each. Central ones, as near
-// as rounding allows (1e-13 m a kilometer from the origin), since kinks between are averaged.
+// Derivatives of the blocks' forces by differences, patch by patch: the forces of a patch depend on
+// sixteen numbers only, or six more if sections bend, and are piecewise nearly quadratic in each.
+// Central differences are used with steps as short as rounding allows (1e-13 m at a kilometer from
+// the origin), because kinks within a step are averaged.
 #include <algorithm>
 
 #include "models/ring_tire/tread/touching_blocks.h"
@@ -10,22 +11,22 @@ namespace latsch::ring_tire {
 namespace {
 
 constexpr double kShift = 2e-8;  // m
-constexpr double kTurn = 2e-7;   // rad, of a section: at its edge about as much
+constexpr double kTurn = 2e-7;   // rad, of a section: about as much at its edge
 
 }  // namespace
 
-/// Blocks of a patch, set apart from what the step keeps of them.
+/// The blocks of a patch, with memory separate from that of the step.
 struct TreadContact::ProbedPatch {
-  /// On the nodes, on the sections, and the moment on the rim.
+  /// Forces on the nodes and the sections, and the moment on the rim.
   using Forces = Eigen::Vector<double, PatchSlopes::kAll + 3>;
 
   TreadContact& tread;
   std::size_t patch;
   BlockStep step;
-  Eigen::Matrix4d place, rate;  // of the four nodes
+  Eigen::Matrix4d place, rate;  // place and rate of the four nodes
   std::vector<double> columns = {}, kept = {};
 
-  /// With place and rate as they stand.
+  /// Returns the forces at the present place and rate.
   Forces forces(bool bends) {
     Forces to = Forces::Zero();
     for (int m = 0; m < 4; ++m) {
@@ -39,7 +40,7 @@ struct TreadContact::ProbedPatch {
     return to;
   }
 
-  /// As section_forces(), of this patch.
+  /// Returns section_forces() for this patch.
   Eigen::Vector<double, 2 * SectionBending::kModes> on_sections() {
     using Modes = Eigen::Vector<double, SectionBending::kModes>;
     columns.resize(static_cast<std::size_t>(9 * tread.stride_));
@@ -68,7 +69,7 @@ struct TreadContact::ProbedPatch {
     return both;
   }
 
-  /// γ of a mode at one of the two nodes grows.
+  /// Increases γ of a mode at one of the two nodes.
   void bend(int end, int mode, double by) {
     double* rise = &tread.section_rise_[2 * static_cast<std::size_t>(tread.patches_[patch].segment *
                                                                      tread.lines_)];

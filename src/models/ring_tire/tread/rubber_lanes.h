@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A block's cell on the road for eight blocks at a time, of linear rubber or that of rubber_law.h.
+// Contact of block cells, eight blocks at a time, with linear rubber or that of rubber_law.h.
 #if defined(LATSCH_RING_RUBBER_LANES) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_RING_RUBBER_LANES
 #undef LATSCH_RING_RUBBER_LANES
@@ -15,23 +15,24 @@ namespace latsch::ring_tire::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
 
-/// A block's cell on the road, its depth running linearly from δ - g at one end to δ + g at the
-/// other: the share λ of it that touches, and the means of (δ + g ξ)_+ and of ξ (δ + g ξ)_+ over
-/// ξ = -1 .. 1, or of what the rubber makes of (δ + g ξ)_+. The means are of continuous slope in δ
-/// and g, the share is continuous: nothing jumps where blocks come and go.
+/// Contact of a block's cell with the road. Its depth runs linearly from δ - g at one end to δ + g
+/// at the other. Members are the share λ of it that touches, and the means over ξ = -1 .. 1 of (δ +
+/// g ξ)_+ and of ξ (δ + g ξ)_+, or of the rubber's function of (δ + g ξ)_+. The means have a
+/// continuous slope in δ and g, and the share is continuous, so nothing jumps when blocks touch or
+/// leave.
 struct Touch {
   Lanes share, depth, moment;
-  Lanes slope;           // of `depth` by δ
-  Lanes deepest, range;  // of its ends; from one to the other
+  Lanes slope;           // derivative of `depth` by δ
+  Lanes deepest, range;  // deepest end; difference of the ends
 };
 
-/// `on`: the share where a block pushes, else 0.
+/// `on` is the share if a block is pressed, else 0.
 struct LinearRubber {
   LATSCH_INLINE explicit LinearRubber(double) {}
 
   LATSCH_INLINE Touch touch(const Lanes& depth, const Lanes& g) const {
     const Lanes a = larger(larger(g, -g), all(1e-12));
-    const Lanes over = 0.5 / a;  // one for all lines of a station on level ground
+    const Lanes over = 0.5 / a;  // equal for all lines of a station on level ground
     const Lanes share = larger(smaller((depth + a) * over, all(1.0)), all(0.0));
     const Lanes square = share * share;
     return {share,
@@ -75,7 +76,7 @@ struct BottomingRubber {
   LATSCH_INLINE static Lanes within(const Lanes& x) {
     return larger(smaller(x, all(kLinearFrom)), all(0.0));
   }
-  /// BeyondLinear at δ over b, r = 1/λ.
+  /// Returns BeyondLinear at δ over b, with r = 1/λ.
   struct Beyond {
     Lanes force, slope;
   };

@@ -16,13 +16,13 @@ namespace {
 
 constexpr double kBottom = 0.008;  // m
 
-/// Force of a block over its first stiffness (37), as textbooks write it.
+/// Returns the force of a block over its initial stiffness (37) in textbook form.
 double neo_hookean(double depth) {
   if (depth <= 0.0) return 0.0;
   const double stretch = 1.0 - depth / kBottom;
   return kBottom / 3.0 * (1.0 / (stretch * stretch) - stretch);
 }
-/// Its strain energy 1/6 (λ² + 2/λ - 3) times b².
+/// Returns its strain energy 1/6 (λ² + 2/λ - 3) times b².
 double strain_energy(double depth) {
   if (depth <= 0.0) return 0.0;
   const double stretch = 1.0 - depth / kBottom;
@@ -47,7 +47,8 @@ TEST(RubberLaw, IsThatOfANeoHookeanBlock) {
   EXPECT_EQ(linear.energy, 0.0);
 }
 
-// Pressed by more than there is of it, it pushes back the harder: no pole, no jump of the slope.
+// A block pressed by more than its height pushes back harder, without a pole or a jump of the
+// slope.
 TEST(RubberLaw, GoesOnBeyondItsPole) {
   const double edge = kLinearFrom * kBottom, h = 1e-9 * kBottom;
   const BeyondLinear before(edge - h, kBottom), after(edge + h, kBottom);
@@ -79,7 +80,7 @@ std::vector<Cell> cells_of_all_sets(double depth, double g, double bottom) {
   return cells;
 }
 
-/// Means over the cell of (37) and of ξ times it, by thin blocks.
+/// Returns means over the cell of (37) and of ξ times it, by thin blocks.
 Cell of_thin_blocks(double depth, double g) {
   constexpr int kThin = 20000;
   Cell mean{};
@@ -92,8 +93,9 @@ Cell of_thin_blocks(double depth, double g) {
   return mean;
 }
 
-// Where all of a cell touches, two points miss g⁴/270 times the fourth derivative of (37), 40/λ^6,
-// of the force, and 2/135 g³ times the third, 8/λ^5, of the moment, and what is smaller by (g/b)².
+// If all of a cell touches, two points have an error of g⁴/270 times the fourth derivative of (37),
+// 40/λ^6, in the force, and of 2/135 g³ times the third derivative, 8/λ^5, in the moment, plus
+// terms smaller by (g/b)².
 TEST(RubberLaw, CellsAreTheMeanOfThinBlocksToThirdOrder) {
   for (const double x : {0.25, 0.5})
     for (const double slope : {0.05, 0.1}) {
@@ -111,8 +113,8 @@ TEST(RubberLaw, CellsAreTheMeanOfThinBlocksToThirdOrder) {
     }
 }
 
-// At the edge of the contact it is pressed by at most 2 |g|: what two points miss of its excess
-// over linear rubber is below 2 % of g times g/b.
+// At the edge of the contact a cell is pressed by at most 2 |g|: the error of two points in its
+// excess over linear rubber is below 2 % of g times g/b.
 TEST(RubberLaw, CellsAtTheEdgeOfTheContactAreNearThatMean) {
   for (const double g : {2e-4, -4e-4})
     for (const double depth : {-3e-4, -1e-4, 0.0, 1e-4, 3e-4})
@@ -124,7 +126,7 @@ TEST(RubberLaw, CellsAtTheEdgeOfTheContactAreNearThatMean) {
 }
 
 // Force, moment and stiffness are derivatives of one energy, that of CellSquares, by the depth and
-// by its gain along the cell. Kernels of every set have it, with linear rubber too.
+// by its increase along the cell. Kernels of every set fulfill this, also with linear rubber.
 TEST(RubberLaw, ForceMomentAndSlopeOfACellFollowFromItsEnergy) {
   const double h = 1e-8;
   for (const double bottom : {0.0, kBottom})

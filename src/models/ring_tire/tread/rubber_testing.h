@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernel of rubber_law_test.cpp: eight equal cells.
+// For rubber_law_test.cpp: a kernel with eight equal cells.
 #include "models/ring_tire/tread/rubber_lanes.h"
 
 namespace latsch::ring_tire::LATSCH_KERNELS {
 
-/// share, depth, moment and slope of a cell of rubber that bottoms out, or is linear.
+/// Returns share, depth, moment and slope of a cell of rubber that bottoms out, or is linear.
 void touch_of(double depth, double g, double bottom, double touch[4]) {
   const Touch found = bottom > 0.0 ? BottomingRubber(bottom).touch(all(depth), all(g))
                                    : LinearRubber(bottom).touch(all(depth), all(g));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The blocks' forces on bent sections: a block at the share s of segment k, on the line at
-// y, stands
+// The blocks' forces on bent sections. A block at the share s of segment k, on the line at y, is
+// farther out by
 //   Σ q_i(y) ((1 - s) γ_i,k + s γ_i,k+1)
-// higher than its line, so its force F counts F . G times these factors on γ, G = dT/dH of (10).
+// than its line, so its force F acts on γ as F . G times these factors, with G = dT/dH of (10).
 #include <algorithm>
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace {
 constexpr int kModes = SectionBending::kModes;
 using Modes = Eigen::Vector<double, kModes>;
 
-/// Where the unknowns of a node begin.
+/// Returns the index of the first unknown of a node.
 Eigen::Index first_unknown(const SectionBending& section, int node) {
   const auto& contact = section.contact();
   return kModes * (std::lower_bound(contact.begin(), contact.end(), node) - contact.begin());
@@ -22,7 +22,7 @@ Eigen::Index first_unknown(const SectionBending& section, int node) {
 
 }  // namespace
 
-/// Of the lines at a station, k = K_b G of a block: sums of what moves with the modes.
+/// Sums over the lines at a station, with k = K_b G of a block, of the derivatives by the modes.
 struct TreadContact::StationBorder {
   Eigen::Matrix<double, 3, kModes> force = Eigen::Matrix<double, 3, kModes>::Zero();  // k
   Modes tilt = Modes::Zero(), yaw = Modes::Zero();  // H, y times t . k

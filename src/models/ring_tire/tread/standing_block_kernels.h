@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks of a tire that stands. Their forces are the gradient of an energy, so that an equilibrium
-// is a minimum which a line search cannot miss:
+// Blocks of a standing tire. Their forces are the gradient of an energy, so that an equilibrium is
+// a minimum, which a line search always finds:
 //   normal      1/2 c_n times the mean of δ^2 over the cell where δ > 0, and what (37) has beyond
-//   tangential  1/2 k |e|^2 up to |F_t| = g, from there on g (|e| - g/(2 k)): the tip gives way
-// k = c_t times the share of the cell that was on the road one step of the rim before: what was in
-// the air has no e and holds nothing along the road, where it touched is not known. g = μ_adhesion
-// F_n is held while an equilibrium is sought and then renewed with the F_n found (Tresca's friction
-// as a step towards Coulomb's).
+//   tangential  1/2 k |e|^2 up to |F_t| = g, from there on g (|e| - g/(2 k)): the tip slips
+// k is c_t times the share of the cell that was on the road one step of the rim before: the part
+// that was in the air has no e and holds nothing along the road, because its point of first touch
+// is not known. g = μ_adhesion F_n is held while an equilibrium is sought and then updated with the
+// resulting F_n (Tresca friction as a step toward Coulomb friction).
 #include "models/ring_tire/tread/block_lanes.h"
 #include "models/ring_tire/tread/friction_lanes.h"
 
@@ -45,7 +45,7 @@ struct StandingBlocks {
     const Lanes trial = k * sqrt(dot(e, e));
     const Lanes holds = select(trial > held, held / larger(trial, all(1e-300)), all(1.0));  // (13)
     const Lanes3 F = {k * holds * e.x, k * holds * e.y, k * holds * e.z};                   // (12)
-    // Spread over all that touches now.
+    // The force is spread over the part that touches now.
     const Lanes gripped = holds * touched / larger(larger(touched, touch.share), all(1e-300));
     e = {gripped * e.x, gripped * e.y, gripped * e.z};
     store3(F, results.F, block);

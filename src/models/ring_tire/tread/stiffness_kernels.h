@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a station's stiffness is to the four nodes of its segment (tread_stiffness.cpp).
+// Effect of a station's stiffness on the four nodes of its segment (tread_stiffness.cpp).
 #include "models/ring_tire/tread/block_lanes.h"
 
 namespace latsch::ring_tire::LATSCH_KERNELS {
@@ -19,7 +19,7 @@ LATSCH_INLINE SymmetricLanes symmetric_lanes(const double* columns, int stride, 
   return {at(0), at(1), at(2), at(3), at(4), at(5)};
 }
 
-/// In turned axes, whose unit vectors stand one after the other.
+/// Returns the vector in rotated axes, whose unit vectors are stored one after the other.
 LATSCH_INLINE Lanes3 in_axes(const Lanes3& v, const double* axes) {
   return {v.x * axes[0] + v.y * axes[1] + v.z * axes[2],
           v.x * axes[3] + v.y * axes[4] + v.z * axes[5],
@@ -38,7 +38,7 @@ LATSCH_INLINE Lanes3 less(const Lanes3& a, const Lanes3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/// An entry of one matrix of eight stations.
+/// One entry of one matrix for eight stations.
 struct StationEntry {
   StationStiffness* of;
   LATSCH_INLINE void put(Eigen::Matrix4d StationStiffness::*matrix,
@@ -51,8 +51,8 @@ struct StationEntry {
   }
 };
 
-/// Of the stations of a span, in turned axes: sums K, y K and y² K of their blocks in 18 columns,
-/// their t, n, |x'| in seven.
+/// Computes the stiffness of the stations of a span in rotated axes, from the sums K, y K and y² K
+/// of their blocks in 18 columns and their t, n, |x'| in seven.
 void find_station_stiffness(const BlockSpan& at,
                             const double* sums,
                             const double* frame,
@@ -69,7 +69,7 @@ void find_station_stiffness(const BlockSpan& at,
                  n = in_axes(lanes3(frame + 3 * at.stride, at.stride, j), axes),
                  a = in_axes({axis[0], axis[1], axis[2]}, axes);
     const Lanes over = 1.0 / lanes(frame + 6 * at.stride + j), H = height;
-    // Columns of sum K D: how the summed force, and y times it, follow p, ν_n, ν_a and ψ.
+    // Columns of sum K D: derivatives of the summed force, and of y times it, by p, ν_n, ν_a and ψ.
     const Lanes3 by_n = scaled(-H, K * t), by_a = scaled(-1.0, Ky * t);
     const Lanes3 by_psi = less(scaled(H, K * a), Ky * n);
     const Lanes3 y_by_a = scaled(-1.0, Kyy * t), y_by_psi = less(scaled(H, Ky * a), Kyy * n);
@@ -103,8 +103,8 @@ void find_station_stiffness(const BlockSpan& at,
   }
 }
 
-/// Of the stations [begin, end) the ten pairs of nodes m <= m', sums over the stations; `weights`:
-/// w w', w d', d w', d d' of each pair, forty a station. Half of all pairs at once stays in
+/// Sums over the stations [begin, end) for the ten pairs of nodes m <= m'. `weights` holds w w', w
+/// d', d w', d d' of each pair, forty for each station. Half of all pairs at a time stays in
 /// registers.
 void sum_pairs(const StationStiffness* stations,
                int begin,

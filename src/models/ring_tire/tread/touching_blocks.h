@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The blocks on the road, one after the other.
+// Iterates over the blocks on the road.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 
 namespace latsch::ring_tire {
 
-/// Mean of δ² over a cell where δ > 0, its depth running from δ - g to δ + g, and the second
-/// derivatives of half of it by δ and g; mean of ξ (δ + g ξ)_+. Of rubber that bottoms out at
-/// `bottom` (0: linear), the same of twice its energy.
+/// Mean of δ² over a cell where δ > 0, with its depth running from δ - g to δ + g; the second
+/// derivatives of half of it by δ and g; and the mean of ξ (δ + g ξ)_+. For rubber that bottoms out
+/// at `bottom` (0: linear), twice its energy replaces δ².
 struct CellSquares {
   double mean, first_moment, by_depth, by_both, by_half;
 
@@ -36,21 +36,21 @@ struct CellSquares {
   }
 };
 
-/// What one block of a patch does.
+/// State and force of one block of a patch.
 struct TreadContact::BlockState {
   Eigen::Vector3d normal, F, root, unloaded, tip;
-  Eigen::Vector3d G;  // how the unloaded tip moves with its height
+  Eigen::Vector3d G;  // dT by height: motion of the unloaded tip with its height
   double Fn, gripped;
-  double share;    // of its cell, on the road
+  double share;    // share of its cell on the road
   double stiffer;  // dF_n/dδ over that of linear rubber
   double depth;    // m, of the unloaded tip below the road
-  double half;     // m, by how much more its cell's end is
+  double half;     // m, additional depth of its cell's end
   std::size_t patch;
   int station, line;
 };
 
-/// Calls `see` with the state of every block whose road is known, in the order of the patches; q:
-/// of the last add_force.
+/// Calls `see` with the state of every block whose road is known, in the order of the patches. q is
+/// that of the last add_force.
 template <class See>
 void TreadContact::see_blocks(const NodeValues& q, const See& see) const {
   std::vector<double> columns(static_cast<std::size_t>(9 * stride_));
@@ -95,7 +95,7 @@ void TreadContact::see_blocks(const NodeValues& q, const See& see) const {
   }
 }
 
-/// Of those that touch.
+/// Calls `see` for the blocks that touch.
 template <class See>
 void TreadContact::see_touching(const NodeValues& q, const See& see) const {
   see_blocks(q, [&](const BlockState& block) {

@@ -14,14 +14,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-// m. Blocks as far above the road take part in a step: more than its end can differ from what was
-// predicted.
+// Margins, m: blocks up to this height above the road take part in a step. It exceeds the
+// difference between the predicted and the actual end of a step. A larger margin costs time.
 constexpr double kMargin = 5e-4, kStandingMargin = 4e-3;
-// The same of bent sections, which have no inertia, and how far these may stand off the belt.
+// Margin of bent sections, which have no inertia, and their largest distance from the belt, m.
 constexpr double kBentMargin = 2e-3, kBent = 5e-3;
-constexpr double kSteepest = 0.35;  // slope of the tread against the road where it touches
-constexpr double kFar = 1e6;        // m, beyond any road's reach
-constexpr int kWide = 8;            // stations at once
+constexpr double kSteepest = 0.35;  // slope of the tread relative to the road at touch
+constexpr double kFar = 1e6;        // m, beyond the range of any road
+constexpr int kWide = 8;            // stations processed at once
 
 }  // namespace
 
@@ -92,13 +92,13 @@ void TreadContact::reset() {
   patches_.clear();
 }
 
-/// The rectangle below nodes between two corners, with room for a tread that leans.
+/// Returns the rectangle below nodes between two corners, with room for a tread that leans.
 road::GroundBox TreadContact::below(const Vector3d& low, const Vector3d& high) const {
   const double side = height_ + half_width_;
   return {low.x() - side, high.x() + side, low.y() - side, high.y() + side};
 }
 
-/// Whether a tip of the segment may be as low as the highest point of the road below it, which is
+/// True if a tip of the segment may be as low as the highest point of the road below it, which is
 /// nowhere above `highest`.
 bool TreadContact::near_road(const NodeValues& q,
                              const RimFrame& rim,
@@ -109,7 +109,8 @@ bool TreadContact::near_road(const NodeValues& q,
   double lowest = q(2, node(segment, 0));
   for (int m = 1; m < 4; ++m) lowest = std::min(lowest, q(2, node(segment, m)));
   if (lowest > rim.center.z()) return false;
-  // How far tips stand off the belt: height and half the width, leaning a little more than the rim.
+  // Distance of tips from the belt: height and half the width, with a lean slightly larger than the
+  // rim's.
   constexpr double kLean = 0.2;
   const double reach = 1.1 * height_ + half_width_ * (rim.a.cwiseAbs().z() + kLean * 0.25) +
                        (bends_ ? kBent : 0.0) + highest_runout_;
@@ -200,8 +201,8 @@ void TreadContact::approach(const NodeValues& q,
   }
 }
 
-/// The rectangle of the ground below the tips of some lines: they are as good as straight over a
-/// segment, their sagitta is well below a tenth of the length.
+/// Returns the rectangle of the ground below the tips of some lines. The lines are nearly straight
+/// over a segment: their sagitta is well below a tenth of the length.
 road::GroundBox TreadContact::below(int first_line, int last_line) const {
   Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const int line : {first_line, last_line})
@@ -213,7 +214,7 @@ road::GroundBox TreadContact::below(int first_line, int last_line) const {
   return {low.x() - room, high.x() + room, low.y() - room, high.y() + room};
 }
 
-/// What the road knows of all that is under some lines.
+/// Returns what the road reports about the area below some lines.
 TreadContact::Ground TreadContact::ground_below(int first_line,
                                                 int last_line,
                                                 const road::Road& road,
@@ -234,14 +235,14 @@ void TreadContact::narrow(Patch& patch, const double* nearest, double reach) con
   widen(patch);
 }
 
-/// To what is looked at at once; none where there was none.
+/// Widens the span to multiples of the stations processed at once; an empty span becomes 0.
 void TreadContact::widen(Patch& patch) const {
   if (patch.begin >= patch.end) patch.begin = patch.end = 0;
   patch.begin = patch.begin / kWide * kWide;
   patch.end = (patch.end + kWide - 1) / kWide * kWide;
 }
 
-/// Its blocks near the road: [begin, end).
+/// Finds the blocks near the road: [begin, end).
 void TreadContact::find_level_blocks(Patch& patch, const road::GroundPoint& ground) {
   patch.level = true;
   knows_road_ = knows_road_ && std::isfinite(ground.height);
@@ -251,7 +252,7 @@ void TreadContact::find_level_blocks(Patch& patch, const road::GroundPoint& grou
   narrow(patch, find_lowest_tips(), patch.ground.height + margin_);
 }
 
-/// z of the lowest of the lines' tips at each station of the last patch.
+/// Returns z of the lowest of the lines' tips at each station of the last patch.
 const double* TreadContact::find_lowest_tips() {
   double* lowest = at_stations(kStationColumns - 1);
   if (section_rise_.empty()) {
@@ -265,7 +266,7 @@ const double* TreadContact::find_lowest_tips() {
   return lowest;
 }
 
-/// The plane that a block's cell sees on a drum: the tangent, at the mean height over the cell.
+/// Computes the plane of a block's cell on a drum: the tangent, at the mean height over the cell.
 void TreadContact::find_blocks_on_drum(Patch& patch, const road::Cylinder& drum) {
   patch.drum = true;
   const BlockLines own = lines(patch.segment);
@@ -306,7 +307,7 @@ void TreadContact::find_uneven_blocks(Patch& patch,
   widen(patch);
 }
 
-/// Blocks of one line near the road and the planes below them.
+/// Finds the blocks of one line near the road and the planes below them.
 std::pair<int, int> TreadContact::find_line(
     std::size_t patch, int line, const Ground& ground, const road::Road& road, double time) {
   const Plane* plane = std::get_if<Plane>(&ground);
@@ -326,9 +327,9 @@ std::pair<int, int> TreadContact::find_line(
   return {begin, end};
 }
 
-/// Below each block of a line near the road the plane that its cell sees on an uneven road: its
-/// mean height, its slope along the cell from end to end, across it and all else from the middle.
-/// So edges shorter than a cell come gradually. No place of the road is above `highest`.
+/// Computes the plane of each cell of a line near an uneven road: mean height, slope along the cell
+/// from end to end, slope across and everything else from the middle. So edges shorter than a cell
+/// take effect gradually. No place of the road is above `highest`.
 std::pair<int, int> TreadContact::place_cells(
     std::size_t patch, int line, double highest, const road::Road& road, double time) {
   row_.place_tips(at_stations(kP), lines(patches_[patch].segment), line);
@@ -368,7 +369,7 @@ std::pair<int, int> TreadContact::place_cells(
   return {begin, end};
 }
 
-/// The plane of the road below a block.
+/// Stores the plane of the road below a block.
 void TreadContact::place_ground(std::size_t patch,
                                 int block,
                                 const road::GroundPoint& ground,
@@ -465,7 +466,7 @@ const double* TreadContact::before(int segment, TreadTips::Column column) const 
 }
 
 void TreadContact::commit() {
-  // What nobody else remembers is written over, after whoever did has read it for the last time.
+  // A memory that nobody else holds is overwritten, after its last holder has finished reading it.
   if (!spare_ || spare_.use_count() > 1) spare_ = std::make_shared<TreadTips>();
   std::atomic_thread_fence(std::memory_order_acquire);
   TreadTips& tips = *spare_;

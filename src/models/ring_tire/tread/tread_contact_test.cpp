@@ -28,7 +28,7 @@ TEST(FrictionLaw, GoesThroughItsTable) {
   EXPECT_DOUBLE_EQ(law.mu(1.0, 0.0), law.mu(1.0, table.pressure[0]));
 }
 
-// (14) holds at the speed found, which is 0 only where the tip sticks.
+// (14) holds at the computed speed, which is 0 only if the tip sticks.
 TEST(FrictionLaw, SlidingTipIsInBalance) {
   const FrictionLaw law{TreadFriction{}};
   const double slope = 2.0, Fn = 10.0, p = 1.5e5;
@@ -70,11 +70,11 @@ struct Pressed {
     tread.approach(q, rim, road, 0.0, rule);
     NodeValues force = NodeValues::Zero(4, ring.nodes);
     tread.add_force(q, v, force);
-    tread.commit();  // all that touch have a tip on the road
+    tread.commit();  // all touching blocks get a tip on the road
     tread.approach(q, rim, road, 0.0, rule);
   }
 
-  /// Forces where the unknowns moved by dq within the step.
+  /// Returns the forces if the unknowns move by dq within the step.
   NodeValues force_at(const NodeValues& dq) {
     NodeValues force = NodeValues::Zero(4, ring.nodes);
     tread.add_force(q + dq, v + rule.velocity * dq, force);
@@ -82,7 +82,7 @@ struct Pressed {
   }
 };
 
-/// How far the stiffness is from the derivative of the force, largest of some columns.
+/// Returns the largest deviation of the stiffness from the derivative of the force in some columns.
 double error_of_stiffness(int blocks, double bottoming) {
   Pressed pressed(blocks, bottoming);
   const NodeValues none = NodeValues::Zero(4, pressed.ring.nodes);
@@ -102,7 +102,7 @@ double error_of_stiffness(int blocks, double bottoming) {
   return error;
 }
 
-// What the slopes of cells change is left out of it; that falls with the square of their length.
+// The stiffness omits the change of the cells' slopes, which falls with the square of their length.
 TEST(TreadContact, StiffnessIsTheDerivativeOfTheForceOfNarrowCellsWhileTipsStick) {
   for (const double bottoming : {0.0, 1.0}) {
     const double wide = error_of_stiffness(5, bottoming),
@@ -112,7 +112,7 @@ TEST(TreadContact, StiffnessIsTheDerivativeOfTheForceOfNarrowCellsWhileTipsStick
   }
 }
 
-// The closed forms of a cell half on the road.
+// The results agree with the closed forms of a cell that is half on the road.
 TEST(TreadContact, CellsAreTheMeanOfThinBlocks) {
   const double a = 3e-4;
   for (const double depth : {-4e-4, -2e-4, -5e-5, 1e-4, 5e-4})

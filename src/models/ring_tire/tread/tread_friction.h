@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Friction coefficient of tread rubber μ(v, p): quadratic in the pressure p through its three
-// values, constant beyond the first and the last, and linear in the sliding speed v between
-// adhesion, maximum, sliding and blocking; constant beyond.
+// Friction coefficient of tread rubber μ(v, p). It is quadratic in the pressure p through its three
+// values and constant beyond the first and the last; it is linear in the sliding speed v between
+// adhesion, maximum, sliding and blocking, and constant beyond.
 //
-// A mass-less block's tip slides so that spring, damper and friction balance at the step's end:
+// The tip of a massless block slides so that spring, damper and friction balance at the step's end:
 //   T - c (h + t_d) v = μ(v, p) F_n                                                          (14)
-// T is the force the block would have if its tip stuck. On each straight piece of μ that is a
-// linear equation; the slowest solution is the one a sticking tip comes to first.
+// T is the force the block would have if its tip stuck. On each straight piece of μ this is a
+// linear equation; the slowest solution is used, because a sticking tip reaches it first.
 #pragma once
 
 #include "models/ring_tire/description/ring_parameters.h"
@@ -23,12 +23,12 @@ class FrictionLaw {
   struct Quadratic {
     double c0, c1, c2;
   };
-  /// What the blocks' loop computes with, eight at a time (friction_lanes.h).
+  /// Data of the blocks' loop, which processes eight blocks at a time (friction_lanes.h).
   struct Table {
     double lowest, highest;  // Pa
     Quadratic at[4];         // at the four speeds
     double speed[4];         // m/s
-    double over_range[3];    // 1 over what lies between two of them
+    double over_range[3];    // 1 over the difference of neighboring speeds
   };
   const Table& table() const { return table_; }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the blocks remember of the last step: where their tips are on the road and which share of
-// their cells is there, of the segments near the road alone. A value whose copies share what it
-// holds, since nobody changes it: a state is copied at no cost.
+// State of the blocks at the end of the last step: the places of their tips on the road and the
+// shares of their cells on it, for the segments near the road alone. It is a value whose copies
+// share their data, which never change, so copying a state is cheap.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ struct TreadTips {
   enum Column { kX, kY, kZ, kShare, kColumns };
 
   std::vector<int> segments;    // ascending
-  std::vector<double> columns;  // of each segment, `blocks` long: lines one after the other
+  std::vector<double> columns;  // for each segment, `blocks` long: lines one after the other
   int blocks = 0;
 
   double* column(std::size_t at, int c) { return columns.data() + (at * kColumns + c) * blocks; }

@@ -3,9 +3,9 @@
 //
 // With K of one block, (10) gives dT = dp - H t dν_n - y t dν_a + (H a - y n) dψ, and
 //   dp = Σ w_m dx_m,  dν_n = Σ d_m n . dx_m/|x'|,  dν_a = Σ d_m a . dx_m/|x'|,  dψ = Σ w_m dψ_m
-// so a pair of nodes m, m' gets w w' M_ww + w d' M_wd + d w' M_wd^T + d d' M_dd. H is taken the
-// same on all lines here: the crown's curvature of millimeters matters to forces, not to their
-// slopes.
+// so a pair of nodes m, m' gets w w' M_ww + w d' M_wd + d w' M_wd^T + d d' M_dd. H is the same for
+// all lines here: the crown's curvature of millimeters matters for forces, not for their
+// derivatives.
 #include "models/ring_tire/tread/block_forces.h"
 #include "models/ring_tire/tread/tread_contact.h"
 
@@ -14,7 +14,7 @@
 
 namespace latsch::ring_tire {
 
-/// Calls `add` with the blocks (k, k + j) of every patch, in turned axes.
+/// Calls `add` with the blocks (k, k + j) of every patch, in rotated axes.
 template <class Add>
 void TreadContact::find_stiffness(double scale, const Eigen::Matrix3d& axes, const Add& add) {
   const double rate = 1.0 + (rule_.statics() ? 0.0 : damping_time_ * rule_.velocity);
@@ -26,7 +26,8 @@ void TreadContact::find_stiffness(double scale, const Eigen::Matrix3d& axes, con
       level_stiffness(span, lines(), results(i), normal, tangential, at_stations(0));
     else
       uneven_stiffness(span, lines(), ground(i), results(i), normal, tangential, at_stations(0));
-    // First all stations, then what they do: a station read at once would be waited for.
+    // All stations are computed first and used afterward, because reading a station at once would
+    // wait for it.
     StationStiffness* const stations = station_stiffness_.data();
     LATSCH_KERNEL(find_station_stiffness)
     (span, at_stations(0), frame(i, 0), a_.data(), axes.data(), height_, stations);
