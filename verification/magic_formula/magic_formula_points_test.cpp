@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Magic Formula 5.2, 6.1 and 6.2 against an independent program, under every convention, inside and
-// outside the ranges of the files, at low, zero and backward speed.
+// Magic Formula 5.2, 6.1 and 6.2 compared with an independent program, under every convention,
+// inside and outside the ranges of the files, at low, zero and backward speed.
 #include "magic_formula/magic_formula_points.h"
 
 #include <gtest/gtest.h>

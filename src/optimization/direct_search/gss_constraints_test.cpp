@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generating-set search among linear constraints.
+// Generating-set search with linear constraints.
 #include <gtest/gtest.h>
 
 #include <cmath>

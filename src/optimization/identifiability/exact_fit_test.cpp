@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fits without noise, of a model to itself, from the search to the intervals: what is said follows
-// from the model and not from the rounding that is left. The model is y = a exp(b t) + c at 21
-// times, the truth 2, -1.3, 0.5; scaled by 2.5, its largest value.
+// Fits without noise, of a model to itself, from the search to the intervals: the results have to
+// follow from the model and not from rounding errors. The model is y = a exp(b t) + c at 21 times
+// with the truth 2, -1.3, 0.5, scaled by 2.5, its largest value.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

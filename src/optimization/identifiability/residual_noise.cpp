@@ -16,9 +16,9 @@ namespace {
 
 using numerics::Autoregression;
 
-constexpr size_t kMostOrder = 8;
+constexpr size_t kMostOrder = 8;             // largest order of the autoregression
 constexpr Eigen::Index kFewestSamples = 12;  // samples of a curve beyond the number of variables
-constexpr Eigen::Index kSamplesAnOrder = 6;
+constexpr Eigen::Index kSamplesAnOrder = 6;  // least number of samples for each order
 // Without improvement, before the search for a higher order ends.
 constexpr size_t kOrdersInVain = 2;
 constexpr double kMostZ = 4.5;  // atanh(kappa): |kappa| up to 0.99975

@@ -13,8 +13,8 @@ constexpr double kLengthFactor = 4.0;         // ratio of two lengths
 constexpr double kLongestDifference = 0.25;   // share of the range
 constexpr double kShortestDifference = 1e-4;  // share of the range
 constexpr double kMostLengthening = 16.0;     // factor in one step
-constexpr size_t kMostLengths = 5;
-constexpr int kMostShortened = 2;    // number of shorter lengths if all sides fail
+constexpr size_t kMostLengths = 5;            // more lengths cost evaluations
+constexpr int kMostShortened = 2;             // number of shorter lengths if all sides fail
 constexpr double kRoughness = 0.25;  // share of the second difference that curvature would cause
 constexpr double kUnfelt = 1e-12;    // share of the residuals: counts as no change
 

@@ -30,12 +30,12 @@ constexpr double kExpansionOnReturn = 10.0, kRadiusOnReturn = 4.0;  // multiples
 constexpr double kAlong = 0.8;
 // Largest turn of a step by curvature, relative to the step [Transtrum & Sethna, alpha = 0.75].
 constexpr double kMostTurn = 0.375;
-constexpr double kWorthBending = 0.1;  // share of what the straight step promises
-constexpr double kLeastCut = 0.1, kMostCut = 0.5;
-constexpr double kPromisesNothing = 1e-10;  // share of f, for a step in the radius
-constexpr double kPromisesMuch = 1e-6;      // share of f
-constexpr double kNothingIsLeft = 1e-20;    // share of the first f: ten digits of the residuals
-constexpr double kRoundingIsLeft = 1e-10;   // share of the first f: five digits, if steps fail
+constexpr double kWorthBending = 0.1;              // share of what the straight step promises
+constexpr double kLeastCut = 0.1, kMostCut = 0.5;  // limits of the factor that shortens Delta
+constexpr double kPromisesNothing = 1e-10;         // share of f, for a step in the radius
+constexpr double kPromisesMuch = 1e-6;             // share of f
+constexpr double kNothingIsLeft = 1e-20;   // share of the first f: ten digits of the residuals
+constexpr double kRoundingIsLeft = 1e-10;  // share of the first f: five digits, if steps fail
 // Share of the tolerance: so short a radius finds nothing.
 constexpr double kExhaustedStep = 0.01;
 // A range is too wide for the tolerance if the full step is shorter than the tolerance and yet

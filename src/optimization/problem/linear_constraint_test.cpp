@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear constraints of a design space: what is refused, projection, and the cones at corners.
+// Linear constraints of a design space: refused inputs, projection, and the cones at corners.
 #include "optimization/problem/linear_constraint.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches among linear constraints against the active-set solution of random programs: linear and
-// convex quadratic, rows of small whole numbers or of any, planes around the start or all through
-// it, with and without an equation.
+// Searches with linear constraints are compared with the active-set solution of random programs:
+// linear and convex quadratic, with rows of small whole numbers or of any numbers, planes around
+// the start or all through it, with and without an equation.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quadratic programs, and generating-set search and SQP on them, against an independent program:
-// SciPy's SLSQP.
+// Quadratic programs, and generating-set search and SQP on them, are compared with an independent
+// program: SciPy's SLSQP.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -11,9 +11,9 @@
 namespace latsch {
 namespace {
 
-constexpr int kSuspicious = 5;
-constexpr int kSpread = 8;
-constexpr int kDrawn = 64;  // points to choose from, if linear constraints forbid some
+constexpr int kSuspicious = 5;  // number of like failures before points are spread
+constexpr int kSpread = 8;      // number of points spread over the space
+constexpr int kDrawn = 64;      // points to choose from, if linear constraints forbid some
 
 std::vector<DesignPoint> spread(const DesignSpace& space) {
   std::vector<DesignPoint> points =

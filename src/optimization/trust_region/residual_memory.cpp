@@ -13,8 +13,8 @@ constexpr double kAvoided = 0.25;  // share of the distance to the nearest succe
 // Multiple of the median of the values around: no model holds up to so large a value.
 constexpr double kExploded = 1e6;
 // Distances in a natural frame, where the residuals change by their own size over a distance of 1:
-constexpr double kNearInFrame = 0.1;
-constexpr double kFarInFrame = 5.0;
+constexpr double kNearInFrame = 0.1;  // nearer samples show noise alone
+constexpr double kFarInFrame = 5.0;   // farther samples are not used
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The residual trust region among linear constraints: least-squares problems whose solutions are
-// published by their numbers in [Hock & Schittkowski, Test Examples for Nonlinear Programming
+// The residual trust region with linear constraints, on least-squares problems whose solutions are
+// published, with their numbers in [Hock & Schittkowski, Test Examples for Nonlinear Programming
 // Codes, Springer 1981].
 #include <gtest/gtest.h>
 

@@ -24,10 +24,10 @@ constexpr double kFlat = 1e-6;    // share of f: a smaller predicted decrease co
 constexpr double kBackOff = 0.5;  // factor of a step that no cut keeps out of a failed region
 // Multiple of a ball's radius that places a step on the cut outside of the ball.
 constexpr double kBeyondBall = 1.001;
-constexpr int kMostCuts = 20;
+constexpr int kMostCuts = 20;  // cuts of one step by failed regions
 // Longest probe as a share of a range, for fresh slopes along directions with little effect.
 constexpr double kLongestProbe = 0.2;
-constexpr int kProbeShortenings = 3;
+constexpr int kProbeShortenings = 3;  // halvings of a probe without room
 // Share of a step: a point nearer to a known one gives no information.
 constexpr double kSame = 0.1;
 

@@ -18,17 +18,17 @@ constexpr double kUnknown = 0.5;  // a direction to probe before any step
 constexpr double kPoor =
     0.02;  // a direction to probe when a step disappoints: no sample within 7 radii
 
-constexpr double kGoodGain = 0.5;
-constexpr double kBadGain = 0.1;
+constexpr double kGoodGain = 0.5;    // gain above which the radius may grow
+constexpr double kBadGain = 0.1;     // gain below which the radius shrinks
 constexpr double kGrowth = 2.0;      // least factor of the radius over the step after a good gain
 constexpr double kMostGrowth = 4.0;  // largest factor
-constexpr double kShrinkage = 0.7;   // factor of the radius after a bad gain
-constexpr double kMostShrinkage = 0.1;
-constexpr double kWidest = 0.5;  // half the cube's width
+constexpr double kShrinkage = 0.7;   // largest factor of the radius after a bad gain
+constexpr double kMostShrinkage = 0.1;  // least factor of the radius after a bad gain
+constexpr double kWidest = 0.5;         // half the cube's width
 
 constexpr double kSettled = 0.1;  // share of the initial radius: below it a flat model is believed
 
-constexpr int kFailuresToShrink = 2;
+constexpr int kFailuresToShrink = 2;  // number in a row that halves the radius
 constexpr int kFailuresToGiveUp = 4;  // number in a row after which this center gets no more probes
 constexpr int kDisappointments = 3;   // number in a row before noise is estimated
 constexpr double kDrowned = 1e4;      // noise relative to curvature: as large as the slopes
@@ -40,8 +40,8 @@ constexpr std::array kBoxes{1.0, 0.25, 2.0, 0.5, 0.1, 4.0, 0.03, 0.01};
 constexpr std::array kJumps{0.1, 1.0, 0.03, 0.3};
 
 // Constants of the verification:
-constexpr double kSharp = 0.1;  // shortest move for fresh slopes over the step tolerance
-constexpr double kWorthASearch = 0.5;
+constexpr double kSharp = 0.1;         // shortest move for fresh slopes over the step tolerance
+constexpr double kWorthASearch = 0.5;  // share of the value: below it a new search starts
 // Share of the value: less is verified again whatever the noise.
 constexpr double kBeyondNoise = 0.9;
 // Share of the first value: a ten-thousandth of the residuals.

@@ -15,7 +15,8 @@
 
 namespace latsch::ring_tire {
 
-/// Blocks (k, k + j), j = -reach .. reach, around the ring, of any matrix.
+/// The blocks (k, k + j), j = -reach .. reach, around the ring of a matrix that need not be
+/// symmetric.
 class WholeBand {
  public:
   explicit WholeBand(int nodes);

@@ -46,9 +46,9 @@ class SectionBending {
   void reset();
   /// Returns to the last keep().
   void restart() { field_ = kept_; }
-  /// Sets the nodes in contact, whose γ are the unknowns.
+  /// Moves γ along the ring so that it stays in space while the nodes move on by so many segments.
   void flow(double segments);
-  /// Nodes in contact from here on: the unknowns.
+  /// Sets the nodes in contact, whose γ are the unknowns.
   void touch(std::vector<int> nodes);
   const Field& field() const { return field_; }
   /// γ at the last accept(), to which restart() returns.

@@ -37,7 +37,7 @@ void turn_blocks(int nodes,
   });
 }
 
-/// Rows of panels, of eight nodes at a time: (same + B)^T. `same`: columns of four.
+/// Computes rows of panels, eight nodes at a time: (same + B)^T. `same` has columns of four.
 void fill_panels(int nodes, const double* const rows[16], const double* same, double* panels) {
   by_eight(0, nodes, [&](int k) {
     double* const to = panels + k * BandPanel::kSize;

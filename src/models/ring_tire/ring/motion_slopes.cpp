@@ -330,7 +330,7 @@ void MotionSlopes::find_right_sides() {
 /// Solves (29). The rotation of dampers and (31) are included by iteration: they are 1e-4 of the
 /// tangent in steps of 0.2 ms at 60 m/s, for a belt without damping.
 void MotionSlopes::solve() {
-  constexpr double kEnough = 1e-7;
+  constexpr double kEnough = 1e-7;  // relative error at which the iteration ends
   constexpr int kMost = 20;
   const double scale = 1.0 - tire_->settings_.dissipation;
   const auto size = [](const Columns& x) { return x.cwiseAbs().colwise().maxCoeff().eval(); };

@@ -344,7 +344,7 @@ void RingTire::follow() { ring_tire::follow(rule_, q1_, q_predicted_, v_predicte
 
 /// Renews the tangent at q1_, with more mass if it would not be definite otherwise.
 bool RingTire::renew_tangent() {
-  constexpr double kMostMass = 64.0;
+  constexpr double kMostMass = 64.0;  // largest factor on the mass
   for (double more = 1.0; more <= kMostMass; more *= 2.0) {
     if (!factorize(q1_, more * rule_.acceleration, 1.0 - settings_.dissipation, rule_)) continue;
     reuse_.made(more * rule_.acceleration);

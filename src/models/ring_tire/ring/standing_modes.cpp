@@ -80,7 +80,7 @@ void name_by_waves(StandingMode& mode, const Eigen::Vector4d& mass) {
 /// Returns the phase from the overlap with the mirror image in the plane x = 0, for node 0 lowest;
 /// u_t changes sign.
 char phase_of(const NodeValues& shape, const Eigen::Vector4d& mass) {
-  constexpr double kClear = 0.5;
+  constexpr double kClear = 0.5;  // least overlap of a symmetric or antisymmetric shape
   const int N = static_cast<int>(shape.cols());
   const Eigen::Vector4d mirrored(mass[0], -mass[1], mass[2], mass[3]);
   double overlap = 0.0;

@@ -65,7 +65,7 @@ bool RingTire::advance_along(const NodeValues& direction) {
 /// Minimizes the energy from q_ with frames, road and friction limits fixed.
 bool RingTire::relax() {
   constexpr int kMost = 60;
-  constexpr double kOfTolerance = 0.3;
+  constexpr double kOfTolerance = 0.3;  // share of the static tolerance at which it ends
   double shift = 0.0;
   for (int i = 0; i < kMost; ++i) {
     evaluate(q_, v1_);
@@ -85,7 +85,7 @@ bool RingTire::relax() {
 
 /// Finds the equilibrium at the rim's place, starting at q_.
 Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
-  constexpr int kRenewals = 40;
+  constexpr int kRenewals = 40;  // largest number before it counts as no equilibrium
   // A block on an edge of the road may alternate between its two planes: it keeps its plane after
   // this number of updates.
   constexpr int kLooksAtRoad = 12;

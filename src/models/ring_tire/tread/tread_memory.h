@@ -27,7 +27,7 @@ struct TreadTips {
 
 class TreadMemory {
  public:
-  /// No block touches.
+  /// A state without touching blocks.
   TreadMemory() = default;
   explicit TreadMemory(std::shared_ptr<const TreadTips> tips) : tips_(std::move(tips)) {}
 
