@@ -1,27 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models through the same tests beside a reference, by the spectra of what they record.
+// Runs models through the same tests and compares them with a reference by the spectra of what they
+// record.
 //
 //   distance   RMS(S - S_ref) / RMS(S_ref) over the lines of a band    [thesis K, 3.3]
 //   decibels   sqrt(mean (10 log10 S/S_ref)^2), the log-spectral distance, to which weak lines
 //              count like strong ones (measurement/band_level.h)
 //
-// Bands of a predicted density. A model that comes from fits stands at their best points, and what
-// these leave open (fit_posterior.h: independent directions of one deviation each, correlations
-// included) moves ln S, as do typed numbers, lognormal and independent. From slopes: ln S changes
-// by g_k along direction k, and the band is S exp(± z b),
+// Bands of a predicted density: a model that comes from fits is evaluated at their best points. The
+// uncertainty left by the fits (fit_posterior.h: independent directions of one deviation each,
+// correlations included) moves ln S, as do numbers stated by hand, which are lognormal and
+// independent. From slopes: ln S changes by g_k along direction k, and the band is S exp(± z b),
 //   b^2 = sum g_k^2 + sum delta(f)^2
-// z of the level, delta the error that a fit's own spectra show its model to make whatever its
-// numbers are (fit_discrepancy.h). From samples: quantiles of S over them, line by line, take the
-// place of the slopes.
+// with z the quantile of the level and delta the model error that a fit's own spectra show
+// (fit_discrepancy.h). From samples: line by line, the quantiles of S over the samples replace the
+// slopes.
 //
-// Coverage is the share of the reference's lines inside the band widened by the reference's noise:
-// with N the density of the noise and K independent segments a line measured of S is
+// Coverage is the share of the reference's lines inside the band widened by the reference's noise.
+// With N the density of the noise and K independent segments, a measured line of S is distributed
+// as
 //   (S + N) chi^2_h / h,   h = 2 K (S + N)^2 / (2 S N + N^2)
-// [Patnaik, Biometrika 36 (1949) 202: the noncentral chi^2], whose quantiles (chi_square.h) are
-// added to those of the band as roots of squares of logarithms.
+// [Patnaik, Biometrika 36 (1949) 202: the noncentral chi^2]. Its quantiles (chi_square.h) are added
+// to those of the band as roots of sums of squared logarithms.
 //
-// It is of each line alone. It knows nothing of numbers that no fit and no table names, nor of what
-// the models lack but the fits' rigs did not show.
+// Coverage treats each line alone. It ignores the uncertainty of numbers that no fit and no table
+// names, and model errors that did not show on the fits' rigs.
 #pragma once
 
 #include <functional>
@@ -37,11 +39,13 @@ namespace latsch::correlation {
 /// One model in one case; spectra by channel.
 struct ModelRun {
   std::vector<numerics::Density> densities;
-  std::vector<std::vector<double>> distance, decibels;  // by band and channel
-  std::vector<std::vector<double>> lower, upper;        // by channel and line; empty: no bands
-  std::vector<double> coverage;  // by channel, of lines in the first band; empty: no bands
-  std::vector<double> reach;     // by channel, of the bands there: mean half width of ln S
-  std::vector<double> told;      // means; NaN: it has not that channel
+  std::vector<std::vector<double>> distance, decibels;  // by channel and line; empty: no bands
+  std::vector<std::vector<double>> lower, upper;        // by channel: share of lines in the first
+                                                        // band; empty: no bands
+  std::vector<double> coverage;  // by channel: mean half width of the band of ln S
+  std::vector<double> reach;     // means of the `told` channels; NaN: the model does not record
+                                 // that channel
+  std::vector<double> told;      // CPU time of the run itself, s
   double cpu = 0.0;              // s, of the run itself
 
   /// Mean over the channels.
