@@ -36,64 +36,63 @@
 
 namespace latsch::correlation {
 
-/// One model in one case; spectra by channel.
+/// Result of one model in one case, with its spectra by channel.
 struct ModelRun {
   std::vector<numerics::Density> densities;
-  std::vector<std::vector<double>> distance, decibels;  // by channel and line; empty: no bands
-  std::vector<std::vector<double>> lower, upper;        // by channel: share of lines in the first
-                                                        // band; empty: no bands
-  std::vector<double> coverage;  // by channel: mean half width of the band of ln S
-  std::vector<double> reach;     // means of the `told` channels; NaN: the model does not record
+  std::vector<std::vector<double>> distance, decibels;  // by band and channel
+  std::vector<std::vector<double>> lower, upper;        // by channel and line; empty: no bands
+  std::vector<double> coverage;  // by channel: share of lines in the first band; empty: no bands
+  std::vector<double> reach;     // by channel: mean half width of the band of ln S
+  std::vector<double> told;      // means of the `told` channels; NaN: the model does not record
                                  // that channel
-  std::vector<double> told;      // CPU time of the run itself, s
-  double cpu = 0.0;              // s, of the run itself
+  double cpu = 0.0;              // CPU time of the run itself, s
 
-  /// Mean over the channels.
+  /// Returns the mean over the channels.
   double mean_distance(std::size_t band) const;
   double mean_decibels(std::size_t band) const;
 };
 
-/// What noise does to a measured line: its density, and how many spectra are averaged.
+/// Noise of a measured line: its density, and the number of spectra averaged.
 struct LineNoise {
   double density = 0.0;
   double segments = 1.0;
 
-  /// The logarithm of what a line of density S is measured as, over S + density, at z standard
-  /// deviations of a normal number.
+  /// Returns the logarithm of the measured value of a line of density S, over S + density, at z
+  /// standard deviations of a normal number.
   double log_quantile(double S, double z) const;
 };
 
 struct CaseComparison {
   std::vector<numerics::Density> reference;
-  std::vector<LineNoise> noise;  // of the reference, by channel
+  std::vector<LineNoise> noise;  // noise of the reference, by channel
   std::vector<ModelRun> models;
 };
 
 struct ModelComparison {
-  std::vector<FitPosterior> fits;  // as in the file
+  std::vector<FitPosterior> fits;  // in the order of the file
   std::vector<CaseComparison> cases;
   std::vector<experiment::Test::Picture> pictures;
 };
 
-/// What the reference shows in a case: all it records, with noise.
+/// Returns everything the reference records in a case, noise included.
 Channels record_reference(const ModelComparisonFile& file,
                           std::size_t index,
                           const experiment::Language& language);
-/// Of that, what is written and compared: time, channels, recorded.
+/// Returns the channels that are written and compared: time, compared and recorded ones.
 Channels kept_of(const ModelComparisonFile& file, const Channels& all);
-/// From its file where there is one, else simulated.
+/// Reads the reference from its file if it has one; otherwise simulates it.
 Channels reference_of(const ModelComparisonFile& file,
                       std::size_t index,
                       const experiment::Language& language);
 
-/// With so many threads; what comes out does not depend on their number. Throws InputError where
-/// records do not fit each other, std::runtime_error where a model does not come through.
+/// Runs the comparison with this many threads; the result does not depend on their number. Throws
+/// InputError if records do not fit each other, std::runtime_error if a model fails.
 ModelComparison compare_models(const ModelComparisonFile& file,
                                const experiment::Language& language,
                                int threads,
                                const std::function<void(long done, long all)>& tell = {});
 
-/// RMS(a - b) / RMS(b) over the lines of the band.
+/// Returns RMS(a - b) / RMS(b) over the lines of the band.
 double psd_distance(const numerics::Density& a, const numerics::Density& b, FrequencyBand band);
 
 }  // namespace latsch::correlation
