@@ -14,8 +14,7 @@ namespace latsch::correlation {
 
 inline constexpr double kShakenRate = 1000.0, kShakenLength = 0.5;          // Hz, s
 inline constexpr std::array<double, 5> kShakenTones = {4, 10, 20, 40, 80};  // Hz
-inline constexpr double kShakenAmplitude = 1e-3;                            // amplitude of each
-                                                                            // tone, m
+inline constexpr double kShakenAmplitude = 1e-3;                            // m, each tone
 
 /// Test kind = "shake": sums sines that fill whole lines of a half-second spectrum.
 class ShakeTest : public experiment::Test {

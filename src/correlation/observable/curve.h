@@ -46,7 +46,7 @@ struct CurveMeasurement {
   std::string y;
   std::string x_unit = "1", y_unit = "1";      // SI
   std::string x_shown = "1", y_shown = "1";    // units people read
-  std::vector<double> x_measured, y_measured;  // SI
+  std::vector<double> x_measured, y_measured;  // what counts as an error of 100 %
   double scale = 1.0;                          // of what is compared
 
   std::optional<NaturalAbscissa> natural;  // without x: channel over which the samples are drawn
