@@ -21,7 +21,7 @@ namespace latsch::correlation {
 
 struct Finding {
   Place place;
-  std::string sentence;     // what was found, what is usual, what to do
+  std::string sentence;     // the finding, what is usual, and advice
   bool impossible = false;  // true if no tire is like that; otherwise the number may be meant
 };
 

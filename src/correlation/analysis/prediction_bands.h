@@ -29,7 +29,7 @@ struct DelayBand {
 /// Band of one experiment: one value for each row of its observable, in its SI unit.
 struct ExperimentBand {
   std::vector<double> computed;      // at the best point; NaN for a mode without a partner
-  std::vector<double> lower, upper;  // of the 95 % band; NaN: not known; empty: none known
+  std::vector<double> lower, upper;  // ends of the 95 % band; NaN: not known; empty: none known
   std::vector<double> noise;         // standard deviation of each measured value, stated or
                                      // estimated
   int inside = 0, compared = 0;      // number of measured values inside band and noise, and number

@@ -38,7 +38,7 @@ FactorialEffects mean_effects(const ModelComparisonFile& file,
 
 struct GridSensitivity {
   std::size_t test = 0, varied = 0;
-  std::vector<std::vector<double>> mean;  // by model and level: mean distance in the first band
+  std::vector<std::vector<double>> mean;  // mean distance in the first band, [model][level]
   double range(std::size_t model) const;  // Returns the largest minus the smallest mean.
 };
 

@@ -59,7 +59,7 @@ struct ComparisonTest {
 struct Specimen {
   ComparedTire tire;
   double step = 0.0;                    // s; 0: the step of the test
-  std::map<std::string, double> noise;  // by channel
+  std::map<std::string, double> noise;  // standard deviation, for each channel
   long seed = 1;
 };
 

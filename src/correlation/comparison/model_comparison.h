@@ -39,10 +39,10 @@ namespace latsch::correlation {
 /// Result of one model in one case, with its spectra by channel.
 struct ModelRun {
   std::vector<numerics::Density> densities;
-  std::vector<std::vector<double>> distance, decibels;  // by band and channel
-  std::vector<std::vector<double>> lower, upper;        // by channel and line; empty: no bands
-  std::vector<double> coverage;  // by channel: share of lines in the first band; empty: no bands
-  std::vector<double> reach;     // by channel: mean half width of the band of ln S
+  std::vector<std::vector<double>> distance, decibels;  // [band][channel]
+  std::vector<std::vector<double>> lower, upper;        // [channel][line]; empty: no bands
+  std::vector<double> coverage;  // share of lines in the first band; empty: no bands
+  std::vector<double> reach;     // mean half width of the band of ln S, each channel
   std::vector<double> told;      // means of the `told` channels; NaN: the model does not record
                                  // that channel
   double cpu = 0.0;              // CPU time of the run itself, s

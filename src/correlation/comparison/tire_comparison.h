@@ -27,12 +27,12 @@ struct ComparedRecord {
   std::vector<double> force;  // N or N m
   numerics::Density density;
   std::vector<double> level;  // dB, by band
-  std::vector<bool> heard;    // by band, for measured records: the power exceeds the noise
+  std::vector<bool> heard;    // [band], of measured records: power exceeds noise
 };
 
 struct TireRun {
   std::vector<ComparedRecord> channels;
-  std::vector<double> time_error, psd_error;  // by channel, ratios
+  std::vector<double> time_error, psd_error;  // ratios, one for each channel
   double cpu_over_time = 0.0;                 // CPU time over simulated time
 };
 
@@ -44,10 +44,10 @@ struct TestComparison {
 
 /// Errors of one tire over all tests.
 struct TireSummary {
-  std::vector<double> time_error, psd_error;     // by channel, means over the tests
+  std::vector<double> time_error, psd_error;     // means over the tests, one for each channel
   std::vector<std::vector<double>> level_error;  // by channel and band, dB; NaN: hidden by noise in
                                                  // all tests
-  std::vector<FrequencyBand> follows;            // by channel, Hz; from 0 to 0: no band
+  std::vector<FrequencyBand> follows;            // Hz, each channel; from 0 to 0: no band
   double cpu_over_time = 0.0;                    // mean
 };
 

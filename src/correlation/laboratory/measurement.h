@@ -27,6 +27,11 @@
 //   [measurement.cornering.noise]   # of experiments that state none
 //   Fy = "20 N"
 //
+//   [experiment.side_force]
+//   kind = "curve"
+//   y = "steady/Fy"
+//   measurement = "cornering"       # or a file, of which nothing needs to be said
+//
 // The steps are done in the order above. Channels have Latsch's names and SI units, in iso axes,
 // whatever the file calls them: the vocabulary knows SA, SLIPANGL, slip angle and others as alpha
 // (measurement/meaning/channel_words.h). Signs and ranges of the remaining samples are checked.
@@ -34,9 +39,6 @@
 //
 // Forces and moments are Fx Fy Fz Mx My Mz; with TYDEX the frame is appended: FyW. Gaps matter only
 // in channels that something needs.
-//
-// Forces and moments are Fx Fy Fz Mx My Mz, of TYDEX with the frame behind it: FyW. Gaps matter
-// only in channels that something needs.
 #pragma once
 
 #include <filesystem>
@@ -62,7 +64,7 @@ class Measurement {
     bool is_stated = true;  // true if a [measurement.NAME] states it
     std::vector<std::filesystem::path> files;
     std::string frame;
-    std::vector<std::string> words;    // what was read and what each step left, one line each
+    std::vector<std::string> words;    // the read samples and the result of each step, one line each
     std::vector<std::string> one_way;  // steps that cannot be undone: "low_pass", ...
     std::map<std::string, MeasurementNoise> noise;
     std::map<std::string, std::string> left_out;   // columns that are no channels, with the reason

@@ -32,7 +32,7 @@ struct CloseModes {
 struct ComparedFrequency {
   int measured = 0;            // index of the measured mode
   double frequency = 0.0;      // Hz
-  std::vector<double> slopes;  // by each variable; empty: not known
+  std::vector<double> slopes;  // derivatives by each variable; empty: not known
   int beside = -1;             // index of the measured mode whose frequency contributes to this
                                // one; -1: none
 };

@@ -46,8 +46,8 @@ struct CurveMeasurement {
   std::string y;
   std::string x_unit = "1", y_unit = "1";      // SI
   std::string x_shown = "1", y_shown = "1";    // units people read
-  std::vector<double> x_measured, y_measured;  // what counts as an error of 100 %
-  double scale = 1.0;                          // of what is compared
+  std::vector<double> x_measured, y_measured;  // SI
+  double scale = 1.0;                          // size of an error of 100 %
 
   std::optional<NaturalAbscissa> natural;  // without x: channel over which the samples are drawn
   CurveComparison comparison;

@@ -95,7 +95,7 @@ struct RigFile {
   std::string pulses;  // channel of the toothed wheel's pulses; empty: the speed was recorded
   int teeth = 0;
   std::vector<std::string> also;
-  std::map<std::string, std::string> units;  // by channel
+  std::map<std::string, std::string> units;  // unit of each channel
   std::optional<double> circumference;       // m
   std::vector<double> speeds;                // m/s
   PlateauSettings plateaus;

@@ -51,7 +51,7 @@ struct Study;
 struct StudyTest {
   std::string name;
   std::shared_ptr<const experiment::Test> test;
-  std::string identity;                           // from experiment::ReadTest
+  std::string identity;                           // copied from experiment::ReadTest
   std::vector<std::filesystem::path> files = {};  // files the test was read from
   bool is_own = false;                            // true if the test is stated in the experiment of
                                                   // the same name

@@ -77,7 +77,7 @@ struct Study {
   std::filesystem::path file;
   std::string title;
   std::filesystem::path model_file;
-  Document model;  // as written; at(model, space, point) inserts the variables
+  Document model;  // file's content; at(model, space, point) inserts the variables
   DesignSpace space;
   std::vector<StudyExperiment> experiments;  // in the order of the file
   OptimizerSettings optimizer;

@@ -39,7 +39,7 @@ class MovedNumbers {
   void add(const std::string& path, const Moved& by);
 
   std::vector<std::string> paths_;
-  std::vector<Moved> moved_;  // by path
+  std::vector<Moved> moved_;  // one entry for each path
   std::size_t variables_;
 };
 

@@ -15,7 +15,7 @@ namespace latsch::correlation {
 struct RatedTrial {
   DesignPoint point;
   double target = 0.0;
-  double violation = 0.0;  // of the constraints on channels
+  double violation = 0.0;  // violation of the constraints on channels
 };
 
 /// Returns every requested trial that succeeded, in the order they finished, with its target

@@ -27,7 +27,7 @@ namespace latsch::correlation {
 /// For one variable, the residual whose slope disagrees most or has the largest error.
 struct CheckedSlope {
   std::string variable, row;             // "PKY1"; "side_force: steady/Fy, sample 3"
-  double slope = 0.0, difference = 0.0;  // of that residual, over the variable's range
+  double slope = 0.0, difference = 0.0;  // slopes of that residual over the variable's range
   double off = 0.0;  // |slope - difference| over the largest |slope| of the variable
   bool agrees = true;
 };

@@ -23,7 +23,7 @@ struct TargetParts {
   std::vector<double> mean_errors;  // mean |dF| or |df|
   std::vector<double> largest_errors;
   double priors = 0.0;     // P
-  double violation = 0.0;  // of the constraints on channels
+  double violation = 0.0;  // violation of the constraints on channels
 };
 
 class PartedTarget {

@@ -14,12 +14,16 @@
 //   largest_error = "10 %"             # of each, at most; one of the two or both
 //   source = "test report 4711, March 2025"
 //
+//   [check.vertical]                   # or one number of a channel, as a constraint of a study
+//   channel = "standing/vertical"
+//   of = "largest"                     # or smallest, mean, first, last
+//   lower = "200 N/mm"                 # and upper, or one of them
+//   upper = "240 N/mm"
+//   source = "drawing 12-345, sheet 2"
+//
 // Limits are inclusive. A measured mode without a partner has the error missing_mode. Keys that
 // weight a fit (weight, use, exponent, noise, loss) are not allowed here, because nothing is
 // fitted.
-//
-// Limits are inclusive. A measured mode without a partner has the error missing_mode. What weighs a
-// fit (weight, use, exponent, noise, loss) has no place here: nothing is fitted.
 #pragma once
 
 #include <filesystem>
