@@ -45,8 +45,8 @@ struct TestComparison {
 /// Errors of one tire over all tests.
 struct TireSummary {
   std::vector<double> time_error, psd_error;     // means over the tests, one for each channel
-  std::vector<std::vector<double>> level_error;  // by channel and band, dB; NaN: hidden by noise in
-                                                 // all tests
+  std::vector<std::vector<double>> level_error;  // dB, [channel][band]; NaN: noise hides it in all
+                                                 // tests
   std::vector<FrequencyBand> follows;            // Hz, each channel; from 0 to 0: no band
   double cpu_over_time = 0.0;                    // mean
 };

@@ -64,7 +64,7 @@ class Measurement {
     bool is_stated = true;  // true if a [measurement.NAME] states it
     std::vector<std::filesystem::path> files;
     std::string frame;
-    std::vector<std::string> words;    // the read samples and the result of each step, one line each
+    std::vector<std::string> words;    // samples read and result of each step, a line each
     std::vector<std::string> one_way;  // steps that cannot be undone: "low_pass", ...
     std::map<std::string, MeasurementNoise> noise;
     std::map<std::string, std::string> left_out;   // columns that are no channels, with the reason

@@ -137,7 +137,8 @@ std::vector<StudyExperiment> read_experiments(const Node& root,
 
 constexpr std::size_t kLargestMeasurement = std::size_t{2} << 30;
 
-/// A misspelled table makes another table missing. Names the first unknown table.
+/// A misspelled table makes another table missing. Reports the first unknown table that resembles
+/// a known one.
 void reject_unknown_table(const std::filesystem::path& file) {
   static const std::vector<std::string> kTables{"model",
                                                 "simulator",

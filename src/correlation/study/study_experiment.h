@@ -67,7 +67,7 @@ struct StudyExperiment {
   std::shared_ptr<const Measurement> read_from = {};    // the measurement, stated or not; its
                                                         // ledger is used
   std::filesystem::path shapes_file;                    // empty: no shapes
-  int measured_modes = 0;                               // number measured, or to be written for a twin
+  int measured_modes = 0;                               // number measured, or planned in a twin
   std::shared_ptr<const Observable> observable = {};
 
   /// Returns the number of measured values compared.
