@@ -121,8 +121,7 @@ class PowerLoss {
 
   std::string survivors(const Image& image) {
     constexpr double kTorn = 0.05;
-    const double share = std::clamp(2.0 * random_.uniform() - 0.5, 0.0, 1.0);  // chosen so that all,
-                                                                               // none or some survive
+    const double share = std::clamp(2.0 * random_.uniform() - 0.5, 0.0, 1.0);  // all, none, some
     std::string content = image.synced;
     for (const Change& change : image.since) {
       if (change.is_end) {
