@@ -64,7 +64,8 @@ TEST(OutcomePacking, KeepsEveryBitOfSmoothChannelsInAFifthOfTheRoom) {
 
 // Rounding and solver tolerances are noise, which earlier outcomes cannot predict.
 TEST(OutcomePacking, RoughChannelsTakeWhatTheirNoiseTakes) {
-  const double rough = share(search(100, 1e-3));  // of 1e3 N: 20 bits of 53 can be predicted
+  const double rough = share(search(100, 1e-3));  // forces near 1e3 N: 20 of 53 bits can be
+                                                  // predicted
   EXPECT_LE(rough, 0.5);
 }
 
@@ -113,7 +114,7 @@ TEST(OutcomePacking, ALostRowCostsThoseOfItsBlockAtMost) {
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const auto number = static_cast<std::int64_t>(i) + 1;
     const std::string bytes = packer.pack(number, outcomes[i]);
-    if (number == kLongestBlock + 1) continue;  // that row stands alone
+    if (number == kLongestBlock + 1) continue;  // a row that stands alone
     const auto back = unpacker.unpack(number, bytes);
     if (!back) ++lost;
     if (back) {
