@@ -224,7 +224,7 @@ struct CheckRow {
 
 struct StudyReport {
   std::string title;
-  std::string study_file, model_file;  // as a user would type them; may be empty
+  std::string study_file, model_file;  // file names for a command line; may be empty
   std::string tire;                    // for example "Tire B, 225/50R16"
   std::string date;                    // for example "2025-03-01"; may be empty
   std::string version;                 // program version; may be empty

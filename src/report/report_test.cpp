@@ -335,7 +335,7 @@ TEST(CurvePlot, ShowsEveryMeasuredValueAndTheProgramWhereItWasMeasured) {
     EXPECT_NE(plot.find(words), std::string::npos) << words;
   }
   EXPECT_EQ(plot.find("initial values"), std::string::npos);
-  // From 1 to 3 s every 0.1 s, "x,y" occurs 21 times between spaces.
+  // Samples every 0.1 s from 1 to 3 s give "x,y" 21 times between spaces.
   const size_t start = plot.find("points=\"") + 8;
   const std::string points = plot.substr(start, plot.find('"', start) - start);
   EXPECT_EQ(std::count(points.begin(), points.end(), ','), 21) << points;

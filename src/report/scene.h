@@ -65,7 +65,7 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Frame> frames;
   std::vector<Sequence> sequences = {};
-  std::vector<std::string> remarks = {};  // what is not shown, one sentence each
+  std::vector<std::string> remarks = {};  // parts that are not shown, one sentence each
 };
 
 /// Returns the tire as built, inflated, on the ground with the contact pressure, and its modes.

@@ -174,7 +174,7 @@ void move_typed(const Uncertainty& number, double spreads, Document& numbers) {
 /// A model with moved numbers.
 struct MovedModel {
   Document numbers;
-  double count = 1.0;  // one over the deviations moved: the bounds may leave no room for a whole one
+  double count = 1.0;  // one over the deviations moved, as bounds may not allow one
 };
 
 /// Moves a model by up to one deviation along a direction of a fit, to the side with more room.

@@ -4,7 +4,7 @@
 // "900 N .. 1200 N"      from, to; either may be missing: "30 s .."
 //   "0 deg +- 0.3 deg"     about a value; "0 +- 0.3 deg": one unit for both
 //   "rising", "falling"    between the turning points of a channel, where it goes back by
-//                          more than 5 % of its range; so neither noise nor the sampling rate matters
+//                          more than 5 % of its range, so neither noise nor sampling rate matters
 #pragma once
 
 #include <optional>

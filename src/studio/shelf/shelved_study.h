@@ -40,7 +40,7 @@ class ShelvedStudy {
   };
   /// Checks the files and reads at most this many new trials.
   Changes refresh(long most_trials);
-  /// From now on counts the study as not running, for a report at the end of its own run.
+  /// Counts the study as not running from now on, for a report at the end of its own run.
   void ignore_runs() { ignores_runs_ = true; }
   /// True if refresh() has not read everything yet.
   bool has_more() const;
