@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs several tires through the same drum tests and compares each with the measurement.
 //
-// time error   RMS(F_sim - F_mea) / RMS(F_mea), both about their means
+//   time error   RMS(F_sim - F_mea) / RMS(F_mea), both about their means
 //   PSD error    RMS(S_sim - S_mea) / RMS(S_mea) over the lines of the band [thesis K, 3.3]
 //   level error  L_sim - L_mea in third-octave bands, dB; root mean square over the tests
 //

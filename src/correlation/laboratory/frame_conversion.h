@@ -6,9 +6,10 @@
 //   from C to H   F_H = A F_C             M_H = A M_C
 //   from C to W   F_W = A F_C             M_W = A M_C - r x F_W
 //
-// r = R_l (0, sin gamma, -cos gamma) points from the wheel center to the contact point; A is the
-// turn
-//   about x by gamma. The opposite directions use the inverses.
+//   r = R_l (0, sin gamma, -cos gamma)     from the wheel center to the contact point
+//   A                                      the turn about x by gamma
+//
+// The opposite directions use the inverses.
 //
 // gamma is the camber and R_l the loaded radius along the wheel plane; divide a height of the wheel
 // center above the road by cos gamma first. The formulas follow from the positions of the frames

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Selects samples of a recording by windows of values and by the direction of a sweep.
 //
-// "900 N .. 1200 N"      from, to; either may be missing: "30 s .."
+//   "900 N .. 1200 N"      from, to; either may be missing: "30 s .."
 //   "0 deg +- 0.3 deg"     about a value; "0 +- 0.3 deg": one unit for both
 //   "rising", "falling"    between the turning points of a channel, where it goes back by
 //                          more than 5 % of its range, so neither noise nor sampling rate matters

@@ -20,6 +20,7 @@
 // The error of sample i is
 //
 //   d_i = (y_i^mea - y^sim(x_i^mea)) / scale
+//
 // with the simulated curve linear between its samples.
 #pragma once
 

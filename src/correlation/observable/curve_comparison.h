@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Properties of two curves y(x) that are compared. Each value is a residual of its own:
 //
-// values       y at every measured x: the time series, or force over slip
+//   values       y at every measured x: the time series, or force over slip
 //   about_mean   y minus its mean: a constant offset does not count
 //   psd          power spectral density of y over time: neither an offset nor a phase counts
 //                [thesis K, 3.3: the cost is the RMS between the densities, exponent = 2]

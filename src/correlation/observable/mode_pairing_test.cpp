@@ -119,9 +119,9 @@ std::vector<ModeRecord> crossing(double p, double k, double other) {
 TEST(CompareModes, FrequenciesAreContinuousThroughACrossingOfOneN) {
   const std::vector<ModeRecord> measured{labeled(81.4, 2, ModeType::lateral),
                                          labeled(81.7, 2, ModeType::radial)};
-  constexpr double kStep = 1e-4;  // step of p; a frequency moves by at most 4 kStep, and by three
+  constexpr double kStep = 1e-4;  // step of p, which moves a frequency by at most 4 kStep
   constexpr double kMost =
-      15.0 * kStep / 81.0;  // times that while names begin to hold, over 1 %
+      15.0 * kStep / 81.0;  // includes three more such steps while names begin to hold, over 1 %
   for (const double k : {0.0, 1e-6, 0.05, 0.15, 0.35}) {
     for (const double other : {0.0, 0.1}) {
       std::vector<double> last;

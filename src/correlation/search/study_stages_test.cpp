@@ -45,7 +45,7 @@ TEST_F(StudyStages, EachBeginsWhereTheOneBeforeEndedAndTheLastHasTheModelAsItIs)
   EXPECT_NEAR(found.values[0], 1.3, 1e-3);
   EXPECT_NEAR(found.values[1], -22.0, 0.05);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "study.coarse.latsch"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "study.narrow.latsch"));  // the same model
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "study.narrow.latsch"));  // no new model
   EXPECT_EQ(Journal::read(folder_ / "study.latsch", identity(study)).identity(), identity(study));
 }
 

@@ -268,8 +268,7 @@ TEST_F(RollingStudy, ComplaintsSayWhereAndWhatIsExpected) {
   const auto from = text.find("[test.steady]"), to = text.find("[variable.grip]");
   const std::string missing = complaint(text.substr(from, to - from), "");
   EXPECT_NE(missing.find("[test] is missing"), std::string::npos) << missing;
-  EXPECT_EQ(complaint(text.substr(0, from), "\nmodel = \"tire.tir\"\n"), "");  // its file states the
-                                                                               // kind
+  EXPECT_EQ(complaint(text.substr(0, from), "\nmodel = \"tire.tir\"\n"), "");  // stated by its file
   EXPECT_NE(missing.find("[test.cleat]\n    file = \"cleat.toml\""), std::string::npos) << missing;
   EXPECT_NE(complaint("\"PDY1\"", "\"PDY11\"").find("PDY1"), std::string::npos);
   EXPECT_NE(complaint("\"100 N/mm\"", "\"-100 N/mm\"").find("does not accept"), std::string::npos);

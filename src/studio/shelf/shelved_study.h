@@ -88,9 +88,7 @@ class ShelvedStudy {
   std::string error_;          // error of the file
   std::string journal_fault_;  // why the journal does not belong to the study: none of it is shown
   std::string journal_error_;  // why the rest of the journal cannot be read
-  std::map<std::filesystem::path, std::filesystem::file_time_type> read_at_;  // modification time at
-                                                                              // reading, for each
-                                                                              // file
+  std::map<std::filesystem::path, std::filesystem::file_time_type> read_at_;  // at last reading
   std::filesystem::file_time_type changed_ = std::filesystem::file_time_type::min();
   std::shared_ptr<const correlation::Study> whole_;  // study as written in the file
   std::shared_ptr<const correlation::Study> study_;  // stage that is shown, with its noise
