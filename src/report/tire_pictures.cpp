@@ -185,8 +185,7 @@ std::string section_picture(const fe_tire::Mesh& mesh,
                cord_color(plies.at(rebar.layer)));
     }
   }
-  if (inflated) {  // edges of the outer faces, drawn element by element, so their order does not
-                   // matter
+  if (inflated) {  // draws the edges of the outer faces element by element
     for (const fe_tire::Element& element : mesh.elements) {
       const std::array<Point, 4> at = section_corners(element, grown);
       if (element.inner) svg.line(window(at[0]), window(at[1]), "class=\"inflated\"");

@@ -15,7 +15,7 @@ struct KnownChannel {
   std::string name;        // "response/z": OUTPUT/QUANTITY
   std::string unit;        // unit in which people read it
   std::string frame = "";  // "W", "H" or "C" if a rig records this force or moment
-  std::optional<experiment::Regression> regression = {};  // for a slope: its two channels
+  std::optional<experiment::Regression> regression = {};  // for a slope: how it is computed
 };
 
 /// Returns nullptr if none has that name.
