@@ -3,18 +3,15 @@
 //
 // - A point that was evaluated, is being evaluated or is being stored is not started again.
 // - A point is started at most `retries` + 2 times, including all copies: once, once more for a
-// loss
-//   that is not its own fault, and as often as the failure policy asks for. A start whose worker
-//   was
-//   lost before it began (Cause::not_begun) does not count.
+//   loss that is not its own fault, and as often as the failure policy asks for. A start whose
+//   worker was lost before it began (Cause::not_begun) does not count.
 // - A trial whose worker was lost (Cause::transient) says nothing about its point and is repeated
 //   until its starts are used up: if a point needs too much memory, the system kills every worker
 //   that tries it. Other failures are repeated as the failure policy says.
 // - A straggler runs much longer than the median while a worker is idle. It is started a second
 //   time, once. Evaluators are pure, so whichever copy ends first with channels gives the same
-//   bits.
-//   A copy that is lost or expires counts, and the other one continues; a point that has expired or
-//   failed gets no new copy, because it would do so again.
+//   bits. A copy that is lost or expires counts, and the other one continues; a point that has
+//   expired or failed gets no new copy, because it would do so again.
 // - An outcome counts once it is on the disk.
 //
 // - A wanted point that is no longer named is withdrawn if it has not started. A running trial may

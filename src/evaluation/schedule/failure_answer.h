@@ -2,10 +2,9 @@
 // Values that replace a failure for the optimizer, if the failure policy asks for them. The trial
 // itself stays a failure in the journal, in the trajectory and in the report.
 //
-// recover       A declared penalty, larger with the distance from the successful points, for
-// methods
-//               that cannot handle a failure. All residuals are equal, and their sum of squares is
-//               the penalty; nonlinear constraints count as violated by 1.
+// recover       A declared penalty, equal for all failed points, for methods that cannot handle a
+//               failure. All residuals are equal, and their sum of squares is the penalty;
+//               nonlinear constraints count as violated by 1.
 // continuation  The failed point t is approached from the nearest successful point s of the
 //               trajectory, in the unit cube of the design space:
 //                 m = (s + t) / 2;  s = m if m succeeds, else t = m;  repeated `halvings` times
