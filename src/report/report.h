@@ -179,7 +179,7 @@ struct EffectRow {
 
 struct RunFacts {
   std::string method;  // for example "GSS", "full factorial 5 x 5"
-  std::string ended;   // from Run::ending, for example "at a minimum: ..."
+  std::string ended;   // text of Run::ending, for example "at a minimum: ..."
   int trials = 0, failures = 0, workers = 1;
   double wall_time = 0.0;                                    // s
   double cpu_time = 0.0;                                     // s over all trials

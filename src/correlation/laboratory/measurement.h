@@ -6,7 +6,7 @@
 //   [measurement.cornering]
 //   file = "run4.dat"               # .csv .txt .dat .mat .tdx .tda .tdb; or files = ["a.dat", ...]
 //   axes = "sae"                    # signs of the file: iso (unless given), adapted_sae, sae
-//   frame = "W"                     # of forces and moments whose names do not say it
+//   frame = "W"                     # frame of forces and moments whose names omit it
 //   columns = {Fz = "LOAD", p = "P_kPa [kPa]"}  # our name = the file's column, with a unit where
 //                                               # the file states none; "-LOAD" changes the sign
 //   zero = {channels = ["Fy"], time = "0 s .. 2 s"}  # less their means of that time
@@ -30,7 +30,7 @@
 //   [experiment.side_force]
 //   kind = "curve"
 //   y = "steady/Fy"
-//   measurement = "cornering"       # or a file, of which nothing needs to be said
+//   measurement = "cornering"       # or a file, which needs no table
 //
 // The steps are done in the order above. Channels have Latsch's names and SI units, in iso axes,
 // whatever the file calls them: the vocabulary knows SA, SLIPANGL, slip angle and others as alpha

@@ -8,9 +8,9 @@
 //   measurement = "step.csv"           # columns time and z, as the channels are called; or the
 //                                      # name of a [measurement.NAME]
 //   frame = "W"                        # of a measured force or moment; a column may say it itself
-//                                      # ("FyW"). Not that of the test (rigs/hub_frame.h):
-//                                      # refused; in_frame of a [measurement.NAME] turns it.
-//                                      # Default: taken for the test's
+//                                      # ("FyW"). Another frame than the test's
+//                                      # (rigs/hub_frame.h) is refused; in_frame of a
+//                                      # [measurement.NAME] turns it. Default: the test's
 //   scale = "10 mm"                    # an error of 100 %; the largest |y| unless given
 //   compare = "values"                 # or "about_mean", "psd", "band_levels", "path": what of it
 //                                      # is compared, see curve_comparison.h

@@ -17,8 +17,8 @@
 //   rim = "dummy"                        # or "real"
 //   load = "4 kN"
 //   noise = "15 N"
-//   modes = [["45 Hz", "5 %", "400 N"], ["92 Hz", "4 %", "250 N"]]   # frequency, damping,
-//   amplitude
+//   modes = [["45 Hz", "5 %", "400 N"], ["92 Hz", "4 %", "250 N"]]
+//                                        # frequency, damping, amplitude
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 // The model of a study on a finer mesh or with smaller steps. A fit absorbs the discretization
 // error into its values; the refined model shows by how much.
 //
-//   [refined]                       # evaluated once, where the numbers were found
+//   [refined]                       # evaluated once, at the values found
 //   model.belt.nodes = 200          # numbers of the model, as in a stage
 //   model.tread.blocks = 20
 //   [refined.test.slow]             # in place of the test of that name, written as [test.NAME]

@@ -16,7 +16,7 @@
 //   look_ahead = 4                     # points proposed ahead for every worker of several, where
 //                                      # that is not slower than the trials themselves
 //
-// What else on_failure may be:
+// Other values of on_failure are:
 //   on_failure = "abort"               # the run ends
 //   on_failure = "retry"               # once more, `retries` times, then as "proceed"
 //   retries = 1

@@ -13,8 +13,8 @@
 //   [experiment.stiffness]                    # see study_experiment.h
 //   [constraint.stiff_enough]                 # see channel_constraint.h
 //
-//   [optimizer]                               # see study_optimizer.h; where it starts:
-//   study_start.h [stage.coarse]                            # see study_stages.h
+//   [optimizer]                               # see study_optimizer.h, study_start.h
+//   [stage.coarse]                            # see study_stages.h
 //   [refined]                                 # see refinement.h
 //
 //   [doe]                                     # see study_design.h
