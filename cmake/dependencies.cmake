@@ -1,4 +1,4 @@
-# What Latsch stands on; Debian 12 packages, installed by tools/install_packages.sh from these lines:
+# Dependencies of Latsch: Debian 12 packages, which tools/install_packages.sh installs from these lines.
 # apt: g++ cmake ninja-build python3
 # apt: libfmt-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
 # apt: libsqlitecpp-dev libsqlite3-dev libudunits2-dev libopenblas-serial-dev libmetis-dev
@@ -8,9 +8,9 @@
 # apt: libzip-dev
 # The studio's server: Boost.Beast and Asio, headers alone:
 # apt: libboost-dev
-# The Python package; the program is built without it where these are not there:
+# The Python package needs these; without them the program is built without it:
 # apt: python3-dev pybind11-dev python3-numpy
-# For runs on the ranks of an MPI job; the program is built without it where it is not there:
+# Runs on the ranks of an MPI job need these; without them the program is built without MPI:
 # apt: libopenmpi-dev openmpi-bin
 # Tests and benchmarks compare with these independent programs; the product does not use them:
 # apt: libgtest-dev libgmock-dev calculix-ccx python3-scipy python3-numpy libnlopt-dev libxml2-utils
@@ -18,11 +18,11 @@
 # apt: libsimbody-dev
 # ./bench.sh slurm starts a Slurm of one node with these (7 MB; no daemon of theirs has to run):
 # apt: slurmctld slurmd slurm-client munge
-# The page of the studio is built by npm (apps/web); installed where the commands are missing: another Node than Debian's has
-# packages that exclude Debian's npm. Latsch is built without the page where there is none.
+# The page of the studio is built by npm (apps/web). They are installed only if the commands are missing, because another Node
+# than Debian's has packages that exclude Debian's npm. Without npm, Latsch is built without the page.
 # apt-command: node nodejs
 # apt-command: npm npm
-# Its tests run in this browser:
+# The tests of the page run in this browser:
 # apt: chromium
 # A file system in user space for the test of a journal on one:
 # apt: bindfs
@@ -57,7 +57,7 @@ add_library(libzip INTERFACE IMPORTED)
 target_link_libraries(libzip INTERFACE ${LIBZIP_LIBRARY})
 target_include_directories(libzip INTERFACE ${LIBZIP_INCLUDE})
 
-# BLAS and LAPACK of OpenBLAS, the build without threads: a trial is one thread.
+# BLAS and LAPACK come from OpenBLAS in the build without threads, because a trial is one thread.
 find_library(OPENBLAS_LIBRARY openblas REQUIRED
              PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/openblas-serial NO_DEFAULT_PATH)
 add_library(lapack_blas INTERFACE IMPORTED)
@@ -67,7 +67,7 @@ target_link_libraries(lapack_blas INTERFACE
   -Wl,--push-state,--no-as-needed ${OPENBLAS_LIBRARY} -Wl,--pop-state ${CMAKE_DL_LIBS})
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 
-# Nested dissection of sparse matrices.
+# METIS orders sparse matrices by nested dissection.
 find_library(METIS_LIBRARY metis REQUIRED)
 find_path(METIS_INCLUDE metis.h REQUIRED)
 add_library(metis INTERFACE IMPORTED)

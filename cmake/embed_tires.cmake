@@ -1,4 +1,5 @@
-# The tires of studies/tires as a C++ source, for `latsch new`: the files stay the only copy.
+# Embeds the tires of studies/tires as a C++ source for `latsch new`, so that the files stay the
+# only copy.
 function(latsch_embed_tires program)
   file(GLOB tires CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/studies/tires/*.toml)
   list(FILTER tires EXCLUDE REGEX "comparison_")
@@ -22,7 +23,7 @@ const std::vector<latsch::cli::TireTemplate>& latsch::cli::tire_templates() {
   target_sources(${program} PRIVATE ${CMAKE_BINARY_DIR}/generated/tire_templates.cpp)
 endfunction()
 
-# A file as a C++ source: what `function`, declared in `header`, returns.
+# Embeds a text file as a C++ source. `function`, declared in `header`, returns the text.
 function(latsch_embed_text program file header function)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${file})
   file(READ ${CMAKE_SOURCE_DIR}/${file} text)

@@ -17,7 +17,7 @@ install(FILES ${CMAKE_SOURCE_DIR}/cmake/latsch-config.cmake
               ${CMAKE_BINARY_DIR}/latsch-config-version.cmake
         DESTINATION ${package_directory} COMPONENT development)
 
-# man latsch, from what the program says of itself.
+# Makes `man latsch` from the program's own help.
 set(manual ${CMAKE_BINARY_DIR}/latsch.1)
 add_custom_command(OUTPUT ${manual}
                    COMMAND python3 ${CMAKE_SOURCE_DIR}/tools/man_page.py $<TARGET_FILE:latsch> ${manual}

@@ -1,5 +1,5 @@
-# One static library a module of src/: every .cpp in its folder and in its rooms, with their *_test.cpp files as one
-# test program.
+# Builds one static library for each module of src/ from every .cpp in its folder and in its rooms,
+# with their *_test.cpp files as one test program.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -19,7 +19,8 @@ endif()
 
 add_compile_options(-Wall -Wextra -Wno-psabi -ffp-contract=off)
 
-# GCC copies structs of registers by sixteen bytes; what is read back by 32 then waits for the stores.
+# GCC copies structs of registers in pieces of sixteen bytes; reading them back in pieces of 32 then
+# waits for the stores.
 include(CheckCXXCompilerFlag)
 check_cxx_compiler_flag("-mmove-max=256 -mstore-max=256 --param=sra-max-scalarization-size-Ospeed=2048" LATSCH_HAS_MOVE_MAX)
 if(LATSCH_HAS_MOVE_MAX)
@@ -30,9 +31,9 @@ if(LATSCH_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
-# Files of kernels in a build with sanitizers. Every one of their thousands of inlined vector operations checked by itself
-# takes the compiler a quarter of an hour a file: memory beyond the stack is what is still watched there. Called once
-# all other options of files are set.
+# Limits the sanitizers for files of kernels. Checking each of their thousands of inlined vector
+# operations would take the compiler a quarter of an hour for each file, so only memory beyond the
+# stack is checked there. Must be called after all other options of files are set.
 function(latsch_sanitize_kernels_lightly)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.cpp)
   foreach(source ${sources})
@@ -43,26 +44,27 @@ function(latsch_sanitize_kernels_lightly)
   endforeach()
 endfunction()
 
-# For what is compiled more often than its speed is felt.
+# Sets -O1 for targets that take longer to compile than their speed is worth.
 function(latsch_optimize_little)
   foreach(target ${ARGN})
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endforeach()
 endfunction()
 
-# Eight files at a time as one, so that what they include is read once: names in their anonymous namespaces have to
-# differ from file to file. Not for what is computed a million times, where each file has its own options.
+# Compiles eight files at a time as one, so that their includes are read once. Names in their
+# anonymous namespaces must differ from file to file. Not for inner loops that run a million times,
+# where each file has its own options.
 function(latsch_compile_together)
   set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON)
-  foreach(target ${ARGN})  # a header that is none: classes may have members of anonymous types in it
+  foreach(target ${ARGN})  # a unit file is no header: members may have anonymous types
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endforeach()
 endfunction()
 
 function(latsch_sources out folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "_test(ing)?\\.cpp$|/mpi/")  # mpi.cmake has a library of its own
-  list(SORT sources COMPARE FILE_BASENAME)  # a room more leaves together what is compiled together
+  list(FILTER sources EXCLUDE REGEX "_test(ing)?\\.cpp$|/mpi/")  # mpi.cmake makes its library
+  list(SORT sources COMPARE FILE_BASENAME)  # so a new room leaves the groups of files unchanged
   set(${out} ${sources} PARENT_SCOPE)
 endfunction()
 
@@ -102,8 +104,9 @@ function(latsch_module folder)
   latsch_tests(src/${folder} ${name} latsch::${name})
 endfunction()
 
-# Modules that shared libraries are made of as well as programs: one set of object files for both. Functions are called
-# and inlined as without (no other library may replace them).
+# Makes modules that are linked into shared libraries as well as programs: one set of object files
+# for both. Functions are called and inlined as without this option, because no other library may
+# replace them.
 function(latsch_position_independent)
   foreach(name ${ARGN})
     get_target_property(type latsch_${name} TYPE)
@@ -128,7 +131,7 @@ function(latsch_program folder program)
   install(TARGETS ${program} COMPONENT program)
 endfunction()
 
-# Every folder below that has a CMakeLists.txt.
+# Adds every subfolder that has a CMakeLists.txt.
 function(latsch_subdirectories folder)
   file(GLOB lists CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*/CMakeLists.txt
                                     ${CMAKE_SOURCE_DIR}/${folder}/CMakeLists.txt)

@@ -18,7 +18,8 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
-set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # what a component holds is built by its targets, without every test
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # each component is built by its own targets, without the
+                                           # tests
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME latsch)
 set(CPACK_DEBIAN_PROGRAM_FILE_NAME DEB-DEFAULT)

@@ -1,5 +1,5 @@
-# Where MPI is installed (Debian: libopenmpi-dev), the program also runs its trials on the ranks of an MPI job.
-# Only the program: whoever links the libraries needs no MPI.
+# If MPI is installed (Debian: libopenmpi-dev), the program also runs its trials on the ranks of an
+# MPI job. This concerns only the program: users of the libraries need no MPI.
 set(MPI_CXX_SKIP_MPICXX ON)
 find_package(MPI COMPONENTS CXX QUIET)
 if(MPI_CXX_FOUND)

@@ -24,8 +24,8 @@ BELOW = {
                "correlation"],
 }
 
-# The rooms of a module: each may use those before it and itself, so no two use each other. What stands in the
-# module's own folder is used by none of them and uses what it likes. Tests look into any room.
+# Rooms of a module: each may use itself and the rooms before it, so no two use each other. Files in
+# the module's own folder may use all rooms, and no room uses them. Tests may use any room.
 ROOMS = {
     "base": ["unit_words", "toml"],
     "numerics": ["kernels", "dense", "sparse", "signals"],
@@ -41,7 +41,7 @@ ROOMS = {
     "studio": ["http", "shelf", "views"],
 }
 
-# Rooms that use less than their module may.
+# Rooms that may use less than their module.
 NARROW_ROOMS = {"studio/http": ["base"]}
 
 # One model does not use another, except these: every tire rolls on a road, the rigid ring's slip forces are the
@@ -50,9 +50,9 @@ MODELS = {"road": [], "tire": ["road"], "rigid_ring": ["road", "tire", "magic_fo
           "suspension": ["multibody"], "car": ["road", "tire", "multibody", "suspension"]}
 EVERY_TIRE = ["road", "tire"]
 
-# Studies are of any model: what is written once for all of them knows none.
+# Studies work with models of any kind, so the code shared by all of them knows no model.
 KNOWS_NO_MODEL = "correlation"
-# So are the verbs of the program, but for those that are of a model by their purpose.
+# The verbs of the program know no model either, except those that concern one by their purpose.
 VERBS_OF_MODELS = {"export", "exported_bushings", "mesh", "road", "shown_bushing", "shown_file", "shown_tire"}
 KIND_BY_NAME = re.compile(r'name\(\)\s*[!=]=\s*"(fe_tire|ring_tire|rigid_ring|magic_formula)"')
 
@@ -61,7 +61,7 @@ MOST_COLUMNS = 100  # ColumnLimit of .clang-format
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent / "src"
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
-APPENDS = "apps/cli/console/console.cpp"  # a log: written through whatever it is
+APPENDS = "apps/cli/console/console.cpp"  # a log, written to any kind of file
 WRITING = re.compile(r"\b(ofstream|fopen|rename)\b(?!\))")
 
 
@@ -131,7 +131,7 @@ def models_in_verbs():
 def crowds():
     for top in ("src", "apps", "benchmarks", "verification", "tools"):
         for folder in [SOURCE.parent / top, *(SOURCE.parent / top).rglob("*")]:
-            if {"node_modules", "dist"} & set(folder.parts):  # what npm has installed and built
+            if {"node_modules", "dist"} & set(folder.parts):  # folders that npm has made
                 continue
             files = sum(1 for file in folder.iterdir() if file.is_file()) if folder.is_dir() else 0
             if files > MOST_FILES:

@@ -27,5 +27,5 @@ cp /etc/resolv.conf "$root/etc/resolv.conf"
 mkdir -p "$root/packages"
 cp -r "$packages"/*.deb tools/try_packages.sh studies/compliance "$root/packages"
 cp studies/ring_tires/passenger_205_55R16.toml "$root/packages/tire.toml"
-# /proc is mounted for these processes alone and goes with the last of them.
+# /proc is mounted for these processes alone and disappears with the last of them.
 unshare --mount --pid --fork --mount-proc="$root/proc" chroot "$root" sh /packages/try_packages.sh

@@ -16,7 +16,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-SKIPPED = 77  # for ctest
+SKIPPED = 77  # exit code that ctest counts as skipped
 
 
 def output(*command):

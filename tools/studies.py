@@ -53,8 +53,8 @@ TREE = pathlib.Path(__file__).resolve().parents[1]
 STUDIES = TREE / "studies"
 BEGIN, END = "<!-- tools/studies.py: begin -->", "<!-- tools/studies.py: end -->"
 MOST_AT_THE_TRUTH = 1e-8
-MOST_ROWS = 24  # of a table in a README
-LITTLE = 1e-5  # of the measured: errors below are rounding
+MOST_ROWS = 24  # rows of a table in a README
+LITTLE = 1e-5  # share of the measured value: smaller errors are rounding
 HEAD = """\
 # What the studies of this folder come to. tools/studies.py checks it, renews the numbers and writes the block of README.md
 # from them; quick, tolerance, reason, truth and [data] are written by hand. See the head of tools/studies.py.
@@ -393,7 +393,7 @@ def renew(latsch, names, with_data):
                     content[study].update(run(latsch, place / study))
                     print(f"{folder.relative_to(STUDIES)}/{study}: target {content[study]['target']:.6g}, "
                           f"{content[study]['cpu_seconds']} s", flush=True)
-                    write(file, content)  # also where a later one fails or is interrupted
+                    write(file, content)  # also if a later study fails or is interrupted
                     write_readme(folder, read(file))
     return 0
 

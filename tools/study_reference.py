@@ -17,8 +17,8 @@ TESTS = TREE / "src" / "experiment"
 ROADS = TREE / "src" / "models" / "road"
 PAGE = TREE / "docs" / "study_reference.md"
 
-# Heading, name of header and source. `latsch help study` leaves out what is headed as a test that its program does not
-# have. A reader of a study that is missing here ends the program with a complaint.
+# Heading, and name of header and source. `latsch help study` omits headings of tests that its
+# program does not have. If a reader of a study is missing here, the program ends with an error.
 SECTIONS = [
     ("A study", "study"),
     ("model, [model], [test.NAME]", "specimens"),
@@ -63,7 +63,7 @@ SECTIONS = [
     ("[run]", "run_settings"),
     ("A suite: acceptance of a model", "suite"),
 ]
-OTHER_ROOMS = {"rig_data", "comparison"}  # they read files that are no studies
+OTHER_ROOMS = {"rig_data", "comparison"}  # these rooms read files that are no studies
 
 FILE = re.compile(r"\bsource\.file\(\s*\w+,\s*\"([^\"]*)\"\s*\)")  # opens a file that a test names
 GETTER = re.compile(r"\b\w+(?:->|\.)(quantity|quantities|one_or_more|choice|integer|flag|texts?|rows)\(\s*(\w+|\"[^\"]*\")\s*([,)])")
@@ -216,7 +216,7 @@ def section(heading, name):
             lines += ["```", ""]
         code = indented or (code and not line)
         shown = without_pointers(line[2:] if code else line)
-        if shown.startswith(":"):  # what stood in parentheses before it was a header
+        if shown.startswith(":"):  # the text in parentheses before it was a header
             lines[-1] += shown
             continue
         lines.append(re.sub(r"#\s*$", "", shown).rstrip())

@@ -10,7 +10,7 @@ function(run)
   endif()
 endfunction()
 
-# The page is the only copy of its program, and of what the program prints.
+# The page holds the only copy of its program and of the program's output.
 file(READ ${SOURCE}/docs/optimization_api.md page)
 string(FIND "${page}" "```cpp\n" begin)
 math(EXPR begin "${begin} + 7")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which study a journal belongs to: all a trial depends on is in the identity, however many files
-// it stands in, and nothing else is.
+// The identity of the study that a journal belongs to contains everything a trial depends on, in
+// however many files, and nothing else.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -34,7 +34,7 @@ constexpr const char* kKeys =
     "kind = \"kerb\"\nspeed = \"10 m/s\"\nduration = \"0.1 s\"\n[ROADroad]\nfile = \"NAME\"\n"
     "beyond_edge = \"continue\"\n";
 
-/// A car of several files, one of them of hardpoints and one of a bushing, driven over a road.
+/// A car of several files, one of them of hardpoints and one of a bushing, is driven over a road.
 class IdentityOfStudies : public testing::Test {
  protected:
   IdentityOfStudies() {
@@ -161,7 +161,7 @@ TEST_F(IdentityOfStudies, WhatVariesCounts) {
   EXPECT_EQ(differs("study.toml", "upper = \"80 N/mm\"", "upper = \"90 N/mm\""), "");
 }
 
-// A journal of a program that wrote tests otherwise is told from one of another study.
+// A journal of a program that wrote tests differently is distinguished from one of another study.
 TEST_F(IdentityOfStudies, AnOlderJournalIsRefusedInWordsAndMayBeAdopted) {
   const StudyIdentity now = read();
   StudyIdentity old = now;
@@ -177,7 +177,8 @@ TEST_F(IdentityOfStudies, AnOlderJournalIsRefusedInWordsAndMayBeAdopted) {
   EXPECT_FALSE(is_same_but_for_versions(old, read()));
 }
 
-// Everything in [simulator] that an outside program's channels depend on, and nothing else.
+// The identity contains everything in [simulator] that an outside program's channels depend on, and
+// nothing else.
 TEST_F(IdentityOfStudies, EveryKeyOfAnOutsideProgramCounts) {
   write("in.txt", "{k}\n");
   write("extra.dat", "1\n");
@@ -223,7 +224,8 @@ TEST_F(IdentityOfStudies, EveryKeyOfAnOutsideProgramCounts) {
     EXPECT_EQ(differs("study.toml", from, to), "") << from;
 }
 
-// The short spelling of an experiment with a test of its own, and the test it stands for.
+// The short spelling of an experiment with its own test gives the identity of the test it stands
+// for.
 TEST_F(IdentityOfStudies, TheTestOfAnExperimentIsThatOfTheSameKeys) {
   std::filesystem::copy_file(
       std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires/comparison_225_50R16.toml",
@@ -244,7 +246,7 @@ TEST_F(IdentityOfStudies, TheTestOfAnExperimentIsThatOfTheSameKeys) {
   write("study.toml",
         head + "[test.press]\nkind = \"load_deflection\"\ndeflections = [\"10 mm\", \"20 mm\"]\n" +
             conditions + experiment + "test = \"press\"\n");
-  // An experiment and a test of one name are refused only where both have tests.
+  // An experiment and a test of one name are refused only if both have tests.
   EXPECT_FALSE(difference(own, read())) << *difference(own, read());
 }
 

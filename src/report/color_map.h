@@ -6,13 +6,14 @@
 
 namespace latsch::report {
 
-/// Dark violet to yellow, evenly lighter: for fields. t is clamped to [0, 1]. "#440154".
-/// [Smith & van der Walt, A better default colormap for matplotlib, SciPy 2015: viridis]
+/// Returns a color from dark violet to yellow with evenly rising lightness, for fields: "#440154".
+/// t is clamped to [0, 1]. [Smith & van der Walt, A better default colormap for matplotlib, SciPy
+/// 2015: viridis]
 std::string viridis(double t);
 
-/// Distinct hues for kinds of things. [Okabe & Ito, Color universal design, 2008]
+/// Returns distinct hues for categories. [Okabe & Ito, Color universal design, 2008]
 std::string category(int index);
-/// The same, muted for areas under lines.
+/// Returns the category's hue, muted for areas under lines.
 std::string muted_category(int index);
 
 }  // namespace latsch::report

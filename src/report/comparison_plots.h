@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measured against simulated, and how the target came down: figures as SVG text.
+// Figures of measured against simulated values, and of the target over the trials, as SVG text.
 #pragma once
 
 #include <string>
@@ -8,13 +8,14 @@
 
 namespace latsch::report {
 
-/// Force over deflection with the error (2) of every point below.
+/// Draws force over deflection, with the error (2) of every point below.
 std::string force_plot(const ForceCurve& curve);
 
-/// Relative difference (1) of every paired mode as a bar, beside its label and both frequencies.
+/// Draws the relative difference (1) of every paired mode as a bar, beside its label and both
+/// frequencies.
 std::string frequency_plot(const ModalComparison& comparison);
 
-/// Target of every trial, and the best so far.
+/// Draws the target of every trial, and the best so far.
 std::string convergence_plot(const Convergence& convergence);
 
 }  // namespace latsch::report

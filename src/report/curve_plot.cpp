@@ -12,14 +12,15 @@
 namespace latsch::report {
 namespace {
 
-constexpr std::size_t kDots = 200;      // a channel may have millions of samples,
-constexpr std::size_t kCorners = 2000;  // which no picture shows
+constexpr std::size_t kDots = 200;      // dots drawn at most; a channel may have millions of
+                                        // samples
+constexpr std::size_t kCorners = 2000;  // corners of a line drawn at most; a picture shows no more
 
 struct Samples {
-  std::vector<double> x, y;  // as a person reads them
+  std::vector<double> x, y;  // in the units a person reads
 };
 
-/// Every k-th sample, so that at most `most` remain.
+/// Returns every k-th sample, so that at most `most` remain.
 Samples thinned(const Samples& samples, std::size_t most) {
   const std::size_t count = std::min(samples.x.size(), samples.y.size());
   const std::size_t step = std::max<std::size_t>(1, (count + most - 1) / most);
@@ -31,8 +32,8 @@ Samples thinned(const Samples& samples, std::size_t most) {
   return few;
 }
 
-/// In the units of the picture. A program may have simulated far more than was measured: what lies
-/// outside `range` is left out.
+/// Returns samples in the units of the picture. A program may have simulated far more than was
+/// measured, so samples outside `range` are left out.
 Samples shown(const MeasuredCurve& curve,
               const std::vector<double>& x,
               const std::vector<double>& y,
@@ -51,7 +52,7 @@ Samples shown(const MeasuredCurve& curve,
   return samples;
 }
 
-/// The samples of one piece, at the measured abscissas.
+/// Returns the samples of one piece, at the measured abscissas.
 Samples piece_of(const MeasuredCurve& curve,
                  const MeasuredCurve::Piece& piece,
                  const std::vector<double>& y) {

@@ -8,7 +8,7 @@
 
 namespace latsch::report {
 
-/// y over x where it was measured, with the error of every measured value below.
+/// Draws y over x in the measured range, with the error of every measured value below.
 std::string curve_plot(const MeasuredCurve& curve);
 
 }  // namespace latsch::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the data determine, drawn: deviations of the directions, correlations, profiles.
+// Figures of what the data determine: deviations of the directions, correlations, profiles.
 #pragma once
 
 #include <string>
@@ -8,13 +8,15 @@
 
 namespace latsch::report {
 
-/// Standard deviation along every direction in percent of the range, on decades; 100 % is flat.
+/// Draws the standard deviation along every direction in percent of the range, on a decade scale. A
+/// deviation of 100 % means that the data do not determine the direction.
 std::string spectrum_plot(const Identifiability& what);
 
-/// A square for every pair: warm where they rise together, cold where one makes up for the other.
+/// Draws a square for every pair of variables: warm if they rise together, cold if one compensates
+/// for the other.
 std::string correlation_plot(const Identifiability& what);
 
-/// The rise of S over one variable with the threshold and the interval below it.
+/// Draws the rise of S over one variable, with the threshold and the interval below the threshold.
 std::string profile_plot(const ProfileCurve& curve);
 
 }  // namespace latsch::report

@@ -12,11 +12,11 @@
 namespace latsch::report {
 namespace {
 
-constexpr std::size_t kLineCorners = 1500;  // of a line: more than a picture shows
+constexpr std::size_t kLineCorners = 1500;  // corners of a line; more are not visible
 constexpr double kLeft = 78.0, kTop = 34.0, kRight = 14.0, kBottom = 46.0;  // pixels
 constexpr double kLegendRow = 18.0, kDot = 1.4;
 
-/// Where the names of the lines stand, left ends: as many rows as they need.
+/// Returns the left ends of the lines' names in the legend, in as many rows as they need.
 std::vector<Point> legend_places(const std::vector<PlotLine>& lines, double width) {
   constexpr double kLetter = 6.6, kGap = 44.0;  // pixels
   std::vector<Point> places;
@@ -31,7 +31,7 @@ std::vector<Point> legend_places(const std::vector<PlotLine>& lines, double widt
   return places;
 }
 
-/// In each of equal stretches the least and the greatest value, so that no peak is lost.
+/// Keeps the least and the greatest value of each of equal stretches, so that no peak is lost.
 PlotLine thinned(const PlotLine& line) {
   const std::size_t count = std::min(line.x.size(), line.y.size());
   if (count <= kLineCorners) return line;
@@ -40,7 +40,8 @@ PlotLine thinned(const PlotLine& line) {
   for (std::size_t s = 0; s < stretches; ++s) {
     const std::size_t first = s * count / stretches, end = (s + 1) * count / stretches;
     std::size_t low = first, high = first;
-    for (std::size_t k = first; k < end; ++k) {  // the comparisons let go of what is not a number
+    for (std::size_t k = first; k < end; ++k) {  // these comparisons pass over values that are not
+                                                 // numbers
       if (!(line.y[low] <= line.y[k])) low = k;
       if (!(line.y[high] >= line.y[k])) high = k;
     }
@@ -101,7 +102,8 @@ std::string line_plot(const LinePlot& plot) {
   }
   if (xs.empty() || ys.empty()) return "";
   const auto legend = legend_places(lines, plot.width);
-  const double more = legend.back().y() - legend.front().y();  // rows of names beyond the first
+  const double more = legend.back().y() - legend.front().y();  // height of the legend's rows beyond
+                                                               // the first
   const double top = kTop + more, bottom = plot.height + more - kBottom;
   const auto [lowest, highest] = std::minmax_element(xs.begin(), xs.end());
   const Axis x(*lowest, *highest, kLeft, plot.width - kRight);

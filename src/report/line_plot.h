@@ -8,19 +8,20 @@
 namespace latsch::report {
 
 struct PlotLine {
-  std::string name;                            // in the legend; empty: none
-  std::vector<double> x, y;                    // as a person reads them; not finite: left out
-  int color = 0;                               // a category, see color_map.h
-  std::vector<double> spread;                  // a band of +- this around y; may be empty
-  bool are_dots = false;                       // not joined
-  std::vector<double> lower = {}, upper = {};  // or a band between these; may be empty
+  std::string name;                            // name in the legend; empty: none
+  std::vector<double> x, y;                    // in the units a person reads; values that are not
+                                               // finite are left out
+  int color = 0;                               // index of a category, see color_map.h
+  std::vector<double> spread;                  // half width of a band around y; may be empty
+  bool are_dots = false;                       // draws dots that are not joined
+  std::vector<double> lower = {}, upper = {};  // band limits, alternative to `spread`; may be empty
 };
 
 struct LinePlot {
   std::string description;       // for screen readers
   std::string x_title, y_title;  // with units
   std::vector<PlotLine> lines;
-  bool logarithmic_y = false;  // values that are not positive are left out
+  bool logarithmic_y = false;  // omits values that are not positive
   double width = 520.0, height = 300.0;
 };
 

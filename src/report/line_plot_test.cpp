@@ -19,7 +19,7 @@ TEST(LinePlot, OfALongLineKeepsItsPeakAndStaysSmall) {
   }
   const std::string with = line_plot(plot);
   EXPECT_LT(with.size(), 60000u);
-  EXPECT_NE(with.find(">1000<"), std::string::npos);  // the axis reaches the peak
+  EXPECT_NE(with.find(">1000<"), std::string::npos);  // the axis contains the peak
   plot.lines[0].y[54321] = 0.0;
   EXPECT_NE(with, line_plot(plot));
 }
@@ -38,7 +38,7 @@ TEST(LinePlot, LeavesOutWhatIsNotFiniteOrHasNoLogarithm) {
   EXPECT_EQ(line_plot(plot), "");  // nothing to draw
 }
 
-// Cut out of the page a picture is a file of XML, where no name may stand twice in a tag.
+// A picture cut out of the page is an XML file, in which no attribute may occur twice in a tag.
 TEST(LinePlot, NamesNoAttributeTwice) {
   const std::string svg = line_plot({"two", "x", "y", {{"a", {1, 2}, {1, 2}, 0, {}}}, false});
   const std::regex tag("<[^>]*>"), name("([a-z-]+)=\"");

@@ -9,8 +9,8 @@
 namespace latsch::report {
 namespace {
 
-/// JSON in a script element: "</" would end it, "<!" change how it is read. "<" stands in texts
-/// alone.
+/// Returns JSON for a script element. "</" would end the script, "<!" would change how it is read.
+/// "<" occurs only in texts, where it is escaped.
 std::string json_within_script(std::string_view json) {
   std::string safe;
   safe.reserve(json.size());

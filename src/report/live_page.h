@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The views of the studio in a report: one script that finds the answers it would ask a server for
-// in the page itself.
+// The views of the studio in a report. One script reads the answers, which the studio gets from a
+// server, from the page itself.
 //
-// The chapters of the report stand in the same file. They are what is seen without scripts and on
-// paper; the script shows them where an anchor of theirs is asked for and itself otherwise, each
-// under its own style sheet.
+// The chapters of the report are in the same file. They are shown without scripts and on paper. The
+// script shows a chapter if its anchor is requested, and otherwise the views, each with its own
+// style sheet.
 #pragma once
 
 #include <string>
@@ -13,13 +13,13 @@
 namespace latsch::report {
 
 struct LivePage {
-  std::string answers;             // JSON: requests to answers
-  std::string_view script, style;  // of the page as a report
+  std::string answers;             // JSON object from requests to answers
+  std::string_view script, style;  // script and style sheet of the page as a report
 };
 
-/// From the document's beginning to that of its chapters.
+/// Returns the document from its beginning to the beginning of its chapters.
 std::string live_page_begin(std::string_view title, const LivePage& live);
-/// From the chapters' end to that of the document.
+/// Returns the document from the end of its chapters.
 std::string live_page_end(const LivePage& live);
 
 }  // namespace latsch::report

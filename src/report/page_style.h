@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every page carries in itself: head and style sheet.
+// Head and style sheet that every page contains.
 #pragma once
 
 #include <string>
@@ -7,11 +7,12 @@
 
 namespace latsch::report {
 
-/// A page to the beginning of what it shows, and the rest of it: one file that needs no other.
+/// Returns the beginning of a page up to its content; kPageEnd is the rest. The page is one file
+/// that needs no other.
 std::string page_begin(std::string_view title);
 inline constexpr std::string_view kPageEnd = "</main>\n</body>\n</html>\n";
 
-/// Light and dark by the reader's setting, always light on paper.
+/// Returns a style sheet that is light or dark by the reader's setting, and always light on paper.
 std::string_view style_sheet();
 
 }  // namespace latsch::report

@@ -29,7 +29,7 @@ std::string with_kind(const std::string& conditions, bool fitted) {
   return fitted ? conditions : conditions.empty() ? "predicted" : conditions + ", predicted";
 }
 
-/// Mean of |1 - simulated / measured|.
+/// Returns the mean of |1 - simulated / measured|.
 double mean_error(const std::vector<double>& measured, const std::vector<double>& simulated) {
   const size_t count = std::min(measured.size(), simulated.size());
   double sum = 0.0;
@@ -109,7 +109,8 @@ std::string frequencies(const StudyReport& report) {
   return html;
 }
 
-/// The best of the search may not be the best of the page, which knows trials beside it too.
+/// The page also knows trials outside the search, so its best trial may be better than that of the
+/// search.
 std::string better_beside(const StudyReport& report) {
   double best = std::numeric_limits<double>::infinity();
   for (const double target : report.convergence->target) {
@@ -208,7 +209,7 @@ std::string patch_figure(const fe_tire::Standing& standing) {
                   fixed(1e4 * standing.patch.area, 1)));
 }
 
-/// What the page of figures shows moving, in numbers.
+/// Returns a table of the modes that the page shows in motion.
 std::string mode_table(const TirePictures& pictures) {
   std::vector<std::vector<std::string>> rows;
   for (const fe_tire::Mode& mode : pictures.modes)

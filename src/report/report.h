@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result of a study as one HTML page that opens anywhere, without a network.
+// The result of a study as one HTML page that opens without a network.
 //
-// StudyReport is plain data in SI units; whoever has run a study fills in what there is. A part
-// that is empty leaves its chapter out. html() knows nothing of studies, journals or files.
+// StudyReport is plain data in SI units, filled in by the caller. An empty part leaves its chapter
+// out. html() does not use studies, journals or files.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,103 +18,109 @@
 
 namespace latsch::report {
 
-/// A design variable. Values in SI; `unit` is what a person reads ("N/mm^2").
+/// Design variable. Values are in SI; `unit` is what a person reads ("N/mm^2").
 struct Variable {
   std::string name;
   std::string unit = "1";
   double initial = 0.0, found = 0.0, lower = 0.0, upper = 0.0;
   bool logarithmic = false;
-  std::string known = {};  // the number found, as far as its uncertainty leaves it known: "73";
-                           // empty where no uncertainty is known
+  std::string known = {};  // number found, with the digits that its uncertainty supports: "73";
+                           // empty if no uncertainty is known
 };
 
 /// One experiment's part of the target.
 struct ExperimentRow {
   std::string name;
-  std::string kind;        // "load_deflection", "modes", "curve"
-  std::string conditions;  // "2.6 bar, friction 0.8"
-  std::string compared;  // "force", "root of force", "frequency", with the exponent if it is not 1
+  std::string kind;        // for example "load_deflection", "modes", "curve"
+  std::string conditions;  // for example "2.6 bar, friction 0.8"
+  std::string compared;  // for example "force", "root of force", "frequency", with the exponent if
+                         // it is not 1
   bool fitted = true;    // false: predicted only
   double weight = 1.0;
-  int values = 0;                            // measured numbers compared
+  int values = 0;                            // number of measured values compared
   double value = 0.0;                        // T_e
   double mean_error = 0.0;                   // mean |dF| or mean |df|
   double largest_error = 0.0;                // largest |dF| or |df|
   std::optional<double> initial_mean_error;  // at the initial values of the variables
-  /// T_e as an error in its own measure, 1 = 100 %: the RMS where T_e is a mean square.
+  /// T_e as an error in its own measure, 1 = 100 %: the RMS if T_e is a mean square.
   double error = 0.0;
-  std::string measure = "mean";  // its name: "RMS"
-  std::string whole = "";        // 100 % of it, where the same for all values: "4000 N"
-  /// The least error that an earlier stage of the fit left, and its name; empty where none counts.
+  std::string measure = "mean";  // name of the measure: "RMS"
+  std::string whole = "";        // size of 100 % if it is equal for all values: "4000 N"
+  /// Least error that an earlier stage of the fit left, and its name; empty if no stage counts.
   std::string own_stage = "";
   double own_stage_error = 0.0;
-  bool is_spoiled = false;  // worse than that stage left it, by more than a twentieth
+  bool is_spoiled = false;  // true if the error is more than a twentieth worse than after that
+                            // stage
 };
 
-/// Between which values a computed one lies with 95 %, as the uncertainty of the variables has it;
-/// empty: not known, NaN: not of that value.
+/// Limits of the 95 % band of a computed value, due to the uncertainty of the variables; empty: not
+/// known, NaN: not known for that value.
 struct Band {
   std::vector<double> lower, upper;
-  std::string inside = {};  // "19 of 20 measured values": inside band and noise; empty: not known
+  std::string inside = {};  // for example "19 of 20 measured values": inside band and noise; empty:
+                            // not known
 };
 
 /// Measured and simulated forces of one load-deflection experiment.
 struct ForceCurve {
   std::string experiment;
-  std::string conditions;  // "2.6 bar"
+  std::string conditions;  // for example "2.6 bar"
   bool fitted = true;
   bool over_loaded_radius = false;  // abscissa: loaded radius, otherwise deflection
   std::vector<double> abscissa;     // m
   std::vector<double> measured;     // N
   std::vector<double> simulated;    // N, at the found point
   std::vector<double> initial;      // N, at the initial point; may be empty
-  bool of_design = false;           // the best trial of a design: nothing was fitted
-  Band band = {};                   // N, of `simulated`
+  bool of_design = false;           // true for the best trial of a design: nothing was fitted
+  Band band = {};                   // N, band of `simulated`
 };
 
-/// A measured curve y(x) and what an outside program made of it. Values in SI; units are those a
+/// Measured curve y(x) and its simulated counterpart. Values are in SI; the units are those a
 /// person reads. Without x, samples are counted from 1.
 struct MeasuredCurve {
   std::string experiment;
-  std::string conditions;  // "over response/time"
+  std::string conditions;  // for example "over response/time"
   bool fitted = true;
-  std::string x_name, y_name;  // "time"; x_name empty: sample by sample
+  std::string x_name, y_name;  // for example "time"; x_name empty: sample by sample
   std::string x_unit = "1", y_unit = "1";
   std::vector<double> x_measured, y_measured;
-  std::vector<double> errors;                    // (measured - simulated) / scale, one each
+  std::vector<double> errors;                    // (measured - simulated) / scale, one for each
+                                                 // sample
   std::vector<double> x_simulated, y_simulated;  // every sample of the program, at the found point
   std::vector<double> x_initial, y_initial;      // at the initial point; may be empty
-  bool of_design = false;                        // the best trial of a design: nothing was fitted
-  std::vector<double> x_band;                    // where the band is known
+  bool of_design = false;                        // true for the best trial of a design: nothing was
+                                                 // fitted
+  std::vector<double> x_band;                    // abscissas at which the band is known
   Band band = {};
-  /// Samples that belong together, such as those of one load: a line each. Empty: all do. Measured,
-  /// simulated and initial samples are then as many, in one order.
+  /// Samples that belong together, such as those of one load, drawn as one line. Empty: all samples
+  /// belong together. With pieces, measured, simulated and initial samples have equal length and
+  /// order.
   struct Piece {
-    std::string name;       // "Fz 1050 N"; may be empty
-    std::size_t from, end;  // of the samples
+    std::string name;       // for example "Fz 1050 N"; may be empty
+    std::size_t from, end;  // range of the samples
   };
   std::vector<Piece> pieces = {};
 };
 
-/// A single measured value, the target, and what the model makes of it. SI; `unit` is what a person
+/// Single measured value, the target, and its simulated value, in SI; `unit` is what a person
 /// reads.
 struct MeasuredValue {
-  std::string name;      // of the experiment, and of the value where it has several
-  std::string compared;  // "A/dz_by_Fz"; may be empty
+  std::string name;      // name of the experiment, and of the value if it has several
+  std::string compared;  // compared channel, "A/dz_by_Fz"; may be empty
   std::string unit = "1";
   bool fitted = true;
   double weight = 1.0;
   double measured = 0.0, found = 0.0;
   std::optional<double> initial;       // at the initial values of the variables
-  std::optional<double> lower, upper;  // of the 95 % band of `found`
+  std::optional<double> lower, upper;  // limits of the 95 % band of `found`
 };
 
-/// A measured mode and its simulated partner. Hz.
+/// Measured mode and its simulated partner, Hz.
 struct ModePair {
   std::string label;  // "radial n=2"
   double measured = 0.0, simulated = 0.0;
   std::optional<double> initial;   // simulated at the initial values
-  std::optional<double> likeness;  // MAC, where shapes were measured
+  std::optional<double> likeness;  // MAC, if shapes were measured
 };
 
 struct UnmatchedMode {
@@ -129,104 +135,108 @@ struct ModalComparison {
   std::vector<ModePair> pairs;         // in the order of the measurement
   std::vector<UnmatchedMode> missing;  // measured, not simulated
   std::vector<UnmatchedMode> extra;    // simulated, not measured
-  Band band = {};                      // Hz, of the simulated frequencies of `pairs`
+  Band band = {};                      // Hz, band of the simulated frequencies of `pairs`
 };
 
-/// Target of every trial in the order the optimizer saw them; NaN: a failed one.
+/// Target of every trial in the order of the optimizer; NaN: a failed trial.
 struct Convergence {
   std::vector<double> target;
 };
 
-/// The target over two variables, the others held.
+/// The target over two variables, with the others held.
 struct Surface {
   std::string x_name, y_name;
   std::string x_unit = "1", y_unit = "1";
   bool x_logarithmic = false, y_logarithmic = false;
   std::vector<double> x, y;                       // SI, ascending levels
   Eigen::MatrixXd target;                         // (x, y); NaN: a failed trial
-  std::string held;                               // "belt = 22.3 N/mm^2"; may be empty
-  std::optional<Eigen::Vector2d> initial, found;  // SI; a point of the study to mark
+  std::string held;                               // held variables, "belt = 22.3 N/mm^2"; may be
+                                                  // empty
+  std::optional<Eigen::Vector2d> initial, found;  // SI; points of the study to mark
 };
 
-/// A minimum among the points of a design of experiments.
+/// Minimum among the points of a design of experiments.
 struct BasinRow {
   double target = 0.0;
-  int points = 0;                   // of the design that lead there
-  std::vector<std::string> values;  // "22.3 N/mm^2", a variable each
+  int points = 0;                   // points of the design that lead there
+  std::vector<std::string> values;  // one text for each variable, "22.3 N/mm^2"
 };
 
 struct Basins {
-  std::string design;  // "full factorial grid, 5 x 5, 25 points"
+  std::string design;  // for example "full factorial grid, 5 x 5, 25 points"
   std::vector<std::string> variables;
-  int count = 0;               // of minima
+  int count = 0;               // number of minima
   std::vector<BasinRow> rows;  // lowest first; the first few
-  std::string doubt;           // why they cannot be trusted; may be empty
+  std::string doubt;           // reason not to trust the minima; may be empty
 };
 
 /// Morris' elementary effects of one variable on the target, over its whole range.
 struct EffectRow {
   std::string variable;
   double mu_star = 0.0, mu = 0.0, sigma = 0.0;
-  int effects = 0;  // evaluated
+  int effects = 0;  // number of effects evaluated
 };
 
 struct RunFacts {
-  std::string method;  // "GSS", "full factorial 5 x 5"
-  std::string ended;   // "at a minimum: ...", Run::ending
+  std::string method;  // for example "GSS", "full factorial 5 x 5"
+  std::string ended;   // text of Run::ending, for example "at a minimum: ..."
   int trials = 0, failures = 0, workers = 1;
   double wall_time = 0.0;                                    // s
   double cpu_time = 0.0;                                     // s over all trials
-  std::vector<std::pair<std::string, int>> failure_reasons;  // sentence and how often
-  double program_time = 0.0;                                 // s of cpu_time, in outside programs
+  std::vector<std::pair<std::string, int>> failure_reasons;  // sentence and its number of
+                                                             // occurrences
+  double program_time = 0.0;                                 // s, part of cpu_time in outside
+                                                             // programs
 };
 
-/// How far the mesh is from the converged tire.
+/// Distance of the mesh's result from the converged tire.
 struct DiscretizationError {
-  std::string quantity;  // "Fz at 25 mm", "radial n=2"
-  double error = 0.0;    // of the mesh used, relative
+  std::string quantity;  // for example "Fz at 25 mm", "radial n=2"
+  double error = 0.0;    // relative error of the mesh used
 };
 
-/// A cord layer of the mesh; layers of one name are one ply.
+/// Cord layer of the mesh; layers of one name are one ply.
 struct Layer {
   std::string name;
-  double angle = 0.0;  // rad, from the circumference, where the ply crosses the crown
+  double angle = 0.0;  // rad, from the circumference, at the ply's crossing of the crown
 };
 
-/// What the pictures show: the tire at the found point.
+/// Data of the pictures: the tire at the found point.
 struct TirePictures {
   fe_tire::Mesh mesh;
   std::vector<Layer> layers;  // in the numbering of RebarPlacement::layer; may be empty
   std::optional<fe_tire::Inflated> inflated;
   struct Loaded {
-    Eigen::Matrix3Xd u;  // m, of all nodes, sector frames
+    Eigen::Matrix3Xd u;  // m, displacements of all nodes, sector frames
     fe_tire::Standing standing;
   };
   std::optional<Loaded> loaded;
-  bool modes_loaded = false;         // state the modes belong to
+  bool modes_loaded = false;         // true if the modes belong to the loaded state
   std::vector<fe_tire::Mode> modes;  // at most about 12 are shown
 };
 
-/// One limit of a suite of checks, as people read it.
+/// One limit of a suite of checks, as text.
 struct CheckRow {
   std::string check, what, value, limit, source;
-  std::string reason;  // why there is no value
+  std::string reason;  // reason why there is no value
   bool accepted = false;
 };
 
 struct StudyReport {
   std::string title;
-  std::string study_file, model_file;  // as a person would type them; may be empty
-  std::string tire;                    // "Tire B, 225/50R16"
-  std::string date;                    // "2025-03-01"; may be empty
-  std::string version;                 // of the program; may be empty
-  double target = 0.0;                 // at the found point
+  std::string study_file, model_file;  // file names for a command line; may be empty
+  std::string tire;                    // for example "Tire B, 225/50R16"
+  std::string date;                    // for example "2025-03-01"; may be empty
+  std::string version;                 // program version; may be empty
+  double target = 0.0;                 // target at the found point
   std::optional<double> initial_target;
-  std::vector<LinePlot> slip_plots;  // what the found tire does, force over slip
-  std::string target_in_words;       // "mean square of the errors, its root 2.45 %"; may be empty
+  std::vector<LinePlot> slip_plots;  // force over slip of the found tire
+  std::string target_in_words;       // for example "mean square of the errors, its root 2.45 %";
+                                     // may be empty
   std::string target_definition;     // one line, "1/2 (mean |df| + mean |dF|)"; may be empty
-  std::vector<std::string> remarks;  // what is assumed, what to mind
+  std::vector<std::string> remarks;  // assumptions and warnings
 
-  std::vector<CheckRow> checks;  // of a validation, in the place of a target
+  std::vector<CheckRow> checks;  // checks of a validation, in place of a target
   std::vector<Variable> variables;
   std::vector<ExperimentRow> experiments;
   std::vector<ForceCurve> forces;
@@ -239,16 +249,16 @@ struct StudyReport {
   std::vector<EffectRow> effects;
   std::optional<Identifiability> identifiability;
   std::optional<RunFacts> run;
-  bool is_of_design = false;  // the found point is the best trial of a design, no fit
+  bool is_of_design = false;  // true if the found point is the best trial of a design, no fit
   std::vector<DiscretizationError> discretization;
   std::optional<TirePictures> pictures;
-  std::optional<Scene> scene;  // of what is no finite-element tire
+  std::optional<Scene> scene;  // body of a model other than a finite-element tire
 };
 
 struct LivePage;
 
-/// The page, UTF-8. Needs nothing else to be shown; names may hold any characters. With `live`
-/// (live_page.h) it opens as views that answer the pointer, and prints as what it is without them.
+/// Returns the page in UTF-8. The page needs no other file; names may hold any characters. With
+/// `live` (live_page.h) it opens as interactive views, and prints as it is without them.
 std::string html(const StudyReport& report, const LivePage* live = nullptr);
 
 }  // namespace latsch::report

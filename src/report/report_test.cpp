@@ -32,7 +32,7 @@ namespace {
 
 constexpr const char* kHostile = "</script><script>alert(\"1\")</script> & 'x'";
 
-/// Every element that is opened is closed, in order; empty where the page is well-formed.
+/// Returns the first fault in the nesting of elements; empty if every element is closed, in order.
 std::string fault_in_tags(std::string page) {
   page = std::regex_replace(page, std::regex("<!DOCTYPE html>"), "");
   const std::set<std::string> alone = {"meta", "br"};
@@ -213,7 +213,7 @@ TEST(Report, FlagsAVariableAtItsBound) {
   EXPECT_EQ(at_bound(v), AtBound::lower);
 }
 
-TEST(Report, IsDrawnFromAnyNumbers) {  // what a failed or odd trial may leave behind
+TEST(Report, IsDrawnFromAnyNumbers) {  // values that a failed or odd trial may leave behind
   const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
   const std::vector<double> odd = {0.0, -0.0, nan, inf, -inf, 1e-300, 1e300, -5.0, 3.0};
   std::mt19937 random(1);
@@ -284,7 +284,7 @@ TEST(Report, HoldsTheViewsOfTheStudioBesideItsChapters) {
   EXPECT_NE(page.find("<style id=\"studio-style\" media=\"not all\">h1"), std::string::npos);
 }
 
-/// The cells of the row of the value table with that name.
+/// Returns the cells of the row of the value table with that name.
 std::string value_row(const std::string& html, const std::string& name) {
   const std::size_t begin = html.find("<tr><td>" + name);
   return begin == std::string::npos ? "" : html.substr(begin, html.find("</tr>", begin) - begin);
@@ -335,7 +335,7 @@ TEST(CurvePlot, ShowsEveryMeasuredValueAndTheProgramWhereItWasMeasured) {
     EXPECT_NE(plot.find(words), std::string::npos) << words;
   }
   EXPECT_EQ(plot.find("initial values"), std::string::npos);
-  // From 1 to 3 s every 0.1 s: "x,y" 21 times between spaces.
+  // Samples every 0.1 s from 1 to 3 s give "x,y" 21 times between spaces.
   const size_t start = plot.find("points=\"") + 8;
   const std::string points = plot.substr(start, plot.find('"', start) - start);
   EXPECT_EQ(std::count(points.begin(), points.end(), ','), 21) << points;
@@ -348,8 +348,8 @@ std::size_t count_of(const std::string& text, const std::string& what) {
   return count;
 }
 
-// What is not known of a value in the middle leaves a gap; a value alone is a bar, and a band that
-// is far wider than the curve ends at the frame.
+// An unknown band in the middle leaves a gap; a single value is drawn as a bar; and a band far
+// wider than the curve ends at the frame.
 TEST(CurvePlot, ShadesTheBandOfWhatIsComputed) {
   MeasuredCurve curve;
   curve.experiment = "pull";
@@ -476,7 +476,7 @@ TEST(Report, SaysWhatTheDataDetermine) {
                            "minima may hide"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
-  // "matrix <b>" does not fit above its column: numbers stand there, and behind the names.
+  // "matrix <b>" does not fit above its column: numbers stand there, and after the names.
   EXPECT_NE(page.find("carcass (2)"), std::string::npos);
   EXPECT_NE(page.find(">(1)<"), std::string::npos);
   EXPECT_EQ(page.find("<b>\""), std::string::npos);
@@ -484,12 +484,12 @@ TEST(Report, SaysWhatTheDataDetermine) {
   EXPECT_EQ(page.find("nan"), std::string::npos);
 }
 
-/// Left and right end of every text and rectangle of a picture lie inside its own width.
+/// Expects that both ends of every text and rectangle lie inside the picture's own width.
 void expect_nothing_cut(const std::string& svg) {
   std::smatch box;
   ASSERT_TRUE(std::regex_search(svg, box, std::regex("viewBox=\"0 0 ([0-9.]+) ")));
   const double width = std::stod(box[1]);
-  constexpr double kLetter = 6.0, kStrongLetter = 7.5;  // pixels of the font, on average
+  constexpr double kLetter = 6.0, kStrongLetter = 7.5;  // average widths in the font, pixels
   static const std::regex kText("<text x=\"([-0-9.]+)\"([^>]*)>([^<]*)<");
   for (std::sregex_iterator at(svg.begin(), svg.end(), kText), end; at != end; ++at) {
     const std::string how = (*at)[2], element = (*at)[0];
@@ -507,7 +507,7 @@ void expect_nothing_cut(const std::string& svg) {
     EXPECT_LE(std::stod((*at)[1]) + std::stod((*at)[2]), width) << (*at)[0];
 }
 
-// As many as a Magic Formula has in a fit of pure slips.
+// The number of variables is that of a Magic Formula in a fit of pure slips.
 Identifiability of_many_variables(int count) {
   Identifiability what;
   what.residuals = 400;
@@ -562,7 +562,7 @@ TEST(LinePlot, LegendsTakeTheRowsTheyNeed) {
   expect_nothing_cut(line_plot(plot));
 }
 
-// Two best targets on one page, and no word on why, are two truths.
+// A page with two different best targets must explain why.
 TEST(Report, SaysWhereItsBestTrialIsNotOfTheSearch) {
   StudyReport report;
   report.title = "t";

@@ -9,14 +9,14 @@
 
 namespace latsch::report {
 
-/// A grid point with no lower neighbor among the eight around it; plateaus count once, failed
-/// points not at all.
+/// Grid point with no lower neighbor among the eight around it. Plateaus count once, failed points
+/// not at all.
 struct GridMinimum {
   int i = 0, j = 0;
   double target = 0.0;
 };
 
-/// Ascending by target: the first is the lowest of the grid.
+/// Returns the minima ascending by target, so the first is the lowest of the grid.
 std::vector<GridMinimum> local_minima(const Eigen::MatrixXd& target);
 
 std::string surface_plot(const Surface& surface);

@@ -13,8 +13,8 @@
 namespace latsch::report {
 namespace {
 
-constexpr int kMostDecimals = 6;         // of a label; smaller numbers are written 2e-07
-constexpr double kSmallestShown = 1e-9;  // of the largest value on a logarithmic axis
+constexpr int kMostDecimals = 6;         // decimals of a label; smaller numbers are written 2e-07
+constexpr double kSmallestShown = 1e-9;  // share of the largest value on a logarithmic axis
 
 std::string pixel(double value) {
   std::string text = fmt::format("{:.1f}", value);
@@ -22,8 +22,8 @@ std::string pixel(double value) {
   return text == "-0" ? "0" : text;
 }
 
-/// Not a number, infinite or far outside any picture: what a failed trial may leave behind is not
-/// drawn.
+/// True unless the point is not a number, infinite or far outside any picture. A failed trial may
+/// leave such points.
 bool drawable(const Point& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() < 1e5; }
 
 std::string pixels(const std::vector<Point>& points) {
@@ -35,7 +35,7 @@ std::string pixels(const std::vector<Point>& points) {
   return text;
 }
 
-/// 1, 2 or 5 times a power of ten, at least `length`.
+/// Returns 1, 2 or 5 times a power of ten, at least `length`.
 double round_step(double length) {
   const double power = std::pow(10.0, std::floor(std::log10(length)));
   for (double factor : {1.0, 2.0, 5.0}) {
@@ -298,7 +298,8 @@ void draw_band(Svg& svg,
 std::vector<double> with_band(const std::vector<double>& values,
                               const std::vector<double>& lower,
                               const std::vector<double>& upper) {
-  constexpr double kBeyond = 0.5;  // of the range of the values
+  constexpr double kBeyond = 0.5;  // share of the range of the values by which a band may widen the
+                                   // axis
   std::vector<double> all;
   for (const double value : values) {
     if (std::isfinite(value)) all.push_back(value);

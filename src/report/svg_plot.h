@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drawing in SVG: shapes, scales with well chosen ticks, a frame with axes.
+// Draws in SVG: shapes, scales with round ticks, a frame with axes.
 //
 // Colors of ink, grid and text come from the page's style by class (ink, soft, grid, note, strong),
-// so that the same drawing suits light, dark and printed pages.
+// so that a drawing suits light, dark and printed pages.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,14 +16,14 @@ using Point = Eigen::Vector2d;
 
 enum class Anchor { start, middle, end };
 
-/// An SVG picture in the making; lengths in CSS pixels, y downward.
+/// SVG picture under construction. Lengths are in CSS pixels, y points downward.
 class Svg {
  public:
-  /// The description is what a screen reader says.
+  /// The description is read by screen readers.
   Svg(double width, double height, std::string_view description);
 
-  /// attributes: raw, for example `class="ink"` or `fill="#440154"`. tip: shown under the pointer,
-  /// escaped here.
+  /// `attributes` is raw, for example `class="ink"` or `fill="#440154"`. `tip` is shown under the
+  /// pointer and escaped here.
   void line(Point a, Point b, std::string_view attributes);
   void polyline(const std::vector<Point>& points, std::string_view attributes);
   void polygon(const std::vector<Point>& points,
@@ -49,23 +49,23 @@ class Svg {
   std::string body_;
 };
 
-/// A range of numbers laid along pixels.
+/// Range of numbers mapped to pixels.
 class Axis {
  public:
   Axis() = default;
   Axis(double lower, double upper, double first_pixel, double last_pixel, bool logarithmic = false);
 
-  /// The range of the values, widened to round numbers; `zero`: includes 0.
+  /// Returns the range of the values, widened to round numbers; with `zero`, it includes 0.
   static Axis around(const std::vector<double>& values,
                      double first_pixel,
                      double last_pixel,
                      bool zero = false);
-  /// Decades around positive values.
+  /// Returns decades around positive values.
   static Axis logarithmic_around(const std::vector<double>& values,
                                  double first_pixel,
                                  double last_pixel);
 
-  double at(double value) const;  // pixel
+  double at(double value) const;  // returns the pixel
   double lower() const { return lower_; }
   double upper() const { return upper_; }
   bool logarithmic() const { return logarithmic_; }
@@ -76,7 +76,7 @@ class Axis {
     double value;
     std::string label;
   };
-  /// About one tick every `spacing` pixels at 1, 2 or 5 times a power of ten.
+  /// Returns about one tick every `spacing` pixels, at 1, 2 or 5 times a power of ten.
   std::vector<Tick> ticks(double spacing = 60.0) const;
 
  private:
@@ -86,12 +86,12 @@ class Axis {
 
 struct FrameOptions {
   bool label_x = true;      // false: another frame below carries the numbers
-  double x_spacing = 60.0;  // pixels between ticks, about
+  double x_spacing = 60.0;  // approximate pixels between ticks
   double y_spacing = 40.0;
 };
 
-/// Ticks, grid lines and titles around a rectangle of two axes. Titles name the quantity and the
-/// unit.
+/// Draws ticks, grid lines and titles around a rectangle of two axes. Titles name the quantity and
+/// the unit.
 void draw_frame(Svg& svg,
                 const Axis& x,
                 const Axis& y,
@@ -99,22 +99,22 @@ void draw_frame(Svg& svg,
                 std::string_view y_title,
                 FrameOptions options = {});
 
-/// "line  words" with a sample of the line or dot of that class in front; returns where the next
-/// one starts.
+/// Draws `words` after a sample of the line or dot of that class. Returns the start of the next
+/// legend entry.
 double draw_legend(
     Svg& svg, Point at, std::string_view sample_class, bool dot, std::string_view words);
 
-/// What the line of the found point is: "fitted", "predicted" or "best trial".
+/// Returns the meaning of the found point's line: "fitted", "predicted" or "best trial".
 std::string_view drawn_as(bool fitted, bool of_design);
 
-/// The pixels of y(x), without values that are not finite.
+/// Returns the pixels of y(x), without values that are not finite.
 std::vector<Point> points_of(const Axis& x,
                              const Axis& y,
                              const std::vector<double>& xs,
                              const std::vector<double>& ys);
 
-/// The area between lower and upper over x, cut off at the range of y; values that are not finite
-/// leave gaps. A value alone is a bar.
+/// Draws the area between lower and upper over x, cut off at the range of y. Values that are not
+/// finite leave gaps; a single value is drawn as a bar.
 void draw_band(Svg& svg,
                const Axis& x,
                const Axis& y,
@@ -122,13 +122,13 @@ void draw_band(Svg& svg,
                const std::vector<double>& lower,
                const std::vector<double>& upper);
 
-/// Values for Axis::around with those of a band, as far as they leave the values in sight: a
-/// band may be far wider.
+/// Returns values for Axis::around including those of a band, limited so that the values stay
+/// visible, because a band may be far wider.
 std::vector<double> with_band(const std::vector<double>& values,
                               const std::vector<double>& lower,
                               const std::vector<double>& upper);
 
-/// A vertical bar from low (bottom) to high with the colors of viridis.
+/// Draws a vertical bar from low (bottom) to high with the colors of viridis.
 void draw_color_bar(
     Svg& svg, Point top_left, double height, const Axis& values, std::string_view title);
 

@@ -11,7 +11,8 @@
 namespace latsch::report {
 namespace {
 
-constexpr double kBoundShare = 0.005;  // of the range: nearer than this is "at the bound"
+constexpr double kBoundShare = 0.005;  // share of the range: a nearer value counts as "at the
+                                       // bound"
 
 double share_of_range(const Variable& v, double value) {
   if (v.logarithmic && v.lower > 0.0)
@@ -32,7 +33,7 @@ bool is_force(const ExperimentRow& row) { return row.kind == "load_deflection"; 
 bool is_frequency(const ExperimentRow& row) { return row.kind == "modes"; }
 bool is_curve(const ExperimentRow& row) { return row.kind == "curve"; }
 
-/// Mean of the experiments of one kind that are fitted.
+/// Returns the mean over the fitted experiments of one kind.
 std::optional<double> mean_error(const StudyReport& report, bool (*of_kind)(const ExperimentRow&)) {
   double sum = 0.0;
   int count = 0;
@@ -45,8 +46,8 @@ std::optional<double> mean_error(const StudyReport& report, bool (*of_kind)(cons
   return sum / count;
 }
 
-/// Lower and upper bound as the ends of a line, the initial value as a ring, the found one as a
-/// dot.
+/// Draws the lower and upper bound as the ends of a line, the initial value as a ring, the found
+/// one as a dot.
 std::string track(const Variable& v) {
   const auto left = [&](double value) {
     const double share = share_of_range(v, value);

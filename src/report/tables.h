@@ -15,7 +15,7 @@ std::string experiment_table(const StudyReport& report);
 std::string run_facts(const StudyReport& report);
 std::string discretization_table(const StudyReport& report);
 
-/// Whether the found value sits on a bound: the true optimum may lie beyond it.
+/// States if the found value lies on a bound, beyond which the true optimum may lie.
 enum class AtBound { no, lower, upper };
 AtBound at_bound(const Variable& variable);
 

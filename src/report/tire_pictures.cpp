@@ -20,16 +20,16 @@ namespace latsch::report {
 namespace {
 
 constexpr double kOneMillimeter = 1e-3;
-/// Position in the section: y and radius, mm.
+/// Returns the position in the section: y and radius, mm.
 Point in_section(const Eigen::Vector3d& X) {
   return {X.y() / kOneMillimeter, std::hypot(X.x(), X.z()) / kOneMillimeter};
 }
 
-/// A box of the real world fitted into a box of the picture, same scale both ways, second
-/// coordinate upward.
+/// Fits a box of the real world into a box of the picture, with one scale for both axes and the
+/// second coordinate upward.
 struct Window {
   Eigen::AlignedBox2d world;
-  Point corner;  // of the picture, top left
+  Point corner;  // top left corner in the picture
   double scale;
 
   static Window fit(const Eigen::AlignedBox2d& world,
@@ -47,7 +47,7 @@ struct Window {
   double height() const { return scale * world.sizes().y(); }
 };
 
-/// "10 mm" drawn to scale.
+/// Draws a bar such as "10 mm" to scale.
 void scale_bar(Svg& svg, const Point& at, double pixels_per_mm) {
   double length = 100.0;
   for (double l : {5.0, 10.0, 20.0, 50.0}) {
@@ -63,7 +63,7 @@ void scale_bar(Svg& svg, const Point& at, double pixels_per_mm) {
   svg.text(0.5 * (at + end) + Point(0, -7), significant(length, 3) + " mm", Anchor::middle);
 }
 
-/// Every element of a sector by its region's color; nodes: where they are in the section.
+/// Draws every element of a sector in its region's color; `nodes` are the positions in the section.
 void draw_elements(Svg& svg,
                    const fe_tire::Mesh& mesh,
                    const std::vector<Point>& nodes,
@@ -77,8 +77,8 @@ void draw_elements(Svg& svg,
   }
 }
 
-/// Plies in the order in which they appear, and the ply of every cord layer; -1: not in the mesh or
-/// without a name.
+/// The plies in the order in which they appear, and the ply of every cord layer; -1: not in the
+/// mesh or without a name.
 struct Plies {
   std::vector<Layer> plies;
   std::vector<int> of_layer;
@@ -135,9 +135,9 @@ void section_legend(
   }
 }
 
-/// The rectangle of road a contact point stands for: as far as the middle to its neighbors, as far
-/// out at the rim of the patch as inward. Integration points meet at the edges and the centers of
-/// elements this way.
+/// Returns the rectangle of road that a contact point represents: half way to its neighbors, and at
+/// the rim of the contact patch as far outward as inward. The rectangles of integration points meet
+/// at the edges and the centers of elements.
 Eigen::AlignedBox2d cell_of(const std::vector<fe_tire::ContactPatch::Point>& points, size_t i) {
   const Eigen::Vector2d here(points[i].x, points[i].y);
   Eigen::AlignedBox2d cell;
@@ -149,7 +149,7 @@ Eigen::AlignedBox2d cell_of(const std::vector<fe_tire::ContactPatch::Point>& poi
       if (away[axis] > 0.0) ahead = std::min(ahead, away[axis]);
       if (away[axis] < 0.0) behind = std::min(behind, -away[axis]);
     }
-    const double largest = 3.0 * std::sqrt(points[i].area);  // beyond it is not a neighbor
+    const double largest = 3.0 * std::sqrt(points[i].area);  // a farther point is no neighbor
     const double nearest = std::min({ahead, behind, largest / 3.0});
     cell.min()[axis] = here[axis] - 0.5 * (behind < largest ? behind : nearest);
     cell.max()[axis] = here[axis] + 0.5 * (ahead < largest ? ahead : nearest);
@@ -185,7 +185,7 @@ std::string section_picture(const fe_tire::Mesh& mesh,
                cord_color(plies.at(rebar.layer)));
     }
   }
-  if (inflated) {  // edges of the outer faces, every element by itself: their order does not matter
+  if (inflated) {  // draws the edges of the outer faces element by element
     for (const fe_tire::Element& element : mesh.elements) {
       const std::array<Point, 4> at = section_corners(element, grown);
       if (element.inner) svg.line(window(at[0]), window(at[1]), "class=\"inflated\"");
@@ -209,7 +209,7 @@ std::string loaded_section_picture(const fe_tire::Mesh& mesh,
                                    double loaded_radius) {
   std::vector<Point> before, after;
   Eigen::AlignedBox2d box;
-  for (int k = 0; k < mesh.nodes_per_sector(); ++k) {  // sector 0: at the bottom, radius downward
+  for (int k = 0; k < mesh.nodes_per_sector(); ++k) {  // sector 0 is at the bottom, radius downward
     const auto upright = [&](const Eigen::Vector3d& u) -> Point {
       return Point(mesh.X(1, k) + u.y(), mesh.X(2, k) + u.z()) / kOneMillimeter;
     };
@@ -251,7 +251,7 @@ std::string patch_picture(const fe_tire::ContactPatch& patch) {
   draw_frame(svg, x, y, "x, forward [mm]", "y, left [mm]", {.x_spacing = 40.0});
   for (size_t i = 0; i < patch.points.size(); ++i) {
     const auto& p = patch.points[i];
-    // a little larger than it is, so that no gaps are left between whole pixels
+    // The rectangle is slightly enlarged, so that no gaps remain between whole pixels.
     const Eigen::Vector2d size = (cells[i].sizes() * window.scale).array() + 0.7;
     svg.rectangle(window({cells[i].min().x(), cells[i].max().y()}),
                   size.x(),

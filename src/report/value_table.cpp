@@ -12,7 +12,8 @@
 namespace latsch::report {
 namespace {
 
-/// Of the largest: twenty values that weigh so little count together as one that weighs most.
+/// Share of the largest weight: twenty values of this weight count together like one with the
+/// largest.
 constexpr double kNearZero = 0.05;
 
 std::string cell(const std::string& text, bool strong = false) {
@@ -34,7 +35,7 @@ bool has_interval(const MeasuredValue& value) {
   return value.lower && value.upper && std::isfinite(*value.lower) && std::isfinite(*value.upper);
 }
 
-/// In the unit of the row, with the digits that its interval leaves known.
+/// Returns a number in the unit of the row, with the digits that its interval supports.
 std::string number(const MeasuredValue& value, double si) {
   constexpr int kDigits = 4;
   const double shown = in_unit(si, value.unit);
@@ -44,7 +45,7 @@ std::string number(const MeasuredValue& value, double si) {
   return half > 0.0 ? true_minus(format_known(shown, half)) : significant(shown, kDigits);
 }
 
-/// "3.68": of the target, as tables of such fits have it.
+/// Returns the ratio to the target, such as "3.68", as is usual in tables of such fits.
 std::string over_target(const MeasuredValue& value, double si) {
   const double ratio = si / value.measured;
   return std::isfinite(ratio) ? fixed(ratio, 2) : "–";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Single measured values beside what the model makes of them: what each weighs, its target, at the
-// initial values, optimized, and between which values that lies.
+// Table of single measured values and their simulated counterparts: weight, target, initial value,
+// optimized value and its interval.
 #pragma once
 
 #include <string>

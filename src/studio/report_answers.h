@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The answers of all views of one study, for a report that is one file: a JSON object from requests
-// to answers, as apps/web/src/lib/answers.ts reads it. A view that has nothing to show is left out.
+// Answers of all views of one study, for a report in one file: a JSON object from requests to
+// answers, read by apps/web/src/lib/answers.ts. A view with nothing to show is left out.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace latsch::studio {
 
-/// `drawn`: the report's own pictures, which are not computed again.
+/// `drawn` are the report's own pictures, which are not computed again.
 std::string report_answers(const std::filesystem::path& study,
                            const experiment::Language& language,
                            const report::StudyReport& drawn);

@@ -12,9 +12,9 @@
 namespace latsch::studio {
 namespace {
 
-constexpr long kMostInOneEvent = 200;  // trials; of more the page asks for its stretch anew
+constexpr long kMostInOneEvent = 200;  // trials; with more, the page requests its stretch again
 
-/// What a request says beside its path.
+/// Parameters of a request beside its path.
 class Query {
  public:
   explicit Query(const Request& request) : request_(request) {}
@@ -42,7 +42,7 @@ class NotThere : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A text that has to be in the body of a POST.
+/// Returns a text that must be in the body of a POST.
 std::string text_in(const Json& body, const char* key) {
   const auto found = body.find(key);
   if (found == body.end() || !found->is_string())
@@ -191,8 +191,8 @@ class Studio::Impl {
     throw NotThere("there is nothing to change at " + request.path);
   }
 
-  /// The form writes nothing that the check refuses, unless the file was wrong before: then it may
-  /// be what mends it.
+  /// Refuses an edit that the check refuses, unless the file was wrong before, because the edit may
+  /// then be part of the correction.
   void refuse_wrong(const ShelvedStudy& shelved,
                     const std::string& before,
                     const std::string& text) const {
@@ -222,7 +222,7 @@ class Studio::Impl {
     return {{"started", true}};
   }
 
-  /// From the thread that watches.
+  /// Called by the watching thread.
   void tell(const std::string& id, const ShelvedStudy::Changes& changes) {
     if (changes.of_study || changes.of_state || id.empty()) publish_("", "home", "{}");
     if (id.empty()) return;
@@ -244,7 +244,7 @@ class Studio::Impl {
     }
   }
 
-  /// The trials that came since the last event of that study; null where it cannot be read any
+  /// Returns the trials that came since the last event of that study; null if it cannot be read any
   /// more.
   Json trials_event(const ShelvedStudy& shelved) {
     return shelved.look([&](const auto& sight) -> Json {
@@ -284,8 +284,8 @@ class Studio::Impl {
   const experiment::Language& language_;
   Publish publish_;
   StudyRuns runs_;
-  std::map<std::string, Told> told_;  // by study; of the thread that watches
-  Shelf shelf_;                       // last: its thread ends before what it tells
+  std::map<std::string, Told> told_;  // one for each study; used by the watching thread
+  Shelf shelf_;                       // last, so that its thread ends before the members it uses
 };
 
 Studio::Studio(const StudioOptions& options, const experiment::Language& language, Publish publish)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studio behind its server: requests to views, changes and runs, as docs/studio.md has them.
+// The studio behind its server: turns requests into views, changes and runs, as described in
+// docs/studio.md.
 #pragma once
 
 #include <filesystem>
@@ -14,21 +15,21 @@ namespace latsch::studio {
 
 struct StudioOptions {
   std::filesystem::path root;     // a folder of studies, or one study's file
-  std::filesystem::path program;  // latsch itself, for runs
-  std::string version;            // as the page shows it
+  std::filesystem::path program;  // executable of latsch itself, for runs
+  std::string version;            // version shown on the page
   bool has_page = true;
 };
 
 class Studio {
  public:
-  /// As Server::publish.
+  /// Signature of Server::publish.
   using Publish =
       std::function<void(std::string_view topic, std::string_view event, std::string_view json)>;
 
   Studio(const StudioOptions& options, const experiment::Language& language, Publish publish);
   ~Studio();
 
-  /// From any thread. Never throws for what a request says.
+  /// May be called by any thread. Never throws because of a request's content.
   Response answer(const Request& request);
 
  private:

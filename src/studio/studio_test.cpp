@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page is answered is what the study's own functions say of its journal.
+// The answers to the page equal the results of the study's own functions on its journal.
 #include "studio/studio.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ measurement = "aligning.csv"
 weight = 0.5
 )";
 
-  /// Fitted without slopes, which would give intervals with the fit.
+  /// Returns a study fitted without slopes, which would give intervals with the fit.
   correlation::Study two() {
     std::string text = "Mz [N*m]\n";
     for (int i = -12; i <= 12; ++i) text += std::to_string(2.5 * i) + "\n";
@@ -234,7 +234,8 @@ TEST_F(Asked, AJournalOfAnotherStudyIsSaidNotShown) {
   EXPECT_TRUE(wait_for([&] { return get("/api/trials")["total"].get<long>() > 0; }));
 }
 
-// While the page is open: it has not the best point of before beside the test of now.
+// The page is open while a test's table changes: it must not show the earlier best point with the
+// present test.
 TEST_F(Asked, AnEditedTableOfATestMakesItAnotherStudy) {
   const auto study = two();
   fit_all(study);
@@ -298,7 +299,7 @@ TEST_F(Asked, StudiesAreNamedAsTheirFilesStandInTheFolder) {
   std::filesystem::create_symlink("study.toml", folder_ / "linked.toml");
   std::filesystem::create_symlink("nowhere.toml", folder_ / "dangling.toml");
   std::filesystem::create_directory_symlink(".", folder_ / "loop");
-  write(".study.17.1.toml", kHead);  // as a check has for a moment
+  write(".study.17.1.toml", kHead);  // a check creates such a file for a moment
   begin();
   std::vector<std::string> names;
   const Json home = get("/api/home");
@@ -322,7 +323,7 @@ TEST_F(Asked, AStudyThatCannotBeReadSaysWhy) {
     EXPECT_EQ(ask(path).status, 400) << path;
 }
 
-// As latsch new writes its files one after the other while somebody watches the folder.
+// latsch new writes its files one after the other while somebody watches the folder.
 TEST_F(Asked, AStudyWhoseMeasurementComesLaterIsReadThen) {
   two();
   const std::string measured = read_text_file(folder_ / "aligning.csv");
@@ -341,7 +342,7 @@ TEST_F(Asked, AStudyHalfWrittenStaysUntilItsFileIsGone) {
   begin();
   write("study.toml", "");
   EXPECT_TRUE(wait_for([&] { return get("/api/study")["state"] == "broken"; }));
-  std::this_thread::sleep_for(3500ms);  // all are looked for every three seconds
+  std::this_thread::sleep_for(3500ms);  // all studies are checked every three seconds
   EXPECT_EQ(get("/api/study")["state"], "broken");
   std::filesystem::remove(folder_ / "study.toml");
   EXPECT_TRUE(wait_for([&] { return ask("/api/study").status == 404; }));

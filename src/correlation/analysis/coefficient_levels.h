@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Free coefficients of a Magic Formula that the fitted experiments hold too few levels of a
-// condition for (experiment/rigs/slip/condition_levels.h).
+// Finds free coefficients of a Magic Formula that the fitted experiments cannot determine, because
+// they hold too few levels of a test condition (experiment/rigs/slip/condition_levels.h).
 #pragma once
 
 #include <string>
@@ -10,17 +10,19 @@
 
 namespace latsch::correlation {
 
-/// The values (SI) of a condition, "Fz" or "p", over all tests of the fitted experiments, or of all
-/// experiments; a test that does not state the condition adds none.
+/// Returns the values (SI) of a condition, "Fz" or "p", over all tests of the fitted experiments or
+/// of all experiments. A test that does not state the condition adds none.
 std::vector<double> driven_at(const Study& study, const std::string& condition, bool fitted_only);
 
 struct UntoldCoefficient {
   std::string variable;
-  std::string reason;  // "PPY4 is of order 2 in the pressure, of which there are 2 levels: ..."
+  std::string reason;  // for example "PPY4 is of order 2 in the pressure, of which there are 2
+                       // levels: ..."
 };
 
-/// In the order of the variables. Empty where no variable is a coefficient of the Magic Formula, or
-/// no fitted test states the loads at which the tire rolls.
+/// Returns the undetermined coefficients in the order of the variables. The list is empty if no
+/// variable is a coefficient of the Magic Formula, or no fitted test states the loads at which the
+/// tire rolls.
 std::vector<UntoldCoefficient> untold_coefficients(const Study& study);
 
 }  // namespace latsch::correlation

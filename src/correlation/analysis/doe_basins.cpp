@@ -13,11 +13,12 @@
 namespace latsch::correlation {
 namespace {
 
-using Targets = std::map<std::string, double>;  // by the bits of the point
+using Targets = std::map<std::string, double>;  // target of each point, keyed by the point's bits
 
-constexpr double kLeastShare = 0.9;  // of a design's points that have a target
+constexpr double kLeastShare = 0.9;  // least share of a design's points that must have a target
 constexpr int kMostSampledLevels = 41;
-constexpr int kMostScattered = 10'000;  // the search for neighbors costs their square
+constexpr int kMostScattered = 10'000;  // limit on scattered points: the search for neighbors costs
+                                        // the square of their number
 
 Targets targets_of(const std::vector<RatedTrial>& trials) {
   Targets targets;
@@ -25,7 +26,7 @@ Targets targets_of(const std::vector<RatedTrial>& trials) {
   return targets;
 }
 
-/// NaN where a point has none.
+/// Returns the targets of the plan's points, NaN for a point without one.
 std::vector<double> values_of(const SamplingPlan& plan, const Targets& targets) {
   std::vector<double> values;
   for (const DesignPoint& point : plan.points) {

@@ -11,7 +11,7 @@ std::vector<ElementaryEffects> doe_effects(const Study& study,
                                            const StudyDesign& design,
                                            const std::vector<RatedTrial>& trials) {
   if (design.kind != DesignKind::morris) return {};
-  std::map<std::string, double> targets;  // by the bits of the point
+  std::map<std::string, double> targets;  // keyed by the point's bits
   for (const RatedTrial& trial : trials) targets.emplace(trial.point.bits(), trial.target);
   const MorrisDesign trajectories = morris_design(design, study.space);
   std::vector<std::vector<std::optional<double>>> values;

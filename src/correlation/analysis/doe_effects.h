@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Morris' elementary effects of the target: which variables matter.
+// Morris' elementary effects of the target show which variables matter.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace latsch::correlation {
 
-/// One entry a variable, from the trials of the design's trajectories; empty for designs of another
-/// kind.
+/// Returns one entry for each variable, from the trials of the design's trajectories. The list is
+/// empty for designs of another kind.
 std::vector<ElementaryEffects> doe_effects(const Study& study,
                                            const StudyDesign& design,
                                            const std::vector<RatedTrial>& trials);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the good points of a design reach: along a valley the target cannot tell one set from
-// another, and a variable has points below a level over much of its range.
+// The extent of a design's good points. Along a valley the target cannot tell one set of values
+// from another, so a variable has points below a given level over much of its range.
 //
-// The points of a grid stand beside the floor of a valley, not on it, so a level has to leave room
-// for that: choose it no less than what a step of the grid across the valley adds.
+// The points of a grid lie beside the floor of a valley, not on it. Choose a level at least as high
+// as what one step of the grid across the valley adds to the target.
 #pragma once
 
 #include <optional>
@@ -15,14 +15,15 @@
 namespace latsch::correlation {
 
 struct DoeExtent {
-  double level = 0.0;                  // of the target
-  int points = 0;                      // at most there
-  DesignPoint lower = {}, upper = {};  // the box around them
-  std::vector<double> share = {};      // of each variable's range that the box takes, on its scale
+  double level = 0.0;                  // upper limit of the target
+  int points = 0;                      // points with a target of at most this level
+  DesignPoint lower = {}, upper = {};  // bounding box of these points
+  std::vector<double> share = {};      // share of each variable's range that the box takes, on the
+                                       // variable's scale
 };
 
-/// Of the points among the trials that fulfill the constraints; nullopt where none is at most
-/// there.
+/// Considers the points among the trials that fulfill the constraints. Returns nullopt if no target
+/// is at most the level.
 std::optional<DoeExtent> doe_extent(const DesignSpace& space,
                                     const std::vector<RatedTrial>& points,
                                     double level);

@@ -15,7 +15,7 @@ DesignSpace two_variables() {
       {{"a", {"a"}, 0.0, 4.0, 1.0}, {"b", {"b"}, 1.0, 100.0, 10.0, Scale::logarithmic}});
 }
 
-/// A grid of a made up target.
+/// Returns the trials of a grid with an invented target.
 template <class Target>
 std::vector<RatedTrial> trials_of(const DesignSpace& space, Target target) {
   std::vector<RatedTrial> trials;
@@ -24,7 +24,7 @@ std::vector<RatedTrial> trials_of(const DesignSpace& space, Target target) {
   return trials;
 }
 
-// a + 2 log10(b) = 4 for all sets on a diagonal of the grid.
+// All sets on a diagonal of the grid fulfill a + 2 log10(b) = 4.
 TEST(DoeExtent, AValleyReachesThroughTheRangeOfBothVariables) {
   const DesignSpace space = two_variables();
   const auto trials = trials_of(space, [](double a, double b) { return std::abs(a + 2 * b - 4); });
@@ -37,8 +37,8 @@ TEST(DoeExtent, AValleyReachesThroughTheRangeOfBothVariables) {
   EXPECT_DOUBLE_EQ(found->share[1], 1.0);
 }
 
-// Only a = 2 and its neighbors, one step of 1 away, are below 1; b = 10 alone: a step of it is half
-// a decade.
+// Only a = 2 and its neighbors, one step of 1 away, are below 1. For b, only b = 10 is, because a
+// step is half a decade.
 TEST(DoeExtent, ASingleMinimumReachesAsFarAsTheLevel) {
   const DesignSpace space = two_variables();
   const auto trials =

@@ -13,11 +13,11 @@
 namespace latsch::correlation {
 namespace {
 
-using Targets = std::map<std::string, double>;  // by the bits of the point
+using Targets = std::map<std::string, double>;  // target of each point, keyed by the point's bits
 
 constexpr int kMostDrawnLevels = 41;
 constexpr double kLeastShareDrawn =
-    0.9;  // of a grid's points that succeeded; below, it is no grid of this journal
+    0.9;  // least share of a grid's points with a target; below, the grid is not in this journal
 
 struct Grid {
   std::vector<int> levels;
@@ -49,7 +49,7 @@ std::optional<Grid> grid_with(const Study& study,
   return grid;
 }
 
-/// The study's own [doe], or the finest grid of equal levels (`latsch doe --levels`).
+/// Returns the study's own [doe], or the finest grid of equal levels (`latsch doe --levels`).
 std::optional<Grid> find_grid(const Study& study, const Targets& targets) {
   std::optional<Grid> found;
   if (study.doe && study.doe->kind == DesignKind::full_factorial) {
@@ -61,7 +61,7 @@ std::optional<Grid> find_grid(const Study& study, const Targets& targets) {
   return found;
 }
 
-/// The levels of variable i in ascending order.
+/// Returns the levels of variable i in ascending order.
 std::vector<double> levels_of(const Study& study, const Grid& grid, int i) {
   std::vector<int> only(study.space.size(), 1);
   only[i] = grid.levels[i];

@@ -10,9 +10,9 @@
 
 namespace latsch::correlation {
 
-/// One surface for every pair of variables, through the best point of the largest complete grid
-/// among the trials; the other variables are held at that point. Empty where there is no grid.
-/// `found` is marked.
+/// Returns one surface for every pair of variables, through the best point of the largest complete
+/// grid among the trials; the other variables are held at that point. The list is empty if there is
+/// no grid. The point `found` is marked.
 std::vector<report::Surface> doe_surfaces(const Study& study,
                                           const std::vector<RatedTrial>& trials,
                                           const DesignPoint& found);

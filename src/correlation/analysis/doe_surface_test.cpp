@@ -11,7 +11,7 @@
 namespace latsch::correlation {
 namespace {
 
-/// Three variables; the trials are made up.
+/// A study of three variables with invented trials.
 Study doe_study() {
   DesignVariable a{"a", {"a"}, 0.0, 4.0, 1.0};
   DesignVariable b{"b", {"b"}, 1.0, 100.0, 10.0, Scale::logarithmic};
@@ -28,7 +28,7 @@ Study doe_study() {
           {}};
 }
 
-/// Least at a = 2, b = 10, c = 1.
+/// The target is least at a = 2, b = 10, c = 1.
 double target_at(const DesignPoint& p) {
   return std::abs(p.values[0] - 2.0) + std::abs(std::log10(p.values[1]) - 1.0) + 1.0 - p.values[2];
 }
@@ -79,7 +79,7 @@ TEST(DoeSurfaces, AVariableThatWasNotVariedHasNone) {
 TEST(DoeSurfaces, NoneWithoutAGrid) {
   const Study s = doe_study();
   auto trials = grid(s, {3, 3, 3});
-  trials.resize(14);  // half of it
+  trials.resize(14);  // half of the grid
   EXPECT_TRUE(doe_surfaces(s, trials, kFound).empty());
 }
 

@@ -19,10 +19,10 @@ namespace latsch::correlation {
 namespace {
 
 constexpr long kMostTrials = 100'000;
-constexpr double kRefitTolerance = 0.02;  // of the threshold that ends an interval
+constexpr double kRefitTolerance = 0.02;  // share of the threshold that ends an interval
 
-/// An analysis that asks in rounds, as the scheduler knows it: the points of a round in their
-/// order.
+/// Presents an analysis that requests points in rounds to the scheduler: proposes the points of a
+/// round in their order.
 template <class Analysis>
 class InRounds : public Optimizer {
  public:
@@ -52,21 +52,21 @@ class InRounds : public Optimizer {
 
   const DesignSpace& space_;
   Analysis& analysis_;
-  std::vector<Result<Evaluated>> seen_;  // of this round
+  std::vector<Result<Evaluated>> seen_;  // results of this round
 };
 
-/// SI, where the variable stands at u of its range.
+/// Returns the SI value of the variable at position u of its range.
 double value_at(const DesignSpace& space, int variable, double u) {
   std::vector<double> all(space.size(), 0.5);
   all[variable] = u;
   return space.from_unit(all).values[variable];
 }
 
-/// Evaluates, or reads, until the analysis wants nothing more; false where that was stopped.
+/// Evaluates, or reads, until the analysis requests nothing more. Returns false if stopped.
 using Drive = std::function<bool(Optimizer&)>;
 
 IdentificationOptions options_for(const Study& study, Depth depth) {
-  constexpr double kLeastNoise = 1e-5;  // residuals are relative where no noise is stated
+  constexpr double kLeastNoise = 1e-5;  // residuals are relative if no noise is stated
   return {.confidence = {.sigma = residual_sigma(study),
                          .least_noise = kLeastNoise,
                          .traits = residual_traits(study)},
@@ -75,7 +75,7 @@ IdentificationOptions options_for(const Study& study, Depth depth) {
           .free = study.free};
 }
 
-/// Leaves every experiment out in turn; the residuals not used by the identification stay out.
+/// Leaves every experiment out in turn. Residuals that the identification does not use stay out.
 class UsedRows {
  public:
   UsedRows(CrossValidation& validation, const std::vector<Eigen::Index>& rows)
@@ -101,7 +101,7 @@ bool cross_validate(const Study& study, Identifiability& result, const Drive& dr
   std::vector<int> group;
   for (Eigen::Index row : identification.residuals_used()) group.push_back(rows[row].experiment);
   std::set<int> groups(group.begin(), group.end());
-  groups.erase(-1);  // priors
+  groups.erase(-1);  // removes the group of priors
   if (groups.size() < 2) return true;
   result.cross_validation.emplace(study.space,
                                   identification.refitted(),
@@ -113,7 +113,7 @@ bool cross_validate(const Study& study, Identifiability& result, const Drive& dr
   return drive(rounds);
 }
 
-/// False where driving was stopped; `result` then holds what is complete.
+/// Returns false if driving was stopped; `result` then holds what is complete.
 bool analyze(const Study& study, Identifiability& result, const Drive& drive) {
   InRounds<Identification> rounds(study.space, result.identification);
   if (!drive(rounds)) return false;
@@ -126,7 +126,7 @@ DesignPoint best_of(const Study& study, const Journal& journal, const DesignPoin
   return best ? best->point : otherwise;
 }
 
-/// "a, b and c"
+/// Returns the names in words: "a, b and c".
 std::string names_where(const Study& study, const std::function<bool(int)>& holds) {
   std::vector<std::string> names;
   for (int i = 0; i < study.space.size(); ++i) {
@@ -162,7 +162,7 @@ std::optional<Interval> interval_of(const Study& study,
 }
 
 std::vector<std::string> remarks(const Study& study, const Identifiability& what) {
-  constexpr double kEarly = 1.0;  // of a threshold: as far as the end of an interval
+  constexpr double kEarly = 1.0;  // multiple of the threshold at which an interval ends
   const Identification& identification = what.identification;
   const Confidence& c = identification.confidence();
   std::vector<std::string> all;
@@ -243,7 +243,7 @@ std::optional<Result<Identifiability>> identify(const Study& study,
                                                 const RunOptions& options) {
   RunOptions enough = options;
   enough.max_steps = kMostTrials;
-  enough.on_failure.then = FailurePolicy::Then::proceed;  // a ladder ends where the model does
+  enough.on_failure.then = FailurePolicy::Then::proceed;  // a ladder ends where the model fails
   const Objective residuals = residual_objective(study);
   const auto run = [&](Optimizer& optimizer) {
     return run_optimizer(optimizer, residuals, executor, &journal, enough).end == RunEnd::converged;
@@ -299,11 +299,11 @@ std::optional<Identifiability> recorded_identifiability(const Study& study,
   IdentificationOptions options = options_for(study, Depth::profiles);
   Identifiability result = read_from_best(options);
   if (!result.identification.is_linearized()) {
-    options.most_centers = 1;  // not known or not to be had beside the better point
+    options.most_centers = 1;  // slopes beside the better point are missing or not obtainable
     result = read_from_best(options);
   }
   if (!result.identification.is_linearized() && sloping.contains(best->point.bits())) {
-    options.profiles = false;  // its own slopes are all there is
+    options.profiles = false;  // only the point's own slopes are known
     result = read_from_best(options);
   }
   if (!result.identification.is_linearized()) return std::nullopt;
@@ -328,7 +328,7 @@ std::string shift_text(const Study& study, const Identifiability& what, int vari
 }
 
 std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction) {
-  constexpr double kShare = 0.3;  // of the unit vector: less hardly takes part
+  constexpr double kShare = 0.3;  // least component of the unit vector that counts as taking part
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);
   std::string text;
@@ -350,7 +350,7 @@ std::string profile_text(const DesignSpace& space, const Profile& profile) {
     Interval at = beyond_bounds;
     (lower ? at.lower : at.upper) = *end;
     std::string value = interval_text(space, profile.variable, at);
-    value = value.substr(value.find(' ', value.find(' ') + 1) + 1);  // without "at least"
+    value = value.substr(value.find(' ', value.find(' ') + 1) + 1);  // removes "at least"
     text += (lower ? "; below " : "; above ") + value + " the model fails";
   };
   add(profile.lower_end, true);
@@ -378,10 +378,10 @@ std::string value_text(const DesignSpace& space,
 
 namespace {
 
-/// The end of an interval that is open at the other: its digits are not those of a width that has
-/// none.
+/// Returns the closed end of a half-open interval. Its digits cannot follow from the interval's
+/// width, which is infinite.
 std::string limit_text(const DesignSpace& space, int variable, double value) {
-  constexpr double kKnown = 0.03;  // of it
+  constexpr double kKnown = 0.03;  // share of the value that counts as known
   const std::string& unit = space[variable].unit;
   const double shown = Unit::of(unit).from_si(value);
   return format_known(shown, kKnown * std::abs(shown)) + (unit == "1" ? "" : " " + unit);
@@ -404,9 +404,10 @@ std::string interval_text(const DesignSpace& space, int variable, const Interval
 
 namespace {
 
-/// "" where no bound holds it.
+/// Returns the bound that holds the variable in words; "" if none does.
 std::string held_text(const Study& study, const Identifiability& what, int variable) {
-  constexpr double kThere = 1e-6;  // of the range
+  constexpr double kThere = 1e-6;  // distance from a bound that counts as at the bound, share of
+                                   // the range
   const auto i = static_cast<size_t>(variable);
   const Bound held = what.identification.confidence().held[i];
   if (held == Bound::none) return "";

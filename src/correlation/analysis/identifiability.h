@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the measurements of a study determine: identification.h and cross_validation.h over the
-// executor and the journal of a study. Trials the journal knows are not run again, and a report
-// finds all of it in the journal.
+// Identifiability of a study: applies identification.h and cross_validation.h to the executor and
+// the journal of a study. Trials in the journal are not run again, so a report finds the complete
+// result in the journal.
 #pragma once
 
 #include <optional>
@@ -18,38 +18,38 @@
 namespace latsch::correlation {
 
 enum class Depth {
-  at_the_point,  // intervals of the point as it is: a search that was not let to its end would be
-                 // gone on with here, by far more trials than it had
-  intervals,     // and of a better point where one is found on the way
+  at_the_point,  // Computes the intervals at the point as it is. A search that did not reach its
+                 // end is not continued, because that would cost far more trials than it has had.
+  intervals,     // Moves to a better point if one is found on the way.
   profiles
 };
 
 struct Identifiability {
-  DesignPoint point;  // what it belongs to: where it began, or a better one found since
+  DesignPoint point;  // point of the analysis: the initial one, or a better one found since
   Identification identification;
-  std::optional<CrossValidation> cross_validation;  // with two experiments or more
-  DesignPoint best = {};  // of the journal, by the target: what every reader shows
-  /// In the unit cube, of the refined model's numbers from those at `point`: refined_shift.h.
+  std::optional<CrossValidation> cross_validation;  // known for two experiments or more
+  DesignPoint best = {};  // best trial of the journal by the target; every display shows this point
+  /// Shift of the refined model's values from those at `point`, in the unit cube (refined_shift.h).
   std::optional<Eigen::VectorXd> refined_shift = {};
 };
 
-/// The interval around the center, as wide as to hold that of the refined model too, where its
-/// shift is known, and the best trial: that can be another point where the target is no sum of
-/// squares.
+/// Returns the interval around the center. It is widened to hold the refined model's interval too,
+/// if that shift is known, and the best trial, which can be another point if the target is no sum
+/// of squares.
 Interval reported_interval(const Study& study, const Identifiability& what, int variable);
 
-/// The same where it is known and belongs to that point.
+/// Returns reported_interval() if `what` is known and belongs to that point.
 std::optional<Interval> interval_of(const Study& study,
                                     const std::optional<Identifiability>& what,
                                     const DesignPoint& point,
                                     int variable);
 
-/// What to mind, a sentence each: residuals larger than their stated noise, noise that neighbors
-/// share, derivatives that are rough, a search that ended early, refits that did not converge.
+/// Returns warnings, one sentence each: residuals larger than their stated noise, noise that
+/// neighbors share, rough derivatives, a search that ended early, refits that did not converge.
 std::vector<std::string> remarks(const Study& study, const Identifiability& what);
 
-/// Runs what is missing. nullopt where a stop was requested; a Failure where the model fails beside
-/// the point.
+/// Runs the missing trials. Returns nullopt if a stop was requested, a Failure if the model fails
+/// beside the point.
 std::optional<Result<Identifiability>> identify(const Study& study,
                                                 const DesignPoint& point,
                                                 Depth depth,
@@ -57,41 +57,42 @@ std::optional<Result<Identifiability>> identify(const Study& study,
                                                 Journal& journal,
                                                 const RunOptions& options);
 
-/// As far as the journal goes, without evaluating: around the best trial whose neighbors are known.
-/// nullopt where there is none.
+/// Returns what the journal determines without evaluating, around the best trial whose neighbors
+/// are known. Returns nullopt if there is none.
 std::optional<Identifiability> recorded_identifiability(const Study& study, const Journal& journal);
 
-/// The value's number in the variable's unit, as far as the interval's half width leaves it known:
-/// format_known(), the one rule of every value that stands beside an uncertainty.
+/// Returns the value's number in the variable's unit, with the digits that the interval's half
+/// width supports. format_known() does this for every value shown beside an uncertainty.
 std::string known_digits(const DesignSpace& space,
                          int variable,
                          double value,
                          const Interval& interval);
 
-/// With its unit: "73 N/mm^2".
+/// Returns the value with its unit: "73 N/mm^2".
 std::string value_text(const DesignSpace& space,
                        int variable,
                        double value,
                        const Interval& interval);
 
-/// "9.8 .. 10.3 N/mm^2" in the variable's unit; "at least 9.8 N/mm^2" where the other end lies
-/// beyond the bounds, "anywhere" where both do. Digits as those of the value.
+/// Returns "9.8 .. 10.3 N/mm^2" in the variable's unit, "at least 9.8 N/mm^2" if the other end lies
+/// beyond the bounds, "anywhere" if both do. The digits are those of the value.
 std::string interval_text(const DesignSpace& space, int variable, const Interval& interval);
 
-/// The same of the reported interval; "not known" where there are no more residuals than variables
-/// and no noise is stated. With the bound that holds the variable, by its value: ", held at its
-/// bound 0.2 m". The best trial by the target may lie off the least squares: then ", its least
+/// Returns the reported interval in words; "not known" if there are no more residuals than
+/// variables and no noise is stated. If a bound holds the variable, ", held at its bound 0.2 m" is
+/// added. If the best trial by the target lies off the least squares, the addition is ", its least
 /// squares at its bound 0.2 m".
 std::string interval_text(const Study& study, const Identifiability& what, int variable);
 
-/// "+0.012 MN/m^2": how far from the value found the refined model has it, with the digits of a
-/// value of that interval; "" where that is not known.
+/// Returns the shift from the value found to that of the refined model, such as "+0.012 MN/m^2",
+/// with the digits of a value of that interval; "" if the shift is not known.
 std::string shift_text(const Study& study, const Identifiability& what, int variable);
 
-/// "matrix up, carcass down": the variables that make up most of a direction of the unit cube.
+/// Returns the variables that make up most of a direction of the unit cube: "matrix up, carcass
+/// down".
 std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction);
 
-/// The interval of a profile, and beyond which values the model fails.
+/// Returns the interval of a profile and the values beyond which the model fails.
 std::string profile_text(const DesignSpace& space, const Profile& profile);
 
 }  // namespace latsch::correlation

@@ -29,7 +29,7 @@ std::shared_ptr<const Observable> force_curve(const std::string& test,
       LoadDeflectionCurve{Abscissa::deflection, std::move(deflections), std::move(forces), {}});
 }
 
-/// Two springs in series pressed at two deflections, each measured to 1 %.
+/// Two springs in series are pressed at two deflections, each measured to 1 %.
 Study springs_study() {
   StudyExperiment press;
   press.name = "press";
@@ -71,8 +71,8 @@ TEST(Residuals, AreRelativeErrorsInUnitsOfTheirNoise) {
   EXPECT_EQ(residual_rows(s)[3].name, "20 mm");
 }
 
-// What is fitted and what gives the intervals are the same residuals, up to a common factor: with
-// noise of its own for each experiment, weights and numbers of values that differ.
+// Fit and intervals use equal residuals, up to a common factor, for experiments with different
+// noise, weights and numbers of values.
 TEST(Residuals, OfTheFitAndOfTheIntervalsAreInProportion) {
   for (const bool stated : {true, false}) {
     Study s = springs_study();
@@ -105,8 +105,8 @@ TEST(Residuals, OfTheFitAndOfTheIntervalsAreInProportion) {
   }
 }
 
-// A value of 4000 +- 400 known of a, beside four values: one residual more, in fit and intervals,
-// in the same proportion.
+// A prior of 4000 +- 400 for a, beside four values, adds one residual to fit and intervals, in
+// equal proportion.
 TEST(Residuals, APriorIsAMeasurementOfTheVariable) {
   Study s = springs_study();
   std::vector<DesignVariable> variables = s.space.variables();
@@ -121,7 +121,7 @@ TEST(Residuals, APriorIsAMeasurementOfTheVariable) {
   EXPECT_EQ(residual_rows(s)[4].experiment, -1);
 }
 
-// Nothing tells the springs in series apart but what is known of one of them.
+// The springs in series are distinguished only by the prior of one of them.
 TEST(Identifiability, APriorRepairsAValley) {
   const ScratchFolder folder;
   Study s = springs_study();
@@ -140,7 +140,7 @@ TEST(Identifiability, APriorRepairsAValley) {
   EXPECT_NEAR(9e3 * (a.upper - a.lower), 2 * 1.96 * 100.0, 2.0);
 }
 
-// An early end of a search is continued, and every reader shows the best trial of the journal.
+// A search that ended early is continued, and every display shows the best trial of the journal.
 TEST(Identifiability, ABetterPointFoundOnTheWayIsTheOneThatIsReported) {
   const ScratchFolder folder;
   Study s = springs_study();
@@ -169,8 +169,8 @@ TEST(Identifiability, ABetterPointFoundOnTheWayIsTheOneThatIsReported) {
             (*result)->identification.profiles()[0].interval.upper);
 }
 
-// A search that was ended by its limit of steps is not gone on with by the way: twelve numbers of a
-// ring took 285 trials for their intervals after 24 steps.
+// A search that ended by its limit of steps is not continued implicitly: the intervals of twelve
+// numbers of a ring took 285 trials after 24 steps.
 TEST(Identifiability, OfAnUnfinishedSearchStaysWhereItIs) {
   const DesignPoint point{{3.7e3, 4.6e3}};
   const auto trials = [&](Depth depth) {
@@ -196,8 +196,9 @@ TEST(Identifiability, OfAnUnfinishedSearchStaysWhereItIs) {
   EXPECT_GT(trials(Depth::intervals), 1 + 2 * 6);
 }
 
-// The springs of the refined model press back by 2 % more, whatever they are: its numbers are lower
-// by that. The interval holds both, each with its noise, and every reader finds it in the journals.
+// The springs of the refined model have 2 % more force, whatever their stiffness, so its values are
+// 2 % lower. The interval holds both values, each with its noise, and every display finds it in the
+// journals.
 TEST(Identifiability, IntervalsReachToTheNumbersOfTheRefinedModel) {
   const ScratchFolder folder;
   Study s = springs_study();
@@ -221,7 +222,7 @@ TEST(Identifiability, IntervalsReachToTheNumbersOfTheRefinedModel) {
   ASSERT_TRUE(what.refined_shift);
   for (int i = 0; i < 2; ++i)
     EXPECT_NEAR(
-        9e3 * (*what.refined_shift)[i], -80.0, 0.1);  // differences are good to a thousandth
+        9e3 * (*what.refined_shift)[i], -80.0, 0.1);  // differences are accurate to a thousandth
   EXPECT_EQ(shift_text(s, what, 0).substr(0, 2), "-8");
   const Interval shown = reported_interval(s, what, 0);
   EXPECT_NEAR(9e3 * (own.lower - shown.lower), 80.0, 0.5);
@@ -232,7 +233,7 @@ TEST(Identifiability, IntervalsReachToTheNumbersOfTheRefinedModel) {
   EXPECT_EQ(reported_interval(s, *read, 0).lower, shown.lower);
 }
 
-// "25 .. 25" would say that nothing is open.
+// An interval "25 .. 25" would say that nothing is open.
 TEST(Identifiability, TheEndsOfANarrowIntervalDiffer) {
   const DesignSpace space({{"a", {"a"}, 10.0, 60.0, 20.0}});
   const auto share = [](double value) { return (value - 10.0) / 50.0; };
@@ -243,8 +244,8 @@ TEST(Identifiability, TheEndsOfANarrowIntervalDiffer) {
   EXPECT_EQ(text(24.0, 26.0), "24 .. 26");
 }
 
-// One fit ended at 73.039 N/mm^2 with one kernel set and at 72.983 with another, its interval 47 ..
-// 114: none of these digits but the first two is known.
+// One fit ended at 73.039 N/mm^2 with one kernel set and at 72.983 with another, with the interval
+// 47 .. 114. Only the first two digits are known.
 TEST(Identifiability, ValuesHaveTheDigitsThatTheirIntervalLeaves) {
   const DesignSpace space({{"E", {"E"}, 10e6, 150e6, 25e6, Scale::logarithmic, "N/mm^2"},
                            {"t", {"t"}, -1.0, 1.0, 0.1},
@@ -261,15 +262,15 @@ TEST(Identifiability, ValuesHaveTheDigitsThatTheirIntervalLeaves) {
   EXPECT_EQ(text(0, 73.039e6, 46.629e6, 114.41e6), "73 N/mm^2, 47 .. 114 N/mm^2");
   EXPECT_EQ(text(0, 72.983e6, 46.613e6, 114.38e6), "73 N/mm^2, 47 .. 114 N/mm^2");
   EXPECT_EQ(text(0, 119.87e6, 20e6, 149e6), "120 N/mm^2, 20 .. 149 N/mm^2");
-  EXPECT_EQ(text(2, 1987.3, 1700.0, 2300.0), "1990, 1700 .. 2300");  // and not 1.99e+03
+  EXPECT_EQ(text(2, 1987.3, 1700.0, 2300.0), "1990, 1700 .. 2300");  // not 1.99e+03
   EXPECT_EQ(text(0, 73.03912e6, 73.036e6, 73.042e6), "73.0391 N/mm^2, 73.036 .. 73.042 N/mm^2");
   EXPECT_EQ(text(1, 0.0, -0.012, 0.012), "0, -0.012 .. 0.012");
   EXPECT_EQ(text(1, 0.001, -0.5, 0.5), "0.001, -0.5 .. 0.5");
 }
 
-// A report may be drawn wherever a command was interrupted: also where a better point was found, to
-// which all was to move, and where no derivative is known yet. At the start the force is at its
-// farthest: no slope, and better points on both sides.
+// A report may be drawn after any interruption of a command, also when a better point was found but
+// its derivatives are not known yet. At the start the force is farthest off: there is no slope, and
+// better points lie on both sides.
 TEST(Identifiability, ReadAtAnyMomentItBelongsToAPointWhoseDerivativesAreKnown) {
   Study s = springs_study();
   s.experiments.resize(1);
@@ -305,8 +306,8 @@ TEST(Identifiability, ReadAtAnyMomentItBelongsToAPointWhoseDerivativesAreKnown) 
   EXPECT_GT(read, 0);
 }
 
-// Values of 10 N and 1000 N, each known to 1 N: the large one is a hundred times as exact,
-// relative.
+// Values of 10 N and 1000 N are each known to 1 N, so the large one is a hundred times as exact in
+// relative terms.
 TEST(Residuals, NoiseWeightsTheFit) {
   Study s = springs_study();
   s.experiments.resize(1);
@@ -321,7 +322,7 @@ TEST(Residuals, NoiseWeightsTheFit) {
 TEST(Residuals, FarOffValuesCountLessWithARobustLoss) {
   const RobustLoss huber{Loss::huber, 2.0}, cauchy{Loss::cauchy, 2.0};
   EXPECT_NEAR(huber(1.5), 1.5, 1e-15);
-  EXPECT_NEAR(huber(-8.0), -2.0 * std::sqrt(2.0 * 4.0 - 1.0), 1e-12);  // its square grows as |x|
+  EXPECT_NEAR(huber(-8.0), -2.0 * std::sqrt(2.0 * 4.0 - 1.0), 1e-12);  // the square grows as |x|
   EXPECT_NEAR(cauchy(8.0), 2.0 * std::sqrt(std::log(17.0)), 1e-12);
   Study s = springs_study();
   s.experiments[0].loss = huber;
@@ -340,9 +341,9 @@ TEST(Residuals, WithoutNoiseWeightsSayHowFarAValueCanBeTrusted) {
   EXPECT_FALSE(residual_sigma(s));
 }
 
-// Values of 1 %, two of each spring arrangement: a is known to 1 % / sqrt(2) in linear
-// approximation; 1 / k = 1 / a + 1 / b, so with a = b the relative error of b is that of
-// 2 dk / k - da / a: sqrt(5) times as large.
+// Two values of each spring arrangement are known to 1 %. In linear approximation a is known to 1 %
+// / sqrt(2). Since 1 / k = 1 / a + 1 / b, with a = b the relative error of b is that of 2 dk / k -
+// da / a: sqrt(5) times as large.
 TEST(Identifiability, OfAStudyFindsTheIntervalsAndReadsThemBackFromTheJournal) {
   const ScratchFolder folder;
   Study s = springs_study();
@@ -353,7 +354,7 @@ TEST(Identifiability, OfAStudyFindsTheIntervalsAndReadsThemBackFromTheJournal) {
   const Identification& found = (*result)->identification;
   const double range = 9e3, a = 1.96 * 0.01 / std::sqrt(2.0) * 4e3 / range;
   const double at = (4e3 - 1e3) / range;
-  // Central differences of 1 % of the range see nothing of the curvature of k.
+  // Central differences of 1 % of the range do not show the curvature of k.
   EXPECT_NEAR(found.confidence().intervals[0].upper - at, a, 0.002 * a);
   EXPECT_NEAR(found.confidence().intervals[1].upper - at, std::sqrt(5.0) * a, 0.004 * a);
   for (const Profile& profile : found.profiles()) {
@@ -370,8 +371,8 @@ TEST(Identifiability, OfAStudyFindsTheIntervalsAndReadsThemBackFromTheJournal) {
   EXPECT_EQ(read->identification.profiles()[0].interval.upper, found.profiles()[0].interval.upper);
 }
 
-// Both springs together are measured, each alone is not. The valley in (a, b) is repaired by the
-// experiment on a, were it measured, and not by measuring both together once more.
+// Both springs together are measured, each alone is not. Measuring a alone would repair the valley
+// in (a, b); measuring both together once more would not.
 TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   const ScratchFolder folder;
   Study s = springs_study();
@@ -381,7 +382,8 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   InlineExecutor executor(springs);
   const auto result = identify(s, s.space.initial(), Depth::intervals, executor, journal, {});
   ASSERT_TRUE(result && *result);
-  EXPECT_GT((*result)->identification.confidence().deviation(1), 1.0);  // the valley
+  EXPECT_GT((*result)->identification.confidence().deviation(1), 1.0);  // deviation along the
+                                                                        // valley
 
   const auto points = prediction_points(s, **result);
   EXPECT_FALSE(predicted_channels(s, points));
@@ -400,8 +402,8 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   EXPECT_EQ(page.intervals[0], "anywhere between the bounds");
 }
 
-// Under a ripple of 1 % with 150 waves over the range, differences over a hundredth of it show the
-// ripple: what the predicted experiment would tell is taken over the lengths found for the fitted.
+// With a ripple of 1 % and 150 waves over the range, differences over a hundredth of the range show
+// the ripple. The gain of the predicted experiment uses the step lengths found for the fitted one.
 TEST(Identifiability, RippleLeavesTheGainOfAPredictedExperimentAlone) {
   double shrinkage[2];
   for (const bool is_rippled : {false, true}) {

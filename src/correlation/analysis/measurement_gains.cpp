@@ -29,7 +29,8 @@ std::vector<MeasurementGain> gains(const Eigen::MatrixXd& J,
   return rows;
 }
 
-/// Derivatives in units of what noise the variables feel; nullopt where that is not known or zero.
+/// Returns the derivatives in units of the noise that affects the variables; nullopt if that noise
+/// is not known or zero.
 std::optional<Eigen::MatrixXd> in_units_of_noise(const Identifiability& what) {
   const Confidence& c = what.identification.confidence();
   if (!(c.sigma > 0.0)) return std::nullopt;
@@ -85,7 +86,7 @@ std::vector<DesignPoint> prediction_points(const Study& study, const Identifiabi
 
 namespace {
 
-/// The derivatives of a predicted experiment in units of its noise, where they are known.
+/// Returns the derivatives of a predicted experiment in units of its noise, if they are known.
 std::optional<Eigen::MatrixXd> rows_of(const Study& study,
                                        const Identifiability& what,
                                        const StudyExperiment& experiment,
@@ -112,7 +113,7 @@ std::optional<Eigen::MatrixXd> rows_of(const Study& study,
   return J;
 }
 
-/// Experiments of one test are measured together: a load case with all that moves.
+/// Experiments of one test are measured together: a load case with all channels that change.
 void add_whole_tests(const Study& study, std::vector<Candidate>& candidates) {
   const std::vector<Candidate> single = candidates;
   for (const StudyTest& test : study.tests) {

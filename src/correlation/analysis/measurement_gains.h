@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which measurement would tell the most about the variables: d_optimality.h over the experiments
-// of a study.
+// Ranks possible measurements by how much each would tell about the variables: applies
+// d_optimality.h to the experiments of a study.
 //
-// Two kinds of candidates. A measured value made once more costs no simulation: its derivatives are
-// known. An experiment with use = "predict" has not been fitted; its derivatives need its
-// simulation at the points of the differences. A candidate's values are taken to be as exact as its
-// stated noise, or as the fitted values are.
+// There are two kinds of candidates. Repeating a measured value costs no simulation, because its
+// derivatives are known. An experiment with use = "predict" has not been fitted, so its derivatives
+// need its simulation at the points of the differences. A candidate's values are assumed to be as
+// exact as its stated noise or, if none is stated, as the fitted values.
 #pragma once
 
 #include <optional>
@@ -17,28 +17,29 @@
 namespace latsch::correlation {
 
 struct MeasurementGain {
-  std::string measurement;  // "modes once more", "stiffness at 20 mm once more", "footprint"
-  double shrinkage = 1.0;   // of the volume of the confidence region
-  int helps = 0;            // the variable whose deviation falls by the largest factor
-  double before = 0.0, after = 0.0;  // its standard deviation, in ranges
+  std::string measurement;  // for example "modes once more", "stiffness at 20 mm once more",
+                            // "footprint"
+  double shrinkage = 1.0;   // factor by which the volume of the confidence region shrinks
+  int helps = 0;            // index of the variable whose deviation falls by the largest factor
+  double before = 0.0, after = 0.0;  // its standard deviation without and with the measurement, in
+                                     // ranges of the variable
 };
 
-/// Mean of the noise that the values of the fitted experiments state, relative; nullopt where they
-/// do not.
+/// Returns the mean relative noise that the fitted experiments state; nullopt if they state none.
 std::optional<MeasurementNoise> typical_noise(const Study& study);
 
-/// Every fitted experiment, and each of its values, measured once more; most useful first. Empty
-/// where the spread of the values is not known.
+/// Returns the gains of repeating every fitted experiment and each of its values, most useful
+/// first. The list is empty if the spread of the values is not known.
 std::vector<MeasurementGain> repetition_gains(const Study& study, const Identifiability& what);
 
-/// Where the predicted experiments are to be simulated: the point and a step along every variable,
-/// each as long as that variable's derivative was taken over, which noise and ripple of the fitted
-/// experiments decided.
+/// Returns the points at which the predicted experiments have to be simulated: the point itself and
+/// one step along every variable. A step is as long as the one over which that variable's
+/// derivative was computed, which noise and ripple of the fitted experiments decided.
 std::vector<DesignPoint> prediction_points(const Study& study, const Identifiability& what);
 
-/// Every experiment with use = "predict", from the channels of all experiments at
-/// prediction_points(study, what), and every test that has several of them as a whole; most useful
-/// first.
+/// Returns the gains of every experiment with use = "predict", and of every test that has several
+/// of them as a whole, most useful first. `at_points` are the channels of all experiments at
+/// prediction_points(study, what).
 std::vector<MeasurementGain> prediction_gains(const Study& study,
                                               const Identifiability& what,
                                               const std::vector<Channels>& at_points);

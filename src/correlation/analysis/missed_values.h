@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measured values that the model misses at the point found: which variable would mend each most
-// easily, and which other value would pay for it, to first order, from the derivatives that the
-// intervals have.
+// Measured values that the model misses at the point found. To first order, from the derivatives
+// computed for the intervals, this file determines the variable that would mend each value most
+// easily and the other value that would suffer for it.
 //
-// A value is missed by more than three times its stated noise, 1 % where none is stated. Left out
-// are experiments of more than twenty values, of which no single one is worth mending, and those of
-// a robust loss, for which a value far off is none of the tire's.
+// A value is missed if its error exceeds three times its stated noise, or 1 % if none is stated.
+// Experiments of more than twenty values are left out, because no single one of these is worth
+// mending. Experiments with a robust loss are left out, because a value far off may not come from
+// the tire.
 #pragma once
 
 #include <optional>
@@ -18,22 +19,25 @@ namespace latsch::correlation {
 
 struct MissedValue {
   struct Error {
-    std::string name;              // "frequency, radial n=2"
-    double error;                  // simulated less measured, in what counts as 100 %
-    std::string in_words() const;  // "4.7 % too low"
+    std::string name;              // for example "frequency, radial n=2"
+    double error;                  // simulated minus measured, as a share of what counts as 100 %
+    std::string in_words() const;  // for example "4.7 % too low"
   };
   Error missed;
   bool fitted = true;
-  std::optional<int> variable = {};  // that moves it most; none where none does
-  double effect = 0.0;               // of that variable's whole range, on the error
-  bool within_bounds = true;         // whether it can mend it alone
-  std::optional<Error> payer = {};  // the other fitted value that would suffer most, as it would be
+  std::optional<int> variable = {};  // index of the variable that moves the value most; empty if
+                                     // none moves it
+  double effect = 0.0;               // change of the error over that variable's whole range
+  bool within_bounds = true;         // true if the variable alone can mend the value inside its
+                                     // bounds
+  std::optional<Error> payer = {};  // the other fitted value that would suffer most, with its error
+                                    // after the change
 
   std::string in_words(const DesignSpace& space) const;
 };
 
-/// In the order of the study; of experiments with use = "predict" as far as they were simulated at
-/// prediction_points().
+/// Returns the missed values in the order of the study. Experiments with use = "predict" are
+/// included if they were simulated at prediction_points().
 std::vector<MissedValue> missed_values(const Study& study, const Identifiability& what);
 
 }  // namespace latsch::correlation

@@ -13,7 +13,7 @@
 namespace latsch::correlation {
 namespace {
 
-/// Two springs a, b in series pressed at two deflections, and a alone; to 1 %.
+/// Two springs a, b in series are pressed at two deflections, and a alone, measured to 1 %.
 class MissedValues : public ::testing::Test {
  protected:
   void measure(std::vector<double> pressed, std::vector<double> alone) {
@@ -66,8 +66,9 @@ class MissedValues : public ::testing::Test {
                {}};
 };
 
-// 100 N measured, 80 N shown: a tenth of a's range, 900 N/m, is 18 N. With a 1000 N/m stiffer the
-// value at 10 mm would be 50 N in the place of 40 N; the springs in series would suffer half of it.
+// 100 N is measured, 80 N simulated; a tenth of a's range, 900 N/m, is 18 N. If a were 1000 N/m
+// stiffer, the value at 10 mm would be 50 N instead of 40 N; the springs in series would suffer
+// half of it.
 TEST_F(MissedValues, TellWhatWouldMendThemAndWhatPays) {
   measure({20.0, 40.0}, {40.0, 100.0});
   EXPECT_EQ(sentences(at({{4e3, 4e3}})),
@@ -85,7 +86,7 @@ TEST_F(MissedValues, WithinThreeTimesTheirNoiseAreNone) {
   EXPECT_TRUE(sentences(at({{4e3, 4e3}})).empty());
 }
 
-// 500 N is more than a has in its bounds.
+// 500 N is more than a can reach inside its bounds.
 TEST_F(MissedValues, BeyondTheBoundsOfTheVariableAreToldSo) {
   measure({20.0, 40.0}, {40.0, 500.0});
   EXPECT_EQ(
@@ -94,17 +95,18 @@ TEST_F(MissedValues, BeyondTheBoundsOfTheVariableAreToldSo) {
                                "tenth of its range, and cannot mend it within its bounds"});
 }
 
-// Of b the fitted spring a feels nothing.
+// The fitted spring a does not depend on b.
 TEST_F(MissedValues, CanBeMendedForNothing) {
   measure({20.0, 40.0}, {40.0, 80.0});
   const auto found = missed_values(study_, at({{4e3, 2e3}}));
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].variable, 1);
-  EXPECT_FALSE(found[0].payer);  // but the other one of the same curve is mended with it
+  EXPECT_FALSE(found[0].payer);  // the other value of the curve improves, too
   EXPECT_NE(found[0].in_words(study_.space).find("no other value would pay"), std::string::npos);
 }
 
-// 4000 and 5000 N/m in series: dk/da = (5/9)^2. They are simulated once the gains are asked for.
+// With 4000 and 5000 N/m in series, dk/da = (5/9)^2. Predictions are simulated when the gains are
+// requested.
 TEST_F(MissedValues, OfPredictionsAreToldAsSoonAsTheyAreSimulated) {
   measure({30.0, 200.0 / 4.5}, {40.0, 80.0});
   study_.experiments[0].fitted = false;
@@ -118,7 +120,8 @@ TEST_F(MissedValues, OfPredictionsAreToldAsSoonAsTheyAreSimulated) {
   EXPECT_EQ(found[0].missed.name, "press, 10 mm");
   EXPECT_NEAR(found[0].missed.error, 200.0 / 9.0 / 30.0 - 1.0, 1e-9);
   EXPECT_EQ(found[0].variable, 0);
-  EXPECT_NEAR(found[0].effect, 0.01 / 30.0 * 25.0 / 81.0 * 9e3, 0.02);  // one-sided differences
+  EXPECT_NEAR(found[0].effect, 0.01 / 30.0 * 25.0 / 81.0 * 9e3, 0.02);  // the differences are
+                                                                        // one-sided
   ASSERT_TRUE(found[0].payer);
   EXPECT_EQ(found[0].payer->name.substr(0, 5), "alone");
   EXPECT_NE(found[0].in_words(study_.space).find("(it is not fitted)"), std::string::npos);

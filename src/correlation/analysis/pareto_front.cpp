@@ -57,7 +57,7 @@ std::string picture(const ParetoFront& found) {
     as.push_back(100.0 * trial.a);
     bs.push_back(100.0 * trial.b);
   }
-  // As far as the front reaches and as much again: what is far off would make it a point.
+  // The axes extend to twice the front's range. Far-off trials would shrink the front to a point.
   const double a_most = 2.0 * *std::max_element(as.begin(), as.end());
   const double b_most = 2.0 * *std::max_element(bs.begin(), bs.end());
   as.push_back(a_most);
@@ -91,8 +91,8 @@ std::string picture(const ParetoFront& found) {
   return svg.str();
 }
 
-/// The values of a trial in their units, to the digits that its uncertainty leaves or, where that
-/// is not known, to five.
+/// Returns the values of a trial in their units, with the digits that the uncertainty supports, or
+/// with five digits if the uncertainty is not known.
 std::vector<std::string> values_of(const Study& study,
                                    const DesignPoint& point,
                                    const std::optional<Identifiability>& what) {

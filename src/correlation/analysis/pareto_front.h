@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What two experiments ask of a model against each other, from the trials there are: none is run.
+// The trade-off between two experiments, from the trials in the journal. No trial is run.
 //
-// Of every trial in the journal the parts T_a and T_b of the target (objective.h) are computed from
-// its channels. A trial belongs to the front where no other is as good in both and better in one:
-// on it one experiment is met better only at the cost of the other. Whatever the weights, the best
-// trial lies on it. The front is that of the trials, an upper bound of what the model can do: a
-// search goes where its weights send it.
+// The parts T_a and T_b of the target (objective.h) are computed for every trial in the journal
+// from its channels. A trial belongs to the front if no other trial is as good in both parts and
+// better in one. On the front, one experiment improves only at the cost of the other. The best
+// trial lies on it whatever the weights. The front of the trials is an upper bound of what the
+// model can do, because a search goes where its weights send it.
 #pragma once
 
 #include <string>
@@ -19,25 +19,25 @@ namespace latsch::correlation {
 struct ParetoTrial {
   DesignPoint point;
   double a = 0.0, b = 0.0;  // T_a, T_b
-  double target = 0.0;      // by the weights of the study
+  double target = 0.0;      // with the weights of the study
 };
 
 struct ParetoFront {
-  std::string a, b;                     // names of the experiments
-  std::vector<ParetoTrial> front = {};  // from the best in a to the best in b
+  std::string a, b;                     // names of the two experiments
+  std::vector<ParetoTrial> front = {};  // sorted from the best in a to the best in b
   std::vector<ParetoTrial> others = {};
-  ParetoTrial best = {};                      // by the weights of the study
-  std::vector<std::string> best_values = {};  // "73 N/mm^2", a variable each
+  ParetoTrial best = {};                      // best trial by the weights of the study
+  std::vector<std::string> best_values = {};  // one text for each variable, such as "73 N/mm^2"
 };
 
-/// Throws InputError where an experiment of that name is not fitted, so that its channels are not
-/// in the journal, and where no trial succeeded that fulfills all constraints.
+/// Throws InputError if an experiment of that name is not fitted, because then its channels are not
+/// in the journal, and if no trial succeeded that fulfills all constraints.
 ParetoFront pareto_front(const Study& study,
                          const Journal& journal,
                          const std::string& a,
                          const std::string& b);
 
-/// A page that shows it, and the values of the variables along it.
+/// Returns an HTML page that shows the front and the values of the variables along it.
 std::string pareto_page(const Study& study, const ParetoFront& front);
 
 }  // namespace latsch::correlation

@@ -18,10 +18,10 @@
 namespace latsch::correlation {
 namespace {
 
-/// Ranges in `unit`: below `least` or above `most` it is no tire, outside of `from` to `to`
-/// unusual.
+/// Usual range in `unit`. A value below `least` or above `most` is impossible, outside of `from` to
+/// `to` unusual.
 struct UsualRange {
-  const char* below;  // the table a key stands in, the first part of its path; empty: any
+  const char* below;  // table that contains the key, the first part of its path; empty: any
   const char* key;
   const char* words;
   const char* unit;
@@ -70,7 +70,8 @@ Seen judged(const UsualRange& range, double si) {
   return value < range.from || value > range.to ? Seen::unusual : Seen::usual;
 }
 
-/// "; 240 kPa would be usual": the number as written in another unit of those easily mixed up.
+/// Returns "; 240 kPa would be usual": the written number with another unit of those easily mixed
+/// up.
 std::string may_be_meant(const UsualRange& range, const std::string& written) {
   const auto quantity = parse_quantity(written);
   if (!quantity) return "";
@@ -90,10 +91,10 @@ std::string usual_in_words(const UsualRange& range) {
       "{} is usually {:g} to {:g} {}", range.words, range.from, range.to, range.unit);
 }
 
-/// A number of a document: where it stands and how it is written.
+/// Number of a document, with its place and its text.
 struct Written {
   Place place;
-  std::string text;  // empty where it is one of a list
+  std::string text;  // empty if the number is part of a list
 };
 
 Written written_at(const Document& document, const std::string& path) {
@@ -118,7 +119,7 @@ Written written_at(const Document& document, const std::string& path) {
   }
 }
 
-/// The key a number belongs to: "deflections" of "test.a.deflections.values.2".
+/// Returns the key a number belongs to: "deflections" of "test.a.deflections.values.2".
 std::string key_of(std::string path) {
   for (;;) {
     const auto dot = path.rfind('.');
@@ -160,14 +161,14 @@ void examine_document(const Document& document, std::vector<Finding>& found) {
     const UsualRange* range = range_of(path);
     const double si = document.get(path);
     if (!range || !std::isfinite(si)) continue;
-    // The second column of a profile alone is a length.
+    // In a profile only the second column is a length.
     if (std::string_view(range->key).starts_with("thickness") && !path.ends_with(".1")) continue;
     if (document.unit(path) == "1") continue;
     examine_value(*range, written_at(document, path), path, si, found);
   }
 }
 
-/// A variable's bounds are values of its numbers: the same ranges hold, as warnings.
+/// A variable's bounds are values of its numbers, so the same ranges hold, as warnings.
 void examine_variables(const Study& study, const Document& file, std::vector<Finding>& found) {
   std::map<std::string, std::string> owners;
   for (const DesignVariable& variable : study.space.variables()) {
@@ -208,7 +209,8 @@ void examine_deflection(const TireSize& size,
                         const std::string& name,
                         double deflection,
                         std::vector<Finding>& found) {
-  constexpr double kDeep = 0.6;  // of the section's height: the rim is near
+  constexpr double kDeep = 0.6;  // share of the section's height: deeper deflections come close to
+                                 // the rim
   const bool impossible = deflection > size.section_height;
   if (deflection <= kDeep * size.section_height) return;
   found.push_back({place,
@@ -222,7 +224,7 @@ void examine_deflection(const TireSize& size,
                    impossible});
 }
 
-/// Deflections that the study itself names: of tests and of standing tires.
+/// Checks deflections that the study itself states: of tests and of standing tires.
 void examine_deflections(const Document& file, const TireSize& size, std::vector<Finding>& found) {
   for (const std::string& path : file.paths()) {
     const std::string key = key_of(path);
@@ -256,14 +258,15 @@ void examine_stiffness(const Place& place,
                    seen == Seen::impossible});
 }
 
-/// One finding a table: what is wrong with a column is wrong with all of it. The first that is
-/// impossible, else the first that is unusual.
+/// Reports one finding for each table, because an error in a column affects all of it: the first
+/// impossible value, or else the first unusual one.
 void examine_load_deflection(const StudyExperiment& experiment,
                              const LoadDeflectionCurve& measured,
                              const TireSize& size,
                              std::vector<Finding>& found) {
-  constexpr double kGrowth = 1.1;  // by inflation, and a softer tire than described
-  constexpr double kFirst = 0.03;  // of the section's height: below, first touch decides the force
+  constexpr double kGrowth = 1.1;  // allows for inflation, and for a tire softer than described
+  constexpr double kFirst = 0.03;  // share of the section's height: below, the first touch decides
+                                   // the force
   if (measured.force.empty()) return;
   std::optional<formats::CsvTable> table;
   if (!experiment.measurement) table = formats::CsvTable::read(experiment.measurement_file);
@@ -319,7 +322,7 @@ void examine_modes(const StudyExperiment& experiment,
     for (std::size_t j = 0; j < i; ++j) {
       same += modes[j].frequency == f && modes[j].label() == modes[i].label();
     }
-    // Free to turn, a tire has every mode with waves around it twice: not three times.
+    // A tire that is free to turn has every mode with waves around it twice, not three times.
     const bool is_pair = hangs_free && modes[i].n != 0;
     if (same < 1 || (is_pair && same == 1)) continue;
     found.push_back(
@@ -334,7 +337,7 @@ void examine_modes(const StudyExperiment& experiment,
   }
 }
 
-/// Whether the tire of these modes is off the ground.
+/// True if the tire of these modes is off the ground.
 bool hangs_free(const Study& study, const ModeSet& modes) {
   const std::string name = test_of(modes.asks().front());
   for (const StudyTest& test : study.tests) {
@@ -344,7 +347,7 @@ bool hangs_free(const Study& study, const ModeSet& modes) {
   return false;
 }
 
-/// The same table fitted twice counts twice, which a weight says better.
+/// Finds a table that is fitted twice. It counts twice, which a weight expresses better.
 void examine_repetitions(const Study& study, const Document& file, std::vector<Finding>& found) {
   for (std::size_t i = 0; i < study.experiments.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -353,7 +356,7 @@ void examine_repetitions(const Study& study, const Document& file, std::vector<F
           (a.observable->kind() == "curve" || a.observable->kind() == "values") &&
           (a.observable->asks() != b.observable->asks() ||
            a.observable->compared(a.objective) != b.observable->compared(b.objective));
-      if (a.measurement_file.empty()) continue;  // its values stand in the study
+      if (a.measurement_file.empty()) continue;  // the study itself states the values
       if (!a.fitted || !b.fitted || a.measurement_file != b.measurement_file ||
           a.measurement != b.measurement || other_columns)
         continue;

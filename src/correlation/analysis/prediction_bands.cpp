@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// What trials at a point recorded, of all journals.
+/// Recordings at each point, from all journals.
 using Recordings = std::multimap<std::string, Channels>;
 
 Recordings recordings_around(const Study& study,
@@ -51,11 +51,11 @@ Recordings recordings_around(const Study& study,
   return known;
 }
 
-/// The errors of an experiment at a point, NaN where nothing is computed. A fitted delay is the
-/// last row, s.
+/// Errors of an experiment at a point, NaN if nothing is computed. A fitted delay is the last row,
+/// s.
 struct Errors {
   Eigen::VectorXd values;
-  Eigen::MatrixXd slopes;  // in the unit cube; empty: not known
+  Eigen::MatrixXd slopes;  // derivatives in the unit cube; empty: not known
   std::optional<FittedDelay> delay = {};
 };
 
@@ -71,7 +71,7 @@ Errors errors_of(const Study& study,
     if (!slopes.empty()) slopes.insert(slopes.end(), delay->slopes.begin(), delay->slopes.end());
   }
   Errors errors{to_vector(comparison.errors), {}, comparison.delay};
-  // A root of a force is not the force.
+  // Slopes of the root of a force are not those of the force.
   if (experiment.objective.compared != Compared::force) return errors;
   Score score;
   score.residuals = comparison.errors;
@@ -85,7 +85,7 @@ class ComputedValues {
   ComputedValues(const Study& study, const Identifiability& what, const Recordings& known)
       : study_(study), what_(what), known_(known), beside_(prediction_points(study, what)) {}
 
-  /// Where several trials are known one with slopes.
+  /// Returns the errors at a point. Of several known trials, one with slopes is preferred.
   std::optional<Errors> at(const StudyExperiment& experiment, const DesignPoint& point) const {
     std::optional<Errors> found;
     const auto [first, end] = known_.equal_range(point.bits());
@@ -102,14 +102,14 @@ class ComputedValues {
     return found;
   }
 
-  /// d error / du, a row a value; nullopt where a trial beside the point is missing.
+  /// Returns d error / du, one row for each value; nullopt if a trial beside the point is missing.
   std::optional<Eigen::MatrixXd> slopes(const StudyExperiment& experiment,
                                         const Errors& center) const {
     if (center.slopes.size() > 0) return center.slopes;
     Eigen::MatrixXd all(center.values.size(), study_.space.size());
     for (int i = 0; i < study_.space.size(); ++i) {
       if (!study_.free.empty() && !std::binary_search(study_.free.begin(), study_.free.end(), i)) {
-        all.col(i).setZero();  // the last stage holds it
+        all.col(i).setZero();  // the last stage holds this variable fixed
         continue;
       }
       auto column = by_terms(experiment, i);
@@ -150,11 +150,11 @@ class ComputedValues {
   std::vector<DesignPoint> beside_;
 };
 
-/// Standard deviations of the measured values as shares of their scales.
+/// Returns the standard deviations of the measured values as shares of their scales.
 std::vector<double> noise_of(const Study& study,
                              const Confidence& c,
                              const StudyExperiment& experiment) {
-  const ObjectiveSettings plain;  // of the values themselves, not of their roots
+  const ObjectiveSettings plain;  // compares the values themselves, not their roots
   const bool is_stated = residual_sigma(study).has_value();
   const auto noise = experiment.noise ? experiment.noise
                      : is_stated      ? typical_noise(study)
@@ -167,7 +167,7 @@ std::vector<double> noise_of(const Study& study,
     }
     return deviations;
   }
-  // The common spread of what is compared, weighted.
+  // The compared values share a common weighted spread.
   const MeasurementNoise whole{.relative = 1.0};
   const auto compared = experiment.observable->deviations(whole, experiment.objective);
   auto deviations = experiment.observable->deviations(whole, plain);
@@ -190,7 +190,8 @@ void count_inside(const StudyExperiment& experiment, double t, ExperimentBand& b
   }
 }
 
-/// `of_difference`: the deviation of a difference in units of its scale; `moved`: by the variables.
+/// `of_difference` is the deviation of a difference in units of its scale; `moved` is the band due
+/// to the variables.
 DelayBand delay_band(const FittedDelay& delay,
                      const PredictionBand& moved,
                      double of_difference,
@@ -316,15 +317,15 @@ std::string widest_text(const StudyExperiment& experiment, const ExperimentBand&
   if (!widest) return "";
   const size_t k = *widest;
   const std::string unit = experiment.observable->shown_unit();
-  const auto read_in = Unit::find(unit);  // none of levels
-  // Of a difference.
+  const auto read_in = Unit::find(unit);  // levels have no such unit
+  // A difference converts without the unit's offset.
   const double times = read_in && unit != experiment.observable->unit()
                            ? read_in->from_si(1.0) - read_in->from_si(0.0)
                            : 1.0;
   const double down = times * (band.computed[k] - band.lower[k]),
                up = times * (band.upper[k] - band.computed[k]);
   const double half = 0.5 * (up + down);
-  constexpr double kAlike = 0.01;  // of the half width
+  constexpr double kAlike = 0.01;  // share of the half width: a smaller asymmetry is not shown
   const auto shown = [&](double value) { return format_known(value, half); };
   const std::string ends = std::abs(up - down) <= kAlike * half
                                ? "+- " + shown(half)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// How uncertain the computed values of every experiment are, fitted or predicted: prediction_band.h
-// over the experiments of a study.
+// Uncertainty of the computed values of every experiment, fitted or predicted: applies
+// prediction_band.h to the experiments of a study.
 //
-// No trial is made for it. The slopes of a value are those that its recording carries, or the
-// differences over the trials that told the derivatives of the residuals; of an experiment with a
-// test of its own that is only predicted, over those that tell what its measurement would be worth
-// (measurement_gains.h).
+// No trial is run for the bands. The slopes of a value come from its recording, or from differences
+// over the trials that gave the derivatives of the residuals. The slopes of an experiment that is
+// only predicted and has a test of its own come from the trials of measurement_gains.h.
 #pragma once
 
 #include <optional>
@@ -16,47 +15,50 @@
 
 namespace latsch::correlation {
 
-/// The delay of a recording (curve_delay.h) with its 95 % interval, s: its own scatter at given
-/// variables, and what the variables move it by.
+/// Delay of a recording (curve_delay.h) with its 95 % interval, s. The interval covers the delay's
+/// own scatter at given variables and the change of the delay with the variables.
 struct DelayBand {
   double value = 0.0, lower = 0.0, upper = 0.0;
-  bool at_end = false;  // of the range it is looked for in: the interval is none
+  bool at_end = false;  // true if the delay lies at an end of its search range; there is no
+                        // interval then
 
-  /// "12.31 ms, 95 %: 12.2 .. 12.42 ms"
+  /// Returns for example "12.31 ms, 95 %: 12.2 .. 12.42 ms".
   std::string in_words() const;
 };
 
-/// Of one experiment, a value a row of its observable, in its SI unit.
+/// Band of one experiment: one value for each row of its observable, in its SI unit.
 struct ExperimentBand {
-  std::vector<double> computed;      // at the best point; NaN: none, a mode without a partner
-  std::vector<double> lower, upper;  // of the 95 % band; NaN: not known. Empty: of no value
-  std::vector<double> noise;         // standard deviation of a measured value, stated or estimated
-  int inside = 0, compared = 0;      // measured values inside band and noise, of so many
+  std::vector<double> computed;      // at the best point; NaN for a mode without a partner
+  std::vector<double> lower, upper;  // ends of the 95 % band; NaN: not known; empty: none known
+  std::vector<double> noise;         // standard deviation of each measured value, stated or
+                                     // estimated
+  int inside = 0, compared = 0;      // number of measured values inside band and noise, and number
+                                     // compared
   std::vector<std::string>
-      remarks;  // what makes the band wide or one-sided, or why it is not known
+      remarks;  // reasons why the band is wide, one-sided or not known
 
   std::optional<DelayBand> delay = {};
 
   bool is_known() const { return !lower.empty(); }
 };
 
-/// A trial that is in no journal.
+/// Trial that is in no journal.
 struct KnownTrial {
   DesignPoint point;
   Channels channels;
 };
 
-/// One for every experiment of the study, as far as trials at and beside the point are known.
+/// Returns one band for every experiment of the study, if trials at and beside the point are known.
 std::vector<ExperimentBand> prediction_bands(const Study& study,
                                              const Identifiability& what,
                                              const Journal& journal,
                                              const std::vector<KnownTrial>& others = {});
 
-/// The widest band beside what is computed, and where: "+- 12 N (3.1 %), 20 mm"; empty where none
-/// is known.
+/// Returns the band that is widest relative to the computed value, with its place: "+- 12 N (3.1
+/// %), 20 mm"; empty if no band is known.
 std::string widest_text(const StudyExperiment& experiment, const ExperimentBand& band);
 
-/// "19 of 20 measured values"; empty where none is known.
+/// Returns for example "19 of 20 measured values"; empty if no band is known.
 std::string inside_text(const ExperimentBand& band);
 
 }  // namespace latsch::correlation

@@ -32,8 +32,8 @@ std::vector<ExperimentBand> bands_of(const Study& study, const Identifiability& 
   return prediction_bands(study, what, Journal::read(study.run.journal));
 }
 
-/// A spring with a damper, F = k x + c v, pulled at 0.4 m/s to 2, 5 and 9 mm, where it is measured
-/// to 3 N, and to be predicted at 1.2 m/s.
+/// A spring with a damper, F = k x + c v, is pulled at 0.4 m/s to 2, 5 and 9 mm and measured to 3
+/// N. It is to be predicted at 1.2 m/s.
 class SpringBands : public testing::Test {
  protected:
   SpringBands() {
@@ -80,7 +80,7 @@ use = "predict"
 )" + more);
     return read_study(folder_ / "study.toml", experiment::spring_language());
   }
-  /// As latsch identify simulates it beside the best point.
+  /// Simulates the predictions beside the best point, as latsch identify does.
   static void predict_beside(const Study& study, const Identifiability& what) {
     InlineExecutor executor(evaluator(with_predictions(study)));
     ASSERT_TRUE(predict(study, prediction_points(study, what), executor, {}));
@@ -119,8 +119,8 @@ TEST_F(SpringBands, OfALinearModelAreThoseByHand) {
     EXPECT_NEAR(bands[1].noise[i], 4.0, 1e-9);
   }
   EXPECT_TRUE(bands[1].remarks.empty());
-  // 441 N, 1 N off, lies inside; 730 N is 30 N off, the band 40 N wide, and lies inside with it;
-  // the fit is exact.
+  // 441 N is 1 N off and lies inside. 730 N is 30 N off and lies inside the band of 40 N. The fit
+  // is exact.
   EXPECT_EQ(bands[0].inside, 3);
   EXPECT_EQ(bands[1].compared, 2);
   EXPECT_EQ(bands[1].inside, half(0.02, 3.0) > 30.0 ? 2 : 1);
@@ -128,7 +128,7 @@ TEST_F(SpringBands, OfALinearModelAreThoseByHand) {
   EXPECT_EQ(inside_text(bands[0]), "3 of 3 measured values");
 }
 
-// A band is told in the unit of the measurement it is held against: 0.2 mm of 2 mm.
+// A band is shown in the unit of its measurement: 0.2 mm of 2 mm.
 TEST(WidestBand, IsToldInTheUnitOfItsMeasurement) {
   class Lengths : public Observable {
    public:
@@ -162,7 +162,8 @@ TEST(WidestBand, IsToldInTheUnitOfItsMeasurement) {
   EXPECT_EQ(widest_text(experiment, band), "+- 0.0002 m (10 %), dz");
 }
 
-// No more than two trials a variable, one and those of the ranking: none for a band.
+// The trials number at most two for each variable, one more, and those of the ranking; bands need
+// none.
 TEST_F(SpringBands, CostNoTrial) {
   const Study study = read("900 N s/m");
   const Identifiability what = identified(study, Depth::intervals);
@@ -175,8 +176,8 @@ TEST_F(SpringBands, CostNoTrial) {
   EXPECT_EQ(predicted, 3);
 }
 
-// The bound of the damping lies where it is found: the measurement has more. The force can only be
-// less by it.
+// The bound of the damping lies at the value found, and the measurement wants more damping. Only
+// lower forces are possible inside the bounds.
 TEST_F(SpringBands, AreOneSidedWhereAVariableIsHeldAtItsBound) {
   write("slow.csv", "travel [m],force [N]\n0.002,165\n0.005,226\n0.009,304\n");
   const Study study = read("300 N s/m");
@@ -189,7 +190,7 @@ TEST_F(SpringBands, AreOneSidedWhereAVariableIsHeldAtItsBound) {
   EXPECT_NE(band.remarks[0].find("damping is held at its bound"), std::string::npos);
 }
 
-// Only the force at one travel is measured: k x + c v is known there, and at another speed nothing.
+// The force is measured at one travel only: k x + c v is known there, and nothing at another speed.
 TEST_F(SpringBands, SayWhatTheDataLeaveOpen) {
   write("slow.toml", "kind = \"pull\"\nspeed = \"0.4 m/s\"\ntravels = [\"5 mm\"]\n");
   write("slow.csv", "travel [m],force [N]\n0.005,220\n");
@@ -202,12 +203,12 @@ TEST_F(SpringBands, SayWhatTheDataLeaveOpen) {
   EXPECT_NEAR(bands[0].upper[0] - bands[0].computed[0], kNormal * 0.22, 1e-3);
   ASSERT_EQ(bands[1].remarks.size(), 1u);
   EXPECT_NE(bands[1].remarks[0].find("leave open"), std::string::npos) << bands[1].remarks[0];
-  // With F = k x + c v held, the damping reaches from 50 to 550 N s/m, where the stiffness ends.
+  // With F = k x + c v held, the damping ranges from 50 to 550 N s/m, where the stiffness ends.
   EXPECT_GE(bands[1].upper[0] - bands[1].computed[0], (550 - 300) * 0.8);
   EXPECT_GE(bands[1].computed[0] - bands[1].lower[0], (300 - 50) * 0.8);
 }
 
-// What is known of the damping is as good as a measurement of it.
+// A prior of the damping acts like a measurement of it.
 TEST_F(SpringBands, CountAPriorAsTheIntervalsDo) {
   write("slow.toml", "kind = \"pull\"\nspeed = \"0.4 m/s\"\ntravels = [\"5 mm\"]\n");
   write("slow.csv", "travel [m],force [N]\n0.005,220\n");
@@ -219,7 +220,8 @@ TEST_F(SpringBands, CountAPriorAsTheIntervalsDo) {
   predict_beside(study, what);
   const ExperimentBand band = bands_of(study, what)[1];
   EXPECT_TRUE(band.remarks.empty());
-  // y = k x + c v' with k = (F - c v) / 5 mm:  dy/dc = v' - v x / 5 mm, dy/dF = x / 5 mm
+  // The derivatives of y = k x + c v' with k = (F - c v) / 5 mm are  dy/dc = v' - v x / 5 mm, dy/dF
+  // = x / 5 mm.
   const double half = kNormal * std::hypot(10.0 * (1.2 - 0.4 * 0.8), 3.0 * 0.8);
   EXPECT_NEAR(band.upper[0] - band.computed[0], half, 1e-3);
 }
@@ -235,7 +237,7 @@ measurement = "beyond.csv"
 use = "predict"
 )";
 
-/// A Magic Formula of two numbers, 1.3 and -22, measured at 25 states; held out are two others.
+/// A Magic Formula of two numbers, 1.3 and -22, is measured at 25 states; two others are held out.
 class MagicBands : public FittedStudy {
  protected:
   MagicBands() {
@@ -254,15 +256,16 @@ class MagicBands : public FittedStudy {
   const DesignPoint truth_{{1.3, -22.0}};
 };
 
-// The band at both states held out holds what the true tire does there in 95 of 100 draws of the
-// noise: fewer than 90 of 100 are chance once in ninety times.
+// At both held-out states the band holds the true tire's force in 95 of 100 draws of the noise.
+// Fewer than 90 of 100 occur by chance once in ninety times.
 TEST_F(MagicBands, HoldTheTruthNineteenTimesOfTwenty) {
   const Channels truth = *simulate_all(read(kHeldOut), truth_);
   int held[] = {0, 0};
   for (int draw = 0; draw < 100; ++draw) {
     measure(truth["steady/Fy"], 60.0, static_cast<std::uint64_t>(draw));
     Study study = read(kHeldOut);
-    study.space = study.space.starting_at(truth_);  // for speed: the fit is elsewhere
+    study.space = study.space.starting_at(truth_);  // a start at the truth saves time; the fit ends
+                                                    // elsewhere
     std::filesystem::remove(study.run.journal);
     fit_all(study);
     const Journal journal = Journal::read(study.run.journal);
@@ -282,7 +285,7 @@ TEST_F(MagicBands, HoldTheTruthNineteenTimesOfTwenty) {
   }
 }
 
-// Slopes of the recording and differences over trials tell the same band.
+// Slopes of the recording and differences over trials give equal bands.
 TEST_F(MagicBands, AreTheSameBySlopesAndByDifferences) {
   const Channels truth = *simulate_all(read(kHeldOut), truth_);
   measure(truth["steady/Fy"], 60.0, 1);
@@ -310,15 +313,15 @@ TEST_F(MagicBands, AreTheSameBySlopesAndByDifferences) {
     for (std::size_t i = 0; i < slopes[e].upper.size(); ++i) {
       const double half = slopes[e].upper[i] - slopes[e].computed[i];
       EXPECT_GE(half, 0.0);  // 0 without slip
-      // Differences over a single step, of a hundredth of the range, feel the curvature.
+      // Differences over one step of a hundredth of the range include the curvature.
       EXPECT_NEAR(differences[e].upper[i] - differences[e].computed[i], half, 0.05 * half)
           << e << ", " << i;
     }
   }
 }
 
-// Slopes that the recordings carry make the profiles as well, with fewer of them: none beside the
-// center, and none to take a quarter of the derivatives anew at every rung.
+// Slopes in the recordings give the profiles with fewer recordings: none beside the center, and
+// none to renew a quarter of the derivatives at every rung.
 TEST_F(MagicBands, ProfilesBySlopesAreThoseByDifferencesWithFewerRecordings) {
   const Channels truth = *simulate_all(read(kHeldOut), truth_);
   measure(truth["steady/Fy"], 60.0, 1);
@@ -346,7 +349,7 @@ TEST_F(MagicBands, ProfilesBySlopesAreThoseByDifferencesWithFewerRecordings) {
   for (int i = 0; i < 2; ++i) {
     const Interval &one = profiles[false][i].interval, &other = profiles[true][i].interval;
     EXPECT_EQ(profiles[true][i].verdict, profiles[false][i].verdict);
-    // Either refit may end a fiftieth of the threshold early, which moves an end by a hundredth.
+    // Each refit may end a fiftieth of the threshold early, which moves an end by a hundredth.
     EXPECT_NEAR(other.lower, one.lower, 0.02 * (one.upper - one.lower));
     EXPECT_NEAR(other.upper, one.upper, 0.02 * (one.upper - one.lower));
   }

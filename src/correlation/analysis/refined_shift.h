@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// What mesh and step make of the numbers: how far from those found the refined model (refinement.h)
-// has its least sum of squares, from one trial of it.
+// Effect of mesh and step size on the identified values: the distance from these values to the
+// least sum of squares of the refined model (refinement.h), computed from one trial of the refined
+// model.
 //
-// With r the residuals at the numbers found, r_f those of the refined model at the same numbers and
-// J of the model as it is,
+// Let r be the residuals at the identified values, r_f those of the refined model at the same
+// values, and J the Jacobian of the unrefined model. The shift is
 //   shift = -(J'J)^-1 J' (r_f - r)
-// in the variables that no bound holds: the step of Gauss and Newton from the one least sum of
-// squares to the other. Measurement and its noise are the same in r and r_f and cancel. Exact for
-// linear models whose refinement changes no slope. An interval then reaches from the one number,
-// with its noise, to the other: which of them is the specimen's, nobody knows who has fitted. The
-// value stays that of the model as it is, with which it predicts best.
+// in the variables that no bound holds: the Gauss-Newton step from one least sum of squares to the
+// other. Measurement and noise are the same in r and r_f and cancel. The shift is exact for linear
+// models whose refinement changes no slope. An interval then extends from one value, with its
+// noise, to the other, because the fit cannot decide which of the two is the specimen's. The
+// reported value stays that of the unrefined model, with which the model predicts best.
 #pragma once
 
 #include <optional>
@@ -21,15 +22,16 @@
 
 namespace latsch::correlation {
 
-/// The trial of the refined model at that point, with an executor of refined(study); false where it
-/// was stopped. A journal of an older refinement makes room.
+/// Runs the trial of the refined model at that point, with an executor of refined(study). Returns
+/// false if it was stopped. Replaces a journal of an older refinement.
 bool evaluate_refined(const Study& study,
                       const DesignPoint& point,
                       Executor& executor,
                       const RunOptions& options);
 
-/// In the unit cube, from the journals; nullopt where the study has no refined model, or its trial
-/// is missing or failed. A residual that the refined model does not know counts as unchanged.
+/// Returns the shift in the unit cube, from the journals; nullopt if the study has no refined
+/// model, or its trial is missing or failed. A residual that the refined model does not have counts
+/// as unchanged.
 std::optional<Eigen::VectorXd> refined_shift(const Study& study,
                                              const Identification& identification);
 

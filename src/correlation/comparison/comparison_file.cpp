@@ -27,7 +27,7 @@ ComparedTire read_tire(const Node& table,
   const auto* kind = language.find_kind(table.choice("kind", language.kind_names()));
   const fs::path file = existing(table, "file", folder);
   ComparedTire tire{table.name(), {}, kind, file, kind->read(file), {}, {}};
-  kind->check(tire.numbers);  // what makes no tire is said before the first test
+  kind->check(tire.numbers);  // reports numbers that make no tire before the first test
   tire.title = table.text("title", table.name());
   tire.built_from = table.text("built_from", "");
   tire.parameters = table.text("parameters", "");

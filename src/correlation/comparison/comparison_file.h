@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `latsch compare` reads: tires of any kind, and the drum tests all of them are driven
-// through.
+// Input of `latsch compare`: tires of any kind and the drum tests that all of them run through.
 //
 //   title = "Three tire models over the same cleats"
 //   channels = ["Fx", "Fz"]              # hub forces that are compared
@@ -53,14 +52,14 @@ struct ComparedTire {
 struct ComparisonTest {
   std::string name;
   experiment::DrumTest drum;
-  std::filesystem::path measurement;  // empty: of the specimen
+  std::filesystem::path measurement;  // empty: the specimen is simulated instead
   bool fitted = false;
 };
 
 struct Specimen {
   ComparedTire tire;
-  double step = 0.0;                    // s; 0: that of the test
-  std::map<std::string, double> noise;  // by channel
+  double step = 0.0;                    // s; 0: the step of the test
+  std::map<std::string, double> noise;  // standard deviation, for each channel
   long seed = 1;
 };
 
@@ -75,7 +74,7 @@ struct ComparisonFile {
   std::vector<ComparedTire> tires;
 };
 
-/// Of a force or moment by its name.
+/// Returns the unit of a force or moment by its name.
 const char* unit_of(const std::string& channel);
 
 /// Throws InputError naming the place.

@@ -20,7 +20,7 @@ using report::significant;
 
 constexpr int kMeasuredColor = 1;
 
-/// A color a tire keeps on the whole page, other than that of the measurement.
+/// Returns the color of a tire on the whole page. It differs from the color of the measurement.
 int color_of(std::size_t tire) { return tire == 0 ? 0 : static_cast<int>(tire) + 1; }
 
 std::string range(FrequencyBand band) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tire comparison as one HTML page that opens anywhere, without a network: the verdicts, the
-// table of what each tire can do and needs, errors by frequency, and every test in time and
-// frequency.
+// Writes a tire comparison as one HTML page that opens without a network: the verdicts, the table
+// of what each tire can do and needs, errors by frequency, and every test in time and frequency.
 #pragma once
 
 #include <string>

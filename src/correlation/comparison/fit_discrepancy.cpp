@@ -15,14 +15,14 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kInverseOfUniform = 12.0;  // one over the variance of a number between 0 and 1
+constexpr double kInverseOfUniform = 12.0;  // inverse variance of a uniform number between 0 and 1
 
 struct ChiSquare {
   double sum = 0.0;
   double count = 0.0;
 };
 
-/// The used residuals with their slopes, each over its deviation, and their experiments.
+/// The used residuals with their slopes, each divided by its deviation, and their experiments.
 struct UsedResiduals {
   Eigen::VectorXd r;
   Eigen::MatrixXd J;
@@ -45,7 +45,7 @@ UsedResiduals used_residuals(const Study& study, const Identification& identific
   return all;
 }
 
-/// Of one experiment, predicted by the others.
+/// Returns chi^2 of one experiment, predicted from the others.
 ChiSquare left_out(const UsedResiduals& all, int experiment, double s) {
   std::vector<Eigen::Index> own, others;
   for (std::size_t k = 0; k < all.experiment.size(); ++k)
@@ -56,7 +56,7 @@ ChiSquare left_out(const UsedResiduals& all, int experiment, double s) {
   const numerics::Cholesky factor(M);
   const Eigen::VectorXd moved = factor.solve(J.transpose() * all.r(others));
   const Eigen::VectorXd e = all.r(own) - J_own * moved;
-  // L^-1 J_g' = W:  (I + W'W)^-1 = I - W' (I + W W')^-1 W
+  // With L^-1 J_g' = W,  (I + W'W)^-1 = I - W' (I + W W')^-1 W.
   const Eigen::MatrixXd W = factor.solve_lower(Eigen::MatrixXd(J_own.transpose()));
   Eigen::MatrixXd inner = W * W.transpose();
   inner.diagonal().array() += 1.0;
@@ -65,7 +65,7 @@ ChiSquare left_out(const UsedResiduals& all, int experiment, double s) {
   return {sum / (s * s), static_cast<double>(own.size())};
 }
 
-/// Of the experiments that are only predicted.
+/// Returns chi^2 of the experiments that are only predicted.
 ChiSquare predicted(const Study& study, const Identifiability& what, const Journal& journal) {
   ChiSquare chi;
   const double t = what.identification.confidence().free.t;
@@ -85,12 +85,12 @@ ChiSquare predicted(const Study& study, const Identifiability& what, const Journ
   return chi;
 }
 
-/// Signals of one experiment over time, as simulated and as measured.
+/// Signals of one experiment over time, simulated and measured.
 struct FittedSignal {
   double rate = 0.0;  // Hz
   std::vector<double> measured, simulated;
-  std::vector<std::vector<double>> moved;  // as simulated, an axis of the variables each
-  double noise = 0.0;                      // mean square of a sample
+  std::vector<std::vector<double>> moved;  // simulated signals, one for each axis of the variables
+  double noise = 0.0;                      // mean square noise of a sample
 };
 
 bool is_over_time(const StudyExperiment& experiment) {
@@ -122,7 +122,7 @@ std::optional<FittedSignal> signal_of(const Study& study,
     if (row.experiment != experiment) continue;
     const std::size_t place = signal.measured.size();
     if (place >= measured.size()) return std::nullopt;
-    const double size = row.unit * scales[place];  // of a residual of 1
+    const double size = row.unit * scales[place];  // size of a residual of 1
     const auto index = static_cast<Eigen::Index>(k);
     signal.measured.push_back(measured[place]);
     signal.simulated.push_back(measured[place] - size * at.r[index]);
@@ -131,21 +131,21 @@ std::optional<FittedSignal> signal_of(const Study& study,
                                 size * moves(index, static_cast<Eigen::Index>(a)));
     signal.noise += one.objective.weight * size * size / static_cast<double>(measured.size());
   }
-  if (signal.measured.size() != measured.size()) return std::nullopt;  // some are not known
+  if (signal.measured.size() != measured.size()) return std::nullopt;  // some values are not known
   return signal;
 }
 
-/// Sums over the lines of a third-octave band, of all experiments.
+/// Sums over the lines of a third-octave band, over all experiments.
 struct BandSums {
   double squares = 0.0, explained = 0.0, lines = 0.0;
 };
 
-/// Third octaves around 1 kHz 2^(n/3).
+/// Returns the number n of the third-octave band around 1 kHz 2^(n/3).
 int band_of(double f) { return static_cast<int>(std::lround(3.0 * std::log2(f / 1e3))); }
 double center_of(int band) { return 1e3 * std::exp2(band / 3.0); }
 
 void add_lines(const FittedSignal& signal, double segment, std::map<int, BandSums>& bands) {
-  constexpr double kAudible = 2.0;  // times the noise: what is less tells noise
+  constexpr double kAudible = 2.0;  // multiple of the noise density: weaker lines show only noise
   const auto samples = static_cast<int>(signal.measured.size());
   const auto settings = numerics::welch_settings(
       numerics::Convention::scipy, samples, static_cast<int>(std::lround(segment * signal.rate)));
@@ -202,7 +202,7 @@ SpectralDiscrepancy spectral_discrepancy(const Study& study,
                                          const Identifiability& what,
                                          const Eigen::MatrixXd& axes,
                                          double segment) {
-  constexpr double kLinesOfAWindow = 1.5;  // Hann: lines beside each other share noise
+  constexpr double kLinesOfAWindow = 1.5;  // a Hann window correlates neighboring lines
   std::map<int, BandSums> bands;
   for (std::size_t e = 0; e < study.experiments.size(); ++e)
     if (const auto signal = signal_of(study, what.identification, axes, static_cast<int>(e)))

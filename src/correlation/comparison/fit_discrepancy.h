@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a fit says against its own model: errors beyond what noise and the uncertainty of its
-// variables explain.
+// Model errors that a fit reveals: errors beyond what noise and the uncertainty of its variables
+// explain.
 //
-// Held out: every fitted experiment g is left out in turn and predicted by the others, to first
-// order of the residuals r (in units of their noise, J their slopes, s their spread),
+// Held-out error: every fitted experiment g is left out in turn and predicted from the others, to
+// first order of the residuals r (in units of their noise, with J their slopes and s their spread):
 //   M = J_-g' J_-g + 12 s^2 I,   e = r_g - J_g M^-1 J_-g' r_-g,
 //   chi^2 = e' (s^2 I + s^2 J_g M^-1 J_g')^-1 e
-// and the experiments with use = "predict" add their chi^2 about their bands (prediction_bands.h),
-// where these are known. Over the number of values that is 1 of a right model; more than chance has
-// once in a thousand is what its numbers are more uncertain by than the fit says.
+// Experiments with use = "predict" add their chi^2 about their bands (prediction_bands.h), if these
+// are known. Chi^2 over the number of values is 1 for a correct model. If it is larger than chance
+// makes it once in a thousand, it measures how much more uncertain the model's numbers are than the
+// fit says.
 //
-// Spectrum: of experiments over time (curve.h: values, about_mean) with a stated noise,
+// Spectral discrepancy: for experiments over time (curve.h: values, about_mean) with stated noise,
+// each line of the spectrum gives
 //   D = ln S_mea / (S_sim + N),   v = (2 S_sim N + N^2)/(K (S_sim + N)^2) + sum_k g_k^2
-// line by line, N the density of the noise, K segments averaged, g_k what the fit's own
-// uncertainty moves the line by. In third-octave bands where  mean D^2 > v  beyond chance,
+// with N the density of the noise, K the number of averaged segments and g_k the change of the line
+// by the fit's own uncertainty. In third-octave bands in which mean D^2 exceeds v beyond chance,
 //   delta^2 = mean (D^2 - v)
-// is the variance of the logarithm of a density the model gets wrong whatever its numbers are. A
-// comparison takes it for that of the densities it predicts at the same frequency: a guess, since
-// the road and what lies between are others, but of the measured size. It is constant beyond the
-// outermost bands, and linear in ln f between their centers.
+// is the variance of the logarithm of a density that the model gets wrong whatever its numbers are.
+// A comparison uses delta for the densities it predicts at the same frequency. That is a guess,
+// because road and transmission differ, but its size is measured. Delta is constant beyond the
+// outermost bands and linear in ln f between their centers.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,24 +31,25 @@
 
 namespace latsch::correlation {
 
-/// Of ln S over frequency; empty: no experiment tells.
+/// Discrepancy of ln S over frequency. It is empty if no experiment determines it.
 struct SpectralDiscrepancy {
   std::vector<double> frequency;  // Hz, centers of the bands, rising
-  std::vector<double> deviation;  // delta
+  std::vector<double> deviation;  // delta, standard deviation of ln S
 
-  double at(double f) const;  // 0 where empty
+  double at(double f) const;  // 0 if empty
 };
 
-/// The root of chi^2 over the number of values, where that cannot be chance; else 1.
+/// Returns the root of chi^2 over the number of values if that cannot be chance; otherwise 1.
 double held_out_error(const Study& study, const Identifiability& what, const Journal& journal);
 
-/// Spectra of segments so long, s; `axes`: independent deviations of the variables.
+/// Computes the discrepancy from spectra with segments of this length, s. `axes` are independent
+/// deviations of the variables.
 SpectralDiscrepancy spectral_discrepancy(const Study& study,
                                          const Identifiability& what,
                                          const Eigen::MatrixXd& axes,
                                          double segment);
 
-/// How many independent spectra an average of Welch's segments is worth.
+/// Returns the number of independent spectra that an average of Welch's segments is worth.
 double independent_segments(int samples, const numerics::WelchSettings& settings);
 
 }  // namespace latsch::correlation

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a fit of springs with dampers, F = k x + c v, says against them, where that is known in
-// closed form.
+// Discrepancies of a fit of springs with dampers, F = k x + c v, in cases with a closed form.
 #include "correlation/comparison/fit_discrepancy.h"
 
 #include <gtest/gtest.h>
@@ -54,12 +53,12 @@ initial = "20 N/mm"
   ScratchFolder folder_;
 };
 
-// Tones measured 1.4, 0.5 and 1.1 times as large as those of the model. The changes add up to no
-// force along x nor along v,
+// The measured tones are 1.4, 0.5 and 1.1 times as large as those of the model. The changes add up
+// to no force along x nor along v,
 //   0.4 - 0.5 + 0.1 = 0,    0.4 10^2 - 0.5 20^2 + 0.1 40^2 = 0
-// so no number of the model follows them, and the logarithm of a line is off by 2 ln of the gain:
-// around 10, 20 and 40 Hz, with the lines beside the tone that a window of Hann gives a quarter of
-// it. The bands of the two tones that are right miss nothing.
+// so no number of the model follows them, and the logarithm of a line is off by 2 ln of the gain
+// around 10, 20 and 40 Hz. This includes the lines beside the tone, to which a Hann window gives a
+// quarter of it. The bands of the two correct tones show no discrepancy.
 TEST_F(SpringsThatMiss, AreOffByTheGainOfTheirTones) {
   const std::array<double, 5> gains = {1.0, 1.4, 0.5, 1.1, 1.0};
   std::string table = "time [s],force [N]\n";
@@ -93,7 +92,7 @@ exponent = 2
   const SpectralDiscrepancy missed =
       spectral_discrepancy(found.study, found.what, exactly_there, kShakenLength);
   ASSERT_EQ(missed.frequency.size(), missed.deviation.size());
-  // The lines that tell are those of the tones and their neighbors: 2 Hz apart.
+  // Only the lines of the tones and their neighbors, 2 Hz apart, count.
   const auto gain_at = [&](double center) {
     for (std::size_t k = 0; k < gains.size(); ++k)
       if (std::abs(std::log2(kShakenTones[k] / center)) < 1.0 / 6.0) return gains[k];
@@ -102,21 +101,21 @@ exponent = 2
   std::set<double> seen;
   for (std::size_t i = 0; i < missed.frequency.size(); ++i) {
     const double gain = gain_at(missed.frequency[i]);
-    if (gain == 0.0) continue;  // beside a tone
+    if (gain == 0.0) continue;  // a line beside a tone
     seen.insert(gain);
     EXPECT_NEAR(missed.deviation[i], 2.0 * std::abs(std::log(gain)), 1e-3) << missed.frequency[i];
   }
-  EXPECT_EQ(seen.size(), 4u);  // 1.0 of two tones
+  EXPECT_EQ(seen.size(), 4u);  // two tones have 1.0
   EXPECT_EQ(missed.at(0.1), missed.deviation.front());
   EXPECT_EQ(missed.at(400.0), missed.deviation.back());
 }
 
-// Two recordings of n travels x, as of springs stiffer and softer by d. Each, predicted by the
-// other, is off by 2 d x, and the prediction is as uncertain along x as a recording itself: with
-// Q = d^2 sum x^2 / noise^2 and s the spread in units of the noise
+// Two recordings of n travels x differ as springs stiffer and softer by d. Each, predicted from the
+// other, is off by 2 d x, and the prediction is as uncertain along x as a recording itself. With Q
+// = d^2 sum x^2 / noise^2 and s the spread in units of the noise,
 //   chi^2 / values = 2 (2^2 Q / 2) / (s^2 2 n) = 2 Q / (s^2 n)
-// up to the prior of a stiffness that is uniform in its bounds, 12 s^2 noise^2 over sum x^2 and
-// the square of their width: below 1e-5.
+// up to the prior of a stiffness that is uniform in its bounds, 12 s^2 noise^2 over sum x^2 and the
+// square of their width, which is below 1e-5.
 TEST_F(SpringsThatMiss, PredictEachOtherAsFarOffAsTheirStiffnessesAre) {
   constexpr int n = 24;
   constexpr double d = 2e3, noise = 3.0, kSpeed = 0.4;
@@ -147,7 +146,7 @@ TEST_F(SpringsThatMiss, PredictEachOtherAsFarOffAsTheirStiffnessesAre) {
   EXPECT_NEAR(held_out_error(found.study, found.what, found.journal), std::sqrt(expected), 1e-4);
 }
 
-// Recordings that differ by less than their noise are no error at all.
+// Recordings that differ by less than their noise show no error.
 TEST_F(SpringsThatMiss, AreNotBlamedForChance) {
   const auto recording = [](double sign) {
     std::string table = "travel [m],force [N]\n";

@@ -15,22 +15,22 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kOfAUniformNumber = 12.0;  // one over the variance of a number between 0 and 1
+constexpr double kOfAUniformNumber = 12.0;  // inverse variance of a uniform number between 0 and 1
 
-/// Independent directions of P, free variables alone.
+/// Returns independent directions of P in the free variables.
 Eigen::MatrixXd free_axes(const Confidence& c, double held_out) {
   const auto [values, Q] = numerics::self_adjoint_eigen(c.covariance);
   Eigen::MatrixXd axes(Q.rows(), Q.cols());
   Eigen::Index count = 0;
   for (Eigen::Index k = values.size() - 1; k >= 0; --k) {
     const double variance = held_out * held_out * values[k];
-    if (!(variance > 0.0)) continue;  // of held variables: 0
+    if (!(variance > 0.0)) continue;  // held variables have variance 0
     axes.col(count++) = Q.col(k) / std::sqrt(1.0 / variance + kOfAUniformNumber);
   }
   return axes.leftCols(count);
 }
 
-/// Of a variable at its bound, with the others.
+/// Returns the direction of a variable at its bound, in which the other variables follow.
 Eigen::VectorXd held_axis(const Eigen::VectorXd& u, const Confidence& c, int variable) {
   const Interval& interval = c.intervals[static_cast<std::size_t>(variable)];
   const bool at_lower = c.held[static_cast<std::size_t>(variable)] == Bound::lower;
@@ -50,7 +50,7 @@ Eigen::MatrixXd axes_of(const Identifiability& what, double held_out) {
     axes.conservativeResize(axis.size(), axes.cols() + 1);
     axes.rightCols(1) = axis;
   };
-  constexpr double kWorthwhile = 0.1;  // of the rise that ends an interval
+  constexpr double kWorthwhile = 0.1;  // share of the rise that ends an interval: less is not added
   if (c.left_to_gain > kWorthwhile * c.threshold()) add(c.free.axes * c.free.left);
   for (int i = 0; i < u.size(); ++i)
     if (c.held[static_cast<std::size_t>(i)] != Bound::none) add(held_axis(u, c, i));

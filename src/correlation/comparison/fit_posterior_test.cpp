@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bands of a predicted density by the fit behind it, on springs with dampers, F = k x + c v: the
+// Bands of a predicted density from the fit behind it, on springs with dampers, F = k x + c v. The
 // fit pulls them at one speed, the comparison shakes them.
 #include "correlation/comparison/fit_posterior.h"
 
@@ -27,8 +27,8 @@ constexpr double kNormal90 = 1.644854;
 const std::vector<double> kTravels = {0.002, 0.005, 0.009};
 constexpr double kPullSpeed = 0.4;
 
-/// A folder in memory for journals, hundreds of which need not wait for a disk; none where the
-/// machine has no such folder: then they are beside their study.
+/// A folder in memory for journals, hundreds of which need not wait for a disk. If the machine has
+/// no such folder, the journals lie beside their study.
 class JournalInMemory {
  public:
   JournalInMemory() {
@@ -39,7 +39,7 @@ class JournalInMemory {
     std::error_code ignored;
     if (folder_) std::filesystem::remove_all(*folder_, ignored);
   }
-  /// Of a study.
+  /// Returns the [run] table of a study.
   std::string run_table() const {
     return folder_ ? fmt::format("[run]\njournal = \"{}/fit.latsch\"\n", *folder_) : "";
   }
@@ -51,7 +51,7 @@ class JournalInMemory {
 class FittedSprings : public testing::Test {
  protected:
   FittedSprings() {
-    write("model.toml", spring_file(15e3, 250.0));  // where the fit begins
+    write("model.toml", spring_file(15e3, 250.0));  // start of the fit
     write("shake.toml", "kind = \"shake\"\n");
     write("pull.toml",
           "kind = \"pull\"\nspeed = \"0.4 m/s\"\ntravels = [\"2 mm\", \"5 mm\", \"9 mm\"]\n");
@@ -60,7 +60,7 @@ class FittedSprings : public testing::Test {
     std::ofstream(folder_ / name) << text;
   }
 
-  /// Forces as measured at the travels, to so many N.
+  /// Fits forces measured at the travels, accurate to `noise` N.
   Study fit(const std::vector<double>& forces, double noise = 3.0, const std::string& more = "") {
     std::string table = "travel [m],force [N]\n";
     for (std::size_t i = 0; i < forces.size(); ++i)
@@ -131,7 +131,8 @@ std::vector<double> exact_forces(double k, double c) {
   return forces;
 }
 
-/// var of ln(k^2 + c^2 w^2) by the covariance of a line k x + v c through three points.
+/// Returns the deviation of ln(k^2 + c^2 w^2) from the covariance of a line k x + v c through three
+/// points.
 double closed_form_deviation(double f, double sigma) {
   const double w = 2.0 * std::numbers::pi * f, mean = 0.016 / 3.0;
   double Sxx = 0.0;
@@ -150,9 +151,9 @@ std::size_t line_of(const numerics::Density& S, double f) {
   return k;
 }
 
-// A density of the tones is that of the travel times k^2 + c^2 w^2, so its band is known. The
-// covariance matters: without it the band at 10 Hz, where k and c weigh alike, were wider by half.
-// 2 % for the curvature of a logarithm over one deviation.
+// The density of the tones is that of the travel times k^2 + c^2 w^2, so its band is known. The
+// covariance matters: without it, the band at 10 Hz, where k and c matter equally, would be half as
+// wide again. The tolerance of 2 % allows for the curvature of a logarithm over one deviation.
 TEST_F(FittedSprings, HaveTheBandOfTheFitsCovariance) {
   write("specimen.toml", spring_file(kStiffness, kDamping));
   fit(exact_forces(kStiffness, kDamping));
@@ -170,7 +171,7 @@ TEST_F(FittedSprings, HaveTheBandOfTheFitsCovariance) {
   EXPECT_EQ(found.fits[0].excess, 1.0);
 }
 
-// The same by samples: a quantile of 400 draws is known to 5 % or so of the half width.
+// The band from samples is equal: a quantile of 400 draws is known to about 5 % of the half width.
 TEST_F(FittedSprings, HaveTheSameBandBySamples) {
   write("specimen.toml", spring_file(kStiffness, kDamping));
   fit(exact_forces(kStiffness, kDamping));
@@ -184,11 +185,12 @@ TEST_F(FittedSprings, HaveTheSameBandBySamples) {
   }
 }
 
-// A measurement that no line follows, off by what is orthogonal to all of them: over one degree of
-// freedom its length is the spread seen, and the band as much wider than the stated 0.5 N make it.
+// The measurement is off by an amount orthogonal to every line, so no line follows it. With one
+// degree of freedom its length is the spread seen, and the band is wider than from the stated 0.5 N
+// by that ratio.
 TEST_F(FittedSprings, HaveABandAsWideAsTheFitIsBad) {
   write("specimen.toml", spring_file(kStiffness, kDamping));
-  // Orthogonal to 1 and to the travels: what no k and c can follow.
+  // The error is orthogonal to 1 and to the travels, so no k and c can follow it.
   const std::array<double, 3> off = {4.0, -7.0, 3.0};
   auto forces = exact_forces(kStiffness, kDamping);
   for (std::size_t i = 0; i < 3; ++i) forces[i] += 0.25 * off[i];
@@ -202,9 +204,9 @@ TEST_F(FittedSprings, HaveABandAsWideAsTheFitIsBad) {
   EXPECT_NEAR(std::log(run.upper[0][k] / run.densities[0].value[k]), half, 0.1 * half);
 }
 
-// Springs of the model's kind, noise as stated in fit and reference. The lines of one spring hang
-// together, so of 300 springs the share is known to sqrt(0.9 0.1 / 300) = 1.7 %: 4 % is more than
-// two of these.
+// The springs are of the model's kind, with noise as stated in fit and reference. The lines of one
+// spring depend on each other, so 300 springs give the share to sqrt(0.9 0.1 / 300) = 1.7 %. The
+// tolerance of 4 % is more than two of these deviations.
 TEST_F(FittedSprings, HoldTheLinesOfSpringsOfTheirKindAsOftenAsTheySay) {
   constexpr int kSprings = 300;
   double inside = 0.0;
@@ -224,13 +226,13 @@ TEST_F(FittedSprings, HoldTheLinesOfSpringsOfTheirKindAsOftenAsTheySay) {
   EXPECT_NEAR(inside, 0.9, 0.04);
 }
 
-// What noise alone makes of a line of one segment is distributed exponentially: 5 % and 95 % of it
+// A line of one segment with noise alone is distributed exponentially: its 5 % and 95 % quantiles
 // are -ln 0.95 and -ln 0.05 of the mean. The tolerance is that of kNormal90, seven digits.
 TEST(LineNoise, IsThatOfAPeriodogramWhereThereIsNothingElse) {
   const LineNoise noise{4.0, 1.0};
   EXPECT_NEAR(std::exp(noise.log_quantile(0.0, kNormal90)), -std::log(0.05), 1e-6);
   EXPECT_NEAR(std::exp(noise.log_quantile(0.0, -kNormal90)), -std::log(0.95), 1e-6);
-  // Little noise N beside S: ln S has the deviation sqrt(2 N / S); the next term is N / S.
+  // With little noise N beside S, ln S has the deviation sqrt(2 N / S); the next term is N / S.
   EXPECT_NEAR(noise.log_quantile(4e4, 1.0), std::sqrt(2.0 * 4.0 / 4e4), 2.0 * 4.0 / 4e4);
   EXPECT_EQ((LineNoise{0.0, 1.0}.log_quantile(1.0, 2.0)), 0.0);
 }
@@ -267,7 +269,7 @@ TEST_F(FittedSprings, SayWhatTheirBandContains) {
             std::string::npos);
 }
 
-// A covariance that was found for another test is none of this model.
+// A covariance found for another test does not apply to this model.
 TEST_F(FittedSprings, OfAStudyThatWasEditedSinceAreRefused) {
   write("specimen.toml", spring_file(kStiffness, kDamping));
   fit(exact_forces(kStiffness, kDamping));

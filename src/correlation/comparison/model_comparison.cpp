@@ -38,7 +38,8 @@ double rate_of(const Channels& channels) {
   return static_cast<double>(time.size() - 1) / (time.back() - time.front());
 }
 
-/// One way, from the steady state of its first 20 ms: what comes later does not reach back.
+/// Filters forward only, starting from the steady state of the first 20 ms, so that later samples
+/// do not affect earlier ones.
 Channels low_passed(const Channels& recording, double edge) {
   if (edge == 0.0) return recording;
   constexpr double kFirst = 0.02;  // s
@@ -101,7 +102,7 @@ Channels run_of(const ComparedModel& model,
   return std::move(*channels);
 }
 
-/// The samples that count of a channel.
+/// Returns the selected samples of a channel.
 std::vector<double> counted(const ModelComparisonFile& file,
                             const Channels& channels,
                             const std::string& name,
@@ -137,7 +138,7 @@ std::vector<numerics::Density> densities_of(const ModelComparisonFile& file,
   return all;
 }
 
-/// White, as stated.
+/// Returns white noise as stated.
 std::vector<LineNoise> noise_of(const ModelComparisonFile& file, const Channels& recording) {
   std::vector<LineNoise> all;
   const double rate = rate_of(recording);
@@ -162,7 +163,7 @@ bool has(const Document& numbers, const std::vector<std::string>& wanted) {
   });
 }
 
-/// A typed number away by so many spreads, where the model has it.
+/// Multiplies a number stated by hand by exp(`spreads` times its spread), if the model has it.
 void move_typed(const Uncertainty& number, double spreads, Document& numbers) {
   const auto paths = numbers.paths();
   for (const std::string& path : number.paths)
@@ -170,13 +171,13 @@ void move_typed(const Uncertainty& number, double spreads, Document& numbers) {
       numbers.set(path, std::exp(spreads * number.spread) * numbers.get(path));
 }
 
-/// A model beside its place.
+/// A model with moved numbers.
 struct MovedModel {
   Document numbers;
-  double count = 1.0;  // of a slope along it: the bounds may leave no room for a whole deviation
+  double count = 1.0;  // one over the deviations moved, as bounds may not allow one
 };
 
-/// One deviation along a direction of a fit, to the side that has more room.
+/// Moves a model by up to one deviation along a direction of a fit, to the side with more room.
 MovedModel moved_along(const FitSource& source,
                        const FitPosterior& fit,
                        Eigen::Index axis,
@@ -191,7 +192,8 @@ MovedModel moved_along(const FitSource& source,
     }
     return least;
   };
-  constexpr double kLeast = 0.01;  // of a deviation: what lies on its bound and is moved by it
+  constexpr double kLeast = 0.01;  // share of a deviation: least step even if a variable lies on
+                                   // its bound
   const double up = room(1.0), down = room(-1.0);
   const double step = up >= down ? std::max(up, kLeast) : -std::max(down, kLeast);
   auto place = u;
@@ -217,7 +219,7 @@ std::vector<MovedModel> along_directions(const ModelComparisonFile& file,
   return all;
 }
 
-/// Models that share a fit share what is drawn of it.
+/// Models that share a fit share its random draws.
 MovedModel drawn(const ModelComparisonFile& file,
                  const ComparedModel& model,
                  const std::vector<FitPosterior>& fits,
@@ -238,7 +240,7 @@ MovedModel drawn(const ModelComparisonFile& file,
   return moved;
 }
 
-/// Where a model is run for its bands; none where nothing of it is uncertain.
+/// Returns the moved models that are run for the bands; empty if nothing of the model is uncertain.
 std::vector<MovedModel> band_models(const ModelComparisonFile& file,
                                     const ComparedModel& model,
                                     const std::vector<FitPosterior>& fits) {
@@ -249,7 +251,7 @@ std::vector<MovedModel> band_models(const ModelComparisonFile& file,
   return all;
 }
 
-/// z such that a normal number lies within ±z with that probability, by bisection.
+/// Returns z such that a normal number lies within ±z with that probability, by bisection.
 double normal_bound(double level) {
   double low = 0.0, high = 10.0;
   for (int i = 0; i < 60; ++i) {
@@ -266,13 +268,13 @@ double quantile(std::vector<double> values, double p) {
   return values[i] + (at - static_cast<double>(i)) * (values[i + 1] - values[i]);
 }
 
-/// What the spectra of a model beside its place tell, by channel.
+/// Spectra of a moved model, by channel.
 struct MovedDensities {
   std::vector<numerics::Density> densities;
-  double count = 1.0;  // MovedModel::count
+  double count = 1.0;  // copied from MovedModel::count
 };
 
-/// How far the logarithm of a line reaches down and up.
+/// Half widths of a line's logarithm, downward and upward.
 struct LogReach {
   double down = 0.0, up = 0.0;  // >= 0
 };
@@ -296,7 +298,7 @@ LogReach reach_of(const ModelComparisonFile& file,
           std::max(0.0, std::log(quantile(values, 0.5 + 0.5 * file.level) / S))};
 }
 
-/// Variance of the logarithm that the fits' own spectra leave unexplained.
+/// Returns the variance of the logarithm that the fits' own spectra leave unexplained.
 double unexplained(const ComparedModel& model, const std::vector<FitPosterior>& fits, double f) {
   double sum = 0.0;
   for (const std::size_t k : model.fits) sum += std::pow(fits[k].discrepancy.at(f), 2);
@@ -324,10 +326,11 @@ void add_bands(const ModelComparisonFile& file,
   }
 }
 
-/// Whether a measured line lies in the band as noise widens it.
+/// True if a measured line lies in the band widened by noise.
 bool holds(
     double measured, double S, double lower, double upper, const LineNoise& noise, double z) {
-  const double M = S + noise.density, share = S / M;  // of ln M that ln S moves
+  const double M = S + noise.density, share = S / M;  // share of a change of ln S that appears in
+                                                      // ln M
   const double off = std::log(measured / M);
   const double down = std::hypot(share * std::log(S / lower), noise.log_quantile(S, -z));
   const double up = std::hypot(share * std::log(upper / S), noise.log_quantile(S, z));
@@ -397,8 +400,8 @@ ModelRun run_model(const ModelComparisonFile& file,
   return run;
 }
 
-/// Calls work(0) ... work(count - 1), each in one of so many threads; the first exception is
-/// thrown on.
+/// Calls work(0) ... work(count - 1), distributed over this number of threads, and rethrows the
+/// first exception.
 void share_out(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
   std::mutex guard;
@@ -451,7 +454,7 @@ Channels record_reference(const ModelComparisonFile& file,
       read_case(one.reference_test, file.tests[one.test].reference_folder, language, nullptr);
   const Channels clean = run_of(file.reference, file.reference.numbers, *test, one.name);
   Channels noisy;
-  std::uint64_t number = 64 * index;  // a stream for each channel of each case
+  std::uint64_t number = 64 * index;  // random stream, different for each channel of each case
   for (Channel channel : clean.all()) {
     RandomStream random(static_cast<std::uint64_t>(file.seed), number++);
     if (const auto noise = file.noise.find(channel.name); noise != file.noise.end())
@@ -486,7 +489,7 @@ Channels reference_of(const ModelComparisonFile& file,
 
 namespace {
 
-/// The models at the best points of their fits.
+/// Sets the models to the best points of their fits.
 ModelComparisonFile at_fits(ModelComparisonFile file, const std::vector<FitPosterior>& fits) {
   for (ComparedModel& model : file.models) {
     for (const std::size_t k : model.fits)

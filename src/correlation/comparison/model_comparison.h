@@ -1,27 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models through the same tests beside a reference, by the spectra of what they record.
+// Runs models through the same tests and compares them with a reference by the spectra of what they
+// record.
 //
 //   distance   RMS(S - S_ref) / RMS(S_ref) over the lines of a band    [thesis K, 3.3]
 //   decibels   sqrt(mean (10 log10 S/S_ref)^2), the log-spectral distance, to which weak lines
 //              count like strong ones (measurement/band_level.h)
 //
-// Bands of a predicted density. A model that comes from fits stands at their best points, and what
-// these leave open (fit_posterior.h: independent directions of one deviation each, correlations
-// included) moves ln S, as do typed numbers, lognormal and independent. From slopes: ln S changes
-// by g_k along direction k, and the band is S exp(± z b),
+// Bands of a predicted density: a model that comes from fits is evaluated at their best points. The
+// uncertainty left by the fits (fit_posterior.h: independent directions of one deviation each,
+// correlations included) moves ln S, as do numbers stated by hand, which are lognormal and
+// independent. From slopes: ln S changes by g_k along direction k, and the band is S exp(± z b),
 //   b^2 = sum g_k^2 + sum delta(f)^2
-// z of the level, delta the error that a fit's own spectra show its model to make whatever its
-// numbers are (fit_discrepancy.h). From samples: quantiles of S over them, line by line, take the
-// place of the slopes.
+// with z the quantile of the level and delta the model error that a fit's own spectra show
+// (fit_discrepancy.h). From samples: line by line, the quantiles of S over the samples replace the
+// slopes.
 //
-// Coverage is the share of the reference's lines inside the band widened by the reference's noise:
-// with N the density of the noise and K independent segments a line measured of S is
+// Coverage is the share of the reference's lines inside the band widened by the reference's noise.
+// With N the density of the noise and K independent segments, a measured line of S is distributed
+// as
 //   (S + N) chi^2_h / h,   h = 2 K (S + N)^2 / (2 S N + N^2)
-// [Patnaik, Biometrika 36 (1949) 202: the noncentral chi^2], whose quantiles (chi_square.h) are
-// added to those of the band as roots of squares of logarithms.
+// [Patnaik, Biometrika 36 (1949) 202: the noncentral chi^2]. Its quantiles (chi_square.h) are added
+// to those of the band as roots of sums of squared logarithms.
 //
-// It is of each line alone. It knows nothing of numbers that no fit and no table names, nor of what
-// the models lack but the fits' rigs did not show.
+// Coverage treats each line alone. It ignores the uncertainty of numbers that no fit and no table
+// names, and model errors that did not show on the fits' rigs.
 #pragma once
 
 #include <functional>
@@ -34,62 +36,63 @@
 
 namespace latsch::correlation {
 
-/// One model in one case; spectra by channel.
+/// Result of one model in one case, with its spectra by channel.
 struct ModelRun {
   std::vector<numerics::Density> densities;
-  std::vector<std::vector<double>> distance, decibels;  // by band and channel
-  std::vector<std::vector<double>> lower, upper;        // by channel and line; empty: no bands
-  std::vector<double> coverage;  // by channel, of lines in the first band; empty: no bands
-  std::vector<double> reach;     // by channel, of the bands there: mean half width of ln S
-  std::vector<double> told;      // means; NaN: it has not that channel
-  double cpu = 0.0;              // s, of the run itself
+  std::vector<std::vector<double>> distance, decibels;  // [band][channel]
+  std::vector<std::vector<double>> lower, upper;        // [channel][line]; empty: no bands
+  std::vector<double> coverage;  // share of lines in the first band; empty: no bands
+  std::vector<double> reach;     // mean half width of the band of ln S, each channel
+  std::vector<double> told;      // means of the `told` channels; NaN: the model does not record
+                                 // that channel
+  double cpu = 0.0;              // CPU time of the run itself, s
 
-  /// Mean over the channels.
+  /// Returns the mean over the channels.
   double mean_distance(std::size_t band) const;
   double mean_decibels(std::size_t band) const;
 };
 
-/// What noise does to a measured line: its density, and how many spectra are averaged.
+/// Noise of a measured line: its density, and the number of spectra averaged.
 struct LineNoise {
   double density = 0.0;
   double segments = 1.0;
 
-  /// The logarithm of what a line of density S is measured as, over S + density, at z standard
-  /// deviations of a normal number.
+  /// Returns the logarithm of the measured value of a line of density S, over S + density, at z
+  /// standard deviations of a normal number.
   double log_quantile(double S, double z) const;
 };
 
 struct CaseComparison {
   std::vector<numerics::Density> reference;
-  std::vector<LineNoise> noise;  // of the reference, by channel
+  std::vector<LineNoise> noise;  // noise of the reference, by channel
   std::vector<ModelRun> models;
 };
 
 struct ModelComparison {
-  std::vector<FitPosterior> fits;  // as in the file
+  std::vector<FitPosterior> fits;  // in the order of the file
   std::vector<CaseComparison> cases;
   std::vector<experiment::Test::Picture> pictures;
 };
 
-/// What the reference shows in a case: all it records, with noise.
+/// Returns everything the reference records in a case, noise included.
 Channels record_reference(const ModelComparisonFile& file,
                           std::size_t index,
                           const experiment::Language& language);
-/// Of that, what is written and compared: time, channels, recorded.
+/// Returns the channels that are written and compared: time, compared and recorded ones.
 Channels kept_of(const ModelComparisonFile& file, const Channels& all);
-/// From its file where there is one, else simulated.
+/// Reads the reference from its file if it has one; otherwise simulates it.
 Channels reference_of(const ModelComparisonFile& file,
                       std::size_t index,
                       const experiment::Language& language);
 
-/// With so many threads; what comes out does not depend on their number. Throws InputError where
-/// records do not fit each other, std::runtime_error where a model does not come through.
+/// Runs the comparison with this many threads; the result does not depend on their number. Throws
+/// InputError if records do not fit each other, std::runtime_error if a model fails.
 ModelComparison compare_models(const ModelComparisonFile& file,
                                const experiment::Language& language,
                                int threads,
                                const std::function<void(long done, long all)>& tell = {});
 
-/// RMS(a - b) / RMS(b) over the lines of the band.
+/// Returns RMS(a - b) / RMS(b) over the lines of the band.
 double psd_distance(const numerics::Density& a, const numerics::Density& b, FrequencyBand band);
 
 }  // namespace latsch::correlation

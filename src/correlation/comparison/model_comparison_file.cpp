@@ -78,7 +78,7 @@ GridTest read_grid_test(const Node& table, const fs::path& folder) {
   return test;
 }
 
-/// All combinations, the last number varying fastest.
+/// Adds all combinations of the varied numbers, the last number varying fastest.
 void add_cases(const Node& table, ModelComparisonFile& file, std::size_t index) {
   const GridTest& test = file.tests[index];
   std::size_t count = 1;
@@ -181,7 +181,8 @@ void read_fits(const Node& root,
   }
 }
 
-/// The fits a model names, each of which has to move numbers that it has, and no number twice.
+/// Reads the fits a model names. Each fit must move numbers of the model, and no number may move
+/// twice.
 void take_fits(const Node& table, const ModelComparisonFile& file, ComparedModel& model) {
   if (!table.has("fits")) return;
   std::set<std::string> moved;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `latsch compare` reads where models of any kind, no tires alone, go through tests of any
-// kind beside a reference: a specimen that was measured, or stands in the place of one.
+// Input of `latsch compare` for models of any kind, not only tires, that go through tests of any
+// kind beside a reference. The reference is a measured specimen or a simulated one.
 //
 //   title = "A car on a kerb"
 //   channels = ["pushrod_FL", "pushrod_RL"]   # over an even "time", whose spectra are compared
@@ -80,7 +80,7 @@ struct ComparedModel {
   std::string name, title;
   const experiment::SpecimenKind* kind = nullptr;
   Document numbers = Document::parse("", "");
-  std::vector<std::size_t> fits;  // places in ModelComparisonFile::fits
+  std::vector<std::size_t> fits;  // indices into ModelComparisonFile::fits
 };
 
 struct NamedBand {
@@ -88,7 +88,7 @@ struct NamedBand {
   FrequencyBand band;  // Hz
 };
 
-/// What varies over the cases of a test.
+/// Number that varies over the cases of a test.
 struct VariedNumber {
   std::string path, unit;
   std::vector<double> values;  // SI
@@ -102,14 +102,14 @@ struct GridTest {
   std::array<std::string, 2> mark;  // paths; empty: none
 };
 
-/// One combination.
+/// One combination of the varied numbers of a test.
 struct ComparedCase {
   std::size_t test = 0;
   std::string name, recording;
-  std::vector<std::size_t> levels;  // a varied number each
-  std::string in_words;             // "speed 60 m/s, line 0.2 m"
+  std::vector<std::size_t> levels;  // one level for each varied number
+  std::string in_words;             // for example "speed 60 m/s, line 0.2 m"
   Document model_test = Document::parse("", ""), reference_test = Document::parse("", "");
-  double mark = 0.0;  // Hz; 0: none
+  double mark = 0.0;  // frequency drawn as a mark, Hz; 0: none
 };
 
 struct Uncertainty {
@@ -126,26 +126,27 @@ struct ModelComparisonFile {
   bool has_from = false;
   std::vector<NamedBand> bands;
   ComparedModel reference;
-  std::filesystem::path recordings;  // empty: simulated
+  std::filesystem::path recordings;  // empty: the reference is simulated
   double low_pass = 0.0;             // Hz; 0: none
   long seed = 1;
   std::map<std::string, double> noise;
   std::vector<GridTest> tests;
   std::vector<ComparedCase> cases;
   std::vector<ComparedModel> models;
-  std::vector<std::string> factors;                              // two, or none
-  std::array<std::array<std::size_t, 2>, 2> factorial_models{};  // by level of first and second
+  std::vector<std::string> factors;                              // two factors, or none
+  std::array<std::array<std::size_t, 2>, 2> factorial_models{};  // indices of models, by level of
+                                                                 // first and second factor
   std::vector<Uncertainty> uncertainties;
   std::vector<FitSource> fits;
   int samples = 0;
   long band_seed = 1;
   double level = 0.9;
-  std::optional<std::pair<std::size_t, std::size_t>> pictures;  // model, case
+  std::optional<std::pair<std::size_t, std::size_t>> pictures;  // indices of model and case
 
-  std::size_t find_case(const std::string& name) const;  // cases.size(): none
+  std::size_t find_case(const std::string& name) const;  // returns cases.size() if there is none
 };
 
-/// Whether the file is one of this kind: it names models.
+/// True if the file is a comparison of models: it has tables of models.
 bool compares_models(const std::filesystem::path& file);
 
 /// Throws InputError naming the place.

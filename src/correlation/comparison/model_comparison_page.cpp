@@ -24,7 +24,7 @@ using report::significant;
 
 constexpr int kReferenceColor = 1;
 
-/// A color a model keeps on the whole page, other than that of the reference.
+/// Returns the color of a model on the whole page. It differs from the color of the reference.
 int color_of(std::size_t model) { return model == 0 ? 0 : static_cast<int>(model) + 1; }
 
 std::string in_words(const NamedBand& band) {
@@ -139,9 +139,9 @@ std::string told_table(const ModelComparisonFile& file, const ModelComparison& c
          number_table(heads_of(file, "Channel"), rows);
 }
 
-constexpr double kDecibels = 4.342945;  // of a logarithm, 10 / ln 10
+constexpr double kDecibels = 4.342945;  // 10 / ln 10: decibels of a natural logarithm of 1
 
-/// Over cases and channels; NaN where the model has no bands.
+/// Returns the mean over cases and channels; NaN if the model has no bands.
 double mean_of(const ModelComparison& comparison,
                const std::vector<std::size_t>& cases,
                std::size_t model,
@@ -155,7 +155,7 @@ double mean_of(const ModelComparison& comparison,
   return count > 0.0 ? sum / count : std::nan("");
 }
 
-/// "82 % (± 1.4 dB)"
+/// Returns for example "82 % (± 1.4 dB)".
 std::string coverage_text(const ModelComparison& comparison,
                           const std::vector<std::size_t>& cases,
                           std::size_t model) {
@@ -407,7 +407,7 @@ std::string model_comparison_page(const ModelComparisonFile& file,
     html += fmt::format("<h2>{} in {}</h2>\n",
                         escape(file.models[file.pictures->first].title),
                         escape(file.cases[file.pictures->second].name));
-    if (!comparison.pictures.empty()) {  // as wide as the page
+    if (!comparison.pictures.empty()) {  // the first picture is as wide as the page
       const auto& first = comparison.pictures.front();
       html += figure(first.title, "", first.svg, first.caption);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A comparison of models as one HTML page that opens anywhere, without a network: distances,
-// what they depend on, pictures of one run, and the spectra of every case with their bands.
+// Writes a comparison of models as one HTML page that opens without a network: distances, what they
+// depend on, pictures of one run, and the spectra of every case with their bands.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ namespace latsch::correlation {
 std::string model_comparison_page(const ModelComparisonFile& file,
                                   const ModelComparison& comparison);
 
-/// What its bands contain and what not.
+/// Returns a text that says what the bands contain and what not.
 std::string bands_in_words(const ModelComparisonFile& file);
 
-/// What came out, a sentence each.
+/// Returns the results in words, one sentence each.
 std::vector<std::string> findings(const ModelComparisonFile& file,
                                   const ModelComparison& comparison);
 

@@ -19,17 +19,17 @@ numerics::Density density(const std::vector<double>& values) {
   return density;
 }
 
-// Closed form: twice the density is a distance of 1, whatever it is; the same density of 0.
+// In closed form, twice the density has a distance of 1, and an equal density of 0.
 TEST(ModelComparison, DistanceIsRelativeAndOfTheBandAlone) {
   const auto S = density({9.0, 1.0, 2.0, 5.0, 9.0});
   const auto doubled = density({-9.0, 2.0, 4.0, 10.0, -9.0});
   EXPECT_DOUBLE_EQ(psd_distance(doubled, S, {10.0, 30.0}), 1.0);
   EXPECT_DOUBLE_EQ(psd_distance(S, S, {0.0, 40.0}), 0.0);
-  // (4 - 2)/2 on the only line
+  // The distance is (4 - 2)/2 on the only line.
   EXPECT_DOUBLE_EQ(psd_distance(doubled, S, {15.0, 25.0}), 1.0);
 }
 
-// Distances made of 5 - 3 first - 1 second + 0.5 for both levels alike give these numbers back; the
+// Distances made of 5 - 3 first - 1 second + 0.5 for equal levels give these numbers back; the
 // interaction is half of what both together do beyond the sum.
 TEST(ModelComparison, EffectsOfATwoByTwoAreThoseItWasMadeOf) {
   const auto e = effects_of({{{5.0, 4.0}, {2.0, 1.5}}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: springs with dampers (spring_testing.h) that are shaken beside being pulled.
+// Test support: springs with dampers (spring_testing.h) that can be shaken as well as pulled.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,9 +14,9 @@ namespace latsch::correlation {
 
 inline constexpr double kShakenRate = 1000.0, kShakenLength = 0.5;          // Hz, s
 inline constexpr std::array<double, 5> kShakenTones = {4, 10, 20, 40, 80};  // Hz
-inline constexpr double kShakenAmplitude = 1e-3;                            // m, of each
+inline constexpr double kShakenAmplitude = 1e-3;                            // m, each tone
 
-/// kind = "shake": sines that fill whole lines of half a second.
+/// Test kind = "shake": sums sines that fill whole lines of a half-second spectrum.
 class ShakeTest : public experiment::Test {
  public:
   std::string in_words() const override { return "shaken"; }

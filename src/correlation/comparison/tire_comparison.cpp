@@ -15,7 +15,7 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr int kTimings = 2;  // the least CPU time of so many runs counts
+constexpr int kTimings = 2;  // number of runs, of which the least CPU time counts
 
 double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -65,7 +65,7 @@ void find_heard(const ComparisonFile& file,
                 const ComparisonTest& test,
                 const std::vector<FrequencyBand>& bands,
                 ComparedRecord& measured) {
-  constexpr double kMostNoise = 0.25;  // of the power of a band
+  constexpr double kMostNoise = 0.25;  // share of the power of a band
   double sigma = 0.0;
   if (file.specimen && file.specimen->noise.contains(channel))
     sigma = file.specimen->noise.at(channel);
@@ -84,7 +84,7 @@ Channels run_of(const ComparedTire& tire, const ComparisonTest& test) {
   return std::move(*channels);
 }
 
-/// The measured channel at the times of the simulated ones, linear between its samples.
+/// Returns the measured channel at the times of the simulated one, linear between its samples.
 std::vector<double> at_times(const formats::CsvTable& table,
                              const std::string& channel,
                              const std::vector<double>& times) {
@@ -147,7 +147,7 @@ TireRun compared_run(const ComparedTire& tire,
   return run;
 }
 
-/// Root mean square over the tests, by band.
+/// Returns the root mean square over the tests for each band.
 std::vector<double> level_errors(const TireComparison& all, std::size_t tire, std::size_t channel) {
   std::vector<double> errors;
   for (std::size_t b = 0; b < all.bands.size(); ++b) {
@@ -157,12 +157,12 @@ std::vector<double> level_errors(const TireComparison& all, std::size_t tire, st
       differences.push_back(test.tires[tire].channels[channel].level[b] -
                             test.measured[channel].level[b]);
     }
-    errors.push_back(rms(differences));  // NaN of none
+    errors.push_back(rms(differences));  // NaN if there are none
   }
   return errors;
 }
 
-/// The longest row of bands within the agreement.
+/// Returns the longest row of bands within the agreement.
 FrequencyBand followed(const std::vector<double>& errors,
                        const std::vector<FrequencyBand>& bands,
                        double agreement) {
@@ -204,7 +204,7 @@ Channels measure(const Specimen& specimen, const ComparisonTest& test, std::size
   if (specimen.step > 0.0) own.drum.step = specimen.step;
   const Channels clean = run_of(specimen.tire, own);
   Channels noisy;
-  std::uint64_t number = 16 * index;  // a stream for each channel of each test
+  std::uint64_t number = 16 * index;  // random stream, different for each channel of each test
   for (Channel channel : clean.all()) {
     RandomStream random(static_cast<std::uint64_t>(specimen.seed), number++);
     const auto noise = specimen.noise.find(channel.name);

@@ -57,7 +57,8 @@ TEST_F(ComparedTires, TheSpecimenItselfHasNoErrorAndAnotherTireHas) {
     EXPECT_EQ(found.tires[0].follows[c].lower, found.bands.front().lower);
     EXPECT_EQ(found.tires[0].follows[c].upper, found.bands.back().upper);
   }
-  // Twice as stiff over the same step: about twice the force, 6 dB, at every frequency of Fz.
+  // A tire twice as stiff has about twice the force over the same step: 6 dB at every frequency of
+  // Fz.
   EXPECT_NEAR(found.tires[1].time_error[1], 1.0, 0.1);
   EXPECT_NEAR(found.tires[1].level_error[1].front(), 6.0, 1.0);
   EXPECT_LT(found.tires[1].cpu_over_time, 1.0);
@@ -67,7 +68,7 @@ TEST_F(ComparedTires, BandsBelowTheNoiseAreLeftOut) {
   const ComparisonFile read = file(kSpecimen + "[specimen.noise]\nFz = \"1 MN\"\n");
   const TireComparison found = compare_tires(read);
   EXPECT_EQ(found.tires[0].follows[1].upper, 0.0);
-  EXPECT_GT(found.tires[0].follows[0].upper, 0.0);  // Fx has none
+  EXPECT_GT(found.tires[0].follows[0].upper, 0.0);  // Fx has no noise
 }
 
 TEST_F(ComparedTires, NoiseIsTheSameOnEveryRun) {
@@ -86,9 +87,9 @@ TEST_F(ComparedTires, RecordingsStandInTheSpecimensPlace) {
   const auto read = file(test + "measurement = \"measured.csv\"\n");
   const TireComparison found = compare_tires(read);
   EXPECT_EQ(found.tests[0].measured[0].force.front(), 4000.0);
-  EXPECT_THROW(file(test), InputError);  // neither
+  EXPECT_THROW(file(test), InputError);  // neither measurement nor specimen
   write("measured.csv", "time [ms],Fz [kN]\n0,4\n1,4\n");
-  EXPECT_THROW(compare_tires(read), InputError);  // too short
+  EXPECT_THROW(compare_tires(read), InputError);  // the measurement is too short
 }
 
 TEST_F(ComparedTires, ThePageSaysWhatEachTireCanDo) {

@@ -18,7 +18,7 @@ bool same(std::string_view a, std::string_view b) {
   });
 }
 
-/// "FYW" -> "FyW"; empty for what is no force or moment.
+/// Returns "FyW" for "FYW"; empty for a name of no force or moment.
 std::string force_or_moment(const std::string& name) {
   std::string upper = name;
   for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -45,7 +45,7 @@ std::string dimension_of_name(const std::string& name) {
       "time", "Vx", "omega", "alpha", "gamma", "kappa", "loaded_radius", "R_e"};
   const auto found = recognized(name);
   if (!found || name.size() < 2 || found->keeps_name) return "";
-  // "road" is a temperature here and a height elsewhere.
+  // The word "road" is a temperature here and a height elsewhere.
   const bool is_ours = find_meaning(name) != nullptr && force_or_moment(name).empty();
   if (is_ours && std::find(kOfTires.begin(), kOfTires.end(), name) == kOfTires.end()) return "";
   return std::string(found->meaning->unit);

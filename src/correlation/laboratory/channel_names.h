@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of channels of a record: the vocabulary is measurement/meaning/channel_words.h; here a name
-// counts where its unit is of that dimension.
+// Recognizes channels of a record by name and unit. The vocabulary is
+// measurement/meaning/channel_words.h; a name counts only if the unit has the name's dimension.
 #pragma once
 
 #include <string>
@@ -8,21 +8,25 @@
 
 namespace latsch::correlation {
 
-/// Our name of what a file calls `name`, in the SI unit `unit`; `name` where we have none.
+/// Returns Latsch's name of a file's channel `name` with the SI unit `unit`, or `name` itself if it
+/// is unknown.
 std::string our_name(const std::string& name, const std::string& unit);
 
-/// The SI unit that a column of that name has to have; empty where the name says nothing: one
-/// letter means much.
+/// Returns the SI unit that a column of that name must have; empty if the name is ambiguous, as a
+/// single letter is.
 std::string dimension_of_name(const std::string& name);
 
-/// "Fy", "FyW", "MZH" -> "Fy", "Fy", "Mz"; empty for what is no force or moment.
+/// Returns the force or moment without its frame: "Fy", "FyW", "MZH" -> "Fy", "Fy", "Mz"; empty for
+/// any other name.
 std::string force_without_frame(const std::string& name);
 
-/// A channel among others; the name of a force or moment may say its frame: "Fy", "FyW", "FZH".
+/// Channel found among others. The name of a force or moment may contain its frame: "Fy", "FyW",
+/// "FZH".
 struct NamedChannel {
-  std::string name, frame;  // empty: there is none
+  std::string name, frame;  // empty: not found
 };
-/// The one that `wanted` means: called so, another spelling of it, or with a frame behind it.
+/// Returns the channel that `wanted` means: one of this name, of another spelling, or with a frame
+/// appended.
 NamedChannel find_named(const std::vector<std::string>& names, const std::string& wanted);
 
 }  // namespace latsch::correlation

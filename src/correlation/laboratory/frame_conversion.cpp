@@ -30,7 +30,7 @@ Matrix6 matrix_of(AxisFrame from, AxisFrame to, double gamma, double R_l) {
   return T;
 }
 
-/// What the row of a component takes beside itself, found at a wheel that leans.
+/// Returns the other channels that a component's row needs, found for an inclined wheel.
 std::vector<std::string> what_takes(int row, AxisFrame from, AxisFrame to) {
   constexpr double gamma = 0.4, R_l = 0.3;
   const Matrix6 T = matrix_of(from, to, gamma, R_l);
@@ -58,8 +58,8 @@ std::string what_letters_mean(AxisFrame from, AxisFrame to) {
          (turns ? ", A the turn about x by gamma" : "");
 }
 
-/// The six channels of a frame; nullptr where one was not recorded. A plain name counts for the
-/// frame that is stated.
+/// Returns the six channels of a frame, nullptr for those not recorded. A name without a frame
+/// counts for the stated frame.
 std::array<const Channel*, 6> forces_in(const LabRecord& record,
                                         const std::string& stated,
                                         AxisFrame frame) {
@@ -72,7 +72,8 @@ std::array<const Channel*, 6> forces_in(const LabRecord& record,
   return found;
 }
 
-/// From one frame; adds what it has turned to `done`, and to the record's left_out what it cannot.
+/// Turns the forces of one frame. Adds what it has turned to `done`, and what it cannot turn to the
+/// record's left_out.
 void turn(LabRecord& record,
           const std::string& stated,
           AxisFrame from,
@@ -87,7 +88,7 @@ void turn(LabRecord& record,
     const Channel* source = sources[row];
     if (!source) continue;
     gone.push_back(source->name);
-    if (there[row]) continue;  // recorded in both
+    if (there[row]) continue;  // recorded in both frames
     std::vector<std::string> lacks = what_takes(row, from, to);
     std::erase_if(lacks, [&](const std::string& name) {
       const auto force = std::find(kForces.begin(), kForces.end(), name);
@@ -105,7 +106,7 @@ void turn(LabRecord& record,
     const bool is_plain = source->name == kForces[row];
     Channel result{is_plain ? kForces[row] : kForces[row] + name_of(to), source->unit, {}};
     for (std::size_t i = 0; i < record.samples(); ++i) {
-      Vector6 v = Vector6::Zero();  // what was not recorded is not taken
+      Vector6 v = Vector6::Zero();  // unrecorded components have factor 0
       for (int j = 0; j < 6; ++j)
         if (sources[j]) v[j] = sources[j]->values[i];
       result.values.push_back(

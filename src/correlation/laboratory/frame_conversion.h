@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces and moments of a record, iso, turned from one frame (measurement/axes.h) into another, by
-// channels of the record itself:
+// Turns the forces and moments of a record (in iso signs) from one frame (measurement/axes.h) into
+// another, by channels of the record itself:
 //
 //   from H to W   F_W = F_H               M_W = M_H - r x F_H
 //   from C to H   F_H = A F_C             M_H = A M_C
 //   from C to W   F_W = A F_C             M_W = A M_C - r x F_W
 //
-//   r = R_l (0, sin gamma, -cos gamma), from the wheel center to the contact point; A the turn
-//   about x by gamma; and back by the inverse of each
+//   r = R_l (0, sin gamma, -cos gamma)     from the wheel center to the contact point
+//   A                                      the turn about x by gamma
 //
-// gamma is the camber, R_l the loaded radius along the wheel plane: a height of the wheel center
-// above the road has to be divided by cos gamma before. The formulas follow from where the frames
-// stand [TYDEX 1.3, axis systems; ISO 8855]; forces of wheel and rim between tire and load cell
-// (weight, inertia) are not theirs and stay in what they give.
+// The opposite directions use the inverses.
 //
-// A component is turned where all that its row of the formulas takes was recorded: Fy and Fz from
-// H to W by themselves, Mx by Fy, Fz, gamma and R_l. The others are left out, with what they lack.
+// gamma is the camber and R_l the loaded radius along the wheel plane; divide a height of the wheel
+// center above the road by cos gamma first. The formulas follow from the positions of the frames
+// [TYDEX 1.3, axis systems; ISO 8855]. Forces of wheel and rim between tire and load cell (weight,
+// inertia) are not separated and remain in the result.
+//
+// A component is turned if everything in its row of the formulas was recorded: Fy and Fz from H to
+// W need only each other, Mx needs Fy, Fz, gamma and R_l. The other components are left out, with
+// the name of what they lack.
 #pragma once
 
 #include <string>
@@ -26,8 +29,9 @@
 
 namespace latsch::correlation {
 
-/// `stated`: the frame of forces whose names do not say it, "" where nobody has. Channels that say
-/// their frame change their names with it. Returns why nothing can be turned; empty where it was.
+/// Turns the record into frame `to`. `stated` is the frame of forces whose names do not contain it,
+/// "" if unknown. Channels with the frame in their name are renamed. Returns the reason if nothing
+/// can be turned; otherwise an empty text. Appends to `words` what was done.
 std::string turn_into_frame(LabRecord& record,
                             const std::string& stated,
                             AxisFrame to,

@@ -19,8 +19,8 @@
 namespace latsch::correlation {
 namespace {
 
-/// Columns without a unit whose names end in one, of the dimension that the rest of the name has:
-/// "SA_deg", "P_kPa".
+/// Splits the unit from names such as "SA_deg" or "P_kPa", for columns without a unit, if it has
+/// the dimension of the rest of the name.
 void take_units_of_names(formats::LabTable& table) {
   Channels read;
   for (std::size_t k = 0; k < table.channels.all().size(); ++k) {
@@ -39,10 +39,10 @@ void take_units_of_names(formats::LabTable& table) {
   table.channels = std::move(read);
 }
 
-/// In our names; what two columns are called stays with the first.
+/// Returns the record in Latsch's names. A name that two columns claim stays with the first.
 LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedColumn>& columns) {
   take_units_of_names(table);
-  std::map<std::string, std::string> stated;  // theirs -> ours
+  std::map<std::string, std::string> stated;  // the file's name -> Latsch's name
   for (const auto& [ours, theirs] : columns) stated[theirs.column] = ours;
   LabRecord record;
   for (const auto& [theirs, why] : table.left_out) {
@@ -58,7 +58,7 @@ LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedC
     std::string name = found == stated.end() ? our_name(channel.name, channel.unit) : found->second;
     if (found == stated.end() && !taken.insert(name).second) {
       if (!columns.contains(name)) record.ambiguous[name].push_back(channel.name);
-      name = channel.name;  // another column is called so
+      name = channel.name;  // another column has the name
       if (!taken.insert(name).second) continue;
     }
     const double sign = found == stated.end() ? 1.0 : columns.at(name).sign;
@@ -89,7 +89,7 @@ void append(const LabRecord& more, const std::string& file, LabRecord& record) {
   record.ambiguous.insert(more.ambiguous.begin(), more.ambiguous.end());
 }
 
-/// Between gaps; those shorter than `least` become gaps.
+/// Filters between gaps; stretches shorter than `least` become gaps.
 void filter_stretch(const std::vector<numerics::Section>& sections,
                     const Stretch& stretch,
                     std::size_t least,
@@ -179,7 +179,7 @@ void turn_axes(LabRecord& record, AxisConvention axes) {
 }
 
 std::vector<std::string> conventions_that_fit(const LabRecord& record) {
-  constexpr double kMost = 0.9;     // of the samples: a wheel may hop
+  constexpr double kMost = 0.9;     // share of the samples, because a wheel may hop
   constexpr double kClearly = 0.5;  // correlation of side force and slip angle
   const auto fits = [&](const LabRecord& one) {
     const Channel *Fz = one.find("Fz"), *Fy = one.find("Fy"), *alpha = one.find("alpha");
@@ -189,7 +189,8 @@ std::vector<std::string> conventions_that_fit(const LabRecord& record) {
       if (static_cast<double>(pulls) > kMost * static_cast<double>(one.samples())) return false;
     }
     if (!Fy || !alpha) return true;
-    double yy = 0.0, aa = 0.0, ya = 0.0;  // not about their means: a force has the sign of its slip
+    double yy = 0.0, aa = 0.0, ya = 0.0;  // about zero, not about the means: a force has the sign
+                                          // of its slip
     for (std::size_t i = 0; i < one.samples(); ++i) {
       const double y = Fy->values[i], a = alpha->values[i];
       if (std::isnan(y * a)) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The samples of a measurement on their way from the files to what counts: our names, SI, gaps NaN.
-// Steps change them and say in words what they did; measurement.h has their order.
+// Samples of a measurement while they are read and processed, with Latsch's names, SI units, and
+// gaps as NaN. Each step changes the samples and describes in words what it did; measurement.h has
+// the order of the steps.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +18,7 @@
 
 namespace latsch::correlation {
 
-/// A column of a file: its name, its unit, and the sign its values are taken with.
+/// Column of a file: its name, its unit, and the sign applied to its values.
 struct StatedColumn {
   std::string column, unit;
   double sign = 1.0;
@@ -27,51 +28,54 @@ struct StatedColumn {
 
 struct LabRecord {
   std::vector<Channel> channels;
-  std::vector<Place> places;                    // of each sample
-  std::vector<double> numbers;                  // of each sample, from 1 over all files
-  Place header;                                 // of the first file
-  std::map<std::string, StatedColumn> written;  // how that has a channel
-  std::map<std::string, std::string> left_out;  // columns that are no channels, and why
+  std::vector<Place> places;                    // place in the file of each sample
+  std::vector<double> numbers;                  // number of each sample, counted from 1 over all
+                                                // files
+  Place header;                                 // header of the first file
+  std::map<std::string, StatedColumn> written;  // the first file's column of each channel
+  std::map<std::string, std::string> left_out;  // columns that are no channels, with the reason
   std::map<std::string, AxisFrame>
-      turned_from;              // of channels that stand in another frame than there
-  std::vector<Ledger> ledgers;  // of each file
-  std::map<std::string, std::vector<std::string>> ambiguous;  // further columns of a channel
+      turned_from;              // original frame of the channels that were turned
+  std::vector<Ledger> ledgers;  // one for each file
+  std::map<std::string, std::vector<std::string>> ambiguous;  // further columns that claim a
+                                                              // channel
 
   std::size_t samples() const { return places.size(); }
   std::vector<std::string> names() const;
-  /// nullptr where there is none; a name may leave out the frame.
+  /// Returns nullptr if there is none. The name may leave out the frame.
   Channel* find(const std::string& name);
   const Channel* find(const std::string& name) const;
-  /// Empty without a channel of time.
+  /// Returns an empty vector if there is no channel of time.
   std::vector<double> time() const;
   Channels table() const;
 };
 
-/// Files one after the other; channels that one of them lacks are left out. `columns`: our name ->
-/// theirs.
+/// Joins files one after the other; channels that one of them lacks are left out. `columns` maps
+/// our name to the files' column.
 LabRecord join_files(const std::vector<std::filesystem::path>& files,
                      const std::map<std::string, StatedColumn>& columns,
                      std::vector<std::string>& words);
 
-/// Into iso.
+/// Turns the channels into iso axes.
 void turn_axes(LabRecord& record, AxisConvention axes);
-/// The conventions a record, not turned yet, may be in: those that have its loads upward and its
-/// side force against the slip angle. All of them where it holds neither.
+/// Returns the conventions that fit a record in its original axes: those in which its loads point
+/// upward and its side force opposes the slip angle. Returns all conventions if it holds neither.
 std::vector<std::string> conventions_that_fit(const LabRecord& record);
 
-/// The channel less its mean over the samples of `window`. False where these are none.
+/// Subtracts the channel's mean over the samples of `window`. Returns false if the window holds no
+/// samples.
 bool take_zero(LabRecord& record, Channel& channel, const Window& window, std::string& words);
 
-/// All channels but the time. Gaps, and stretches too short for the filter, stay as they are: these
-/// are left out. Throws InputError at `place` where there is no time or no such frequency.
+/// Filters all channels except time. Gaps, and stretches too short for the filter, are left
+/// unfiltered. Throws InputError at `place` if there is no time or the frequency is not possible.
 std::string low_pass(LabRecord& record, double frequency, const Place& place);
 
-/// The samples of a mask.
+/// Keeps the samples of a mask.
 void keep(LabRecord& record, const std::vector<bool>& kept);
 
-/// The unit in which people read what is in an SI unit: "deg" for "rad".
+/// Returns the unit in which people read an SI unit: "deg" for "rad".
 std::string read_unit(const std::string& unit);
-/// "from 2 to 5 N", in that unit.
+/// Returns the range of a channel in the unit people read: "from 2 to 5 N".
 std::string range_in_words(const Channel& channel);
 
 }  // namespace latsch::correlation

@@ -28,7 +28,7 @@ std::vector<std::string> names_of(const Channels& channels) {
   return names;
 }
 
-/// A window or several.
+/// Reads one window or several.
 std::vector<std::string> windows_of(const Node& table, const std::string& key) {
   try {
     return {table.text(key)};
@@ -57,7 +57,7 @@ std::vector<fs::path> read_files(const Node& table, const fs::path& folder) {
   return files;
 }
 
-/// "P_kPa [kPa]" -> "P_kPa", "kPa"; a "-" before the name changes the sign.
+/// Reads "P_kPa [kPa]" as "P_kPa", "kPa"; a "-" before the name changes the sign.
 std::map<std::string, StatedColumn> read_columns(const Node& table) {
   std::map<std::string, StatedColumn> columns;
   const auto stated = table.find_table("columns");
@@ -86,7 +86,7 @@ std::map<std::string, StatedColumn> read_columns(const Node& table) {
   return columns;
 }
 
-/// The channel a key of a table names.
+/// Returns the channel that a key of the table names.
 Channel& channel_of(const Node& table, const std::string& key, LabRecord& record) {
   if (Channel* channel = record.find(key)) return *channel;
   const auto reason = record.left_out.find(key);
@@ -138,7 +138,7 @@ void read_zero(const Node& table, LabRecord& record, std::vector<std::string>& w
   }
 }
 
-/// Into the axes that the table asks for.
+/// Turns the record into the axes that the table states.
 void turn_frames(const Node& table, LabRecord& record, Measurement::Told& told) {
   const std::string to = table.choice("in_frame", {"W", "H", "C"});
   const std::string fault = turn_into_frame(record, told.frame, axis_frame_of(to), told.words);
@@ -156,7 +156,7 @@ void read_shift(const Node& table, LabRecord& record, std::vector<std::string>& 
   words.push_back("time shifted by " + format_quantity(shift, "s"));
 }
 
-/// Leaves the samples of a mask, and says how many; rejects `key` where these are none.
+/// Keeps the samples of a mask and reports their number; rejects `key` if none is left.
 void narrow(const Node& table,
             const std::string& key,
             const std::string& what,
@@ -335,7 +335,7 @@ NamedChannel Measurement::named(const std::string& channel) const {
   const NamedChannel found = find_named(names_of(told_.channels), channel);
   const std::string force = force_without_frame(channel);
   if (!found.name.empty() || told_.frame.empty() || force + told_.frame != channel) return found;
-  return find_named(names_of(told_.channels), force);  // where the table says the frame
+  return find_named(names_of(told_.channels), force);  // the table states the frame
 }
 
 bool Measurement::has(const std::string& channel) const { return !named(channel).name.empty(); }
@@ -450,8 +450,7 @@ std::vector<std::string> Measurement::columns_like(const std::string& channel,
 
 namespace {
 
-/// Columns that nobody uses and that may be a channel: of its dimension or of none, under a name
-/// that is not known.
+/// Returns unused columns that may be a channel: of its dimension or of none, with an unknown name.
 std::vector<std::string> unused_for(const Ledger& ledger, const std::string& unit) {
   std::vector<std::string> names;
   for (const LedgerRow& row : ledger.rows) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a laboratory recorded, and what of it counts. An experiment names it as its measurement, a
-// test takes its conditions from it; what is not stated is not done.
+// Recordings of a laboratory, and the choice and processing of their samples. An experiment names a
+// recording as its measurement, a test takes its conditions from it. Nothing is done that is not
+// stated.
 //
 //   [measurement.cornering]
 //   file = "run4.dat"               # .csv .txt .dat .mat .tdx .tda .tdb; or files = ["a.dat", ...]
 //   axes = "sae"                    # signs of the file: iso (unless given), adapted_sae, sae
-//   frame = "W"                     # of forces and moments whose names do not say it
+//   frame = "W"                     # frame of forces and moments whose names omit it
 //   columns = {Fz = "LOAD", p = "P_kPa [kPa]"}  # our name = the file's column, with a unit where
 //                                               # the file states none; "-LOAD" changes the sign
 //   zero = {channels = ["Fy"], time = "0 s .. 2 s"}  # less their means of that time
@@ -29,15 +30,15 @@
 //   [experiment.side_force]
 //   kind = "curve"
 //   y = "steady/Fy"
-//   measurement = "cornering"       # or a file, of which nothing needs to be said
+//   measurement = "cornering"       # or a file, which needs no table
 //
-// The steps are taken in the order above. Channels have our names and SI units, in iso axes,
+// The steps are done in the order above. Channels have Latsch's names and SI units, in iso axes,
 // whatever the file calls them: the vocabulary knows SA, SLIPANGL, slip angle and others as alpha
-// (measurement/meaning/channel_words.h). Signs and ranges of what is left are checked, and every
-// file has a ledger of what its columns were taken for (measurement/ledger.h).
+// (measurement/meaning/channel_words.h). Signs and ranges of the remaining samples are checked.
+// Every file has a ledger of the meaning of its columns (measurement/ledger.h).
 //
-// Forces and moments are Fx Fy Fz Mx My Mz, of TYDEX with the frame behind it: FyW. Gaps matter
-// only in channels that something needs.
+// Forces and moments are Fx Fy Fz Mx My Mz; with TYDEX the frame is appended: FyW. Gaps matter only
+// in channels that something needs.
 #pragma once
 
 #include <filesystem>
@@ -58,24 +59,26 @@ namespace latsch::correlation {
 class Measurement {
  public:
   struct Told {
-    std::string name;       // "cornering"; of a file about which nothing is said its own
-    Place place;            // of its table, or the header of the file
-    bool is_stated = true;  // by a [measurement.NAME]
+    std::string name;       // for example "cornering"; the file's own name if there is no table
+    Place place;            // place of its table, or the header of the file
+    bool is_stated = true;  // true if a [measurement.NAME] states it
     std::vector<std::filesystem::path> files;
     std::string frame;
-    std::vector<std::string> words;    // what was read and what each step left, a line each
+    std::vector<std::string> words;    // samples read and result of each step, a line each
     std::vector<std::string> one_way;  // steps that cannot be undone: "low_pass", ...
     std::map<std::string, MeasurementNoise> noise;
-    std::map<std::string, std::string> left_out;   // channels that are none, and why
-    std::map<std::string, StatedColumn> written;   // how the file has a channel
-    std::map<std::string, AxisFrame> turned_from;  // its frame there, where in_frame has turned it
+    std::map<std::string, std::string> left_out;   // columns that are no channels, with the reason
+    std::map<std::string, StatedColumn> written;   // the file's column of each channel
+    std::map<std::string, AxisFrame> turned_from;  // original frame of the channels that in_frame
+                                                   // has turned
     AxisConvention axes = AxisConvention::iso;
-    std::shared_ptr<std::vector<Ledger>> ledgers;  // of each file
-    std::map<std::string, std::string> ambiguous;  // channels that two columns are, in words
-    Channels recorded;                             // as read, in our names and axes
-    Channels channels;                             // what counts
-    std::vector<Place> places;                     // of its samples
-    std::vector<double> numbers;                   // of its samples, from 1
+    std::shared_ptr<std::vector<Ledger>> ledgers;  // one for each file
+    std::map<std::string, std::string> ambiguous;  // channels that two columns claim, in words
+    Channels recorded;                             // all samples as read, in Latsch's names and
+                                                   // axes
+    Channels channels;                             // processed and selected samples
+    std::vector<Place> places;                     // place in the file of each selected sample
+    std::vector<double> numbers;                   // number of each selected sample, from 1
   };
   explicit Measurement(Told told) : told_(std::move(told)) {}
 
@@ -93,36 +96,39 @@ class Measurement {
   std::size_t samples() const { return told_.places.size(); }
 
   bool has(const std::string& channel) const;
-  /// A channel in the SI unit `unit`. Throws InputError naming the place: there is none (the
-  /// nearest names), another dimension, gaps (how many, where).
+  /// Returns a channel in the SI unit `unit`. Throws InputError naming the place if there is none
+  /// (with the nearest names), if it has another dimension, or if it has gaps (how many, where).
   const std::vector<double>& values(const std::string& channel, const std::string& unit) const;
-  /// SI, of a channel that is there.
+  /// Returns the SI unit of an existing channel.
   const std::string& unit(const std::string& channel) const;
-  /// Of a force or moment, where its name or the table says it; else empty. "W", "H", "C".
+  /// Returns the frame "W", "H" or "C" of a force or moment if its name or the table states it;
+  /// otherwise "".
   std::string frame(const std::string& channel) const;
-  /// As its file calls it.
+  /// Returns the channel's name in its file.
   std::string name_of(const std::string& channel) const;
-  /// Its column and unit in the file.
+  /// Returns the channel's column and unit in the file.
   const StatedColumn& written(const std::string& channel) const;
-  /// Forces and moments that in_frame has turned, and the frame they have in the file.
+  /// Returns the forces and moments that in_frame has turned, with their frame in the file.
   const std::map<std::string, AxisFrame>& turned_from() const { return told_.turned_from; }
   bool is_turned(const std::string& channel) const;
   const MeasurementNoise* noise(const std::string& channel) const;
 
-  /// Whether a test that takes a channel where it was recorded has to take it or be told why not: a
-  /// column is called so, whatever is wrong with its unit.
+  /// True if a column is called so, whatever its unit. A test that takes a channel as recorded then
+  /// has to use it, or report why it cannot.
   bool could_be(const std::string& channel, const std::string& unit) const;
-  /// The ledgers of its files: what each column was taken for, who uses it, and what is in doubt.
-  /// Complete once all who use the measurement were read.
+  /// Returns the ledgers of the files: the meaning of each column, its users, and doubts. They are
+  /// complete after all users of the measurement were read.
   std::vector<Ledger> ledgers() const;
-  /// Somebody uses a channel: "test steady", "experiment side_force". While a study is read.
+  /// Notes, while a study is read, that a channel is used by "test steady" or "experiment
+  /// side_force".
   void note_use(const std::string& channel, const std::string& by) const;
-  /// Somebody could have used a channel and found none; `otherwise`: what it takes instead.
+  /// Absent channel that a user could have used; `otherwise` is what it uses instead.
   struct Absent {
     std::string channel, unit, by, otherwise;
   };
   void note_absent(const Absent& absent) const;
-  /// Columns that look like a channel of that unit and are taken for none: `Alhpa` for alpha.
+  /// Returns columns that look like a channel of that unit but were not recognized: `Alhpa` for
+  /// alpha.
   std::vector<std::string> columns_like(const std::string& channel, const std::string& unit) const;
 
  private:
@@ -132,15 +138,16 @@ class Measurement {
   std::shared_ptr<std::vector<Absent>> absent_ = std::make_shared<std::vector<Absent>>();
 };
 
-/// [measurement.NAME], files beside `folder`. Throws InputError naming file and line.
+/// Reads [measurement.NAME]; file names are relative to `folder`. Throws InputError naming file and
+/// line.
 Measurement read_measurement(const Node& table, const std::filesystem::path& folder);
-/// A file about which nothing is said, or only its axes.
+/// Reads a file for which only its axes may be stated.
 Measurement read_measurement(const std::filesystem::path& file,
                              std::optional<AxisConvention> axes = std::nullopt);
 
-/// Any table or recording alone: channels in our names, SI and iso, and the ledger with every
-/// doubt. Throws InputError where the file cannot be read; a doubt that is an error is one that a
-/// study is refused for.
+/// Table or recording read on its own: channels in Latsch's names, SI and iso, and the ledger with
+/// every doubt. Reading throws InputError if the file cannot be read. A doubt that is an error
+/// makes a study refuse the file.
 struct MeasuredFile {
   Channels channels;
   Ledger ledger;
@@ -151,7 +158,7 @@ MeasuredFile read_measured_file(const std::filesystem::path& file,
 /// Every [measurement.NAME] of a study.
 using Laboratory = std::vector<std::shared_ptr<const Measurement>>;
 Laboratory read_laboratory(const Node& study, const std::filesystem::path& folder);
-/// nullptr where none is called so.
+/// Returns nullptr if none has that name.
 std::shared_ptr<const Measurement> find(const Laboratory& laboratory, const std::string& name);
 
 }  // namespace latsch::correlation

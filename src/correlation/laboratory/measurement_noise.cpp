@@ -46,7 +46,7 @@ bool is_a_text(const Node& table, const std::string& key) {
     table.text(key);
     return true;
   } catch (const InputError&) {
-    return false;  // a number
+    return false;  // the value is a number
   }
 }
 
@@ -74,7 +74,7 @@ std::optional<MeasurementNoise> read_noise(const Node& table,
   const std::string text = table.text(key);
   size_t from = 0;
   while (true) {
-    // Not the sign of an exponent, "1e+2 N": a sum has room around its sign.
+    // A sum has spaces around its sign, which distinguishes it from an exponent, "1e+2 N".
     const size_t plus = text.find(" + ", from);
     add_part(
         table, text.substr(from, plus == std::string::npos ? plus : plus - from), unit, key, noise);
@@ -93,7 +93,7 @@ double RobustLoss::operator()(double x) const {
 double RobustLoss::slope(double x) const {
   const double a = std::abs(x) / scale;
   if (loss == Loss::squares || a == 0.0) return 1.0;
-  // d sqrt(rho) / da = rho' / (2 sqrt(rho))
+  // The slope is  d sqrt(rho) / da = rho' / (2 sqrt(rho)).
   if (loss == Loss::cauchy) return a / ((1.0 + a * a) * std::sqrt(std::log1p(a * a)));
   return a <= 1.0 ? 1.0 : 1.0 / std::sqrt(2.0 * a - 1.0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How exact measured values are, and what the fit makes of it.
+// Exactness of measured values, and its use in the fit.
 //
 //   [experiment.cleat]
 //   noise = "20 N"         # standard deviation of each value: in the unit of what is compared,
@@ -13,17 +13,17 @@
 //   loss_scale = 1.345     # from where: in units of the noise, 1.345 or 2.385 unless given;
 //                          # without noise an error such as "5 %", which has to be given
 //
-// Noise has two more effects: the fit does not start again once no more is left than noise makes
-// of the target (so one that is stated too large ends it early), and intervals do not have to
-// estimate it.
+// Noise has two more effects. The fit does not start again once the target is no larger than noise
+// alone makes it, so a stated noise that is too large ends the fit early. And intervals do not have
+// to estimate the noise.
 //
 // With d the error of a value as compared (objective.h) and sigma its stated deviation in units of
-// d, a value enters fit and intervals as d / sigma. With a loss, of scale c and z = (x / c)^2, x
+// d, a value enters fit and intervals as d / sigma. With a loss of scale c and z = (x / c)^2, x
 // becomes  sign(x) c sqrt(rho(z)):
 //   huber    rho = z  up to 1, then  2 sqrt(z) - 1    [Huber, Ann. Math. Statist. 35 (1964) 73]
 //   cauchy   rho = ln(1 + z)
-// whose squares a least-squares method sums. Both scales make a fit to Gaussian noise 95 % as exact
-// as squares do. Far-off values count as little in the intervals as in the fit.
+// and a least-squares method sums the squares. With Gaussian noise, the default scales keep 95 % of
+// the efficiency of least squares. Far-off values count as little in the intervals as in the fit.
 #pragma once
 
 #include <optional>
@@ -35,35 +35,35 @@
 namespace latsch::correlation {
 
 struct MeasurementNoise {
-  double relative = 0.0;  // of what counts as 100 %
-  double absolute = 0.0;  // SI, of what is compared
+  double relative = 0.0;  // share of what counts as 100 %
+  double absolute = 0.0;  // in the SI unit of what is compared
 
   bool operator==(const MeasurementNoise&) const = default;
 };
 
-/// Reads `key`, in units of `unit` (SI) where it is absolute; nullopt where it is not given. Throws
-/// InputError where it is no positive deviation of that dimension.
+/// Reads `key`, in units of `unit` (SI) if it is absolute; nullopt if it is not given. Throws
+/// InputError if it is no positive deviation of that dimension.
 std::optional<MeasurementNoise> read_noise(const Node& table,
                                            const std::string& unit,
                                            const std::string& key = "noise");
 
-/// Whether the fit estimates the noise: noise = "estimated" or noise = "own_stage".
+/// True if the fit estimates the noise: noise = "estimated" or noise = "own_stage".
 bool is_estimated(const Node& experiment);
 
-/// Whether the noise is the error that an earlier stage left: noise = "own_stage".
+/// True if the noise is the error that an earlier stage left: noise = "own_stage".
 bool is_of_own_stage(const Node& experiment);
 
 enum class Loss { squares, huber, cauchy };
 
 struct RobustLoss {
   Loss loss = Loss::squares;
-  double scale = 1.0;  // in units of the noise where that is stated, of d otherwise
+  double scale = 1.0;  // in units of the noise if it is stated, otherwise of d
 
   double operator()(double x) const;
   double slope(double x) const;
 };
 
-/// Throws InputError where a scale is missing or belongs to no loss.
+/// Throws InputError if a scale is missing or belongs to no loss.
 RobustLoss read_loss(const Node& table, bool noise_is_stated);
 
 }  // namespace latsch::correlation

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// A rig in SAE axes at 10 Hz: loads negative; side force against the slip angle, 100 N a degree.
+// The rig uses SAE axes at 10 Hz: loads are negative, and the side force opposes the slip angle
+// with 100 N a degree.
 constexpr const char* kRun =
     "Tire 1\tRun 4\n"
     "ET\tSA\tIA\tP\tFY\tFZ\tMZ\tTSTC\n"
@@ -33,7 +34,7 @@ constexpr const char* kRun =
 class LabMeasurement : public testing::Test {
  protected:
   LabMeasurement() { write_text_file(folder_ / "run.dat", kRun); }
-  /// With [measurement.run] and these lines.
+  /// Reads [measurement.run] with these lines.
   Measurement read(const std::string& lines) {
     write_text_file(folder_ / "study.toml", "[measurement.run]\nfile = \"run.dat\"\n" + lines);
     const Document document = Document::read(folder_ / "study.toml");
@@ -49,7 +50,7 @@ class LabMeasurement : public testing::Test {
     }
     return "nothing";
   }
-  /// Whether a complaint holds each of these.
+  /// Expects that a complaint contains each of these parts.
   void expect_complaint(const std::string& lines, const std::vector<std::string>& parts) {
     const std::string found = complaint(lines);
     for (const std::string& part : parts) EXPECT_NE(found.find(part), std::string::npos) << found;
@@ -61,7 +62,8 @@ class LabMeasurement : public testing::Test {
 TEST_F(LabMeasurement, HasOurNamesAxesAndUnits) {
   const Measurement run = read("axes = \"sae\"\n");
   EXPECT_EQ(run.samples(), 8u);
-  EXPECT_NEAR(run.values("alpha", "rad")[0], 2 * kDegree, 1e-15);  // SAE turns y and with it alpha
+  EXPECT_NEAR(run.values("alpha", "rad")[0], 2 * kDegree, 1e-15);  // SAE reverses y and with it
+                                                                   // alpha
   EXPECT_EQ(run.values("Fy", "N")[0], -205.0);
   EXPECT_EQ(run.values("Fz", "N")[3], 1500.0);
   EXPECT_EQ(run.values("Mz", "N m")[0], 4.0);
@@ -112,9 +114,9 @@ TEST_F(LabMeasurement, IsZeroedAndShifted) {
   EXPECT_EQ(run.recorded()["Fy"][0], 205.0);
 }
 
-// A sine at the frequency of the filter comes out at half its height (twice 3 dB), in phase; one
-// far below as it went in; one of 100 Hz as order 2 has it. [Butterworth: |H|^2 = 1/2 at the edge;
-// forward and backward squares it]
+// A sine at the frequency of the filter comes out at half its height (twice 3 dB), in phase; a sine
+// far below is unchanged; a sine of 100 Hz is damped as by order 2. [Butterworth: |H|^2 = 1/2 at
+// the edge; forward and backward filtering squares it]
 TEST_F(LabMeasurement, IsFilteredWithoutDelay) {
   std::string text = "time [s],Fy [N],Fz [N],Fx [N],who [N]\n";
   for (int i = 0; i < 2000; ++i) {
@@ -135,7 +137,7 @@ TEST_F(LabMeasurement, IsFilteredWithoutDelay) {
   const auto& Fy = run.values("Fy", "N");
   const auto& Fz = run.values("Fz", "N");
   const auto& Fx = run.values("Fx", "N");
-  // |H|^2 = 1 / (1 + w^4) of the frequencies as the bilinear transform warps them
+  // The bilinear transform warps the frequencies, so |H|^2 = 1 / (1 + w^4) holds for warped ones.
   const double beyond =
       1.0 /
       (1.0 + std::pow(std::tan(0.1 * std::numbers::pi) / std::tan(0.05 * std::numbers::pi), 4));
@@ -201,7 +203,7 @@ TEST_F(LabMeasurement, RefusesSignsThatContradictItsAxes) {
   std::string positive = kRun;
   for (std::size_t at; (at = positive.find("-1")) != positive.npos;)
     if (positive[at + 2] == '\t')
-      positive.replace(at, 3, "-9\t");  // alpha stays what it is
+      positive.replace(at, 3, "-9\t");  // alpha stays unchanged
     else
       positive.replace(at, 2, "1");
   write_text_file(folder_ / "run.dat", positive);
@@ -239,7 +241,7 @@ TEST_F(LabMeasurement, RefusesWhatItDoesNotUnderstand) {
 
 const std::filesystem::path kSharedData = LATSCH_SOURCE_DIR "/../shared/data";
 
-// Counted beside it by a script of ten lines.
+// The counts come from an independent script of ten lines.
 TEST_F(LabMeasurement, OfARealRunIsWhatAScriptCounts) {
   const auto file = kSharedData / "measured/ttc_hoosier_43075_cornering_10Hz.csv";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file << " beside the project";
@@ -271,7 +273,7 @@ Fz = "FZ_N_positive [N]"
   const auto rising = of("sweep = {alpha = \"rising\"}\n").samples(),
              falling = of("sweep = {alpha = \"falling\"}\n").samples();
   EXPECT_NEAR(static_cast<double>(rising + falling), 5996.0, 0.02 * 5996.0);
-  EXPECT_EQ(of("").values("Mx", "N m").size(), 5996u);  // MX_Nm ends in its unit
+  EXPECT_EQ(of("").values("Mx", "N m").size(), 5996u);  // the name MX_Nm ends in its unit
   std::string sae = read_text_file(folder_ / "real.toml");
   sae.replace(sae.find("\"iso\""), 5, "\"sae\"");
   write_text_file(folder_ / "real.toml", sae);
@@ -305,10 +307,10 @@ TEST_F(LabMeasurement, TakesAUnitFromTheEndOfAName) {
   EXPECT_EQ(run.values("p", "Pa")[0], 80e3);
   EXPECT_EQ(run.values("Fz", "N")[0], 1000.0);
   EXPECT_NEAR(run.values("Vx", "m/s")[0], 10.0, 1e-14);
-  EXPECT_EQ(run.unit("who_deg"), "1");  // an unknown name: what it is stays open
+  EXPECT_EQ(run.unit("who_deg"), "1");  // an unknown name: the meaning stays open
 }
 
-// The function that takes any file alone gives channels, ledger and doubts.
+// The function that reads any file alone returns channels, ledger and doubts.
 TEST_F(LabMeasurement, OfAnyFileHasALedger) {
   const MeasuredFile plain = read_measured_file(folder_ / "run.dat");
   EXPECT_EQ(plain.ledger.find_written("SA")->taken_as, "alpha");
@@ -319,7 +321,7 @@ TEST_F(LabMeasurement, OfAnyFileHasALedger) {
   EXPECT_EQ(plain.ledger.doubts[0].name, "FZ");
   EXPECT_NE(plain.ledger.doubts[0].sentence.find("axes = \"sae\""), std::string::npos);
   const MeasuredFile sae = read_measured_file(folder_ / "run.dat", AxisConvention::sae);
-  for (const LedgerDoubt& doubt : sae.ledger.doubts)  // gaps are told, and are no error
+  for (const LedgerDoubt& doubt : sae.ledger.doubts)  // gaps are reported, and are no error
     EXPECT_TRUE(!doubt.is_error && doubt.sentence.starts_with("is empty in ")) << doubt.sentence;
   EXPECT_EQ(sae.ledger.find_written("FZ")->axes, "sae, -1");
   EXPECT_EQ(sae.channels["Fz"][0], 1000.0);

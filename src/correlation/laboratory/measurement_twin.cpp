@@ -31,7 +31,7 @@ void refuse_what_cannot_be_undone(const Measurement& measurement) {
 
 using Values = std::map<std::string, std::vector<double>>;
 
-/// Forces and moments back in the frames of the file, under the names of the measurement.
+/// Turns forces and moments back into the frames of the file, under the names of the measurement.
 Values turned_back(const Measurement& measurement, const Values& values) {
   LabRecord record;
   std::string frame;
@@ -83,7 +83,7 @@ std::filesystem::path write_twin(const Measurement& measurement,
     const StatedColumn& column = measurement.written(channel);
     Channels turned;
     turned.add({measurement.name_of(channel), "", si});
-    turned = to_iso(turned, measurement.axes());  // its own inverse
+    turned = to_iso(turned, measurement.axes());  // the conversion is its own inverse
     const Unit unit = *reading_of_unit(column.unit).unit;
     for (const double value : turned.all()[0].values)
       cells[column.column].push_back(unit.exact_number(column.sign * value));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A measurement written from a model (a twin): the file stays what it is, but for the columns that
-// the model answers, which come in the file's names, units and signs.
+// Writes a measurement from a model (a twin): the file keeps its content except the columns that
+// the model computes, which are written in the file's names, units and signs.
 //
-// What has been done to a recording has to be undone for that: axes are, and frames, by the gamma
-// and loaded_radius of the file; a shift leaves forces as they are, a selection, a filter or a zero
-// cannot.
+// Processing of the recording has to be undone for that. Axes are undone, and frames by the gamma
+// and loaded_radius of the file. A shift leaves forces as they are. A selection, a filter or a zero
+// cannot be undone.
 #pragma once
 
 #include <filesystem>
@@ -16,10 +16,10 @@
 
 namespace latsch::correlation {
 
-/// `values` of channels, in SI and iso, one a sample; `comment` becomes the first line. Of forces
-/// that in_frame has turned all are written that the file has, so `values` has to hold what they
-/// take. Returns the file. Throws InputError where a step cannot be undone, or the file is no
-/// single .csv.
+/// Writes `values` of channels, in SI and iso, one for each sample; `comment` becomes the first
+/// line. All forces that in_frame has turned are written if the file has them, so `values` must
+/// hold all channels that the turn needs. Returns the file. Throws InputError if a step cannot be
+/// undone, or the measurement is no single .csv file.
 std::filesystem::path write_twin(const Measurement& measurement,
                                  const std::map<std::string, std::vector<double>>& values,
                                  const std::string& comment);

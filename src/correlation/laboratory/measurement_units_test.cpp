@@ -43,7 +43,7 @@ class MeasurementUnits : public testing::Test {
   ScratchFolder folder_;
 };
 
-// 900 lb became 408 N: the number was read as a mass and the label as a force.
+// Once 900 lb became 408 N, because the number was read as a mass and the label as a force.
 TEST_F(MeasurementUnits, NumbersAndLabelsOfACsvAgree) {
   for (const char* file :
        {"Fz [lb]\n900\n", "Fz\nlb\n900\n", "Fz (lb)\n900\n", "Fz / lbf\n900\n"}) {
@@ -59,7 +59,7 @@ TEST_F(MeasurementUnits, NumbersAndLabelsOfACsvAgree) {
   EXPECT_NEAR(moment.values("omega", "rad/s")[0], 2 * std::numbers::pi, 1e-14);
 }
 
-// A German spreadsheet: degree signs, decimal commas, CRLF.
+// A German spreadsheet has degree signs, decimal commas and CRLF.
 TEST_F(MeasurementUnits, OfASpreadsheetWithDegreeSignsAreRead) {
   for (const std::string degree : {"\xc2\xb0", "\xb0"}) {
     const Measurement run =
@@ -116,7 +116,7 @@ TEST_F(MeasurementUnits, AColumnIsOneChannel) {
             std::string::npos);
 }
 
-// A known name has a dimension; another one, or an unknown unit, is an error at the unit.
+// A known name has a dimension; another dimension, or an unknown unit, is an error at the unit.
 TEST_F(MeasurementUnits, OfKnownChannelsAreChecked) {
   EXPECT_NE(complaint("run.csv", "time [s],FZ [kg]\n0,1\n")
                 .find("run.csv:1: column \"FZ\" is in \"kg\", expected a force"),

@@ -23,7 +23,7 @@ bool depends_on_axes(const std::string& channel) {
                                sign_to_iso(senses, AxisConvention::adapted_sae) < 0.0);
 }
 
-/// The rows of all files that became this channel.
+/// Calls the action for the rows of all files that became this channel.
 template <class Action>
 void for_rows_of(LabRecord& record, const std::string& channel, const Action& action) {
   const Channel* found = record.find(channel);
@@ -39,11 +39,11 @@ void name_meaning(LedgerRow& row) {
   if (known) row.meaning = known->meaning->words;
 }
 
-/// A known name whose values have no unit or one of another dimension.
+/// Marks a known name whose values have no unit or one of another dimension.
 void note_dimension(LedgerRow& row) {
   constexpr std::array<std::string_view, 4> kLetters = {"P", "p", "V", "v"};
   std::string expected = dimension_of_name(row.written);
-  // One letter with a unit may be anything, without one it is most likely ours.
+  // A single letter with a unit may mean anything; without a unit it is most likely Latsch's name.
   if (row.unit_written.empty() &&
       std::find(kLetters.begin(), kLetters.end(), row.written) != kLetters.end())
     expected = recognized(row.written)->meaning->unit;

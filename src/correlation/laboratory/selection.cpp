@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A number with its unit, or with that of the other end where it has none.
+/// Returns a number with its unit or, if it has none, with the unit of the other end.
 std::optional<Quantity> quantity_of(std::string_view text,
                                     std::string_view other,
                                     const Unit& expected) {
@@ -49,7 +49,7 @@ std::pair<std::optional<Window>, std::string> parse_window(const std::string& te
       return {std::nullopt, "expected a window in " + (unit == "1" ? "plain numbers" : unit)};
   Window window{a ? a->si : -kInfinity, b ? b->si : kInfinity};
   if (about) {
-    const double zero = b->unit.to_si(0.0L);  // of degrees Celsius
+    const double zero = b->unit.to_si(0.0L);  // offset of degrees Celsius
     window = {a->si - (b->si - zero), a->si + (b->si - zero)};
   }
   if (!(window.from <= window.to)) return {std::nullopt, "expected its lower end first"};
@@ -77,7 +77,7 @@ std::vector<Stretch> stretches_of(const std::vector<double>& time, std::size_t s
 
 std::vector<int> directions_of(const std::vector<double>& values,
                                const std::vector<Stretch>& stretches) {
-  constexpr double kTurn = 0.05;  // of the range: more than noise, less than any sweep
+  constexpr double kTurn = 0.05;  // share of the range: more than noise, less than any sweep
   double low = kInfinity, high = -kInfinity;
   for (const double value : values) {
     low = std::min(low, std::isnan(value) ? low : value);
@@ -88,7 +88,7 @@ std::vector<int> directions_of(const std::vector<double>& values,
   for (const Stretch& stretch : stretches) {
     int direction = 0;
     std::size_t least = stretch.first, most = stretch.first;  // since the last turning point
-    std::size_t from = stretch.first;                         // the last turning point
+    std::size_t from = stretch.first;                         // last turning point
     const auto settle = [&](std::size_t end, int which) {
       for (std::size_t i = from; i < end; ++i)
         if (!std::isnan(values[i])) directions[i] = which;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which samples of a recording count: windows of values, and the direction of a sweep.
+// Selects samples of a recording by windows of values and by the direction of a sweep.
 //
 //   "900 N .. 1200 N"      from, to; either may be missing: "30 s .."
 //   "0 deg +- 0.3 deg"     about a value; "0 +- 0.3 deg": one unit for both
-//   "rising", "falling"    between the turning points of a channel: where it goes back by more than
-//                          5 % of its range; so neither noise nor the rate of samples matters
+//   "rising", "falling"    between the turning points of a channel, where it goes back by
+//                          more than 5 % of its range, so neither noise nor sampling rate matters
 #pragma once
 
 #include <optional>
@@ -18,7 +18,8 @@ struct Window {
   double from, to;  // SI
 };
 
-/// In the SI unit `unit`. Nothing where the text is no window; its second: why not.
+/// Parses a window in the SI unit `unit`. If the text is no window, the first is empty and the
+/// second says why.
 std::pair<std::optional<Window>, std::string> parse_window(const std::string& text,
                                                            const std::string& unit);
 
@@ -26,11 +27,12 @@ std::pair<std::optional<Window>, std::string> parse_window(const std::string& te
 struct Stretch {
   std::size_t first, end;
 };
-/// Where a recording goes on without a jump: no step of time is other than the usual one by more
-/// than half. Without times all of it.
+/// Returns the stretches without a jump of time: each step differs from the usual one by at most
+/// half. Without times, all samples are one stretch.
 std::vector<Stretch> stretches_of(const std::vector<double>& time, std::size_t samples);
 
-/// +1 where a channel rises, -1 where it falls, 0 where it does neither or has a gap.
+/// Returns +1 if a channel rises, -1 if it falls, 0 if it does neither or has a gap, for each
+/// sample.
 std::vector<int> directions_of(const std::vector<double>& values,
                                const std::vector<Stretch>& stretches);
 

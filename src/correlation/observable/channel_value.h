@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One number of a channel: its largest, smallest, mean, first or last value.
+// Reduces a channel to one number: its largest, smallest, mean, first or last value.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace latsch::correlation {
 
-/// "largest", "smallest", "mean", "first", "last"
+/// Returns "largest", "smallest", "mean", "first", "last".
 const std::vector<std::string>& names_of_values();
 
-/// By one of those names; the channel has values.
+/// Returns the value with one of those names. The channel must have values.
 double value_of(const std::string& of, const std::vector<double>& values);
-/// Its slopes, one a variable, of a channel that knows them; the largest and the smallest value
-/// stay where they are.
+/// Returns the slopes of that value, one for each variable, of a channel with known slopes. The
+/// sample with the largest or smallest value is held fixed.
 std::vector<double> slopes_of(const std::string& of, const Channel& channel);
 
 }  // namespace latsch::correlation

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modes of one circumferential number that lie too close to be told apart.
+// Ordering of modes of one circumferential number that are too close to be distinguished.
 //
-// Near a crossing of a lateral and a radial mode of one n their shapes mix. The name of each, by
-// the larger part of its energy, then changes with a parameter: names are exchanged, or both modes
-// are called radial. A frequency compared by its name would leap, or have no partner. Frequencies
-// in their order do not leap. So of two measured modes a below b, whose simulated frequencies
-// f_a > f_b stand in the other order at a distance g = 2 (f_a - f_b) / (f_a + f_b),
+// Near a crossing of a lateral and a radial mode of one n, their shapes mix. A mode is named by the
+// larger part of its energy, so names change with a parameter: they are exchanged, or both modes
+// are called radial. A frequency compared by name would jump, or have no partner; frequencies in
+// their order do not jump. Take two measured modes, a below b, whose simulated frequencies f_a >
+// f_b are in the other order at the relative distance g = 2 (f_a - f_b) / (f_a + f_b). They become
 //
 //   f_a -> f_a - s(g) (f_a - f_b)      f_b -> f_b + s(g) (f_a - f_b)
 //
-// s = 1 up to a distance `alike`, where names mean nothing, 0 from `apart` on, where they hold, and
-// 3 t^2 - 2 t^3 between. Of several modes each two are taken in turn, which sorts those that are
-// alike: the result is continuous in the frequencies, and does not ask for names among them.
+// with s = 1 up to a distance `alike`, below which names mean nothing, 0 from `apart` on, above
+// which names hold, and 3 t^2 - 2 t^3 between. Several modes are taken in pairs in turn, which
+// sorts those that are alike. The result is continuous in the frequencies and independent of names
+// among close modes.
 #pragma once
 
 #include <string>
@@ -23,41 +24,42 @@ namespace latsch::correlation {
 
 /// Relative distances of frequencies.
 struct CloseModes {
-  double alike = 0.01;  // names are not trusted
-  double apart = 0.02;  // names are trusted
+  double alike = 0.01;  // below: names are not trusted
+  double apart = 0.02;  // above: names are trusted
 };
 
-/// What is compared with a measured mode.
+/// Frequency compared with a measured mode.
 struct ComparedFrequency {
-  int measured = 0;            // index
+  int measured = 0;            // index of the measured mode
   double frequency = 0.0;      // Hz
-  std::vector<double> slopes;  // by each variable; empty: not known
-  int beside = -1;             // the measured mode whose frequency has its share in this one
+  std::vector<double> slopes;  // derivatives by each variable; empty: not known
+  int beside = -1;             // index of the measured mode whose frequency contributes to this
+                               // one; -1: none
 };
 
-/// Whether n and phase of two modes agree, as far as they are known; n has to be.
+/// True if n and phase of two modes agree as far as the phases are known; n has to be known.
 bool same_waves(const experiment::ModeRecord& a, const experiment::ModeRecord& b);
 
-/// Finds partners for measured modes that have none by name, -1 in `partner`: a simulated mode that
-/// is free, of the same n and phase, within 5 % of the measured one and of another simulated mode
-/// from which mixing may have taken its name. One of a double mode has not, so of two modes at one
-/// frequency a free one is taken within 1 % alone.
+/// Finds partners for measured modes without a partner by name (-1 in `partner`). A partner is a
+/// free simulated mode of equal n and phase, within 5 % of the measured one and within 5 % of
+/// another simulated mode, with which it may have mixed and so lost its name. The members of a
+/// double mode do not mix, so for two modes at one frequency a free one is taken only within 1 %.
 void take_mixed(const std::vector<experiment::ModeRecord>& measured,
                 const std::vector<experiment::ModeRecord>& simulated,
                 std::vector<int>& partner);
 
-/// Puts the frequencies of close modes into the order of the measured ones, as above, with their
-/// slopes. `needs_waves`: of same_waves() alone.
+/// Puts the frequencies of close modes, with their slopes, into the order of the measured ones, as
+/// described above. `needs_waves` restricts this to modes with same_waves().
 void order_close(const std::vector<experiment::ModeRecord>& measured,
                  const CloseModes& close,
                  bool needs_waves,
                  std::vector<ComparedFrequency>& compared);
 
-/// A sentence for every two modes of which order_close() took the order.
+/// Returns a sentence for every two modes that order_close() has ordered.
 std::vector<std::string> remarks_on_close(const std::vector<experiment::ModeRecord>& measured,
                                           const CloseModes& close,
                                           const std::vector<ComparedFrequency>& compared);
-/// Of a measured mode that take_mixed() found a partner for.
+/// Returns a remark on a measured mode for which take_mixed() found a partner.
 std::string remark_on_mixed(const experiment::ModeRecord& measured);
 
 }  // namespace latsch::correlation

@@ -13,7 +13,7 @@ std::string column_of(const std::string& channel) {
   return channel.substr(channel.find_last_of('/') + 1);
 }
 
-/// By the measurement, or by the experiment where that does not say it.
+/// Returns the frame that the measurement states or, if it states none, the experiment.
 std::string measured_frame(const Node& table,
                            const std::string& column,
                            const std::string& stated,

@@ -40,7 +40,7 @@ Failure wrong(const std::string& channel, const std::string& what) {
   return {fmt::format("channel \"{}\" {}", channel, what), Cause::bad_output};
 }
 
-/// y at x, linear between samples; x rises and reaches around it.
+/// Returns y at x, linear between samples; x rises and its range contains the abscissa.
 double interpolated(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
   const auto right = std::upper_bound(xs.begin(), xs.end(), x);
   if (right == xs.end()) return ys.back();
@@ -50,7 +50,7 @@ double interpolated(const std::vector<double>& xs, const std::vector<double>& ys
 }
 
 void take_what_is_compared(const Node& table, CurveMeasurement& curve) {
-  constexpr double kLevelScale = 10.0;  // dB: ten times the power is an error of 100 %
+  constexpr double kLevelScale = 10.0;  // dB; ten times the power is an error of 100 %
   const ComparedCurve what = curve.comparison.what;
   const bool spectrum = curve.comparison.of_spectrum();
   const bool levels = what == ComparedCurve::band_levels;
@@ -72,7 +72,7 @@ std::vector<double> scaled(const std::vector<double>& values, double scale) {
   return shares;
 }
 
-/// Whether the delay of the recording is fitted. InputError where it has no meaning.
+/// True if the delay of the recording is fitted. Throws InputError if a delay has no meaning.
 bool read_delay(const Node& table, const CurveMeasurement& curve) {
   constexpr std::size_t kFewestSamples = 8;
   const auto nuisance = table.find_table("nuisance");
@@ -99,7 +99,7 @@ bool read_delay(const Node& table, const CurveMeasurement& curve) {
   return true;
 }
 
-/// The measured y less the distances of the measured points from the simulated path.
+/// Returns the measured y minus the distances of the measured points from the simulated path.
 std::vector<double> path_values(const CurveMeasurement& curve,
                                 const std::vector<double>& x,
                                 const std::vector<double>& y) {
@@ -168,15 +168,15 @@ std::shared_ptr<const Curve> read_curve(const Node& table,
 
 namespace {
 
-/// A measured abscissa, moved to the end of the simulated ones where it lies beyond by rounding
-/// alone: a sum of time steps is not the decimal number of a file.
+/// Returns a measured abscissa, moved to the end of the simulated ones if it lies beyond by
+/// rounding only: a sum of time steps is not the decimal number of a file.
 double reached(double at, const std::vector<double>& x) {
-  constexpr double kRounding = 1e-9;  // of the way from end to end
+  constexpr double kRounding = 1e-9;  // share of the way from end to end
   const double end = std::clamp(at, x.front(), x.back());
   return std::abs(at - end) <= kRounding * (x.back() - x.front()) ? end : at;
 }
 
-/// The simulated y at the measured abscissas less a delay.
+/// Returns the simulated y at the measured abscissas minus a delay.
 Result<std::vector<double>> at_measured(const CurveMeasurement& curve,
                                         const std::vector<double>& x,
                                         const std::vector<double>& y,
@@ -201,7 +201,7 @@ Result<std::vector<double>> at_measured(const CurveMeasurement& curve,
   return values;
 }
 
-/// dy/dx of the curve at the measured abscissas less a delay.
+/// Returns dy/dx of the curve at the measured abscissas minus a delay.
 std::vector<double> steepness_at_measured(const CurveMeasurement& curve,
                                           const std::vector<double>& x,
                                           const std::vector<double>& y,
@@ -216,8 +216,8 @@ std::vector<double> steepness_at_measured(const CurveMeasurement& curve,
   return steepness;
 }
 
-/// Of the curve at the measured abscissas less a delay: dy - y' dx, where both move. Empty where
-/// one is not known.
+/// Returns the slopes of the curve at the measured abscissas minus a delay: dy - y' dx, because
+/// both move. Empty if one of them is not known.
 std::vector<double> slopes_at_measured(const CurveMeasurement& curve,
                                        const Channel& x,
                                        const Channel& y,
@@ -395,13 +395,14 @@ std::vector<std::filesystem::path> Curve::write(const Channels& trial,
 
 namespace {
 
-/// The band of the measured abscissas, x rising, around all samples of the curve between them.
+/// Draws the band of the measured abscissas, x rising, around all samples of the curve between
+/// them.
 void draw_around_samples(const report::Band& band,
                          const std::vector<double>& x,
                          const std::vector<double>& computed,
                          report::MeasuredCurve& picture) {
   std::map<double, std::pair<double, double>>
-      beside;  // ends beside the curve; of equal x the wider
+      beside;  // ends relative to the curve; at equal x the wider band
   for (std::size_t k = 0; k < x.size(); ++k) {
     const double lower = band.lower[k] - computed[k], upper = band.upper[k] - computed[k];
     if (!std::isfinite(lower) || !std::isfinite(upper)) continue;
@@ -471,7 +472,7 @@ void Curve::draw(const ShownExperiment& shown, report::StudyReport& page) const 
   picture.errors = shown.comparison.errors;
   const bool is_spectrum = c_.comparison.of_spectrum();
   if (is_spectrum || c_.comparison.what == ComparedCurve::about_mean) {
-    // what is compared, in the place of the time series
+    // The picture shows the compared values in place of the time series.
     picture.x_name = is_spectrum ? "frequency" : c_.x;
     picture.y_name = c_.compared_name;
     picture.x_unit = is_spectrum ? c_.x_compared_unit : c_.x_shown;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A curve y(x) of channels that a test records, beside a measured one.
+// Compares a curve y(x) of channels that a test records with a measured one.
 //
 //   [experiment.step]
 //   kind = "curve"
@@ -8,18 +8,20 @@
 //   measurement = "step.csv"           # columns time and z, as the channels are called; or the
 //                                      # name of a [measurement.NAME]
 //   frame = "W"                        # of a measured force or moment; a column may say it itself
-//                                      # ("FyW"). Not that of the test (rigs/hub_frame.h):
-//                                      # refused; in_frame of a [measurement.NAME] turns it.
-//                                      # Default: taken for the test's
+//                                      # ("FyW"). Another frame than the test's
+//                                      # (rigs/hub_frame.h) is refused; in_frame of a
+//                                      # [measurement.NAME] turns it. Default: the test's
 //   scale = "10 mm"                    # an error of 100 %; the largest |y| unless given
 //   compare = "values"                 # or "about_mean", "psd", "band_levels", "path": what of it
 //                                      # is compared, see curve_comparison.h
 //   nuisance = {delay = "free"}        # the delay of the recording behind the simulation is fitted
 //                                      # at every trial (curve_delay.h); default: none
 //
-// An error is
+// The error of sample i is
 //
-//   d_i = (y_i^mea - y^sim(x_i^mea)) / scale       the simulated curve linear between its samples
+//   d_i = (y_i^mea - y^sim(x_i^mea)) / scale
+//
+// with the simulated curve linear between its samples.
 #pragma once
 
 #include <filesystem>
@@ -46,12 +48,12 @@ struct CurveMeasurement {
   std::string x_unit = "1", y_unit = "1";      // SI
   std::string x_shown = "1", y_shown = "1";    // units people read
   std::vector<double> x_measured, y_measured;  // SI
-  double scale = 1.0;                          // of what is compared
+  double scale = 1.0;                          // size of an error of 100 %
 
-  std::optional<NaturalAbscissa> natural;  // without x: over what a person looks at it
+  std::optional<NaturalAbscissa> natural;  // without x: channel over which the samples are drawn
   CurveComparison comparison;
   bool fits_delay = false;
-  /// What is compared, of the measurement: the measured curve itself, or its spectrum over Hz.
+  /// Measured values as compared: the measured curve itself, or its spectrum over Hz.
   std::string compared_name;                     // "response/z", "PSD of response/z"
   std::string x_compared_unit, y_compared_unit;  // SI
   std::vector<double> x_compared, y_compared;
@@ -62,9 +64,9 @@ class Curve : public Observable {
   explicit Curve(CurveMeasurement measured);
 
   const CurveMeasurement& measured() const { return c_; }
-  /// What is compared, of the simulation: one value for each of y_compared. Of a path, the measured
-  /// value less its distance. A Failure where there are too few values, x does not rise (but for a
-  /// path) or the measurement reaches beyond it.
+  /// Returns the simulated values as compared, one for each of y_compared; for a path, the measured
+  /// value minus its distance. Fails if there are too few values, x does not rise (except for a
+  /// path), or the measurement extends beyond the simulation.
   Result<SimulatedValues> simulated(const Channels& trial) const;
 
   Result<Comparison> compare(const Channels& trial,
@@ -77,23 +79,23 @@ class Curve : public Observable {
       const Channels& trial, const Comparison& comparison) const override;
 
  private:
-  /// The simulated y of every measured sample, or another channel in its place.
+  /// Returns the simulated y, or another channel, at every measured sample.
   Result<SimulatedValues> samples(const Channels& trial, const std::string& y_name) const;
-  /// The y of every measured sample behind the delay that fits best.
+  /// Returns y at every measured sample, shifted by the delay that fits best.
   Result<SimulatedValues> delayed_samples(const Channels& trial) const;
-  /// x and another channel, of as many values. A Failure where one is missing.
+  /// Returns x and another channel of equal length. Fails if one is missing.
   Result<std::pair<const Channel*, const Channel*>> channels_of(const Channels& trial,
                                                                 const std::string& y_name) const;
 
-  /// Without x: over the natural abscissa, group by group.
+  /// Draws, without x, over the natural abscissa, group by group.
   void draw_over_natural(const ShownExperiment& shown, report::MeasuredCurve& picture) const;
-  /// The abscissas of a trial as a page draws them: behind its fitted delay.
+  /// Returns the abscissas of a trial as a page draws them, shifted by its fitted delay.
   std::vector<double> shown_abscissas(const Channels& trial) const;
 
   CurveMeasurement c_;
 };
 
-/// Throws InputError where there is no such channel or the measurement has not these columns.
+/// Throws InputError if there is no such channel or the measurement lacks these columns.
 std::shared_ptr<const Curve> read_curve(const Node& table,
                                         const Measurement& measurement,
                                         const std::vector<KnownChannel>& channels);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of two curves y(x) is compared, each value of it a residual of its own:
+// Properties of two curves y(x) that are compared. Each value is a residual of its own:
 //
 //   values       y at every measured x: the time series, or force over slip
-//   about_mean   y less its mean: a constant offset does not count
+//   about_mean   y minus its mean: a constant offset does not count
 //   psd          power spectral density of y over time: neither an offset nor a phase counts
 //                [thesis K, 3.3: the cost is the RMS between the densities, exponent = 2]
 //   band_levels  level of y in third-octave bands in dB: weak bands count like strong ones
 //   path         distance of every measured point (x, y) from the simulated line in the plane of
-//                x / x_scale and y / scale: where a curve is steep a small shift of x is a small
-//                error, and it may turn back (up and down a slip sweep)
+//                x / x_scale and y / scale: on a steep curve a small shift of x is a small error,
+//                and the curve may turn back (up and down a slip sweep)
 //
 //   [experiment.cleat]
 //   kind = "curve"
@@ -41,7 +41,7 @@ struct CurveComparison {
   double rate = 0.0;              // Hz; psd and band_levels
   FrequencyBand band;             // Hz
   numerics::WelchSettings welch;  // for the number of measured samples
-  double x_scale = 1.0;           // path
+  double x_scale = 1.0;           // used by path
 
   bool of_spectrum() const {
     return what == ComparedCurve::psd || what == ComparedCurve::band_levels;
@@ -49,20 +49,20 @@ struct CurveComparison {
 };
 
 /// Reads compare, band, convention, segment, rate and x_scale for a measured curve (SI). Throws
-/// InputError where times are not uniform or the band holds no line.
+/// InputError if times are not uniform or the band holds no line.
 CurveComparison read_comparison(const Node& table,
                                 const std::vector<double>& x,
                                 const std::vector<double>& y,
                                 const std::string& x_unit);
 
-/// Values of a curve given at the measured abscissas, as they are compared (not path).
+/// Returns the compared values of a curve given at the measured abscissas (not for path).
 std::vector<double> compared_values(const CurveComparison& comparison,
                                     const std::vector<double>& y);
-/// The frequencies they belong to, Hz (psd, band_levels).
+/// Returns the frequencies of the compared values, Hz (psd, band_levels).
 std::vector<double> compared_frequencies(const CurveComparison& comparison);
 
-/// Signed distance of the point (x, y) from the line through (xs, ys), all already scaled; positive
-/// on its left.
+/// Returns the signed distance of the point (x, y) from the line through (xs, ys), all already
+/// scaled. It is positive on the line's left.
 double path_distance(double x,
                      double y,
                      const std::vector<double>& xs,

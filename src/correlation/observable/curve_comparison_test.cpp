@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of two curves is compared: closed forms.
+// Compared properties of two curves in closed form.
 #include "correlation/observable/curve_comparison.h"
 
 #include <gtest/gtest.h>
@@ -21,10 +21,10 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr int kSamples = 200;
 constexpr double kRate = 100.0;
 
-/// The study of a program whose only output is a curve that the test hands over itself.
+/// A study of a program whose only output is a curve that the test supplies.
 class ComparedCurves : public testing::Test {
  protected:
-  /// y(t) at kSamples times; the measurement.
+  /// Writes y(t) at kSamples times as the measurement.
   void measure(const std::function<double(double)>& y) {
     std::ofstream out(folder_ / "measured.csv");
     out << "t [s],y [N]\n";
@@ -84,7 +84,7 @@ exponent = 2
 
 double sine(double t) { return 3.0 * std::sin(kTwoPi * 10.0 * t); }
 
-// RMS of a difference of 0.6 at a scale of 3: T = 0.04.
+// The RMS of a difference of 0.6 at a scale of 3 gives T = 0.04.
 TEST_F(ComparedCurves, TimeSeriesHaveTheirRootMeanSquare) {
   measure(sine);
   const auto s = study("scale = \"3 N\"\n");
@@ -97,19 +97,19 @@ TEST_F(ComparedCurves, AConstantOffsetDoesNotCountAboutTheMean) {
   EXPECT_LT(score(s, simulated([](double t) { return sine(t) + 50.0; })).value, 1e-24);
 }
 
-// The cost of the thesis: neither offset nor phase counts, twice the amplitude is four times the
+// In the cost of the thesis neither offset nor phase counts. Twice the amplitude is four times the
 // density: at the highest line d = -3 in units of the measured peak.
 TEST_F(ComparedCurves, DensitiesCountNeitherOffsetNorPhase) {
   measure(sine);
   const auto s = study("compare = \"psd\"\nsegment = \"1 s\"\nband = [\"5 Hz\", \"20 Hz\"]\n");
-  ASSERT_EQ(score(s, simulated(sine)).residuals.size(), 16u);  // 5, 6 ... 20 Hz
+  ASSERT_EQ(score(s, simulated(sine)).residuals.size(), 16u);  // at 5, 6 ... 20 Hz
   const auto moved = [](double t) { return 7.0 + 3.0 * std::sin(kTwoPi * 10.0 * t + 1.0); };
   EXPECT_LT(score(s, simulated(moved)).value, 1e-20);
   const auto twice = score(s, simulated([](double t) { return 2.0 * sine(t); }));
   EXPECT_NEAR(twice.residuals[5], -3.0 / std::sqrt(16.0), 1e-9);
 }
 
-// Twice the amplitude is 6.02 dB in the bands where there is something: 0.602 of the 10 dB scale.
+// Twice the amplitude is 6.02 dB in the bands with power: 0.602 of the 10 dB scale.
 TEST_F(ComparedCurves, LevelsCountRatios) {
   measure([](double t) { return sine(t) + 0.01 * std::sin(kTwoPi * 25.0 * t); });
   const auto s =
@@ -127,8 +127,8 @@ TEST_F(ComparedCurves, AProgramWithoutPowerStillHasALevel) {
   }
 }
 
-// Force over slip, simulated there and back: a slope of 10 in scaled axes shifted by 0.01 in x is
-// 0.0995 off in y but 0.00995 away from the path.
+// The curve is force over slip, simulated there and back. A slope of 10 in scaled axes, shifted by
+// 0.01 in x, is 0.0995 off in y but 0.00995 away from the path.
 TEST_F(ComparedCurves, APathMayTurnBackAndSteepPartsAreNotWeighedTwice) {
   std::ofstream out(folder_ / "measured.csv");
   out << "t [s],y [N]\n0.2,2\n0.5,5\n";

@@ -8,18 +8,20 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kWidest = 0.1;     // of the record, to each side
-constexpr int kCoarsest = 20;       // steps of the grid at least
-constexpr int kFinest = 2000;       // and at most: finer than that costs time and finds nothing new
-constexpr int kMostSteps = 30;      // Gauss-Newton steps; two or three are usual
-constexpr double kRoom = 1e-3;      // of a simulated step: less is rounding of the two time axes
-constexpr double kSettled = 1e-12;  // of the range: a step that small ends them
+constexpr double kWidest = 0.1;     // share of the record, to each side
+constexpr int kCoarsest = 20;       // least number of grid steps
+constexpr int kFinest = 2000;       // largest number of grid steps: more cost time and find nothing
+                                    // new
+constexpr int kMostSteps = 30;      // limit of Gauss-Newton steps; two or three are usual
+constexpr double kRoom = 1e-3;      // share of a simulated step: less is rounding of the two time
+                                    // axes
+constexpr double kSettled = 1e-12;  // share of the range: a smaller step ends the iteration
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// Where the sum of squares is least on the grid.
+/// Returns the delay with the least sum of squares on the grid.
 double best_of_grid(const DelayRange& range,
                     int steps,
                     const std::function<DelayedDifferences(double)>& differences) {
@@ -65,7 +67,7 @@ FittedDelay fit_delay(const DelayRange& range,
     delay.stiffness = dot(at.by_delay, at.by_delay);
     if (!(delay.stiffness > 0.0)) break;
     double step = -dot(at.by_delay, at.d) / delay.stiffness;
-    // A kink between two samples may make a whole step too long.
+    // A kink between two samples may make a whole step too long, so steps are halved.
     bool is_better = false;
     for (int halving = 0; halving < 8 && !is_better; ++halving, step *= 0.5) {
       const double next = std::clamp(delay.value + step, lower, upper);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The delay of a recording: closed forms, and the scatter that statistics promise.
+// The delay of a recording: closed forms, and the scatter that statistics predict.
 #include "correlation/observable/curve_delay.h"
 
 #include <gtest/gtest.h>
@@ -17,9 +17,9 @@ namespace latsch::correlation {
 namespace {
 
 constexpr int kDelayedSamples = 201;
-constexpr double kDelayedRate = 200.0;  // Hz: one second is measured
+constexpr double kDelayedRate = 200.0;  // Hz; one second is measured
 
-/// A study of a program whose curve the test hands over: simulated from -0.5 to 1.5 s.
+/// A study of a program whose curve the test supplies, simulated from -0.5 to 1.5 s.
 class Delays : public testing::Test {
  protected:
   using Curve = std::function<double(double)>;
@@ -89,7 +89,8 @@ scale = "2 N"
 
 constexpr const char* kFree = "nuisance = {delay = \"free\"}\n";
 
-/// Straight between samples of the simulation, so that reading between them is exact.
+/// The curve is straight between samples of the simulation, so that interpolation between them is
+/// exact.
 double hit(double t) { return std::max(0.0, 3.0 - 30.0 * std::abs(t - 0.4)); }
 
 TEST_F(Delays, ARecordingThatBeganLaterIsAlignedToTheLastDigit) {
@@ -122,7 +123,8 @@ TEST_F(Delays, NoneIsFittedUnlessAskedFor) {
 }
 
 TEST_F(Delays, TheEndOfTheRangeIsTold) {
-  measure([](double t) { return hit(t - 0.25); });  // a quarter of the record: beyond a tenth
+  measure([](double t) { return hit(t - 0.25); });  // a quarter of the record: beyond the limit of
+                                                    // a tenth
   const Comparison found = compared(study(kFree), simulated(hit));
   EXPECT_TRUE(found.delay->at_end);
 }
@@ -138,7 +140,8 @@ TEST_F(Delays, ASimulationAsLongAsTheRecordLeavesNoRoom) {
   }
 }
 
-// Linear theory: the variance of the delay is that of a difference over the sum of squared slopes.
+// In linear theory the variance of the delay is that of a difference over the sum of squared
+// slopes.
 TEST_F(Delays, ItsScatterIsWhatItsStiffnessSays) {
   const auto wave = [](double t) { return 3.0 * std::exp(-t * t) * std::sin(40.0 * t); };
   constexpr double kNoise = 0.2, kTrue = 0.012;  // N, s
@@ -155,9 +158,9 @@ TEST_F(Delays, ItsScatterIsWhatItsStiffnessSays) {
   EXPECT_NEAR(sum / promised, 1.0, 0.25);  // three deviations of a variance of 300 draws
 }
 
-// The slopes of projected differences against central differences, where the fit is exact: there
-// Kaufman's are the whole slopes. A curve that is straight between samples 0.1 ms apart has a
-// steepness that is off by up to y'' h / 2 = 450 N/s^2 0.1 ms / 2 = 0.023 N/s, which the delay's
+// The slopes of projected differences are compared with central differences at an exact fit, where
+// Kaufman's slopes are the complete ones. A curve that is straight between samples 0.1 ms apart has
+// a steepness that is off by up to y'' h / 2 = 450 N/s^2 0.1 ms / 2 = 0.023 N/s, which the delay's
 // slope of 0.23 s turns into 2.6e-3 of the scale of 2 N.
 TEST_F(Delays, SlopesHaveNoPartAlongTheDelay) {
   const auto wave = [](double t, double k) { return k * std::sin(30.0 * t / k); };

@@ -47,7 +47,7 @@ std::string ForceCurve::compared(const ObjectiveSettings& settings) const {
 
 std::vector<double> ForceCurve::deviations(const MeasurementNoise& noise,
                                            const ObjectiveSettings& settings) const {
-  // A root is off by half as much, relative.
+  // The relative deviation of a root is half that of the value.
   const double part = settings.compared == Compared::root_force ? 0.5 : 1.0;
   auto deviations = Observable::deviations(noise, settings);
   for (double& one : deviations) one *= part;
@@ -108,7 +108,7 @@ std::string ForceCurve::table(const Channels& trial, const Comparison& compariso
                                  "length mm",
                                  "width mm",
                                  "area cm^2");
-  // Not every model knows its patch, not every test its radius.
+  // Not every model computes its contact patch, and not every test its radius.
   const auto cell = [&](const char* name, std::size_t j, double factor, int digits) {
     const Channel* found = trial.find(test_ + "/" + name);
     if (!found || j >= found->values.size()) return std::string("-");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces over deflections or loaded radii, as an observable of a load-deflection test:
-//   dF_j = (F_j^mea - F_j^sim) / F_j^mea, or of their roots (objective.h)
+// Compares forces over deflections or loaded radii of a load-deflection test:
+//   dF_j = (F_j^mea - F_j^sim) / F_j^mea, or the same for their roots (objective.h)
 #pragma once
 
 #include "correlation/observable/observable.h"
@@ -10,11 +10,11 @@ namespace latsch::correlation {
 
 class ForceCurve : public Observable {
  public:
-  /// `test` records "deflection", "loaded_radius", "force" and the patch at the measured positions,
-  /// which need no forces yet.
+  /// `test` records "deflection", "loaded_radius", "force" and the contact patch at the measured
+  /// positions. The measured curve may still lack forces.
   ForceCurve(std::string test, LoadDeflectionCurve measured);
 
-  /// Positions m, forces N.
+  /// Returns positions in m, forces in N.
   const LoadDeflectionCurve& measured() const { return measured_; }
 
   std::string compared(const ObjectiveSettings& settings) const override;
@@ -36,8 +36,8 @@ class ForceCurve : public Observable {
   LoadDeflectionCurve measured_;
 };
 
-/// Columns deflection or loaded_radius, force or Fz, and spread where it is there. Throws
-/// InputError naming the sample: they make no curve.
+/// Reads columns deflection or loaded_radius, force or Fz, and spread if there is one. Throws
+/// InputError naming the sample if they make no curve.
 LoadDeflectionCurve force_curve_of(const Measurement& measurement);
 
 }  // namespace latsch::correlation

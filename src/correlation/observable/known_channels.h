@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The channels of a trial before there is one: what an experiment or a constraint may name.
+// Channels of a trial, known before it runs. An experiment or a constraint may name them.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,15 @@ namespace latsch::correlation {
 
 struct KnownChannel {
   std::string name;        // "response/z": OUTPUT/QUANTITY
-  std::string unit;        // in which people read it
-  std::string frame = "";  // "W", "H" or "C" of a force or moment that a rig records
-  std::optional<experiment::Regression> regression = {};  // of a slope
+  std::string unit;        // unit in which people read it
+  std::string frame = "";  // "W", "H" or "C" if a rig records this force or moment
+  std::optional<experiment::Regression> regression = {};  // for a slope: how it is computed
 };
 
-/// nullptr where none is called so.
+/// Returns nullptr if none has that name.
 const KnownChannel* find(const std::vector<KnownChannel>& channels, const std::string& name);
-/// The one called `name`, which stands in `table` under `key`. InputError where there is none.
+/// Returns the channel `name`, which `table` states under `key`. Throws InputError if there is
+/// none.
 const KnownChannel& named_channel(const Node& table,
                                   const char* key,
                                   const std::string& name,

@@ -10,14 +10,15 @@
 namespace latsch::correlation {
 namespace {
 
-// Weight of the relative frequency difference beside the likeness: decides between equals only.
+// Weight of the relative frequency difference beside the likeness. It is small, so it decides only
+// between equal likenesses.
 constexpr double kTieBreak = 0.01;
 
 struct Group {
   int first = 0, count = 0;  // consecutive modes in ascending frequency
 };
 
-/// For every mode the group of equal frequency it belongs to.
+/// Returns for every mode the group of equal frequency it belongs to.
 std::vector<Group> groups_of(const std::vector<ModeRecord>& modes, double same_frequency) {
   std::vector<Group> group(modes.size());
   for (size_t first = 0, next = 0; first < modes.size(); first = next) {
@@ -100,7 +101,7 @@ ModePairing pair_modes(const std::vector<ModeRecord>& measured_modes,
 
   ModePairing pairing;
   pairing.is_by_shape = have_shapes(measured) && have_shapes(simulated);
-  // Modes in one group of equal frequency are all alike: their order pairs them already.
+  // Modes in one group of equal frequency are all alike, so their order pairs them already.
   if (pairing.is_by_shape) pairing.close = {settings.same_frequency, 2.0 * settings.same_frequency};
   const Eigen::MatrixXd likeness =
       likeness_matrix(measured, simulated, pairing.is_by_shape, settings.same_frequency);

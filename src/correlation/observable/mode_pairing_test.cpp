@@ -17,7 +17,7 @@ ModeRecord labeled(double frequency, int n, ModeType type, char phase = ' ') {
   return {frequency, n, type, phase, {}};
 }
 
-/// cos(n theta - phi) at 12 points of a ring: shapes of one n at phases pi/2/n apart are
+/// Returns cos(n theta - phi) at 12 points of a ring. Shapes of one n at phases pi/2/n apart are
 /// orthogonal.
 ModeRecord ring_mode(double frequency, int n, double phi) {
   ModeRecord mode;
@@ -71,8 +71,8 @@ TEST(PairModes, FollowsShapesThroughASwap) {
 }
 
 TEST(PairModes, ComparesADegeneratePairAsAPlane) {
-  // The simulated pair is turned by 45 degrees of phase: vector by vector every MAC is 1/2, a coin
-  // toss.
+  // The simulated pair is turned by 45 degrees of phase, so vector by vector every MAC is 1/2 and
+  // does not decide.
   const double quarter = M_PI / 4.0;
   const auto pairing = pair_modes(
       {ring_mode(80, 2, 0.0), ring_mode(80, 2, M_PI / 2)},
@@ -103,9 +103,9 @@ TEST(PairModes, DoesNotDependOnTheOrderTheModesAreGivenIn) {
   EXPECT_EQ(partners(pairing), (std::vector<int>{0, 1}));
 }
 
-// A lateral mode crosses a radial mode: 80 Hz + 4 p against 81.5 Hz - p, coupled by k, which
-// keeps their frequencies 2 k apart. What each is called follows the larger part of its energy, of
-// which a share of `other` belongs to neither: near the crossing both are called radial.
+// A lateral mode crosses a radial mode: 80 Hz + 4 p against 81.5 Hz - p, coupled by k, which keeps
+// their frequencies 2 k apart. The name of each follows the larger part of its energy, of which a
+// share of `other` belongs to neither, so near the crossing both are called radial.
 std::vector<ModeRecord> crossing(double p, double k, double other) {
   const double a = 80.0 + 4.0 * p, b = 81.5 - p, half = 0.5 * (a - b);
   const double root = std::hypot(half, k), lateral = root > 0.0 ? 0.5 * (1.0 + half / root) : 0.5;
@@ -119,9 +119,9 @@ std::vector<ModeRecord> crossing(double p, double k, double other) {
 TEST(CompareModes, FrequenciesAreContinuousThroughACrossingOfOneN) {
   const std::vector<ModeRecord> measured{labeled(81.4, 2, ModeType::lateral),
                                          labeled(81.7, 2, ModeType::radial)};
-  constexpr double kStep = 1e-4;  // of p: a frequency moves by at most 4 kStep, and where
+  constexpr double kStep = 1e-4;  // step of p, which moves a frequency by at most 4 kStep
   constexpr double kMost =
-      15.0 * kStep / 81.0;  // names come to hold, over 1 %, by three times that
+      15.0 * kStep / 81.0;  // includes three more such steps while names begin to hold, over 1 %
   for (const double k : {0.0, 1e-6, 0.05, 0.15, 0.35}) {
     for (const double other : {0.0, 0.1}) {
       std::vector<double> last;
@@ -136,7 +136,7 @@ TEST(CompareModes, FrequenciesAreContinuousThroughACrossingOfOneN) {
   }
 }
 
-// Farther than 2 % apart names hold, in whatever order.
+// Modes farther than 2 % apart are compared by name, in whatever order.
 TEST(CompareModes, ModesOfOneNThatAreFarApartAreComparedByName) {
   const auto now =
       compare_modes({labeled(81.4, 2, ModeType::lateral), labeled(84.0, 2, ModeType::radial)},
@@ -156,7 +156,7 @@ TEST(CompareModes, OfDifferentNOrPhaseNoOrderIsTaken) {
   }
 }
 
-// By central differences, where the share of names is between none and all.
+// Slopes are checked by central differences where names hold in part.
 TEST(CompareModes, SlopesOfCloseModesAreThoseOfWhatIsCompared) {
   const std::vector<ModeRecord> measured{labeled(81.4, 2, ModeType::lateral),
                                          labeled(81.7, 2, ModeType::radial)};
@@ -175,7 +175,7 @@ TEST(CompareModes, SlopesOfCloseModesAreThoseOfWhatIsCompared) {
   }
 }
 
-// The lateral mode is not among those simulated, and the double radial mode is no mixture of it.
+// The lateral mode is not among the simulated ones, and the double radial mode is no mixture of it.
 TEST(PairModes, ADoubleModeIsNoPartnerForAnotherType) {
   const auto pairing =
       pair_modes({labeled(82, 2, ModeType::radial), labeled(84, 2, ModeType::lateral)},

@@ -72,7 +72,7 @@ void ModeSet::draw(const ShownExperiment& shown, report::StudyReport& page) cons
   modal.fitted = shown.fitted;
   if (shown.band) modal.band.inside = shown.band->inside;
   const auto found = simulated(shown.found);
-  std::map<int, double> at_start;  // frequency by measured mode
+  std::map<int, double> at_start;  // initial frequency of each measured mode
   if (shown.initial) {
     for (const ComparedFrequency& one : shown.initial_comparison->compared)
       at_start[one.measured] = one.frequency;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frequencies of vibration modes as an observable of a modal test, paired by shape or label
+// Compares frequencies of vibration modes of a modal test, paired by shape or label
 // (mode_pairing.h):
 //   df_i = (f_i^mea - f_i^sim) / f_i^mea
 #pragma once
@@ -10,8 +10,8 @@ namespace latsch::correlation {
 
 class ModeSet : public Observable {
  public:
-  /// `test` records modes as experiment/rigs/mode_record.h says. `count`: how many a laboratory
-  /// would measure, at those points (m, wheel frame), for a twin.
+  /// `test` records modes as experiment/rigs/mode_record.h says. For a twin, `count` is the number
+  /// of modes that the laboratory would measure, `points` the places (m, wheel frame).
   ModeSet(std::string test,
           std::vector<ModeRecord> measured,
           std::size_t count = 0,

@@ -19,13 +19,16 @@ namespace latsch::correlation {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kVaries = 0.05;        // of the usual range: less is the rig's scatter
-constexpr double kApart = 0.15;         // of a condition's range: a gap between two of its levels
-constexpr std::size_t kMostLevels = 8;  // a condition of more levels is a sweep, and parts nothing
+constexpr double kVaries = 0.05;        // share of the usual range: smaller variation is the rig's
+                                        // scatter
+constexpr double kApart = 0.15;         // share of a condition's range: a gap of this size
+                                        // separates two levels
+constexpr std::size_t kMostLevels = 8;  // a condition with more levels is a sweep and forms no
+                                        // groups
 
 struct Usual {
   const char* name;
-  double range;  // SI: what a test goes through
+  double range;  // usual range in a test, SI
 };
 constexpr std::array kSlips = {
     Usual{"alpha", 24.0 * kDegree}, Usual{"kappa", 0.4}, Usual{"gamma", 12.0 * kDegree}};
@@ -57,7 +60,7 @@ std::optional<std::vector<double>> values_of(const Measurement& measurement, con
   return found->values;
 }
 
-/// Of these the one that goes through the most of its usual range; nullptr if none varies.
+/// Returns the candidate that covers the most of its usual range; nullptr if none varies.
 template <std::size_t N>
 const Usual* widest(const std::array<Usual, N>& candidates,
                     const Measurement& measurement,
@@ -75,7 +78,8 @@ const Usual* widest(const std::array<Usual, N>& candidates,
   return found;
 }
 
-/// The level of every value, counted from the least; all 0 where there are none to tell apart.
+/// Returns the level of every value, counted from the lowest; all 0 if levels cannot be
+/// distinguished.
 std::vector<int> levels_of(const std::vector<double>& values, double usual_range) {
   std::vector<int> levels(values.size(), 0);
   const double range = range_of(values);
@@ -114,14 +118,14 @@ std::vector<Condition> conditions_of(const Measurement& measurement, const std::
   return all;
 }
 
-/// "Fz 1050 N, gamma 2 deg": means over the samples of a group.
+/// Returns the means over the samples of a group: "Fz 1050 N, gamma 2 deg".
 std::string name_of(const std::vector<Condition>& conditions,
                     const std::vector<std::size_t>& samples) {
   std::vector<std::string> parts;
   for (const Condition& one : conditions) {
     double sum = 0.0;
     for (const std::size_t i : samples) sum += one.values[i];
-    // A level is written as far as levels differ: the rest is the rig's scatter.
+    // A level is written with the digits in which levels differ; the rest is the rig's scatter.
     const double step = 0.01 * range_of(one.values);
     const double level = std::round(sum / static_cast<double>(samples.size()) / step) * step;
     parts.push_back(one.name + " " + format_quantity(level, one.shown, 4));

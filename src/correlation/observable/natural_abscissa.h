@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The channel over which a person looks at samples that are compared one by one: a side force over
-// the slip angle, a toe angle over the travel or load of a K&C rig.
+// Channel over which a person looks at samples that are compared one by one: a side force over the
+// slip angle, a toe angle over the travel or load of a K&C rig.
 //
-// It is the slip (alpha, kappa, gamma) that goes through the most of its usual range. Without slip
-// it is the travel dz or the load, force or moment that the rig moves. Samples whose other
-// conditions differ (load, camber, pressure) belong to groups, so that each group is a curve of its
-// own.
+// The abscissa is the slip (alpha, kappa, gamma) that covers the most of its usual range. Without
+// slip it is the travel dz or the load, force or moment that the rig moves. Samples whose other
+// conditions differ (load, camber, pressure) belong to different groups, so that each group is a
+// curve of its own.
 #pragma once
 
 #include <optional>
@@ -19,22 +19,22 @@ namespace latsch::correlation {
 struct NaturalAbscissa {
   std::string channel;         // "alpha"
   std::string unit;            // SI
-  std::string shown;           // the unit of the file, or the usual one
-  std::vector<double> values;  // SI, one each sample
-  /// Samples in the order in which they are drawn: group by group, rising in each.
+  std::string shown;           // unit of the file, or the usual one
+  std::vector<double> values;  // SI, one for each sample
+  /// Samples in drawing order: group by group, rising in each.
   std::vector<std::size_t> order;
   struct Group {
-    std::string name;       // "Fz 1050 N, gamma 0 deg"; empty: there is one group
-    std::size_t from, end;  // of `order`
+    std::string name;       // for example "Fz 1050 N, gamma 0 deg"; empty: there is one group
+    std::size_t from, end;  // places in `order`
   };
   std::vector<Group> groups;
 };
 
-/// nullopt if no such channel varies over the samples. `y`: the channel that is compared.
+/// Returns nullopt if no such channel varies over the samples. `y` is the channel that is compared.
 std::optional<NaturalAbscissa> natural_abscissa(const Measurement& measurement,
                                                 const std::string& y);
 
-/// The unit in which a person reads a channel: that of the file, if the file states one.
+/// Returns the unit in which a person reads a channel: the unit of the file if it states one.
 std::string unit_of_file(const Measurement& measurement,
                          const std::string& channel,
                          const std::string& otherwise);

@@ -16,7 +16,7 @@ ModeRecord mode(double frequency, int n, ModeType type, char phase = ' ') {
   return {frequency, n, type, phase, {}};
 }
 
-/// (3) of one mode and one force that are off by so much.
+/// Returns (3) for one mode and one force with these errors.
 double target_of_errors(double frequency, double force) {
   const Comparison modes = compare_modes({mode(100.0, 0, ModeType::lateral)},
                                          {mode(100.0 * (1.0 - frequency), 0, ModeType::lateral)});
@@ -37,7 +37,7 @@ TEST(CompareForces, WithTheExponentOfEquationThreeIsTheMeanRoot) {
   ObjectiveSettings settings;
   settings.exponent = 0.5;
   const Comparison c = compare_forces({1000.0, 1000.0}, {{980.0, 1020.0}}, settings);
-  EXPECT_NEAR(c.value, std::sqrt(0.02), kRound);  // 14 % of a 2 % error
+  EXPECT_NEAR(c.value, std::sqrt(0.02), kRound);  // a 2 % error becomes 14 %
   EXPECT_NEAR(c.mean_error, 0.02, kRound);
 }
 
@@ -78,15 +78,15 @@ TEST(CompareModes, CountsAMissingModeAsSet) {
   EXPECT_EQ(c.pairing.extra, std::vector<int>{1});
 }
 
-// The published results: frequencies 13 % and forces 2 % make 7.4 %, 2 % and 2 % make 2 %. Errors
-// are printed in whole percent, so a mean of two of them is known to half a percent.
+// The published results are: frequencies 13 % and forces 2 % make 7.4 %; 2 % and 2 % make 2 %.
+// Errors are printed in whole percent, so a mean of two is known to half a percent.
 TEST(Target, OfThePublishedErrorsIsThePublishedTarget) {
   EXPECT_NEAR(target_of_errors(0.13, 0.02), 0.074, 0.005);
   EXPECT_NEAR(target_of_errors(0.02, 0.02), 0.02, 0.005);
 }
 
-// A third row, 25 % and 2 % make 15 %, does not come out of the same formula, which gives 13.5 %,
-// nor of a root of the force error, which gives 19.6 %: it is further off than its digits allow.
+// A third row, 25 % and 2 % make 15 %, follows neither from this formula, which gives 13.5 %, nor
+// from a root of the force error, which gives 19.6 %. It is farther off than its digits allow.
 TEST(Target, DoesNotExplainThePublishedRowOfTwentyFivePercent) {
   EXPECT_NEAR(target_of_errors(0.25, 0.02), 0.135, kRound);
   EXPECT_GT(0.15 - target_of_errors(0.25, 0.02), 0.005 + 0.005);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a trial's recording is compared with what was measured, and how it is shown.
+// An observable compares part of a trial's recording with the measurement and shows the result.
 //
-// An observable knows the channels it asks for, its measured values and what an error of 100 % is;
-// it knows no model and no test. Each kind is one file of this folder:
+// An observable knows the channels it needs, its measured values and the size of an error of 100 %.
+// It knows no model and no test. Each kind is one file of this folder:
 //
 //   force_curve.h   forces over deflections or loaded radii
 //   mode_set.h      frequencies of modes, paired by shape or label
@@ -29,42 +29,47 @@ struct StudyReport;
 
 namespace latsch::correlation {
 
-/// One experiment at the point found, beside the point it started from, for a page.
+/// One experiment at the best point, beside the initial point, for a page.
 struct ShownExperiment {
   std::string name, conditions;
   bool fitted = true;
-  bool of_design = false;  // the best trial of a design: nothing was fitted
+  bool of_design = false;  // true for the best trial of a design: nothing was fitted
   const Channels& found;
   const Comparison& comparison;
-  const Channels* initial = nullptr;  // and its comparison; nullptr where that point failed
+  const Channels* initial = nullptr;  // recording of the initial point; nullptr with its comparison
+                                      // if that point failed
   const Comparison* initial_comparison = nullptr;
-  const report::Band* band = nullptr;  // one value a row; nullptr: not known
+  const report::Band* band = nullptr;  // one value for each row; nullptr: not known
   double weight = 1.0;
 };
 
-/// Where the measurement of an experiment lies.
+/// Files of an experiment's measurement.
 struct MeasurementFiles {
-  std::filesystem::path values, shapes;  // shapes: empty where none are measured
-  std::string comment;                   // in their first line
-  bool is_shared = false;  // another experiment has just written `values`: columns are added
+  std::filesystem::path values, shapes;  // shapes: empty if none are measured
+  std::string comment;                   // first line of the files
+  bool is_shared = false;  // true if another experiment has just written `values`: columns are
+                           // added
   const Measurement* measurement = nullptr;  // the [measurement.NAME] whose columns are replaced
 };
 
-/// What is known of the values compared before there is a trial.
+/// Properties of the compared values that are known before the first trial.
 struct ComparedValues {
-  std::string kind;        // "load_deflection", "modes", "curve", "values": as a study names it
+  std::string kind;        // "load_deflection", "modes", "curve", "values": the name in a study
   std::string compared;    // "force", "PSD of response/z"
-  std::string over = "";   // "over response/time"; empty: the conditions of the test say all
-  std::string whole = "";  // an error of 100 %, where the same for all: "10 mm"; else empty
-  std::string error_name = "d";        // the sign of one error: "dF", "df"
-  std::vector<std::string> asks = {};  // channels of a trial, "TEST/CHANNEL"
-  std::vector<std::string> rows = {};  // what each value is called: "10 mm", "radial n=2"
-  bool is_sweep = true;                // values beside each other can share noise
-  bool passes_slopes = false;          // of the channels to its differences
-  std::string unit = "1";              // SI, of what an absolute noise stands beside
-  std::string shown = "";              // the unit a person reads them in; empty: that
-  /// What was measured, one each, in that unit, and what an error of 100 % of it is: a trial has
-  ///   measured - error scale  in its place (Comparison::errors).
+  std::string over = "";   // for example "over response/time"; empty: the conditions of the test
+                           // say all
+  std::string whole = "";  // an error of 100 % if it is equal for all values: "10 mm"; otherwise
+                           // empty
+  std::string error_name = "d";        // symbol of one error: "dF", "df"
+  std::vector<std::string> asks = {};  // needed channels of a trial, "TEST/CHANNEL"
+  std::vector<std::string> rows = {};  // name of each value: "10 mm", "radial n=2"
+  bool is_sweep = true;                // true if neighboring values can share noise
+  bool passes_slopes = false;          // true if slopes of the channels become slopes of its
+                                       // differences
+  std::string unit = "1";              // SI unit of the values and of an absolute noise
+  std::string shown = "";              // unit a person reads; empty: `unit`
+  /// Measured values in `unit`, and the size of an error of 100 % for each. The simulated value is
+  /// measured - error scale (Comparison::errors).
   std::vector<double> measured = {}, scales = {};
 };
 
@@ -90,25 +95,25 @@ class Observable {
   const std::vector<double>& scales() const { return values_.scales; }
 
   virtual std::string compared(const ObjectiveSettings&) const { return values_.compared; }
-  /// The deviation of every value in units of its difference d as compared.
+  /// Returns the deviation of every value in units of its difference d as compared.
   virtual std::vector<double> deviations(const MeasurementNoise& noise,
                                          const ObjectiveSettings& settings) const;
 
-  /// A Failure where the channels leave nothing to compare: a mode without a partner is no failure.
+  /// Fails if the channels leave nothing to compare. A mode without a partner is no failure.
   virtual Result<Comparison> compare(const Channels& trial,
                                      const ObjectiveSettings& settings) const = 0;
 
-  /// Writes what a laboratory would have measured of such a trial. Returns the files.
+  /// Writes the measurement that a laboratory would have made of such a trial. Returns the files.
   virtual std::vector<std::filesystem::path> write(const Channels& trial,
                                                    const MeasurementFiles& files) const = 0;
 
-  /// For the page.
+  /// Draws the comparison on the page.
   virtual void draw(const ShownExperiment& shown, report::StudyReport& page) const = 0;
-  /// For the console: a table, a line a value.
+  /// Returns a table for the console, one line for each value.
   virtual std::string table(const Channels& trial, const Comparison& comparison) const = 0;
-  /// What a person has to know of how it was compared, a sentence each.
+  /// Returns remarks for people on how the values were compared, one sentence each.
   virtual std::vector<std::string> remarks(const Comparison&) const { return {}; }
-  /// For a program: the key and what stands there. Both stay what they are.
+  /// Returns key and content for the JSON output. Both are a stable interface for programs.
   virtual std::pair<std::string, nlohmann::ordered_json> answer(
       const Channels& trial, const Comparison& comparison) const = 0;
 
@@ -116,10 +121,10 @@ class Observable {
   ComparedValues values_;
 };
 
-/// The channels of one test out of those of a trial, under their own names.
+/// Returns the channels of one test among those of a trial, under their own names.
 Channels recording_of(const std::string& test, const Channels& trial);
 
-/// As JSON has it: null where it is not finite.
+/// Returns null if the value is not finite.
 nlohmann::ordered_json json_of(double value);
 nlohmann::ordered_json json_of(const std::vector<double>& values);
 

@@ -19,7 +19,7 @@
 namespace latsch::correlation {
 namespace {
 
-/// TEST/CHANNEL
+/// Returns TEST of "TEST/CHANNEL".
 std::string test_part(const std::string& channel) { return channel.substr(0, channel.find('/')); }
 std::string channel_part(const std::string& channel) {
   return channel.substr(channel.find_last_of('/') + 1);
@@ -208,8 +208,8 @@ std::vector<std::string> read_mode_names(const Node& table,
   return modes;
 }
 
-/// Of the channel's column; of a slope that was not recorded as such, by the same regression over
-/// what was.
+/// Returns the values of the channel's column. A slope that was not recorded as such is computed by
+/// the same regression from its recorded channels.
 std::vector<double> measured_values(const Node& table,
                                     const KnownChannel& known,
                                     const Values::Measurement& m,

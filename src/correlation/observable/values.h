@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Single values of a channel beside measured ones that stand in the study itself: a stiffness, the
-// length of a footprint, a characteristic number of a suspension.
+// Compares single values of a channel with measured ones that are stated in the study itself: a
+// stiffness, the length of a footprint, a characteristic number of a suspension.
 //
 //   [experiment.vertical_stiffness]
 //   kind = "values"
@@ -24,10 +24,10 @@
 //   modes = ["torsional n=0", "lateral n=1"]   # whose values; on the ground "lateral n=1 s" or a
 //   values = [0.0902, 0.0695]
 //
-// An error is  d_i = (y_i^mea - y_i^sim) / scale_i,  the scale of a value its own size unless
-// given. Of several modes of one name the lowest is meant; one that is not there counts as 0, an
-// error of 100 %. Frequencies of modes of one n that lie too close to be told apart by their names
-// are compared in their order (close_modes.h).
+// The error is  d_i = (y_i^mea - y_i^sim) / scale_i,  with the measured value's size as scale
+// unless given. Of several modes of one name the lowest is meant; a missing mode counts as 0, an
+// error of 100 %. Frequencies of modes of one n that are too close to be distinguished by their
+// names are compared in their order (close_modes.h).
 #pragma once
 
 #include <memory>
@@ -43,20 +43,20 @@ namespace latsch::correlation {
 class Values : public Observable {
  public:
   struct Measurement {
-    std::string channel, unit, shown;    // SI; as people read it
-    std::string of;                      // empty: every value of the channel
-    std::vector<std::string> modes;      // or those of these modes, by their labels
+    std::string channel, unit, shown;    // unit: SI; shown: the unit people read
+    std::string of;                      // choice of one value; empty: every value of the channel
+    std::vector<std::string> modes;      // labels of modes whose values are compared; empty: none
     std::vector<double> values, scales;  // SI
   };
   explicit Values(Measurement measured);
 
   const Measurement& measured() const { return m_; }
-  /// One value for each measured. A Failure where the channel has more or fewer.
+  /// Returns one value for each measured one. Fails if the channel has more or fewer.
   Result<SimulatedValues> simulated(const Channels& trial) const;
 
   Result<Comparison> compare(const Channels& trial,
                              const ObjectiveSettings& settings) const override;
-  /// Nothing where they stand in the study.
+  /// Writes nothing if the values are stated in the study.
   std::vector<std::filesystem::path> write(const Channels& trial,
                                            const MeasurementFiles& files) const override;
   void draw(const ShownExperiment& shown, report::StudyReport& page) const override;
@@ -72,8 +72,8 @@ class Values : public Observable {
   Measurement m_;
 };
 
-/// Throws InputError where there is no such channel or the values have another dimension. Without a
-/// measurement they stand in the table.
+/// Throws InputError if there is no such channel or the values have another dimension. Without a
+/// measurement the values are stated in the table.
 std::shared_ptr<const Values> read_values(const Node& table,
                                           const std::vector<KnownChannel>& channels,
                                           const Measurement* measurement = nullptr);

@@ -59,7 +59,8 @@ TEST(Values, OneOfSeveralIsTakenByItsName) {
   EXPECT_FALSE(plain->compare(Channels(), {}));
 }
 
-/// Codes of mode_record.h: lateral n=0, radial n=2, lateral n=1 a and s, a lower radial n=2.
+/// The codes are those of mode_record.h: lateral n=0, radial n=2, lateral n=1 a and s, a lower
+/// radial n=2.
 Channels vibrations() {
   Channels channels;
   channels.add({"air/frequency", "Hz", {41.0, 95.0, 50.0, 51.0, 48.0}});
@@ -70,7 +71,8 @@ Channels vibrations() {
   return channels;
 }
 
-// Whatever their order: by name, of several the lowest, unless the phase is named as well.
+// Modes are found by name in any order; of several the lowest counts, unless the phase is named as
+// well.
 TEST(Values, OfModesAreTakenByTheirNames) {
   const auto named = values_of(
       "channel = \"air/frequency\"\nmodes = [\"lateral n=1\", \"lateral n=1 s\", "
@@ -86,7 +88,7 @@ TEST(Values, OfModesAreTakenByTheirNames) {
   EXPECT_NEAR(damping->compare(vibrations(), {})->errors[0], -0.2, 1e-12);
 }
 
-// As in mode_set.h: an error of 100 %, of which nothing else is known.
+// A missing mode counts as in mode_set.h: an error of 100 %, of which nothing else is known.
 TEST(Values, OfAModeThatIsNotThereAreMissing) {
   const auto named = values_of(
       "channel = \"air/frequency\"\nmodes = [\"radial n=3\", \"radial n=2\"]\n"

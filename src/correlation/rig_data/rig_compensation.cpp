@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The filter from the dummy rim to the real one, and what it is worth on every case.
+// Computes the filter from the dummy rim to the real one and its benefit in every case.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ const ProcessedPlateau& plateau_of(const std::vector<ProcessedRun>& runs, int ru
   return runs[run].plateaus[speed];
 }
 
-/// Both averages at the length of the shorter: speeds differ a little from run to run.
+/// Cuts both averages to the length of the shorter, because speeds differ a little from run to run.
 RimPair same_length(std::vector<double> dummy, std::vector<double> real) {
   const std::size_t length = std::min(dummy.size(), real.size());
   dummy.resize(length);
@@ -68,8 +68,8 @@ std::vector<FitPassages> fit_passages(const RigFile& rig, const std::vector<Proc
   return all;
 }
 
-/// Averages of all passages, or of as many drawn: `chosen` holds a number below its own size for
-/// each of them in turn.
+/// Returns the averages of all passages, or of resampled ones: `chosen` holds for each passage in
+/// turn the index of the passage that replaces it.
 std::vector<RimPair> averages(const std::vector<FitPassages>& cases,
                               const std::vector<int>* chosen) {
   std::size_t next = 0;
@@ -91,7 +91,7 @@ std::vector<RimPair> averages(const std::vector<FitPassages>& cases,
 }
 
 RigResponse start_of(const RigFile& rig, const std::optional<HammerResult>& hammer) {
-  // By hand: the rig's response, whether or not there was a hammer test to refine it.
+  // A start by hand is the rig's response, whether or not a hammer test refines it.
   const RigResponse of_rig = hammer ? hammer->fit.response : *rig.compensation->start;
   const auto back = inverse(of_rig);
   if (!back) {
@@ -132,8 +132,9 @@ numerics::RationalFilter checked(const RigFile& rig, Result<numerics::RationalFi
   throw InputError({rig.file.string(), 0}, "compensation: " + filter.failure().reason);
 }
 
-/// Of two averages without means; `other` is moved onto `real` first: a few segments of a passage
-/// see a hit through the slope of their windows, so a delay changes a density.
+/// Returns the difference of two averages without means. `other` is first moved onto `real`: a few
+/// segments of a passage see a hit through the slope of their windows, so a delay changes the
+/// density.
 RimDifference difference(const RigFile& rig,
                          double rate,
                          const std::vector<double>& real,

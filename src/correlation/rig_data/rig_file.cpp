@@ -11,7 +11,7 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kSameSpeed = 1e-3;  // of a speed: "60 km/h" and "16.67 m/s" are one
+constexpr double kSameSpeed = 1e-3;  // relative tolerance: "60 km/h" and "16.67 m/s" are equal
 
 void read_channels(const Node& table, RigFile& rig) {
   rig.time = table.text("time", "time");
@@ -19,7 +19,8 @@ void read_channels(const Node& table, RigFile& rig) {
   rig.pulses = table.text("pulses", "");
   if (!rig.pulses.empty() && table.has("speed"))
     table.reject("pulses", "stands beside speed, expected one of them");
-  if (!rig.pulses.empty()) rig.speed = "speed of " + rig.pulses;  // the file may have another one
+  if (!rig.pulses.empty()) rig.speed = "speed of " + rig.pulses;  // a name that differs from the
+                                                                  // file's own speed
   rig.force = table.text("force");
   if (table.has("also")) rig.also = table.texts("also");
   const auto units = table.find_table("units");
@@ -101,7 +102,7 @@ std::vector<std::string> names_of(const List& list) {
   return names;
 }
 
-/// The place of a name in a list.
+/// Returns the index of a name in a list.
 int place_of(const Node& table,
              const char* key,
              const std::string& name,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `latsch process` reads: which recordings of a drum rig there are and what to do with them.
+// Input of `latsch process`: the recordings of a drum rig and their processing.
 //
 //   title = "Race tire on the drum"
 //   [channels]
@@ -76,26 +76,26 @@ struct RigHammer {
 
 struct RigCase {
   std::string name;
-  int dummy = 0, real = 0;  // of the runs
-  int speed = 0;            // of the speeds
+  int dummy = 0, real = 0;  // indices of runs
+  int speed = 0;            // index of a speed
 };
 
 struct RigCompensation {
-  std::vector<int> fit;  // of the cases
+  std::vector<int> fit;  // indices of cases
   std::optional<RigResponse> start;
   std::optional<double> low_pass;  // Hz
   int bootstrap = 0;
-  std::vector<int> apply;  // of the runs
+  std::vector<int> apply;  // indices of runs
 };
 
 struct RigFile {
   std::filesystem::path file;
   std::string title;
   std::string time, speed, force;
-  std::string pulses;  // empty: the speed was recorded
+  std::string pulses;  // channel of the toothed wheel's pulses; empty: the speed was recorded
   int teeth = 0;
   std::vector<std::string> also;
-  std::map<std::string, std::string> units;  // by channel
+  std::map<std::string, std::string> units;  // unit of each channel
   std::optional<double> circumference;       // m
   std::vector<double> speeds;                // m/s
   PlateauSettings plateaus;

@@ -15,8 +15,8 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kAroundPeriod = 0.2;     // of the period a known circumference gives
-constexpr double kShortestPeriod = 0.05;  // s, where it is not known: 20 hits a second
+constexpr double kAroundPeriod = 0.2;     // share of the period that a known circumference gives
+constexpr double kShortestPeriod = 0.05;  // s, if the circumference is not known: 20 hits a second
 constexpr int kFewestPeriods = 3;
 
 std::string at_speed(const Plateau& plateau) {
@@ -78,8 +78,8 @@ ProcessedPlateau process_plateau(const RigFile& rig,
   return result;
 }
 
-/// The channels that are as long as the time, and those asked for. A MAT file may hold anything
-/// else.
+/// Returns the channels that are as long as the time, and the needed ones. A MAT file may hold
+/// other variables.
 DrumRecord read_record(const RigFile& rig,
                        const std::filesystem::path& file,
                        std::vector<std::string> needed) {

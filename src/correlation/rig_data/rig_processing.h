@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the recordings of a drum rig to passages, averages, spectra and the filter that takes the
-// rig away: the steps of thesis K, chapters 2.2 and 3.1, over all runs of a rig file.
+// Processes the recordings of a drum rig into passages, averages, spectra and the filter that
+// removes the rig's response: the steps of thesis K, chapters 2.2 and 3.1, over all runs of a rig
+// file.
 #pragma once
 
 #include <functional>
@@ -14,7 +15,7 @@
 
 namespace latsch::correlation {
 
-/// How far it is: `done` of `total` steps, and what is next.
+/// Reports progress: `done` of `total` steps, and the next step.
 using RigProgress = std::function<void(long done, long total, const std::string& note)>;
 
 struct ChannelAverage {
@@ -26,10 +27,10 @@ struct ChannelAverage {
 struct ProcessedPlateau {
   Plateau plateau;
   Period period;
-  Passages passages;                     // starts counted from plateau.first
-  std::vector<ChannelAverage> channels;  // the force first
-  Coherence coherence;                   // of the force over the passages
-  numerics::Density density;             // of the force's average
+  Passages passages;                     // starts are counted from plateau.first
+  std::vector<ChannelAverage> channels;  // the force comes first
+  Coherence coherence;                   // coherence of the force over the passages
+  numerics::Density density;             // density of the force's average
 
   const std::vector<double>& force() const { return channels.front().average.mean; }
 };
@@ -40,25 +41,25 @@ struct ProcessedRun {
   std::vector<ProcessedPlateau> plateaus;  // one for each speed
 };
 
-/// Differences between the real rim and something else, about their means, after the delay that
-/// makes them least.
+/// Differences between the real rim and another signal, about their means, after the delay that
+/// minimizes them.
 struct RimDifference {
   double time = 0.0;   // RMS of the difference, N
   double psd = 0.0;    // RMS over the band's lines of the difference of the densities, N^2/Hz
   double level = 0.0;  // log-spectral distance over the band, dB
 };
 
-/// A row of the validation table [thesis K, Table 3-1].
+/// Row of the validation table [thesis K, Table 3-1].
 struct CaseRow {
   std::string name;
   bool fitted = false;
   double speed = 0.0;                       // m/s
-  RimDifference dummy, filtered;            // against the real rim
+  RimDifference dummy, filtered;            // differences from the real rim
   std::vector<double> real, before, after;  // averages without their means, N, aligned to `real`
   numerics::Density real_density, before_density, after_density;
 };
 
-/// Deviations over hits drawn again; 0 where none were drawn.
+/// Deviations over resampled hits; 0 if none were drawn.
 struct ResponseDeviation {
   double gain = 0.0, f = 0.0, zeta = 0.0, c = 0.0;
 };
@@ -70,10 +71,10 @@ struct HammerResult {
 };
 
 struct CompensationResult {
-  RigResponse filter_response;        // dummy -> real
-  std::optional<FittedResponse> fit;  // where cases were fitted
+  RigResponse filter_response;        // response from dummy to real rim
+  std::optional<FittedResponse> fit;  // present if cases were fitted
   ResponseDeviation over_hits;
-  numerics::RationalFilter filter;  // at the rate of the runs
+  numerics::RationalFilter filter;  // at the sampling rate of the runs
   std::vector<CaseRow> cases;
 };
 
@@ -86,19 +87,20 @@ struct RigResults {
 /// Throws InputError naming the recording and what to do.
 RigResults process(const RigFile& rig, const RigProgress& progress);
 
-/// One recording; its channels may come from anywhere.
+/// Processes one recording. Its channels may have any origin.
 ProcessedRun process_run(const RigFile& rig, const std::string& name, DrumRecord record);
 
-/// As long as the rig file's convention wants it, `force` at most.
+/// Returns the density with the segment length of the rig file's convention, at most the length of
+/// `force`.
 numerics::Density density_of(const RigFile& rig, const std::vector<double>& force, double rate);
 
-/// The last step: fits the filter and compares the cases.
+/// Fits the filter and compares the cases: the last step of the processing.
 CompensationResult compensate(const RigFile& rig,
                               const std::vector<ProcessedRun>& runs,
                               const std::optional<HammerResult>& hammer);
 HammerResult process_hammer(const RigFile& rig, const DrumRecord& record);
 
-/// A force with the rig's part taken away by a causal filter: its mean stays as it is.
+/// Returns the force after a causal filter that removes the rig's response. Its mean is unchanged.
 std::vector<double> filtered_force(const numerics::RationalFilter& filter,
                                    std::span<const double> force);
 

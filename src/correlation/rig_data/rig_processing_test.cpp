@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole chain on recordings of which everything is known.
+// The whole processing chain on recordings with known parameters.
 #include "correlation/rig_data/rig_processing.h"
 
 #include <fmt/format.h>
@@ -111,7 +111,8 @@ TEST_F(RigData, FindsTheRigAndItsInverseAgain) {
   EXPECT_NEAR(by_hammer.zeta, truth.zeta, 2e-3);
   EXPECT_NEAR(by_hammer.gain(), truth.gain(), 0.01);
   EXPECT_NEAR(by_hammer.c, truth.c, 0.01);
-  // From averages of a dozen passages with little noise (noise of the dummy dilutes c): a percent.
+  // Averages of a dozen passages with little noise (noise of the dummy dilutes c) are accurate to a
+  // percent.
   const RigResponse filter = found.compensation->filter_response, back = *inverse(truth);
   EXPECT_NEAR(filter.f, back.f, 0.01 * back.f);
   EXPECT_NEAR(filter.zeta, back.zeta, 0.01);
@@ -119,8 +120,8 @@ TEST_F(RigData, FindsTheRigAndItsInverseAgain) {
   EXPECT_GT(found.compensation->over_hits.f, 0.0);
 }
 
-// A drum whose speed was recorded as the pulses of a toothed wheel: the angle is the integral of
-// the speed, a tooth's half of it high.
+// The speed of a drum was recorded as the pulses of a toothed wheel. The angle is the integral of
+// the speed, and each tooth is high for half of its angle.
 TEST_F(RigData, TakesTheSpeedFromAToothedWheel) {
   constexpr double kTeeth = 100.0, kWay = 6.0;
   std::string text = replaced(kRig, "[channels]", "[channels]\npulses = \"tooth\"");
@@ -129,7 +130,7 @@ TEST_F(RigData, TakesTheSpeedFromAToothedWheel) {
     const Channels recorded = formats::read_recording(folder_ / (std::string(name) + ".csv"), {});
     const auto &time = recorded.find("time")->values, &v = recorded.find("speed")->values;
     std::ofstream out(folder_ / (std::string(name) + "_pulses.csv"));
-    out << "time [s],speed [m/s],tooth,Fz [N],Fx [N]\n";  // a speed of another sensor, out of order
+    out << "time [s],speed [m/s],tooth,Fz [N],Fx [N]\n";  // speed of another, faulty sensor
     double way = 0.0;
     for (std::size_t i = 0; i < time.size(); ++i) {
       if (i > 0) way += 0.5 * (v[i] + v[i - 1]) * (time[i] - time[i - 1]);
@@ -163,7 +164,7 @@ TEST_F(RigData, PulsesNeedTheWheelTheyAreOf) {
   refused(replaced(pulses, "[drum]", "[drum]\nteeth = 60"), "channel \"tooth\" is missing");
 }
 
-// What follows the second digit of a deviation is chance, and other on other processors.
+// Digits after the second digit of a deviation are chance and differ on other processors.
 TEST_F(RigData, ThePageShowsNoDigitsThatTheHitsDoNotTell) {
   const std::string page = rig_page(rig(), results());
   const std::regex known("<td[^>]*>(?:−)?([0-9.]+) ± ([0-9.]+)</td>");
@@ -208,7 +209,7 @@ TEST_F(RigData, TablesCanBeReadAgainAndThePageHoldsNoForeignMarkup) {
   const auto tables = write_rig_tables(file, found, folder_ / "out");
   for (const fs::path& table : tables) {
     const std::string name = table.filename().string();
-    if (name == "responses.csv" || name == "cases.csv") continue;  // hold words
+    if (name == "responses.csv" || name == "cases.csv") continue;  // tables with words
     EXPECT_FALSE(formats::read_recording(table).empty()) << table;
   }
   const auto average = formats::read_recording(folder_ / "out" / "average_dummy_40kph.csv");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `latsch process` found as one HTML page that opens anywhere, without a network: speeds and
+// Writes the results of `latsch process` as one HTML page that opens without a network: speeds and
 // plateaus, averages with their spread, spectra, the rig's response, the table of the cases, and
-// the truth beside it where it is known.
+// the true response beside it if it is known.
 #pragma once
 
 #include <string>

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Takes tables and names the files.
+/// Writes tables into a folder and lists the files.
 class Folder {
  public:
   explicit Folder(fs::path path) : path_(std::move(path)) {
@@ -44,7 +44,7 @@ Channels table_of(std::initializer_list<Channel> columns) {
   return table;
 }
 
-/// "N^2/Hz" and its like in SI: a density's unit.
+/// Returns the SI unit of a density, such as "N^2/Hz".
 std::string squared_per_hertz(const std::string& unit) {
   return unit == "1" ? "s" : "(" + unit + ")^2 s";
 }

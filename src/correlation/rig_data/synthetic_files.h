@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings of a rig of which everything is known, in the place of measured ones:
+// Simulated recordings of a rig with known parameters, in place of measured recordings:
 //
 //   [truth]
 //   circumference = "6 m"
@@ -17,8 +17,8 @@
 //   rim = "dummy"                        # or "real"
 //   load = "4 kN"
 //   noise = "15 N"
-//   modes = [["45 Hz", "5 %", "400 N"], ["92 Hz", "4 %", "250 N"]]   # frequency, damping,
-//   amplitude
+//   modes = [["45 Hz", "5 %", "400 N"], ["92 Hz", "4 %", "250 N"]]
+//                                        # frequency, damping, amplitude
 #pragma once
 
 #include <string>
@@ -34,16 +34,16 @@ struct RigFile;
 struct SyntheticTruth {
   SyntheticRig rig;
   std::vector<SyntheticRun> runs;  // in the order of the runs
-  int hits = 20;                   // of the hammer
-  double hammer_noise = 2.0;       // N
+  int hits = 20;                   // number of hammer hits
+  double hammer_noise = 2.0;       // standard deviation, N
 };
 
-/// [truth] for the runs of these names, all at these speeds.
+/// Reads [truth] for the runs of these names, all at these speeds.
 SyntheticTruth read_truth(const Node& table,
                           const std::vector<std::string>& runs,
                           const std::vector<double>& speeds);
 
-/// Writes every recording the file names; the names of the files.
+/// Writes every recording the file names. Returns the names of the files.
 std::vector<std::string> write_synthetic_files(const RigFile& rig);
 
 }  // namespace latsch::correlation

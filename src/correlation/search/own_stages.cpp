@@ -12,10 +12,10 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kWorse = 1.05;       // times the error of the own stage
-constexpr double kNegligible = 1e-6;  // of 100 %: less is rounding of a search that has ended
+constexpr double kWorse = 1.05;       // multiple of the error of the own stage
+constexpr double kNegligible = 1e-6;  // share of 100 %: less is rounding of a search that has ended
 
-/// The noise that the study states, not that of the fit, as the experiment's own measure has it.
+/// Returns the noise that the study states, not that of the fit, in the experiment's own measure.
 double stated_noise(const StudyExperiment& experiment) {
   if (experiment.estimates_noise || !experiment.noise) return 0.0;
   double squares = 0.0, count = 0.0;

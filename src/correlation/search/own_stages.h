@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stage of a study that has followed an experiment best, and whether the result is worse there.
+// Finds the stage of a study that has followed an experiment best, and whether the result is worse.
 //
-// A stage that fits one experiment leaves it an error e_0 in the experiment's own measure, the mean
+// A stage that fits one experiment leaves an error e_0 in the experiment's own measure, the mean
 // |d|^k to the power 1/k (an RMS for k = 2). A later stage that fits other experiments, too, may
-// spoil it: the result has an error e, which counts as worse where
+// spoil the experiment: the result has an error e, which counts as worse if
 //   e > 1.05 e_0,   e > noise that the study states,   e - e_0 > 1e-6 of what counts as 100 %.
-// The own stage of an experiment is the one with the least error among the stages before the last
-// in which it counts and whose model is that of the study: a coarse mesh is another model.
+// The own stage of an experiment is the stage with the least error among those before the last in
+// which the experiment counts and whose model is that of the study. A coarse mesh is another model.
 #pragma once
 
 #include <limits>
@@ -18,34 +18,37 @@
 
 namespace latsch::correlation {
 
-/// The best end of a stage for one experiment.
+/// The stage that ended with the least error of one experiment.
 struct OwnStage {
-  std::string stage = {};                                  // empty: it counted in none
-  double error = std::numeric_limits<double>::infinity();  // in its own measure, 1 = 100 %
-  double rms = std::numeric_limits<double>::infinity();    // rms_error() there
+  std::string stage = {};                                  // empty: the experiment counted in no
+                                                           // stage
+  double error = std::numeric_limits<double>::infinity();  // in the experiment's own measure, 1 =
+                                                           // 100 %
+  double rms = std::numeric_limits<double>::infinity();    // rms_error() at the end of that stage
 
   bool is_known() const { return !stage.empty(); }
 };
 
-/// mean |d|^k to the power 1/k of a comparison without weights, 1 = 100 %.
+/// Returns the mean |d|^k to the power 1/k of a comparison without weights, 1 = 100 %.
 double own_measure(const StudyExperiment& experiment, const Comparison& comparison);
 
-/// The name of that measure: "mean", "RMS", "mean to the power 4".
+/// Returns the name of that measure: "mean", "RMS", "mean to the power 4".
 std::string measure_in_words(const StudyExperiment& experiment);
 
-/// Takes the end of stage k into account; `own` has a place an experiment of the study or is empty.
+/// Updates `own` with the end of stage k. `own` has one entry for each experiment of the study, or
+/// is empty.
 void add_stage_end(const Study& study,
                    int k,
                    const Channels& recording,
                    std::vector<OwnStage>& own);
 
-/// Whether an error is worse than that of the own stage, by the rule above.
+/// True if an error is worse than that of the own stage, by the rule above.
 bool is_spoiled(const StudyExperiment& experiment, const OwnStage& own, double error);
 
-/// "Fy has an RMS of 3.60 %, 2.10 % at the end of its own stage Fy_conditions"
+/// Returns "Fy has an RMS of 3.60 %, 2.10 % at the end of its own stage Fy_conditions".
 std::string spoiled_in_words(const StudyExperiment& experiment, const OwnStage& own, double error);
 
-/// Of every experiment that is spoiled at a recording: spoiled_in_words().
+/// Returns spoiled_in_words() for every experiment that is spoiled at a recording.
 std::vector<std::string> spoiled_experiments(const Study& study,
                                              const std::vector<OwnStage>& own,
                                              const Channels& recording);

@@ -15,8 +15,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// Side force with a ripple of half a percent, and an aligning moment that belongs to another side
-// force: the model cannot follow both.
+// The side force has a ripple of half a percent, and the aligning moment belongs to another side
+// force, so the model cannot follow both.
 class OwnStages : public FittedStudy {
  protected:
   OwnStages() {
@@ -36,7 +36,7 @@ class OwnStages : public FittedStudy {
     write("arm.csv", formats::csv_text(moment));
   }
 
-  /// What follows the head; `keys` stand in both experiments.
+  /// Returns the text after the head; `keys` are stated in both experiments.
   static std::string more(const std::string& keys, int exponent) {
     return keys +
            "[experiment.arm]\nkind = \"curve\"\ny = \"steady/Mz\"\nmeasurement = \"arm.csv\"\n" +
@@ -90,8 +90,8 @@ TEST_F(OwnStages, NoiseOfTheOwnStageKeepsWhatItHad) {
   EXPECT_NEAR(told.as_last.experiments[0].noise->relative, told.own[0].rms, 1e-12);
 }
 
-// The mean of the errors in the place of the mean of their squares. Such a target follows the
-// experiment of the larger weight alone.
+// The target is the mean of the errors instead of their squares. It follows the experiment of the
+// larger weight alone.
 TEST_F(OwnStages, AMeasureOfAnotherExponentIsToldAsWell) {
   std::string text = "exponent = 1\n" + more("", 1) + kStages + "[stage.all]\n";
   const std::string arm = "[experiment.arm]\n";
@@ -111,7 +111,7 @@ TEST_F(OwnStages, StatedNoiseThatIsNotExceededIsNoFault) {
 TEST_F(OwnStages, ALastStageMayNameItsExperimentsAndVariables) {
   const Told told =
       told_by(study_of("", "[stage.last]\nfree = [\"trail\"]\nexperiments = [\"arm\"]\n"));
-  EXPECT_NEAR(told.force, told.own[0].error, 1e-12);  // nothing of it moves
+  EXPECT_NEAR(told.force, told.own[0].error, 1e-12);  // no variable of the side force moves
   EXPECT_TRUE(told.words.empty());
   EXPECT_EQ(told.as_last.experiments[0].objective.weight, 0.0);
   EXPECT_EQ(told.as_last.free, std::vector<int>{2});
@@ -147,7 +147,7 @@ TEST_F(OwnStages, TrialsForIntervalsLeaveHeldVariablesWhereTheyAre) {
     const Confidence& c = (*what)->identification.confidence();
     EXPECT_EQ(c.intervals[2].lower, c.intervals[2].upper);
     EXPECT_EQ((*what)->identification.profiles().size(), 2u);
-    // As if there were no third variable.
+    // The result is as if there were no third variable.
     EXPECT_EQ(c.singular_values.size(), 2);
     EXPECT_TRUE(c.covariance.row(2).isZero() && c.covariance.col(2).isZero());
     EXPECT_GT(c.covariance(0, 0), 0.0);

@@ -48,7 +48,7 @@ StageEnd end_of_stage(const Study& study,
 
 namespace {
 
-/// Whether the last stage has other experiments, variables or noise than the study as written.
+/// True if the last stage has other experiments, variables or noise than the study as written.
 bool differs_in_last_stage(const Study& study) {
   if (estimates_noise(study)) return true;
   return !study.stages.empty() &&

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A study from its start to its end: every stage (study_stages.h) from its design of experiments,
-// if its search begins there, to the last step of its optimizer.
+// Runs a study from its start to its end: every stage (study_stages.h) from its design of
+// experiments, if its search begins with one, to the last step of its optimizer.
 #pragma once
 
 #include <optional>
@@ -18,51 +18,54 @@ namespace latsch::correlation {
 
 struct Fit {
   Run run;
-  std::optional<std::string> hopeless;  // why no point can succeed
-  std::vector<OwnStage> own = {};       // an experiment each, by the stages before; recorded_fit()
+  std::optional<std::string> hopeless;  // reason why no point can succeed
+  std::vector<OwnStage> own = {};       // one for each experiment, from the earlier stages; set by
+                                        // recorded_fit()
 };
 
-/// One stage, or a study without any, from its start to its end.
+/// Runs one stage, or a study without stages, from its start to its end.
 Fit fit(const Study& stage, Executor& executor, Journal& journal, const RunOptions& options);
 
-/// Where a stage has ended: its best point, with its recording.
+/// End of a stage: its best point with its recording.
 struct StageEnd {
   DesignPoint point;
   Channels recording;
-  std::vector<OwnStage> own = {};  // an experiment each, by this stage and those before
+  std::vector<OwnStage> own = {};  // one for each experiment, from this stage and the earlier ones
 };
 
-/// The recording of a point in a journal; empty where none of its trials succeeded.
+/// Returns the recording of a point in a journal; empty if none of its trials succeeded.
 Channels recording_at(const DesignPoint& point, const Journal& journal);
 
-/// The end of stage k of a study behind the end of the stage before.
+/// Returns the end of stage k of a study, given the end of the stage before.
 StageEnd end_of_stage(const Study& study,
                       int k,
                       const DesignPoint& best,
                       const Journal& journal,
                       const std::optional<StageEnd>& before);
 
-/// Stage k of a study behind the end of the stage before, with noise as that tells it; of the first
-/// stage, which has none before, nothing is known.
+/// Returns stage k of a study with the noise that the end of the stage before determines. The first
+/// stage has no stage before, so its noise is not known.
 Study weighted_stage(const Study& study, int k, const std::optional<StageEnd>& before);
 
-/// A study as its last stage has it, as far as the journals know: noise, the experiments that
-/// count, the variables that move. The same where the last stage changes none of them. For
-/// whoever looks at trials.
+/// Returns a study in the state of its last stage, as far as the journals know: noise, the
+/// experiments that count, the variables that move. The study is unchanged if the last stage
+/// changes none of them. Everything that displays trials uses this study.
 Study with_estimated_noise(const Study& study, const Journal& journal);
 
-/// What the search of a study asks for first; nullopt where a journal decides that. One that has no
-/// such trial knows no step of the search, which costs no reading of its channels to say.
+/// Returns the first point that the search of a study will evaluate; nullopt if that depends on a
+/// journal. A journal without that trial contains no step of the search, which this shows without
+/// reading its channels.
 std::optional<DesignPoint> first_point(const Study& study);
 
-/// The stages as far as their journals know them, without evaluating.
-/// `weighted`, where given, gets what the last of them has: take_stage().
+/// Returns the stages as far as their journals contain them, without evaluating. `weighted`, if
+/// given, is updated to the last of these stages: take_stage().
 std::vector<Fit> recorded_fit(const Study& study,
                               const Journal& journal,
                               Study* weighted = nullptr);
 
-/// Of a fit that has reached its last stage: the experiments that are worse at the study's best
-/// trial than an earlier stage had them, in words. `weighted` as recorded_fit() leaves it.
+/// For a fit that has reached its last stage, returns in words the experiments whose error at the
+/// study's best trial is worse than after an earlier stage. `weighted` is as recorded_fit() leaves
+/// it.
 std::vector<std::string> spoiled_experiments(const Study& weighted,
                                              const std::vector<Fit>& fits,
                                              const Journal& journal);

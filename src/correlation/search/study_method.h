@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The optimizer of a study, with what the study knows of its own target: residuals, constraints,
-// noise.
+// Chooses the optimizer of a study from what the study knows of its own target: residuals,
+// constraints, noise.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace latsch::correlation {
 
-/// Does not depend on what the journal holds: a resumed run uses the same method.
+/// The choice does not depend on the content of the journal, so a resumed run uses the same method.
 MethodChoice method_of(const Study& study);
 
 std::unique_ptr<Optimizer> make_optimizer(const Study& study);

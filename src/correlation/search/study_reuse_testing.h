@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a study of a Magic Formula in this process, whose measurement comes from itself, run
-// and resumed in a folder of its own.
+// Test support: a study of a Magic Formula in this process, whose measurement comes from the model
+// itself, run and resumed in a folder of its own.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -64,13 +64,13 @@ measurement = "measured.csv"
   void write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
   }
-  /// The head and what follows it.
+  /// Reads a study made of the head and further text.
   Study read(const std::string& more, const std::string& name = "study.toml") {
     write(name, kHead + more);
     return read_study(folder_ / name, experiment::language());
   }
 
-  /// All stages to their end or, after so many trials of a process, to a kill.
+  /// Runs all stages to their end, or stops as if killed after a number of trials.
   std::vector<Fit> fit_all(const Study& study, int workers = 1, long killed_after = 1'000'000) {
     std::vector<Fit> fits;
     std::optional<StageEnd> before;

@@ -20,10 +20,11 @@ namespace latsch::correlation {
 namespace {
 
 constexpr const char* kMark = "start";
-constexpr int kModels = 2;            // quadratic ones, whose points a run is told
-constexpr int kMostScattered = 5000;  // the search for neighbors costs their square
+constexpr int kModels = 2;            // quadratic models whose points a run receives
+constexpr int kMostScattered = 5000;  // limit on points: the search for neighbors costs the square
+                                      // of their number
 
-/// How much of a journal there was when a search began.
+/// Extent of a journal when a search began.
 struct KnownAtStart {
   long trials = 0;
   std::size_t marks = 0;
@@ -34,9 +35,9 @@ struct Known {
   Result<Score> outcome;
 };
 
-/// The last outcome of every point inside the bounds, in an order of their own.
-/// Of the first so many trials, as far as the first so many marks say that they were asked for:
-/// what a search that goes on asks for later was not known at its start.
+/// Returns the last outcome of every point inside the bounds, in an order independent of the
+/// journal's. Only trials up to `at_start` count, if the marks up to there say that they were
+/// requested, because a continued search requests further points that were not known at its start.
 std::vector<Known> known_points(const Study& study,
                                 const Journal& journal,
                                 const KnownAtStart& at_start) {
@@ -60,7 +61,8 @@ Eigen::VectorXd unit(const DesignSpace& space, const DesignPoint& point) {
   return to_vector(space.to_unit(point));
 }
 
-/// Places of the best point and, for more than one start, of the minima among scattered points.
+/// Returns the indices of the best point and, for more than one start, of the minima among
+/// scattered points.
 std::vector<std::size_t> minima(const DesignSpace& space,
                                 const std::vector<Known>& known,
                                 int count) {
@@ -98,7 +100,7 @@ std::vector<DesignPoint> starts_in_journal(const Study& study, const std::vector
   return starts;
 }
 
-/// Of the points of the design alone, whatever else is known.
+/// Returns only the known points that belong to the design.
 std::vector<Known> of_design(const Study& study, std::vector<Known> known) {
   std::set<std::string> planned;
   for (const DesignPoint& point : plan(*study.doe, study.space).points) {
@@ -120,10 +122,10 @@ std::vector<DesignPoint> starts_in_design(const Study& study, const std::vector<
     }
     return starts;
   }
-  return starts_in_journal(study, known);  // too much of it failed
+  return starts_in_journal(study, known);  // too much of the design failed
 }
 
-/// Tells what is near the start, the start itself and what is better left out.
+/// Reports to the optimizer the points near the start and the start itself, and omits the others.
 void tell(Optimizer& optimizer,
           const DesignSpace& space,
           const std::vector<Known>& known,
@@ -142,7 +144,7 @@ void tell(Optimizer& optimizer,
   std::sort(order.begin(), order.end());
   const std::size_t n = static_cast<std::size_t>(space.size());
   order.resize(std::min(order.size(), kModels * ((n + 1) * (n + 2) / 2 + n)));
-  std::reverse(order.begin(), order.end());  // the nearest last
+  std::reverse(order.begin(), order.end());  // the nearest comes last
   for (const auto& [distance, i] : order) optimizer.observe(known[i].point, known[i].outcome);
 }
 
@@ -163,7 +165,7 @@ std::unique_ptr<Optimizer> optimizer_knowing(const Study& study, std::vector<Kno
       });
 }
 
-/// nullopt where this search has not begun.
+/// Returns nullopt if this search has not begun.
 std::optional<KnownAtStart> known_at_start(const Study& study, const Journal& journal) {
   const auto& marks = journal.marks();
   for (std::size_t i = 0; i < marks.size(); ++i) {

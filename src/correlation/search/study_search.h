@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The optimizer of a study with what it knows at its start (study_start.h): nothing, the trials of
-// a journal, or a design of experiments.
+// Starts the optimizer of a study with its initial knowledge (study_start.h): nothing, the trials
+// of a journal, or a design of experiments.
 #pragma once
 
 #include <memory>
@@ -11,12 +11,12 @@
 
 namespace latsch::correlation {
 
-/// The optimizer of the study with what it knows. Takes trials of another journal over and marks
-/// the start in the journal, where it has not been. Throws InputError where the other journal is of
-/// another model.
+/// Returns the optimizer of the study with its initial knowledge. Takes over trials of another
+/// journal, and marks the start in the journal if it is not marked yet. Throws InputError if the
+/// other journal belongs to another model.
 std::unique_ptr<Optimizer> begin_search(const Study& study, Journal& journal);
 
-/// The same as it began; nullptr where it never did.
+/// Returns the optimizer in the state at its start; nullptr if it never started.
 std::unique_ptr<Optimizer> begun_search(const Study& study, const Journal& journal);
 
 }  // namespace latsch::correlation

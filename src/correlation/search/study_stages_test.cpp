@@ -45,7 +45,7 @@ TEST_F(StudyStages, EachBeginsWhereTheOneBeforeEndedAndTheLastHasTheModelAsItIs)
   EXPECT_NEAR(found.values[0], 1.3, 1e-3);
   EXPECT_NEAR(found.values[1], -22.0, 0.05);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "study.coarse.latsch"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "study.narrow.latsch"));  // the same model
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "study.narrow.latsch"));  // no new model
   EXPECT_EQ(Journal::read(folder_ / "study.latsch", identity(study)).identity(), identity(study));
 }
 
@@ -85,8 +85,8 @@ TEST_F(StudyStages, WorkersChangeNoBit) {
   expect_same(fit_all(study, 4), one);
 }
 
-// Side force alone tells grip and stiffness; then the trail, which the side force does not depend
-// on.
+// The side force alone determines grip and stiffness; then comes the trail, on which the side force
+// does not depend.
 TEST_F(StudyStages, MoveTheirVariablesToTheirExperimentsAlone) {
   const std::string more =
       "[experiment.arm]\nkind = \"curve\"\ny = \"steady/Mz\"\nmeasurement = \"arm.csv\"\n"
@@ -180,12 +180,12 @@ measurement = "low.csv"
     EXPECT_GT(equal.front[i].a, equal.front[i - 1].a);
     EXPECT_LT(equal.front[i].b, equal.front[i - 1].b);
   }
-  for (const auto& trial : equal.others) {  // by the definition, trial by trial
+  for (const auto& trial : equal.others) {  // checks the definition, trial by trial
     EXPECT_TRUE(std::any_of(equal.front.begin(), equal.front.end(), [&](const auto& f) {
       return f.a <= trial.a && f.b <= trial.b;
     }));
   }
-  // Weights choose along the same front.
+  // Weights choose points along an unchanged front.
   const Study light = read("weight = 50\n" + other + "[doe]\nlevels = 7\n");
   const ParetoFront tilted = pareto_front(light, journal, "light", "heavy");
   EXPECT_EQ(tilted.front.size(), equal.front.size());

@@ -17,7 +17,7 @@ class StudyStart : public FittedStudy {
 design = "latin_hypercube"
 points = 30
 )";
-  /// One without slopes: it takes enough trials to be killed in and to run ahead of.
+  /// A method without slopes needs enough trials to be killed and to run ahead.
   static inline const std::string kSearch = "[optimizer]\nmethod = \"residual_trust_region\"\n";
 
   void evaluate_design(const Study& study, int workers = 1) {
@@ -106,8 +106,8 @@ TEST_F(StudyStart, NeitherTheWorkersOfTheDesignNorThoseOfTheSearchChangeABit) {
   }
 }
 
-// What runs ahead of a search may be better than all that it asks for, and is no result: how much
-// of it there is depends on the workers.
+// A trial that ran ahead of a search may be better than every requested one, but is no result,
+// because the number of such trials depends on the workers.
 TEST_F(StudyStart, NeitherResultsNorTheNextSearchSeeWhatNobodyAskedFor) {
   const std::string few = kSearch + "max_steps = 6\n";
   const std::string next = kSearch + "start = \"journal\"\nmax_steps = 20\n";
@@ -158,7 +158,7 @@ TEST_F(StudyStart, AnotherJournalOfTheSameModelIsTakenOver) {
       read(kSearch + "start = \"journal\"\nstart_journal = \"old.latsch\"\n", "new.toml");
   const auto whole = fit_all(study);
   EXPECT_EQ(whole[0].run.steps.front().outcome->value, best_of_journal(old));
-  std::filesystem::remove(old.run.journal);  // needed once
+  std::filesystem::remove(old.run.journal);  // needed only once
   expect_same(fit_all(study), whole);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A constraint on what a trial records: nonlinear in the variables.
+// Constraint on a value that a trial records. It is nonlinear in the variables.
 //
 //   [constraint.stiff_enough]
 //   channel = "stiffness/force"        # TEST/CHANNEL, or EXPERIMENT/CHANNEL of an experiment's
@@ -8,9 +8,10 @@
 //   lower = "4 kN"                     # and upper; or equal = "..." in the place of both
 //   scale = "1 kN"                     # a violation of 100 %; the size of the bound unless given
 //
-// With y that value:  c = (lower - y) / scale,  (y - upper) / scale,  h = (y - equal) / scale.
-// It counts as fulfilled up to kFulfilled of the scale (optimization/problem/score.h). Methods that
-// know such constraints: gss_nlc, sqp. A channel that is not recorded is told which there are.
+// With y that value:  c = (lower - y) / scale,  (y - upper) / scale,  h = (y - equal) / scale. The
+// constraint counts as fulfilled up to kFulfilled of the scale (optimization/problem/score.h). The
+// methods gss_nlc and sqp support such constraints. If the channel is not recorded, the error
+// message lists the recorded ones.
 #pragma once
 
 #include <optional>
@@ -29,30 +30,30 @@ struct ChannelConstraint {
   std::string name;
   std::string channel;
   std::string of = "largest";
-  std::optional<double> lower, upper;  // SI; equal where they are the same
+  std::optional<double> lower, upper;  // SI; lower == upper for an equation
   double scale = 1.0;
-  std::string unit = "1";  // in which a person reads it
+  std::string unit = "1";  // unit a person reads
 
   bool is_equation() const { return lower && upper && *lower == *upper; }
 };
 
-/// Reads one [constraint.NAME] on one of the `known` channels. Throws InputError where the trials
-/// have no such channel or it has another quantity.
+/// Reads one [constraint.NAME] on one of the `known` channels. Throws InputError if the trials have
+/// no such channel or it has another quantity.
 ChannelConstraint read_channel_constraint(const Node& table,
                                           const std::vector<KnownChannel>& known);
 
-/// The same without a scale: a number of a channel between bounds.
+/// Reads a number of a channel between bounds, without a scale.
 ChannelConstraint read_channel_range(const Node& table, const std::vector<KnownChannel>& known);
 
-/// The number it is about. A Failure where the trial left no such channel or an empty one.
+/// Returns the constrained number. Fails if the trial left no such channel or an empty one.
 Result<double> value_of(const ChannelConstraint& constraint, const Channels& channels);
 
-/// Adds its c or h to the score. A Failure where the trial left no such number.
+/// Adds the constraint's c or h to the score. Returns a Failure if the trial left no such number.
 std::optional<Failure> apply(const ChannelConstraint& constraint,
                              const Channels& channels,
                              Score& score);
 
-/// "4 kN <= largest stiffness/force"
+/// Returns "4 kN <= largest stiffness/force".
 std::string in_words(const ChannelConstraint& constraint);
 
 }  // namespace latsch::correlation

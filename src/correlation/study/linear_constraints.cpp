@@ -27,7 +27,7 @@ size_t place_of(const Node& table,
   return static_cast<size_t>(found - names.begin());
 }
 
-/// One for each of the variables named.
+/// Returns one coefficient for each of the variables named.
 std::vector<double> read_coefficients(const Node& table, size_t count) {
   if (!table.has("coefficients")) return std::vector<double>(count, 1.0);
   std::vector<double> coefficients = table.quantities("coefficients", "1");
@@ -55,7 +55,7 @@ void read_bounds(const Node& table, LinearConstraint& constraint) {
 
 LinearConstraint read_linear_constraint(const Node& table,
                                         const std::vector<DesignVariable>& variables) {
-  if (parse_number(table.name())) {  // its place in a list
+  if (parse_number(table.name())) {  // the name is a position in a list
     throw InputError(table.place(),
                      "linear_constraint is a list of tables without names, [[linear_constraint]]; "
                      "expected a table with a name each, such as [linear_constraint.belt_sum]");

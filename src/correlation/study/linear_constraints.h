@@ -6,8 +6,8 @@
 //   coefficients = [1, -2]             # 1 each unless given
 //   upper = "0 GPa"                    # and lower; or equal = "..." in the place of both
 //
-// Every method keeps to them. A design of experiments samples the bounds, whatever the
-// constraints.
+// Every optimizer keeps to the linear constraints. A design of experiments samples the whole bounds
+// and ignores them.
 #pragma once
 
 #include <vector>
@@ -17,12 +17,12 @@
 
 namespace latsch::correlation {
 
-/// Reads one [linear_constraint.NAME]. What makes no sense of itself or with others is refused by
-/// DesignSpace.
+/// Reads one [linear_constraint.NAME]. DesignSpace refuses constraints that are senseless, alone or
+/// with others.
 LinearConstraint read_linear_constraint(const Node& table,
                                         const std::vector<DesignVariable>& variables);
 
-/// "belt - 2 carcass <= 0 GPa"
+/// Returns "belt - 2 carcass <= 0 GPa".
 std::string in_words(const LinearConstraint& constraint, const DesignSpace& space);
 
 }  // namespace latsch::correlation

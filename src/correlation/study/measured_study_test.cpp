@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Studies whose experiments and tests take what a laboratory recorded, [measurement.NAME].
+// Studies whose experiments and tests use recordings of a laboratory, [measurement.NAME].
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@
 namespace latsch::correlation {
 namespace {
 
-// SAE signs, loads negative; the last row is warm-up.
+// The record has SAE signs, so loads are negative; the last row is warm-up.
 constexpr const char* kRecord =
     "t_s,SA [deg],FZ [N],FY [N],SL,who\n"
     "0,-4,-4000,3100,0,ann\n"
@@ -83,7 +83,7 @@ class MeasuredStudy : public testing::Test {
   ScratchFolder folder_;
 };
 
-// The same states and forces in our own axes, by hand, in files of their own.
+// States and forces are converted by hand into Latsch's axes and stored in files of their own.
 TEST_F(MeasuredStudy, IsTheStudyOfTheSameNumbersInFiles) {
   const Study measured = read();
   write_text_file(folder_ / "states.csv", "Fz [N],alpha [deg]\n4000,4\n4000,-4\n2000,2\n");
@@ -141,8 +141,8 @@ TEST_F(MeasuredStudy, ATestInAFileOfItsOwnTakesItsStatesToo) {
   EXPECT_TRUE(difference(before, identity(read(test, "file = \"steady.toml\"\n"))));
 }
 
-// Forces that were corrected leave every trial valid, deflections do not: whether the test stands
-// in the study or in a file.
+// Corrected forces leave every trial valid, corrected deflections do not, whether the test is
+// stated in the study or in a file.
 TEST_F(MeasuredStudy, AJournalDependsOnMeasuredDeflectionsNotOnTheForcesBesideThem) {
   const std::string test =
       "kind = \"load_deflection\"\ndeflections = {from = \"measurement.press\"}\n";
@@ -178,7 +178,7 @@ TEST_F(MeasuredStudy, ATwinKeepsTheFilesColumnsUnitsAndSigns) {
   EXPECT_EQ(table.columns(), (std::vector<std::string>{"t_s", "SA", "FZ", "FY", "SL", "who"}));
   EXPECT_EQ(table.texts("who"), (std::vector<std::string>{"ann", "ann", "bob", "bob"}));
   EXPECT_EQ(table.numbers("FZ", "N"), (std::vector<double>{-4000, -4000, -2000, -2000}));
-  EXPECT_GT(table.numbers("FY", "N")[0], 1000.0);  // against the slip angle, as it was
+  EXPECT_GT(table.numbers("FY", "N")[0], 1000.0);  // opposes the slip angle, as before
   EXPECT_LT(table.numbers("FY", "N")[1], -1000.0);
   const Study again = read(selection, "");
   EXPECT_FALSE(difference(identity(study), identity(again)));
@@ -230,7 +230,7 @@ TEST_F(MeasuredStudy, ATestOfAStudyAloneIsRefusedElsewhere) {
   EXPECT_NE(found.find("which only a test of a study can name"), std::string::npos) << found;
 }
 
-// 20 N/mm, without damping in a slow pull.
+// The spring has 20 N/mm, and no damping in a slow pull.
 TEST_F(MeasuredStudy, ValuesMayBeMeasuredToo) {
   write_text_file(folder_ / "spring.toml",
                   "kind = \"spring\"\nstiffness = \"20 N/mm\"\ndamping = \"0 N s/m\"\n");
@@ -262,7 +262,7 @@ measurement = "pulled.csv"
             (std::vector<std::string>{"0.04", "0.1"}));
 }
 
-// Two tests, one column of a file: only one of them could be found again.
+// Two tests write one column of a file: only one of them could be found again.
 TEST_F(MeasuredStudy, ATwinRefusesAColumnThatTwoTestsFill) {
   write_text_file(folder_ / "spring.toml",
                   "kind = \"spring\"\nstiffness = \"20 N/mm\"\ndamping = \"5 N s/m\"\n");
@@ -289,10 +289,11 @@ TEST_F(MeasuredStudy, ATwinRefusesAColumnThatTwoTestsFill) {
       << found;
   EXPECT_NE(found.find("slow/force and fast/force differ"), std::string::npos) << found;
   EXPECT_EQ(read_text_file(folder_ / "pulled.csv"), pulled);
-  EXPECT_TRUE(write_twin(with("0 m/s")));  // the same values twice are no loss
+  EXPECT_TRUE(write_twin(with("0 m/s")));  // equal values twice are no loss
 }
 
-// Columns of a rig for a force curve: other names, one of several pressures.
+// A rig's table for a force curve has other column names, and several pressures of which one is
+// selected.
 TEST_F(MeasuredStudy, AForceCurveIsSelectedFromATableOfMany) {
   write_text_file(folder_ / "tire.toml", "");
   write_text_file(folder_ / "radii.csv",
@@ -311,7 +312,7 @@ select = {p = "83 +- 1 kPa"}
   EXPECT_NEAR(curve.position[1], 0.2006, 1e-15);
 }
 
-/// The row of a column in the ledger of the record.
+/// Returns the row of a column in the ledger of the record.
 LedgerRow ledger_row_of(const Study& study, const std::string& column) {
   for (const Ledger& ledger : ledgers_of(study))
     if (const LedgerRow* row = ledger.find_written(column)) return *row;
@@ -355,7 +356,7 @@ TEST_F(MeasuredStudy, NeverLeavesOutASlipAngleSilently) {
   std::string found = complaint([&] { read(); });
   EXPECT_NE(found.find("\"SA\""), std::string::npos) << found;
   EXPECT_NE(found.find("unit"), std::string::npos) << found;
-  edit_record("SA [deg]", "Alhpa [deg]");  // looks like it
+  edit_record("SA [deg]", "Alhpa [deg]");  // looks like the missing channel
   found = complaint([&] { read(); });
   EXPECT_NE(found.find("columns = {alpha = \"Alhpa\"}"), std::string::npos) << found;
   EXPECT_NE(found.find("without = [\"alpha\"]"), std::string::npos) << found;
@@ -365,7 +366,7 @@ TEST_F(MeasuredStudy, NeverLeavesOutASlipAngleSilently) {
       "nothing");
   found = complaint([&] { read(from, "{from = \"measurement.cornering\", without = [\"Fz\"]}"); });
   EXPECT_NE(found.find("without"), std::string::npos) << found;
-  edit_record("SA [deg]", "channel 7 [deg]");  // does not look like anything: a warning
+  edit_record("SA [deg]", "channel 7 [deg]");  // does not look like any channel: a warning
   const Study study = read();
   const auto doubts = ledgers_of(study).front().doubts;
   EXPECT_TRUE(std::any_of(doubts.begin(), doubts.end(), [](const LedgerDoubt& doubt) {

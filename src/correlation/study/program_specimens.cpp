@@ -32,7 +32,7 @@ class ProgramTest : public experiment::Test {
   explicit ProgramTest(std::vector<OutputReader> outputs) : outputs_(std::move(outputs)) {}
 
   std::string in_words() const override { return "a run of the program"; }
-  // of the program: Specimens::identity
+  // The identity of the program is in Specimens::identity.
   std::vector<std::string> needs() const override { return {RunsAsProgram::kName}; }
   std::vector<experiment::ChannelInfo> channels() const override {
     std::vector<experiment::ChannelInfo> channels;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An outside program in a model's place (simulator_settings.h): a specimen whose numbers are the
-// holes of its input files. It has one test, to run it; the test records what it leaves behind.
+// An outside program as the model (simulator_settings.h): a specimen whose numbers fill the holes
+// of its input files. It has one test, which runs the program and records its output files.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace latsch::correlation {
 
 std::shared_ptr<const Specimens> specimens_of(const Simulator& simulator);
 
-/// Channels "OUTPUT/QUANTITY".
+/// Returns the test, with channels "OUTPUT/QUANTITY".
 StudyTest test_of(const Simulator& simulator);
 
 }  // namespace latsch::correlation

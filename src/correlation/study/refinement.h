@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model of a study once more, on a finer mesh or in smaller steps: what these change, a fit
-// takes into its numbers.
+// The model of a study on a finer mesh or with smaller steps. A fit absorbs the discretization
+// error into its values; the refined model shows by how much.
 //
-//   [refined]                       # evaluated once, where the numbers were found
+//   [refined]                       # evaluated once, at the values found
 //   model.belt.nodes = 200          # numbers of the model, as in a stage
 //   model.tread.blocks = 20
 //   [refined.test.slow]             # in place of the test of that name, written as [test.NAME]
@@ -11,9 +11,9 @@
 //   [refined.simulator]             # in place of an outside program, written as [simulator]
 //   command = ["python3", "{study}/beam.py", "beam.txt", "--elements", "80"]
 //
-// Intervals then reach to the numbers that the refined model would need for the same fit
-// (analysis/refined_shift.h). Choose it so fine that one still finer changes little beside it: what
-// is left beyond it nobody counts. It has no limit of time.
+// Intervals then extend to the values that the refined model would need for the same fit
+// (analysis/refined_shift.h). Refine so far that a still finer model changes little in comparison,
+// because errors beyond the refined model are not counted. Its trial has no time limit.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@
 
 namespace latsch::correlation {
 
-/// [refined] of a study that is complete but for it; nullopt where there is none. Throws
+/// Reads [refined] of a study that is otherwise complete; nullopt if there is none. Throws
 /// InputError.
 std::optional<Refinement> read_refinement(const Node& root,
                                           const Document& text,
@@ -31,11 +31,11 @@ std::optional<Refinement> read_refinement(const Node& root,
                                           const experiment::Language& language,
                                           const Laboratory& laboratory);
 
-/// The study as its refined model has it, with the journal STUDY.refined.latsch. It has to have
-/// one.
+/// Returns the study with its refined model and the journal STUDY.refined.latsch. The study must
+/// have a refinement.
 Study refined(const Study& study);
 
-/// "belt.nodes = 200, tread.blocks = 20; tests slow, fast"
+/// Returns "belt.nodes = 200, tread.blocks = 20; tests slow, fast".
 std::string in_words(const Refinement& refinement);
 
 }  // namespace latsch::correlation

@@ -85,7 +85,7 @@ class RefinedStudy : public testing::Test {
   ScratchFolder folder_;
 };
 
-// Force: 10 N/mm travel + damping speed.
+// The force is 10 N/mm travel + damping speed.
 TEST_F(RefinedStudy, HasOtherNumbersAndTestsBesideTheVariables) {
   const Study study = read(kPulledStudy +
                            "[refined]\nmodel.damping = \"200 N s/m\"\n"
@@ -98,7 +98,7 @@ TEST_F(RefinedStudy, HasOtherNumbersAndTestsBesideTheVariables) {
   EXPECT_NE(identity(finer), identity(study));
 }
 
-// No step of a search depends on it: a journal stays that of its study.
+// No step of a search depends on the refinement, so the journal stays that of its study.
 TEST_F(RefinedStudy, IsNoPartOfTheSearch) {
   const Study plain = read(kPulledStudy);
   const Study study = read(kPulledStudy + "[refined.test.fast]\nfile = \"fine.toml\"\n");

@@ -95,7 +95,7 @@ TEST_F(RollingStudy, AVariableMovesTheNumberOfItsPath) {
   point.values[1] = 2.5e5;
   const auto channels = simulate_all(study, point);
   ASSERT_TRUE(channels);
-  EXPECT_NEAR((*channels)["standing/force"][0], 2.5e5 * 0.01, 1.0);  // Q_FZ2 = 0: a line
+  EXPECT_NEAR((*channels)["standing/force"][0], 2.5e5 * 0.01, 1.0);  // Q_FZ2 = 0: a straight line
 }
 
 TEST_F(RollingStudy, NumbersWithUsualBoundsNeedNoMoreThanTheirNames) {
@@ -123,7 +123,7 @@ TEST_F(RollingStudy, NumbersWithUsualBoundsNeedNoMoreThanTheirNames) {
   refused("vary = [\"PCY1\", \"PCY1\"]\n", "twice");
 }
 
-// Measured with grip 1.2: the point of that value has no residual at all.
+// The measurement was made with grip 1.2, so the point of that value has no residual at all.
 TEST_F(RollingStudy, TheTargetVanishesAtTheValuesTheMeasurementCameFrom) {
   Study study = read();
   DesignPoint truth = study.space.initial();
@@ -149,7 +149,7 @@ TEST_F(RollingStudy, TheJournalKnowsModelTestsAndStates) {
   EXPECT_NE(identity(read()), before);
 }
 
-// Else every trial of a run fails.
+// Otherwise every trial of a run would fail.
 TEST_F(RollingStudy, AMeasurementThatReachesBeyondItsTestIsRefusedBeforeTheFirstTrial) {
   const auto says = [&](const std::string& part) {
     try {
@@ -183,7 +183,7 @@ TEST_F(RollingStudy, PredictionsAreTrialsOfTheirOwn) {
   EXPECT_NE(identity(with_predictions(study)), identity(study));
 }
 
-// A force is compared in the frame its measurement stands in; another frame is no small error.
+// A force is compared in the frame of its measurement; another frame is no small error.
 TEST_F(RollingStudy, AMeasurementInOtherAxesThanTheTestIsRefused) {
   write("sweep.toml",
         "kind = \"slip_sweep\"\nspeed = \"40 km/h\"\nload = \"4 kN\"\n"
@@ -230,7 +230,8 @@ TEST_F(RollingStudy, ATwinIsWrittenButNotOverTheStatesOfATest) {
   EXPECT_EQ(read_text_file(folder_ / "states.csv"), states);
 }
 
-// What was an experiment of finite elements is one of any model that can do it.
+// A load-deflection experiment is available for every model that can run it, not only for finite
+// elements.
 TEST_F(RollingStudy, IsPressedOnTheGroundAsAnyTireIs) {
   const std::string press =
       "[experiment.press]\nkind = \"load_deflection\"\nmeasurement = \"standing.csv\"\n";
@@ -242,7 +243,7 @@ TEST_F(RollingStudy, IsPressedOnTheGroundAsAnyTireIs) {
   EXPECT_EQ(comparison.errors.size(), 2u);
   EXPECT_NEAR(comparison.mean_error, 0.0, 1e-9);  // 190 N/mm, as measured
   EXPECT_EQ(tests_asked_for(study), (std::vector<std::string>{"steady", "press"}));
-  // A rolling tire's recording has no patch: shown as not known.
+  // A rolling tire's recording has no contact patch, so its values are shown as not known.
   const auto& observable = *study.experiments.back().observable;
   EXPECT_NE(observable.table(*channels, comparison).find(" - "), std::string::npos);
 
@@ -267,7 +268,7 @@ TEST_F(RollingStudy, ComplaintsSayWhereAndWhatIsExpected) {
   const auto from = text.find("[test.steady]"), to = text.find("[variable.grip]");
   const std::string missing = complaint(text.substr(from, to - from), "");
   EXPECT_NE(missing.find("[test] is missing"), std::string::npos) << missing;
-  EXPECT_EQ(complaint(text.substr(0, from), "\nmodel = \"tire.tir\"\n"), "");  // its file says what
+  EXPECT_EQ(complaint(text.substr(0, from), "\nmodel = \"tire.tir\"\n"), "");  // stated by its file
   EXPECT_NE(missing.find("[test.cleat]\n    file = \"cleat.toml\""), std::string::npos) << missing;
   EXPECT_NE(complaint("\"PDY1\"", "\"PDY11\"").find("PDY1"), std::string::npos);
   EXPECT_NE(complaint("\"100 N/mm\"", "\"-100 N/mm\"").find("does not accept"), std::string::npos);

@@ -13,10 +13,11 @@ namespace {
 
 constexpr long kMostWorkers = 1024;
 constexpr long kMostRetries = 100;
-constexpr long kMostHalvings = 52;      // then nothing lies between two numbers any more
-constexpr double kMostStraggler = 1e6;  // times the median
-constexpr long kMostLookAhead = 1000;   // points a worker: each is computed at every step
-constexpr double kLeastMemory = 16e6;   // bytes; with less a worker does not even start
+constexpr long kMostHalvings = 52;      // after this many halvings two numbers are adjacent in
+                                        // double precision
+constexpr double kMostStraggler = 1e6;  // multiple of the median
+constexpr long kMostLookAhead = 1000;   // points for each worker; all are computed at every step
+constexpr double kLeastMemory = 16e6;   // bytes; with less a worker does not start
 
 double read_memory(const Node& table) {
   if (!table.has("memory")) return 0.0;
@@ -30,7 +31,7 @@ double read_memory(const Node& table) {
   return *bytes;
 }
 
-/// A setting that only one of the policies has.
+/// Rejects a setting that only another policy has.
 void expect_policy(const Node& table,
                    const char* key,
                    const char* policy,
@@ -63,7 +64,7 @@ FailurePolicy read_policy(const Node& table) {
   return policy;
 }
 
-/// 0: nothing is a straggler.
+/// Returns 0 if no trial counts as a straggler.
 double read_straggler_factor(const Node& table, double usual) {
   if (table.flag("stragglers", true)) {
     return table.quantity("straggler_factor", "1", {1.0, kMostStraggler}, usual);

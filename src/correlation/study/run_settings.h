@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the trials of a study are run. None of it changes the result, except which trials fail and
-// what follows from that.
+// Settings for running the trials of a study. None of them changes the result, except through the
+// choice of trials that fail and what follows from a failure.
 //
 //   [run]
 //   workers = 2                        # processes
@@ -16,7 +16,7 @@
 //   look_ahead = 4                     # points proposed ahead for every worker of several, where
 //                                      # that is not slower than the trials themselves
 //
-// What else on_failure may be:
+// Other values of on_failure are:
 //   on_failure = "abort"               # the run ends
 //   on_failure = "retry"               # once more, `retries` times, then as "proceed"
 //   retries = 1
@@ -26,8 +26,8 @@
 //   halvings = 4                       # the way so often; see evaluation/schedule/failure_answer.h
 //
 // The journal and the report show the trial as failed in any case. A design of experiments has no
-// optimizer to be answered: to it "recover" and "continuation" are "proceed". A trial whose worker
-// was killed from outside is repeated in any case; no point is started more than retries + 2 times.
+// optimizer, so "recover" and "continuation" act there as "proceed". A trial whose worker was
+// killed from outside is repeated in any case; no point is started more than retries + 2 times.
 #pragma once
 
 #include <filesystem>
@@ -45,19 +45,21 @@ struct RunSettings {
   double timeout = 600.0;  // s
   double memory = 0.0;     // bytes; 0: unlimited
   FailurePolicy on_failure;
-  bool intervals = true;  // after a fit
+  bool intervals = true;  // computed after a fit
   std::filesystem::path journal;
-  double straggler_factor = RunOptions{}.straggler_factor;  // 0: nothing is one
+  double straggler_factor = RunOptions{}.straggler_factor;  // multiple of the median time; 0: no
+                                                            // trial counts as a straggler
   int look_ahead = RunOptions{}.look_ahead;
 };
 
-/// `table`: [run], nullptr where the study has none; `study`: its file.
+/// Reads [run]. `table` is nullptr if the study has none; `study` is its file.
 RunSettings read_run_settings(const Node* table, const std::filesystem::path& study);
 
-/// What follows from a failed trial, as the end of a sentence that begins with one.
+/// Returns what follows from a failed trial, as the end of a sentence that begins with the failure.
 std::string in_words(const FailurePolicy& policy);
 
-/// Bytes of "4 GB", "500 MB", "64 kB", powers of 1000; nothing where the text is no such amount.
+/// Returns the bytes of "4 GB", "500 MB", "64 kB" in powers of 1000; nullopt if the text is no such
+/// amount.
 std::optional<double> parse_memory(std::string_view text);
 
 }  // namespace latsch::correlation

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr long kMostColumns = 10'000;
 constexpr long kMostSamples = 10'000'000;
 
-/// "uz [mm]": a name and the unit the file has it in.
+/// Reads "uz [mm]": a name and its unit in the file.
 OutputReader::Quantity parse_quantity_name(const Node& table, const std::string& text) {
   const std::size_t open = text.find('[');
   OutputReader::Quantity quantity{std::string(trimmed(text.substr(0, open))), "1"};
@@ -119,7 +119,7 @@ void expect_holes(const Node& table, const Simulator& simulator, const DesignSpa
   }
 }
 
-/// Of the initial value; a plain number has none.
+/// Returns the unit of the initial value; a plain number has none.
 std::string written_unit(const Node& table) {
   try {
     const auto written = parse_quantity(table.text("initial"));

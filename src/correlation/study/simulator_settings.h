@@ -40,10 +40,10 @@
 
 namespace latsch::correlation {
 
-/// A variable that stands for holes in input files.
+/// Reads a variable that stands for holes in input files.
 DesignVariable read_free_variable(const Node& table);
 
-/// Reads [simulator]. Throws InputError also for a variable without a hole.
+/// Reads [simulator]. Also throws InputError for a variable without a hole.
 Simulator read_simulator(const Node& table,
                          const std::filesystem::path& study,
                          const DesignSpace& space);

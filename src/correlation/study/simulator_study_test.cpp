@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Studies with an outside program in the model's place.
+// Studies with an outside program as the model.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -59,8 +59,8 @@ class SimulatorStudy : public testing::Test {
   ScratchFolder folder_;
 };
 
-// z(0.5) = k / 2 between (0, 0) and (1, k): measured 1.5 mm needs k = 3, and the scale is 4 mm.
-// One experiment of two values: each residual is its share sqrt(1/2) of the difference.
+// Between (0, 0) and (1, k), z(0.5) = k / 2: the measured 1.5 mm needs k = 3, and the scale is 4
+// mm. With one experiment of two values, each residual is its share sqrt(1/2) of the difference.
 TEST_F(SimulatorStudy, ResidualsAreThoseOfTheInterpolatedCurve) {
   const Study study = read();
   const auto channels = evaluator(study)({{2000.0}});
@@ -73,7 +73,8 @@ TEST_F(SimulatorStudy, ResidualsAreThoseOfTheInterpolatedCurve) {
   EXPECT_NEAR(score->value, 0.0625, 1e-14);
 }
 
-// The trial stands: with a measurement of what was recorded, or a longer record, it has a target.
+// The trial stays valid: with a measurement inside the recording, or a longer recording, it has a
+// target.
 TEST_F(SimulatorStudy, ARecordThatEndsTooEarlyHasNoTarget) {
   write("measured.csv", "t [s],z [mm]\n0.5,1.5\n3,4\n");
   const Study study = read();
@@ -89,7 +90,7 @@ TEST_F(SimulatorStudy, ARecordThatEndsTooEarlyHasNoTarget) {
   EXPECT_TRUE(objective(read())(*channels).ok());
 }
 
-// Measured at an end that the program's own sum of steps falls short of by rounding.
+// The measurement ends at a time that the program's own sum of steps misses by rounding.
 TEST_F(SimulatorStudy, AnEndIsReachedWithinRounding) {
   const auto score_at = [&](const char* last) {
     write("measured.csv", std::string("t [s],z [mm]\n0.5,1.5\n") + last + ",4\n");
@@ -121,7 +122,7 @@ TEST_F(SimulatorStudy, TheJournalOfAnotherProgramIsNotReused) {
   EXPECT_FALSE(difference(before, identity(read())));
 }
 
-// A script that lies beside the study or anywhere: what matters is what stands in it.
+// A script may lie beside the study or anywhere; only its content matters.
 TEST_F(SimulatorStudy, AProgramThatChangedMakesAnotherIdentityAndSaysWhichFileItIs) {
   const StudyIdentity before = identity(read());
   write("program.sh", "read k < in.txt; printf 't [s],z [mm]\\n0,0\\n2,%s\\n' $k > out.csv");

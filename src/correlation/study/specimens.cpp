@@ -48,7 +48,7 @@ class ModelSpecimens : public Specimens {
       for (const Follower& follower : variable.followers)
         varied += fmt::format("  {} times: {}\n", follower.factor, fmt::join(follower.paths, ", "));
     }
-    if (is_stated_) varied += "kind: " + kind_.name() + "\n";  // the version says it too
+    if (is_stated_) varied += "kind: " + kind_.name() + "\n";  // the version contains the kind, too
     return {{kModelPart, canonical_text(study.model)},
             {"variables", varied},
             {kTestsPart, identity_of_tests(study.tests, tests_asked_for(study))},
@@ -62,14 +62,14 @@ class ModelSpecimens : public Specimens {
 
  private:
   const SpecimenKind& kind_;
-  bool is_stated_;  // by the study; else the file says it
+  bool is_stated_;  // true if the study states the kind; otherwise the file does
 };
 
 bool has_table(const Node& root, const char* key) {
   try {
     return root.find_table(key).has_value();
   } catch (const InputError&) {
-    return false;  // a text
+    return false;  // the value is a text
   }
 }
 
@@ -113,7 +113,7 @@ std::optional<std::string> reason_against(const SpecimenKind& kind,
 
 namespace {
 
-/// Conditions that a table leaves out by without = ["kappa"].
+/// Returns the conditions that a table leaves out by without = ["kappa"].
 std::vector<std::string> left_out_of(const Node& table,
                                      const std::vector<experiment::MeasuredCondition>& conditions) {
   if (!table.has("without")) return {};
@@ -130,7 +130,7 @@ std::vector<std::string> left_out_of(const Node& table,
   return without;
 }
 
-/// A condition that the measurement lacks: an error where a column looks like it.
+/// Notes a condition that the measurement lacks. Rejects the table if a column looks like it.
 void take_absent(const Node& table,
                  const experiment::MeasuredCondition& condition,
                  const Measurement& measurement,
@@ -150,8 +150,8 @@ void take_absent(const Node& table,
   measurement.note_absent({condition.channel, condition.unit, by, condition.otherwise});
 }
 
-/// The conditions of a test that were measured, for {from = "measurement.NAME"}. `by`: who takes
-/// them, for the ledger.
+/// Returns the measured conditions of a test, for {from = "measurement.NAME"}. `by` names the user
+/// of the conditions for the ledger.
 Channels measured_conditions(const Node& table,
                              const std::vector<experiment::MeasuredCondition>& conditions,
                              const Laboratory& laboratory,

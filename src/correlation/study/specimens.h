@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What makes the specimens of a study: a model whose file holds the numbers that vary, or an
-// outside program in its place.
+// Creates the specimens of a study: from a model whose file holds the varied numbers, or from an
+// outside program.
 //
 //   model = "tire.toml"              # its file says what it is; a .tir is a Magic Formula
 //
@@ -26,7 +26,7 @@
 //   y = "slow/Fz"
 //   measurement = "slow_measured.csv"
 //
-// A trial runs the tests that fitted experiments or constraints ask for.
+// A trial runs the tests that fitted experiments or constraints need.
 #pragma once
 
 #include <filesystem>
@@ -46,16 +46,17 @@ namespace latsch::correlation {
 
 struct Study;
 
-/// A test of a study. Its channels are called "NAME/CHANNEL"; those of a test without a name by
-/// their own.
+/// Test of a study. Its channels are called "NAME/CHANNEL"; a test without a name uses the
+/// channels' own names.
 struct StudyTest {
   std::string name;
   std::shared_ptr<const experiment::Test> test;
-  std::string identity;                           // experiment::ReadTest
-  std::vector<std::filesystem::path> files = {};  // that it was read from
-  bool is_own = false;                            // of the experiment of the same name
+  std::string identity;                           // copied from experiment::ReadTest
+  std::vector<std::filesystem::path> files = {};  // files the test was read from
+  bool is_own = false;                            // true if the test is stated in the experiment of
+                                                  // the same name
 
-  /// "test slow", "experiment stiffness": as a person finds it in the study.
+  /// Returns the name a person finds in the study: "test slow", "experiment stiffness".
   std::string in_words() const { return (is_own ? "experiment " : "test ") + name; }
 };
 
@@ -63,39 +64,40 @@ class Specimens {
  public:
   virtual ~Specimens() = default;
 
-  /// The specimen at a point. One of another point may hand on its work, see SpecimenKind::build.
-  /// InputError where the model does not accept the point.
+  /// Returns the specimen at a point. `reuse`, a specimen of another point, may pass on its work
+  /// (SpecimenKind::build). Throws InputError if the model does not accept the point.
   virtual std::unique_ptr<experiment::Specimen> at(
       const Study& study,
       const DesignPoint& point,
       std::unique_ptr<experiment::Specimen> reuse = nullptr) const = 0;
-  /// InputError where the numbers of the study's model make no specimen.
+  /// Throws InputError if the numbers of the study's model make no specimen.
   virtual void check(const Study& study) const = 0;
-  /// The kind of the model; nullptr where an outside program stands in its place.
+  /// Returns the kind of the model; nullptr for an outside program.
   virtual const experiment::SpecimenKind* kind() const { return nullptr; }
-  /// What the channels of a trial depend on.
+  /// Returns what the channels of a trial depend on.
   virtual StudyIdentity identity(const Study& study) const = 0;
 
-  /// What stands before the tests and experiments when a study is told, some lines.
+  /// Returns the lines that precede the tests and experiments in a printed study.
   virtual std::string describe(const Study& study) const = 0;
-  /// Whether a report may evaluate points once more.
+  /// True if a report may evaluate points once more.
   virtual bool may_repeat() const { return true; }
-  /// s, the least of the limits a trial has by itself; 0: none.
+  /// Returns the least of the time limits that a trial has by itself, s; 0: none.
   virtual double own_timeout() const { return 0.0; }
-  /// Where failed trials leave something behind that goes with the run; empty: nowhere.
+  /// Returns the folder in which failed trials leave files that belong to the run; empty: none.
   virtual std::filesystem::path leftovers() const { return {}; }
-  /// How a person sees more of a failed trial; empty: no way of its own.
+  /// Returns advice on how to see more of a failed trial; empty: none.
   virtual std::string how_to_see_more() const { return ""; }
 };
 
 /// The model of a study and its file.
 struct StudyModel {
   std::shared_ptr<const Specimens> specimens;
-  std::filesystem::path file;  // empty: of an outside program
+  std::filesystem::path file;  // empty for an outside program
   Document numbers = Document::parse("", "");
 };
 
-/// Of a kind of model; `is_stated`: by the study itself, not by the model's file.
+/// Returns the specimens of a kind of model. `is_stated` is true if the study states the kind, not
+/// the model's file.
 std::shared_ptr<const Specimens> specimens_of(const experiment::SpecimenKind& kind,
                                               bool is_stated = false);
 
@@ -104,27 +106,27 @@ StudyModel read_model(const Node& study,
                       const std::filesystem::path& folder,
                       const experiment::Language& language);
 
-/// Reads every [test.NAME], with conditions from the laboratory. Throws InputError where the kind
-/// of the model cannot do it.
+/// Reads every [test.NAME], with conditions from the laboratory. Throws InputError if models of the
+/// kind cannot run it.
 std::vector<StudyTest> read_tests(const Node& study,
                                   const std::filesystem::path& folder,
                                   const experiment::SpecimenKind& kind,
                                   const experiment::Language& language,
                                   const Laboratory& laboratory);
 
-/// Why specimens of a kind cannot do a test, with those that can; nullopt where they can.
+/// Returns why specimens of a kind cannot run a test, and which kinds can; nullopt if they can.
 std::optional<std::string> reason_against(const experiment::SpecimenKind& kind,
                                           const experiment::Test& test,
                                           const experiment::Language& language);
 
-/// The channels of tests, as experiments and constraints name them.
+/// Returns the channels of tests under the names that experiments and constraints use.
 std::vector<KnownChannel> known_channels(const std::vector<StudyTest>& tests);
 
-/// "slow" of "slow/Fz".
+/// Returns "slow" for "slow/Fz".
 std::string test_of(const std::string& channel);
 
-/// The identities of the tests that are asked for, sorted by name: the order in which a study
-/// states them does not matter.
+/// Returns the identities of the tests in `asked`, sorted by name, so that their order in the study
+/// does not matter.
 std::string identity_of_tests(const std::vector<StudyTest>& tests,
                               const std::vector<std::string>& asked);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a model as somebody adds it, a spring with a damper and its one test. It is all a
-// language of its own needs, and it goes through everything a study can do.
+// Test support: a model that somebody adds, a spring with a damper and its one test. A language of
+// its own needs nothing more, and it supports everything a study can do.
 #pragma once
 
 #include <fmt/format.h>
@@ -40,8 +40,8 @@ class SpringKind : public SpecimenKind {
   }
 };
 
-/// kind = "pull": travels = ["1 mm", ...] at one speed, each held for so long that a run can be
-/// killed on its way.
+/// Test kind = "pull": travels = ["1 mm", ...] at one speed. Each travel is held long enough for a
+/// run to be killed meanwhile.
 class PullTest : public Test {
  public:
   PullTest(std::vector<double> travels, double speed, double hold)

@@ -26,7 +26,7 @@
 namespace latsch::correlation {
 namespace {
 
-/// Without a model they stand for holes in the input files of a simulator.
+/// Reads the variables. Without a model they stand for holes in the input files of a simulator.
 DesignSpace read_variables(const Node& root,
                            const Document* model,
                            const experiment::SpecimenKind* kind) {
@@ -51,8 +51,8 @@ DesignSpace read_variables(const Node& root,
   return DesignSpace(std::move(variables), std::move(constraints));
 }
 
-/// The model has to accept every bound of every variable: better said before the first trial than
-/// after a night.
+/// Checks that the model accepts every bound of every variable, so that an error appears before the
+/// first trial and not after a night.
 void check_bounds(const Node& root,
                   const Document& model,
                   const experiment::SpecimenKind& kind,
@@ -77,8 +77,8 @@ void check_bounds(const Node& root,
   }
 }
 
-/// Without the noise of one experiment, the spread of all has to be estimated; then that of the
-/// others cannot be taken at its word.
+/// If one experiment states no noise, the spread of all has to be estimated, and the stated noise
+/// of the others cannot be used as an absolute value.
 void check_noise(const Node& root, const std::vector<StudyExperiment>& experiments) {
   const auto tables = root.named_tables("experiment");
   const bool estimated = std::any_of(
@@ -102,7 +102,7 @@ void check_noise(const Node& root, const std::vector<StudyExperiment>& experimen
   }
 }
 
-/// Against what a prior is weighed has to be known.
+/// Checks that noise is stated, against which priors are weighted.
 void check_priors(const Node& root,
                   const DesignSpace& space,
                   const std::vector<StudyExperiment>& experiments) {
@@ -137,7 +137,8 @@ std::vector<StudyExperiment> read_experiments(const Node& root,
 
 constexpr std::size_t kLargestMeasurement = std::size_t{2} << 30;
 
-/// A misspelled table leaves something else missing: names the first of them that a study has not.
+/// A misspelled table makes another table missing. Reports the first unknown table that resembles
+/// a known one.
 void reject_unknown_table(const std::filesystem::path& file) {
   static const std::vector<std::string> kTables{"model",
                                                 "simulator",
@@ -167,8 +168,8 @@ void reject_unknown_table(const std::filesystem::path& file) {
   }
 }
 
-/// The study without notes and formatting and without what changes no step of a search, and its
-/// measurements. Its tests are in the identity of its journal, wherever they stand.
+/// Returns the study without notes and formatting, without what changes no step of a search, and
+/// with its measurements. Its tests are in the identity of its journal, wherever they are stated.
 std::string search_key(const Study& study) {
   std::istringstream lines(canonical_text(Document::read(study.file)));
   std::uint64_t state = kHashStart;
@@ -189,7 +190,7 @@ std::string search_key(const Study& study) {
   return fmt::format("{:016x}", state);
 }
 
-/// What a trial would complain of, every one of them.
+/// Checks everything that would make every trial fail.
 void check_reach(const Node& root,
                  const std::vector<StudyTest>& tests,
                  const StudyExperiment& experiment,
@@ -225,7 +226,8 @@ void check_reach(const Node& root,
                            reach->to));
 }
 
-/// The same of single values: as many as the channel has, or one of them, or those of modes.
+/// Checks the number of single values: as many as the channel has, or one of them, or those of
+/// modes.
 void check_count(const Node& root,
                  const std::vector<StudyTest>& tests,
                  const StudyExperiment& experiment,
@@ -251,7 +253,7 @@ void check_count(const Node& root,
                   measured.values.size() == 1 ? "; of = \"largest\" takes one of several" : ""));
 }
 
-/// [simulator] or the model with its tests, and the variables.
+/// The model with its tests, or [simulator], and the variables.
 struct WhatVaries {
   StudyModel model;
   DesignSpace space;

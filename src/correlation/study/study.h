@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that reproduces a correlation: a model, what may vary in it, the experiments with their
-// measurements, the optimizer.
+// A study contains everything that reproduces a correlation: a model, its variables, the
+// experiments with their measurements, and the optimizer.
 //
 //   title = "Tire B, three moduli"
 //   model = "tire_b.toml"                     # beside this file; or [model], a tire that rolls,
@@ -13,8 +13,8 @@
 //   [experiment.stiffness]                    # see study_experiment.h
 //   [constraint.stiff_enough]                 # see channel_constraint.h
 //
-//   [optimizer]                               # see study_optimizer.h; where it starts:
-//   study_start.h [stage.coarse]                            # see study_stages.h
+//   [optimizer]                               # see study_optimizer.h, study_start.h
+//   [stage.coarse]                            # see study_stages.h
 //   [refined]                                 # see refinement.h
 //
 //   [doe]                                     # see study_design.h
@@ -42,12 +42,12 @@
 
 namespace latsch::correlation {
 
-/// Where a search begins: study_start.h.
+/// Start of a search: study_start.h.
 struct StartSettings {
   enum class From { values, journal, basins };
   From from = From::values;
   int starts = 1;
-  std::filesystem::path journal = {};  // another one; empty: the study's own
+  std::filesystem::path journal = {};  // another journal to start from; empty: the study's own
 };
 
 /// One [stage.NAME]: study_stages.h.
@@ -56,17 +56,19 @@ struct StageSettings {
   OptimizerSettings optimizer;
   long max_steps = 1000;
   StartSettings start = {};
-  double bounds = 1.0;                                       // width over that of the study's
-  std::vector<std::pair<std::string, double>> numbers = {};  // of the model, by path, SI
-  std::vector<int> free = {};                                // variables that move; none: all
-  std::vector<std::string> experiments = {};                 // that count; none: all
+  double bounds = 1.0;                                       // width of the bounds over that of the
+                                                             // study's
+  std::vector<std::pair<std::string, double>> numbers = {};  // numbers of the model by path, SI
+  std::vector<int> free = {};                                // indices of the variables that move;
+                                                             // empty: all
+  std::vector<std::string> experiments = {};                 // experiments that count; empty: all
 };
 
-/// [refined]: refinement.h.
+/// Table [refined]: refinement.h.
 struct Refinement {
-  std::vector<std::pair<std::string, double>> numbers;  // of the model, by path, SI
-  std::vector<StudyTest> tests = {};                    // in place of those of the same names
-  std::shared_ptr<const Specimens> specimens = {};      // of an outside program
+  std::vector<std::pair<std::string, double>> numbers;  // numbers of the model by path, SI
+  std::vector<StudyTest> tests = {};                    // replace the tests with the same names
+  std::shared_ptr<const Specimens> specimens = {};      // set for an outside program
 };
 
 constexpr long kMostSteps = 1'000'000;
@@ -75,40 +77,44 @@ struct Study {
   std::filesystem::path file;
   std::string title;
   std::filesystem::path model_file;
-  Document model;  // as written; with the variables at a point: at(model, space, point)
+  Document model;  // file's content; at(model, space, point) inserts the variables
   DesignSpace space;
   std::vector<StudyExperiment> experiments;  // in the order of the file
   OptimizerSettings optimizer;
   long max_steps = 1000;
   std::optional<StudyDesign> doe;
   RunSettings run;
-  std::shared_ptr<const Specimens> specimens = {};  // what `model` or a program makes
-  std::vector<StudyTest> tests = {};                // of the study, and the experiments' own
-  std::vector<ChannelConstraint> constraints = {};  // on channels; linear ones are of the space
+  std::shared_ptr<const Specimens> specimens = {};  // made from `model` or an outside program
+  std::vector<StudyTest> tests = {};                // tests of the study and the experiments' own
+  std::vector<ChannelConstraint> constraints = {};  // on channels; linear constraints belong to the
+                                                    // space
 
   Laboratory laboratory = {};  // every [measurement.NAME], for their ledgers
   StartSettings start = {};
-  std::vector<StageSettings> stages = {};  // none: one run, as [optimizer] says
+  std::vector<StageSettings> stages = {};  // empty: one run, as [optimizer] says
   std::optional<Refinement> refinement = {};
-  std::string stage = {};                   // which of them this study is; empty: none
-  std::vector<int> free = {};               // variables that this stage moves; none: all
-  std::optional<DesignPoint> held_at = {};  // where the others stand in this stage; not known: none
-  bool asks_slopes = false;                 // of its trials: study_slopes.h
-  std::string search_key = {};              // what a search depends on, for the journal's marks
+  std::string stage = {};                   // name of the stage that this study is; empty: none
+  std::vector<int> free = {};               // indices of the variables that this stage moves;
+                                            // empty: all
+  std::optional<DesignPoint> held_at = {};  // values of the held variables in this stage, if known
+  bool asks_slopes = false;                 // true if trials shall bring slopes: study_slopes.h
+  std::string search_key = {};              // everything a search depends on, for the journal's
+                                            // marks
 };
 
-/// The tests that fitted experiments and constraints name.
+/// Returns the tests that fitted experiments and constraints name.
 std::vector<std::string> tests_asked_for(const Study& study);
 
-/// Throws InputError naming file, line, found and expected: for the study, its model and its
-/// measurements. With Measurements::not_yet, measurement files need not exist: for writing them
-/// from the model.
+/// Reads a study, its model and its measurements. Throws InputError naming file, line, found and
+/// expected. With Measurements::not_yet, measurement files need not exist, so that they can be
+/// written from the model.
 Study read_study(const std::filesystem::path& file,
                  const experiment::Language& language,
                  Measurements measurements = Measurements::required);
 
-/// What the channels of a trial depend on, for the journal: model, varied paths, load cases.
-/// Objectives are not part of it: they can be changed and recomputed from stored channels.
+/// Returns what the channels of a trial depend on, for the journal: model, varied paths, load
+/// cases. Objectives are not part of the identity, because they can be changed and recomputed from
+/// stored channels.
 StudyIdentity identity(const Study& study);
 
 }  // namespace latsch::correlation

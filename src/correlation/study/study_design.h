@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The design of experiments of a study: where `latsch doe` looks before anything is fitted.
+// The design of experiments of a study: the points that `latsch doe` evaluates before a fit.
 //
 //   [doe]
 //   design = "full_factorial"   # a grid: shows the target as a surface, for up to three variables
@@ -31,20 +31,21 @@ enum class DesignKind { full_factorial, latin_hypercube, sobol, morris };
 
 struct StudyDesign {
   DesignKind kind = DesignKind::full_factorial;
-  std::vector<int> levels = {};  // full factorial: one a variable, 1: not varied
-  int points = 0;                // of the others
+  std::vector<int> levels = {};  // used by full factorial: one number for each variable; 1: not
+                                 // varied
+  int points = 0;                // used by the other designs
   std::uint64_t seed = 0;
 
-  /// "maximin Latin hypercube"
+  /// Returns for example "maximin Latin hypercube".
   std::string name() const;
 };
 
-/// Reads [doe]. Throws InputError where a key belongs to another design.
+/// Reads [doe]. Throws InputError if a key belongs to another design.
 StudyDesign read_design(const Node& doe, const DesignSpace& space);
 
 SamplingPlan plan(const StudyDesign& design, const DesignSpace& space);
 
-/// The trajectories behind the plan of a design of kind morris.
+/// Returns the trajectories behind the plan of a design of kind morris.
 MorrisDesign morris_design(const StudyDesign& design, const DesignSpace& space);
 
 }  // namespace latsch::correlation

@@ -36,7 +36,7 @@ ObjectiveSettings read_objective(const Node& table) {
   return settings;
 }
 
-/// The measurement file named by `key`; empty where it does not exist and need not.
+/// Returns the measurement file named by `key`; empty if it does not exist and need not exist.
 std::filesystem::path find_file(const Node& table,
                                 const std::string& key,
                                 const std::filesystem::path& folder,
@@ -50,7 +50,7 @@ std::filesystem::path find_file(const Node& table,
                    "latsch export --measurements");
 }
 
-/// What `measurement` names: a [measurement.NAME], else a file.
+/// Returns the measurement that the key `measurement` names: a [measurement.NAME], or else a file.
 std::shared_ptr<const Measurement> read_named_measurement(const Node& table,
                                                           const ExperimentContext& context) {
   const std::string name = table.text("measurement");
@@ -69,7 +69,7 @@ std::shared_ptr<const Measurement> read_named_measurement(const Node& table,
       read_measurement(find_file(table, "measurement", context.folder, Measurements::required)));
 }
 
-/// The test of [test.NAME] that an experiment names, after a look at whether it can be meant.
+/// Returns the test of [test.NAME] that an experiment names, after checking that it can be meant.
 const StudyTest& named_test(const Node& table,
                             const std::vector<StudyTest>& tests,
                             const std::string& channel) {
@@ -84,8 +84,8 @@ const StudyTest& named_test(const Node& table,
                    "), which does not record " + in_quotes(channel));
 }
 
-/// Adds the test of an experiment that has one of its own. Its identity is made of `keys`, which
-/// were read of it, and is that of the same keys in a [test.NAME].
+/// Adds the test of an experiment that states one of its own. Its identity is made of the `keys`
+/// read for it, and equals that of the same keys in a [test.NAME].
 void add_own_test(const Node& table,
                   const ExperimentContext& context,
                   DocumentRecord& keys,
@@ -161,14 +161,14 @@ void read_state(const Node& table, ModalTest& test) {
   if (table.has("load")) test.load = table.quantity("load", "N", Range::positive());
 }
 
-/// Points as the key `points` of a test states them.
+/// Returns points in the format of the key `points` of a test.
 std::string canonical_rows(const Eigen::Matrix3Xd& points) {
   std::vector<std::vector<double>> rows;
   for (const auto& point : points.colwise()) rows.push_back({point.x(), point.y(), point.z()});
   return canonical(rows, {"m", "m", "m"});
 }
 
-/// Shapes are compared at the same points.
+/// Checks that shapes are measured and recorded at the same points.
 void check_sensors(const Node& table, const StudyTest& test, const Eigen::Matrix3Xd& points) {
   const auto* modal = dynamic_cast<const experiment::ModesTest*>(test.test.get());
   const Eigen::Matrix3Xd recorded = modal ? modal->settings().points : Eigen::Matrix3Xd();
@@ -236,7 +236,7 @@ std::shared_ptr<const Observable> read_modes(const Node& table,
                                    test.points);
 }
 
-/// What the measurement says of the channel that is compared; of a spectrum it says nothing.
+/// Returns the noise that the measurement states for the compared channel; none for a spectrum.
 std::optional<MeasurementNoise> noise_of(const StudyExperiment& experiment) {
   const std::string channel = last_part(experiment.observable->asks().back());
   const auto known = Unit::find(experiment.observable->unit());
@@ -260,7 +260,7 @@ std::optional<MeasurementNoise> noise_of(const StudyExperiment& experiment) {
                    ". Experiments compare its channels as y = \"cleat/...\"");
 }
 
-/// Channels of a measurement that an experiment compares, for its ledger.
+/// Notes in the ledger which channels of a measurement an experiment compares.
 void note_uses(const Measurement& measured, const StudyExperiment& experiment) {
   const std::string by = "experiment " + experiment.name;
   constexpr std::string_view kBy = "_by_";
@@ -293,7 +293,7 @@ StudyExperiment read_experiment(const Node& table,
                    : table.choice("kind", {"curve", "values"});
   if ((kind == "curve" || kind == "values") && tests.empty())
     reject_channel_of_no_test(table, kind, context);
-  std::shared_ptr<const Measurement> measured;  // of a curve or values
+  std::shared_ptr<const Measurement> measured;  // set for a curve or values
   if (kind == "curve" || (kind == "values" && table.has("measurement")))
     measured = read_named_measurement(table, context);
   if (kind == "load_deflection") measured = find(context.laboratory, table.text("measurement"));

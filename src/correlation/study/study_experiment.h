@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// One experiment of a study: a test, what the laboratory measured, and how its recording is
-// compared.
+// One experiment of a study: a test, the measurement, and the way the recording is compared with
+// it.
 //
-// A test stands in its experiment, or by itself as [test.NAME] (specimens.h), for several of them:
-// test = "NAME" in the place of the keys that say what is done.
+// A test is stated in its experiment, or by itself as [test.NAME] (specimens.h) for several
+// experiments; then test = "NAME" replaces the keys of the test.
 //
 //   [experiment.stiffness]
 //   kind = "load_deflection"
@@ -32,8 +32,8 @@
 //
 // Other kinds: "curve" (observable/curve.h), "values" (observable/values.h).
 //
-// To write measurements from the model itself (a twin), also say what the laboratory would measure:
-// deflections = ["5 mm", "10 mm"], or measured_modes = 12.
+// To write measurements from the model itself (a twin), also state what the laboratory would
+// measure: deflections = ["5 mm", "10 mm"], or measured_modes = 12.
 #pragma once
 
 #include <filesystem>
@@ -58,49 +58,52 @@ struct StudyExperiment {
   ObjectiveSettings objective;
   bool fitted = true;                     // false: predicted only
   std::optional<MeasurementNoise> noise;  // standard deviation of a measured value
-  bool estimates_noise = false;           // by the fit: target/estimated_noise.h sets it
-  bool noise_of_own_stage = false;        // it is the least error that an earlier stage left
+  bool estimates_noise = false;           // true if the fit estimates it (target/estimated_noise.h)
+  bool noise_of_own_stage = false;        // true if it is the least error that an earlier stage
+                                          // left
   RobustLoss loss = {};
-  std::filesystem::path measurement_file;  // of a [measurement.NAME] the first; empty: none
+  std::filesystem::path measurement_file;  // first file of a [measurement.NAME]; empty: none
   std::shared_ptr<const Measurement> measurement = {};  // nullptr: the observable read the file
-  std::shared_ptr<const Measurement> read_from = {};    // the same, stated or not: its ledger
+  std::shared_ptr<const Measurement> read_from = {};    // the measurement, stated or not; its
+                                                        // ledger is used
   std::filesystem::path shapes_file;                    // empty: no shapes
-  int measured_modes = 0;                               // how many there are, or will be in a twin
+  int measured_modes = 0;                               // number measured, or planned in a twin
   std::shared_ptr<const Observable> observable = {};
 
-  /// Measured values compared.
+  /// Returns the number of measured values compared.
   size_t values() const { return observable->values(); }
-  /// Where they stand, for people: "measurement cornering", "stiffness.csv", "the study".
+  /// Returns the place of the measured values in words: "measurement cornering", "stiffness.csv",
+  /// "the study".
   std::string measured_in() const;
 };
 
-/// Against what an experiment is read.
+/// Context in which an experiment is read.
 struct ExperimentContext {
-  std::filesystem::path folder;  // of measurement files
+  std::filesystem::path folder;  // folder of measurement files
   Measurements measurements = Measurements::required;
   const experiment::Language& language;
   const Laboratory& laboratory;
-  const experiment::SpecimenKind* kind = nullptr;  // of the model; nullptr: an outside program
+  const experiment::SpecimenKind* kind = nullptr;  // kind of the model; nullptr: an outside program
 };
 
-/// Reads one [experiment.NAME] and its measurement files. A test of its own is added to the tests,
-/// under the name of the experiment.
+/// Reads one [experiment.NAME] and its measurement files. If the experiment states a test of its
+/// own, this test is added to `tests` under the experiment's name.
 StudyExperiment read_experiment(const Node& table,
                                 const ExperimentContext& context,
                                 std::vector<StudyTest>& tests);
 
-/// The stated deviation of every value in units of its difference d as compared; empty where no
-/// noise is stated.
+/// Returns the stated deviation of every value in units of its difference d as compared; empty if
+/// no noise is stated.
 std::vector<double> stated_deviations(const StudyExperiment& experiment);
 
-/// Exponents of a study's fitted experiments, for target_in_words().
+/// Returns the exponents of a study's fitted experiments, for target_in_words().
 std::vector<double> fitted_exponents(const std::vector<StudyExperiment>& experiments);
 
-/// Over what it is compared, or what was done.
+/// Returns the abscissa of the comparison in words or, if there is none, the test.
 std::string conditions_of(const StudyExperiment& experiment, const std::vector<StudyTest>& tests);
 
-/// How the channels of a trial differ from the measurement. Throws InputError where they leave
-/// nothing to compare.
+/// Compares the channels of a trial with the measurement. Throws InputError if they leave nothing
+/// to compare.
 Comparison compare(const StudyExperiment& experiment, const Channels& trial);
 
 }  // namespace latsch::correlation

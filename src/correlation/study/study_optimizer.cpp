@@ -17,7 +17,7 @@ constexpr long kMostRestarts = 1000;
 constexpr long kMostPriority = 1000;
 constexpr long kMostIndividuals = 1'000'000;
 
-/// The keys that methods share; `longest`: of the first step.
+/// Reads the keys that methods share; `longest` limits the first step.
 void read_lengths(const Node& node, double longest, double& initial, double& tolerance) {
   initial = node.quantity("initial_step", "1", Range{0.0, longest, true}, initial);
   tolerance = node.quantity("step_tolerance", "1", Range{0.0, longest, true}, tolerance);
@@ -89,7 +89,7 @@ OptimizerSettings read_settings(const Node& table,
                                 std::string_view fallback,
                                 const std::vector<std::string>& methods);
 
-/// [optimizer.member.NAME]: any optimizer but another ensemble.
+/// Reads [optimizer.member.NAME]: any optimizer but another ensemble.
 MemberSettings read_member(const Node& table,
                            const DesignSpace& space,
                            const ProblemTraits& traits) {
@@ -118,7 +118,7 @@ void read_ensemble(const Node& table,
   settings.ensemble_end = ends == "all" ? Ensemble::End::all : Ensemble::End::first;
 }
 
-/// The keys of every method, as the functions above read them.
+/// Returns the keys of every method, as the functions above read them.
 const std::vector<std::pair<Method, std::vector<std::string>>>& keys_of_methods() {
   static const std::vector<std::string> gss{
       "initial_step", "step_tolerance", "contraction", "sufficient_decrease", "outstanding"};
@@ -139,7 +139,7 @@ const std::vector<std::pair<Method, std::vector<std::string>>>& keys_of_methods(
   return all;
 }
 
-/// A key of another method is no slip of the pen: it is said whose it is.
+/// Rejects a key of another method with a message that names that method.
 void reject_keys_of_others(const Node& table, Method method) {
   std::map<std::string, std::vector<std::string>> owners;
   for (const auto& [owner, keys] : keys_of_methods()) {
@@ -191,7 +191,7 @@ OptimizerSettings read_settings(const Node& table,
       read_ensemble(table, space, traits, settings);
       break;
   }
-  try {  // the method itself is to complain now, not before the first trial
+  try {  // lets the method report errors now, not before the first trial
     latsch::make_optimizer(method, space, settings, traits);
   } catch (const InputError& error) {
     if (!error.place().file.empty()) throw;

@@ -27,12 +27,13 @@
 //   generations = 50              # genetic
 //   seed = 1                      # residual_trust_region, genetic
 //
-// residual_trust_region, levenberg_marquardt and sqp make the sum of the squared relative errors
-// least, whatever exponent the objectives have; the other methods the target itself. Linear
-// constraints (linear_constraints.h): every method. Constraints on channels (channel_constraint.h):
-// gss_nlc, sqp. An ensemble knows what all its members know.
+// residual_trust_region, levenberg_marquardt and sqp minimize the sum of the squared relative
+// errors, whatever exponent the objectives have; the other methods minimize the target itself.
+// Every method supports linear constraints (linear_constraints.h). gss_nlc and sqp support
+// constraints on channels (channel_constraint.h). An ensemble supports what all its members
+// support.
 //
-// Several at once, which see each other's points (optimization/strategy/ensemble.h):
+// Several methods can run at once and see each other's points (optimization/strategy/ensemble.h):
 //
 //   [optimizer]
 //   method = "ensemble"
@@ -52,14 +53,15 @@
 
 namespace latsch::correlation {
 
-/// Throws InputError naming file, line, found and expected. `constrained`: the study has
+/// Throws InputError naming file, line, found and expected. `constrained` is true if the study has
 /// constraints on channels.
 OptimizerSettings read_optimizer(const Node& table, const DesignSpace& space, bool constrained);
 
-/// Whether the table has a key that read_optimizer reads, but for max_steps.
+/// True if the table has a key that read_optimizer reads, other than max_steps.
 bool has_optimizer_keys(const Node& table);
 
-/// What is known of a target made of residuals, as every study's is, before its noise is.
+/// Returns the known traits of a target made of residuals, as every study's is, before its noise is
+/// known.
 ProblemTraits traits_of_residuals(const DesignSpace& space, bool constrained);
 
 }  // namespace latsch::correlation

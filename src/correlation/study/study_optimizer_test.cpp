@@ -21,7 +21,7 @@ OptimizerSettings optimizer_of(const std::string& text, bool constrained = false
 
 TEST(StudyOptimizer, MakesUseOfTheResidualsUnlessTheStudySaysOtherwise) {
   EXPECT_EQ(optimizer_of("").method, "auto");
-  EXPECT_EQ(OptimizerSettings().method, "auto");  // of a study without [optimizer]
+  EXPECT_EQ(OptimizerSettings().method, "auto");  // for a study without [optimizer]
   const auto choice =
       latsch::method_of(optimizer_of("restarts = 2"), {.variables = 3, .has_residuals = true});
   EXPECT_EQ(choice.method, Method::residual_trust_region);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the trials of a study bring the slopes of all its residuals: of every fitted experiment
-// in every variable, exact, from a model that knows them. Complete or none: a Jacobian with gaps is
-// of no use to a search.
+// Slopes of a study's residuals: the trials bring them if the model knows them exactly, for every
+// fitted experiment in every variable. They are complete or absent, because a search cannot use a
+// Jacobian with gaps.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 
 namespace latsch::correlation {
 
-/// Why they do not, for a person; nullopt where they do.
+/// Returns the reason, for a person, why trials bring no slopes; nullopt if they do.
 std::optional<std::string> reason_without_slopes(const Study& study);
 
-/// Whether its search makes use of them; else they would only fill the journal.
+/// True if the search uses slopes; otherwise they would only fill the journal.
 bool asks_slopes(const Study& study);
 
 /// The numbers of the model that its variables move.
@@ -24,11 +24,11 @@ class MovedNumbers {
   explicit MovedNumbers(const DesignSpace& space);
 
   const std::vector<std::string>& paths() const { return paths_; }
-  /// What a test shall tell: the slopes of all channels that fitted experiments compare, in all of
-  /// these numbers.
+  /// Returns what a test has to compute: slopes of all channels that fitted experiments compare, in
+  /// all of these numbers.
   experiment::Asked asked_of(const Study& study, const StudyTest& test) const;
-  /// Such slopes as those in the variables: dy/dv = sum factor dy/dnumber, over all numbers that
-  /// follow a variable.
+  /// Converts slopes in the numbers into slopes in the variables: dy/dv = sum factor dy/dnumber,
+  /// over all numbers that follow a variable.
   std::vector<double> in_variables(const std::vector<double>& slopes) const;
 
  private:
@@ -39,7 +39,7 @@ class MovedNumbers {
   void add(const std::string& path, const Moved& by);
 
   std::vector<std::string> paths_;
-  std::vector<Moved> moved_;  // by path
+  std::vector<Moved> moved_;  // one entry for each path
   std::size_t variables_;
 };
 

@@ -17,7 +17,8 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The number of a stage's table below `model`, at "mesh.sectors", in the unit of the model's.
+/// Returns the number of a stage's table below `model`, at "mesh.sectors", in the unit of the
+/// model's number.
 double read_number(const Node& stage, const std::string& path, const std::string& unit) {
   Node table = stage.table("model");
   std::size_t from = 0;
@@ -80,7 +81,7 @@ std::vector<std::pair<std::string, double>> read_changed_numbers(const Node& tab
 
 namespace {
 
-/// Names of a list, each of which has to be one of the known; none where the key is not there.
+/// Reads a list of names, each of which has to be a known one; empty if the key is absent.
 std::vector<std::string> read_names(const Node& table,
                                     const char* key,
                                     const std::vector<std::string>& known) {
@@ -131,7 +132,7 @@ StageSettings read_stage(const Node& table, const Document& text, const Study& s
   return stage;
 }
 
-/// Noise that is what an earlier stage left needs an earlier stage with the model as it is.
+/// Checks noise = "own_stage": it needs an earlier stage with the study's own model.
 void check_own_stages(const Node& root,
                       const Study& study,
                       const std::vector<StageSettings>& stages) {
@@ -152,7 +153,7 @@ void check_own_stages(const Node& root,
                     wanting->name + "\"] before it, or noise = \"estimated\"");
 }
 
-/// Noise that is estimated needs a stage before, and a last stage whose noise is its own.
+/// Adds the stages that estimated noise needs: one before, and a last one that uses its own noise.
 void add_rounds_of_noise(const Study& study, std::vector<StageSettings>& stages) {
   if (std::none_of(study.experiments.begin(), study.experiments.end(), [](const auto& one) {
         return one.estimates_noise && !one.noise_of_own_stage;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the search of a study begins and what it knows then.
+// Start point and initial knowledge of a study's search.
 //
 //   [optimizer]
 //   start = "values"              # the initial values, knowing nothing
@@ -10,12 +10,13 @@
 //   starts = 1                    # begins at so many minima, one after the other from the lowest,
 //                                 # idle workers with the next; the best of all is the result
 //
-// With several starts a run is told nothing better than its own start: it would leave its basin.
-// Told are the points nearest to the start, as many as two quadratic models need.
+// With several starts, a run receives no points better than its own start, because it would then
+// leave its basin. It receives the points nearest to the start, as many as two quadratic models
+// need.
 //
-// A journal grows while a search runs, so a mark keeps how many trials there were when it began: to
-// resume, and to draw the report, is to begin with the same ones. The mark belongs to the study as
-// written, without [run]: a study that is changed begins anew with all there is. The order in which
+// A journal grows while a search runs, so a mark stores how many trials there were when the search
+// began. Resuming, and drawing the report, begin with the same trials. The mark belongs to the
+// study as written, without [run]: a changed study begins anew with all trials. The order in which
 // trials came does not matter.
 #pragma once
 
@@ -30,7 +31,8 @@ namespace latsch::correlation {
 /// Reads the keys above. Throws InputError.
 StartSettings read_start(const Node& table, const std::filesystem::path& folder, bool has_design);
 
-/// For a person: "the best of 40 earlier trials, which it knows"; empty for the initial values.
+/// Returns a text for a person: "the best of 40 earlier trials, which it knows"; empty for the
+/// initial values.
 std::string in_words(const StartSettings& start);
 
 }  // namespace latsch::correlation

@@ -82,7 +82,7 @@ class StudyFile : public testing::Test {
     write(name, text.replace(text.find(from), from.size(), to));
   }
   Study read() const { return read_study(folder_ / "study.toml", experiment::language()); }
-  /// What the InputError says; "" where there is none.
+  /// Returns the text of the InputError; "" if there is none.
   std::string complaint() const {
     try {
       read();
@@ -237,7 +237,8 @@ TEST_F(StudyFile, ReadsAbsoluteNoiseAndBoth) {
   EXPECT_DOUBLE_EQ(stated_deviations(read().experiments[0])[0], std::hypot(0.02, 20.0 / forces[0]));
 }
 
-// Of N values of 2 %, weighted alike: (2 %)^2 chi^2_N / N, of mean 1 and variance 2 / N.
+// The target of N values of 2 %, weighted equally, is (2 %)^2 chi^2_N / N, of mean 1 and variance 2
+// / N.
 TEST_F(StudyFile, KnowsWhatStatedNoiseMakesOfItsTarget) {
   EXPECT_EQ(noise_alone(read()), 0.0);
   replace("study.toml",

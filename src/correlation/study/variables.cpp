@@ -22,13 +22,13 @@ std::string unit_of(const Node& table,
   }
 }
 
-/// "N/mm^2" of "22.3 N/mm^2".
+/// Returns "N/mm^2" for "22.3 N/mm^2".
 std::string written_unit(const std::string& text, const std::string& si) {
   const auto quantity = parse_quantity(text, Unit::of(si));
   return quantity ? quantity->unit.text() : "1";
 }
 
-/// Without a unit or in percent.
+/// True for a number without a unit or in percent.
 bool is_share(const Node& table, const std::string& key) {
   try {
     const auto written = parse_quantity(table.text(key));
@@ -142,7 +142,7 @@ DesignVariable* find_variable(std::vector<DesignVariable>& variables, const std:
   return nullptr;
 }
 
-/// The variable at the end of the chain, and the product of the factors on the way.
+/// Returns the variable at the end of the chain, and the product of the factors on the way.
 std::pair<DesignVariable*, double> leader(const Tie& tie,
                                           const std::vector<Tie>& ties,
                                           std::vector<DesignVariable>& variables) {

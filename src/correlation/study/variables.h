@@ -19,9 +19,10 @@
 //   follows = "matrix"
 //   factor = 1.5                             # times its value; 1 unless given
 //
-// A prior counts as one measured value more, in the fit and in the intervals
+// A prior counts as one more measured value, in the fit and in the intervals
 // (optimization/problem/prior.h); it needs the noise of the experiments, against which it is
-// weighed. Any number in the model file can be varied; nothing in the model knows.
+// weighted. Any number in the model file can be varied; the model itself does not know which ones
+// are.
 #pragma once
 
 #include <vector>
@@ -32,27 +33,27 @@
 
 namespace latsch::correlation {
 
-/// Throws InputError where a path leads to no number of the model or paths disagree in their unit.
-/// A person reads the variable in the unit `initial` is written in. Bounds are checked by
-/// DesignSpace.
+/// Throws InputError if a path leads to no number of the model or paths disagree in their unit. The
+/// variable is displayed in the unit of `initial`. DesignSpace checks the bounds.
 DesignVariable read_variable(const Node& table, const Document& model);
 
-/// Reads `vary`: numbers of the model between their usual bounds; one that lies outside begins at
-/// the nearest. Throws InputError where a path leads to no number or to one without usual bounds.
+/// Reads `vary`: numbers of the model between their usual bounds; a number outside them begins at
+/// the nearest bound. Throws InputError if a path leads to no number or to one without usual
+/// bounds.
 std::vector<DesignVariable> read_varied(const Node& root,
                                         const Document& model,
                                         const experiment::SpecimenKind& kind);
 
-/// Reads `prior` and `prior_sigma` of a variable; throws InputError where one is missing, the
-/// deviation is not positive or the prior of a logarithmic variable is not.
+/// Reads `prior` and `prior_sigma` of a variable. Throws InputError if one is missing, if the
+/// deviation is not positive, or if the prior of a logarithmic variable is not positive.
 void read_prior(const Node& table, const std::string& unit, DesignVariable& variable);
 
-/// Reads every [tie.NAME] into the variables they follow. Throws InputError where one follows
-/// nothing of the study, itself over others, a number of another unit, or where its number moves
-/// already.
+/// Reads every [tie.NAME] into the variables they follow. Throws InputError if a tie follows
+/// nothing in the study, follows itself through others, follows a number of another unit, or if its
+/// number moves already.
 void read_ties(const Node& root, const Document& model, std::vector<DesignVariable>& variables);
 
-/// The model at a design point.
+/// Returns the model at a design point.
 Document at(const Document& model, const DesignSpace& space, const DesignPoint& point);
 
 }  // namespace latsch::correlation

@@ -55,7 +55,8 @@ std::vector<report::LeftOutExperiment> left_out(const Study& study,
   return rows;
 }
 
-/// Measurements made once more, and where they were simulated, those only predicted so far.
+/// Returns the gains of repeated measurements and, if they were simulated, of those only predicted
+/// so far.
 std::vector<report::Gain> gains(const Study& study, const Identifiability& what) {
   auto all = repetition_gains(study, what);
   if (has_predictions(study)) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fills the report's chapters on what the data determine and what a design of experiments showed.
+// Fills the report's chapters on what the data determine and on the results of a design of
+// experiments.
 #pragma once
 
 #include <optional>
@@ -12,15 +13,16 @@
 
 namespace latsch::correlation {
 
-/// The chapter on what the data determine. Bands: one for every experiment, or none.
+/// Returns the chapter on what the data determine. `bands` has one entry for every experiment, or
+/// none.
 report::Identifiability identifiability_page(const Study& study,
                                              const Identifiability& what,
                                              const std::vector<ExperimentBand>& bands);
 
-/// The minima of the design that was evaluated; nullopt where there is none.
+/// Returns the minima of the evaluated design; nullopt if there is none.
 std::optional<report::Basins> basins_of(const Study& study, const std::vector<RatedTrial>& trials);
 
-/// Where the study's design is Morris'; empty otherwise.
+/// Returns the effects if the study's design is Morris'; empty otherwise.
 std::vector<report::EffectRow> effects_of(const Study& study,
                                           const std::vector<RatedTrial>& trials);
 

@@ -29,7 +29,7 @@ struct Simulated {
   Result<Channels> channels;
 };
 
-/// As the journal has it: an outside program is not run again for a report.
+/// Returns the recording in the journal: an outside program is not run again for a report.
 Simulated recorded(const Journal& journal, const DesignPoint& point) {
   Simulated simulated{point, Failure{"it is not in the journal"}};
   journal.for_each([&](const Trial& trial) {
@@ -73,7 +73,7 @@ report::ExperimentRow experiment_row(const StudyExperiment& experiment,
   return row;
 }
 
-/// The tests of the experiments, fitted ones first.
+/// Returns the tests of the experiments, fitted ones first.
 std::vector<const experiment::Test*> tests_shown(const Study& study) {
   const auto asked = tests_asked_for(study);
   const auto is_asked = [&](const StudyTest& test) {
@@ -141,7 +141,7 @@ void add_variables(const Study& study,
   }
 }
 
-/// "; stage fine, after coarse (40 steps, target 3.2 %)"
+/// Returns for example "; stage fine, after coarse (40 steps, target 3.2 %)".
 std::string stages_before(const Study& study, const std::vector<Fit>& fits) {
   if (study.stages.empty()) return "";
   std::string text = "; stage " + study.stages[fits.size() - 1].name;
@@ -155,7 +155,7 @@ std::string stages_before(const Study& study, const std::vector<Fit>& fits) {
   return text;
 }
 
-/// The optimizer's trajectory as far as the journal knows it; none where it was never run.
+/// Adds the optimizer's trajectory as far as the journal contains it; nothing if it was never run.
 void add_convergence(const Study& study, const std::vector<Fit>& fits, StudyReport& page) {
   if (fits.empty()) return;
   const Run& run = fits.back().run;
@@ -178,7 +178,7 @@ report::RunFacts run_facts(const Study& study, const Journal& journal) {
   facts.method = "design of experiments";
   facts.workers = study.run.workers;
   std::map<std::string, int> reasons;
-  double busy = 0.0;  // s, of all workers
+  double busy = 0.0;  // s, sum over all workers
   journal.for_each([&](const Trial& trial) {
     ++facts.trials;
     busy += trial.outcome.wall_time;
@@ -205,7 +205,7 @@ Result<StudyReport> study_report(const Study& study,
     return study.specimens->may_repeat() ? Simulated{point, simulate_all(study, point)}
                                          : recorded(journal, point);
   };
-  // A trial does not depend on others, so the two need not wait for each other.
+  // A trial does not depend on others, so the two run at the same time.
   const bool beside = study.specimens->may_repeat() && study.run.workers > 1;
   auto start = std::async(beside ? std::launch::async : std::launch::deferred,
                           [&] { return simulated(study.space.initial()); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a study has found so far, gathered for its report page: the journal replayed, the initial
-// and the best point simulated once more for the predictions and the pictures.
+// Collects the present results of a study for its report page: replays the journal, and simulates
+// the initial and the best point once more for the predictions and the pictures.
 #pragma once
 
 #include "base/result.h"
@@ -10,7 +10,7 @@
 
 namespace latsch::correlation {
 
-/// A Failure where no trial in the journal succeeded.
+/// Fails if no trial in the journal succeeded.
 Result<report::StudyReport> study_report(
     const Study& study,
     const Journal& journal,

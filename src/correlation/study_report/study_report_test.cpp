@@ -15,8 +15,8 @@ namespace {
 
 class StudyReportOfAFit : public FittedStudy {};
 
-// Forces 500 N off are the same about their means: drawn as they are, they would seem far apart
-// over errors of nothing.
+// Forces 500 N off are equal about their means. If they were drawn unchanged, they would seem far
+// apart over errors of nothing.
 TEST_F(StudyReportOfAFit, CurvesAreDrawnAsTheyAreCompared) {
   const Study study = read("compare = \"about_mean\"\n");
   Channels shifted = *evaluator(study)({{1.3, -22.0}});
@@ -39,7 +39,7 @@ TEST_F(StudyReportOfAFit, CurvesAreDrawnAsTheyAreCompared) {
   }
 }
 
-/// The texts of the cells of the row of a table that begins with a name.
+/// Returns the texts of the cells of a table row that begins with a name.
 std::vector<std::string> row_of(const std::string& html, const std::string& name) {
   const std::size_t begin = html.find("<tr><td>" + name);
   EXPECT_NE(begin, std::string::npos) << name;
@@ -52,9 +52,9 @@ std::vector<std::string> row_of(const std::string& html, const std::string& name
   return cells;
 }
 
-// A value found ends in other digits on another processor: none is shown that the data do not tell,
-// wherever it stands. Noise of 15 % leaves three; the page had four in one table and these in
-// another.
+// The last digits of a value differ on another processor, so only digits that the data support are
+// shown, everywhere. Noise of 15 % leaves three digits; the page once had four in one table and
+// three in another.
 TEST_F(StudyReportOfAFit, AValueHasTheSameDigitsWhereverItStands) {
   Channels measured;
   std::vector<double> Fy = (*evaluator(read(""))({{1.3, -22.0}}))["steady/Fy"];
@@ -83,7 +83,7 @@ TEST_F(StudyReportOfAFit, AValueHasTheSameDigitsWhereverItStands) {
     EXPECT_EQ(front.best_values[static_cast<std::size_t>(i)], known);
     EXPECT_NE(pareto_page(study, front).find("<td>" + known + "</td>"), std::string::npos) << known;
   }
-  // The trials of a profile, at which the variable was held; high ones are not drawn.
+  // The trials of a profile, at which the variable was held, are drawn, except high ones.
   for (const report::ProfileCurve& profile : page->identifiability->profiles) {
     const std::string drawn = profile_plot(profile);
     for (std::size_t k = 0; k < profile.x.size(); ++k) {

@@ -30,7 +30,7 @@ std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal)
 
 std::optional<RatedTrial> best_trial(const Study& study, const Journal& journal) {
   auto rated = rated_trials(study, journal);
-  // A design of experiments may have looked beyond linear constraints.
+  // A design of experiments may contain points that violate linear constraints.
   if (!study.space.constraints().empty()) {
     std::erase_if(rated, [&](const auto& trial) { return !study.space.contains(trial.point); });
   }

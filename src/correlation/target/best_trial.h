@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The best trial in a journal, whoever asked for it, optimizer or design of experiments: the least
-// target among those that fulfill all constraints, or the least violation. What nobody asked for,
-// but ran ahead of a search, is none (asked_trials.h): it depends on how many workers there were.
+// Finds the best trial in a journal, requested by the optimizer or by a design of experiments: the
+// least target among the trials that fulfill all constraints, or else the least violation. A trial
+// that was only started ahead of a search does not count (asked_trials.h), because it depends on
+// the number of workers.
 #pragma once
 
 #include <optional>
@@ -14,19 +15,20 @@ namespace latsch::correlation {
 struct RatedTrial {
   DesignPoint point;
   double target = 0.0;
-  double violation = 0.0;  // of the constraints on channels
+  double violation = 0.0;  // violation of the constraints on channels
 };
 
-/// Every trial asked for that succeeded with its target, computed anew from the stored channels, in
-/// the order they finished.
+/// Returns every requested trial that succeeded, in the order they finished, with its target
+/// computed anew from the stored channels.
 std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal);
 
-/// Whether the variables that the last stage does not free stand where it holds them; true of every
-/// point of a study that does not know.
+/// True if the variables that the last stage does not free have the values at which it holds them.
+/// Always true for a study without that information.
 bool keeps_held(const Study& study, const DesignPoint& point);
 
-/// nullopt where no trial succeeded. Of equals the first. A study as its last stage has it knows
-/// which variables that stage holds: trials in which they stand elsewhere are no results.
+/// Returns nullopt if no trial succeeded; of equal trials, the first. If the study is in the state
+/// of its last stage, it knows which variables that stage holds, and trials with other values of
+/// these are ignored.
 std::optional<RatedTrial> best_trial(const Study& study, const Journal& journal);
 
 }  // namespace latsch::correlation

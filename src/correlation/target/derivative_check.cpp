@@ -12,17 +12,17 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kLength = 1e-3;  // of the range
-constexpr double kOff = 1e-5;     // of the largest slope of a variable
-constexpr double kUnsure = 10.0;  // times what two lengths differ by, or a kink
+constexpr double kLength = 1e-3;  // share of the range
+constexpr double kOff = 1e-5;     // share of the largest slope of a variable
+constexpr double kUnsure = 10.0;  // multiple of the difference between two lengths, or of a kink
 
-/// Of residuals, in one variable.
+/// Differences of residuals in one variable.
 struct Differences {
   Eigen::VectorXd central;
-  Eigen::VectorXd jump;  // forward less backward
+  Eigen::VectorXd jump;  // forward minus backward
 };
 
-/// Residuals over the unit cube.
+/// Evaluates residuals over the unit cube.
 class Cube {
  public:
   explicit Cube(const Study& study)
@@ -35,7 +35,7 @@ class Cube {
     return residuals_(point, *channels);
   }
 
-  /// D(h) and j(h) of one variable; `r` at u.
+  /// Returns D(h) and j(h) of one variable; `r` holds the residuals at u.
   Result<Differences> differences(const Eigen::VectorXd& u,
                                   const Eigen::VectorXd& r,
                                   int variable,

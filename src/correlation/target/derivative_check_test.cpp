@@ -22,7 +22,7 @@ class SlopingSpring : public SpringKind {
   }
 };
 
-/// `kink`: by how much the slope in the damping changes where that is `at`.
+/// `kink` is the change of the slope in the damping where the damping is `at`.
 struct Pull {
   double wrong = 1.0, kink = 0.0, at = 0.0;
 };
@@ -67,7 +67,7 @@ class SlopingPull : public PullTest {
 
 class DerivativeCheck : public testing::Test {
  protected:
-  /// Measured between the travels that the test drives.
+  /// Reads a study measured between the travels that the test drives.
   Study read(const Pull& how, const std::string& x = "x = \"pull/travel\"\n") {
     pull_ = how;
     write_text_file(folder_ / "spring.toml",
@@ -107,12 +107,12 @@ TEST_F(DerivativeCheck, RightSlopesAgreeAlsoBesideABound) {
     EXPECT_TRUE(one.agrees) << one.variable << " " << one.off;
     EXPECT_LT(one.off, 1e-8);
   }
-  EXPECT_TRUE(check_slopes(read({}, ""), study.space.initial()));  // sample by sample
+  EXPECT_TRUE(check_slopes(read({}, ""), study.space.initial()));  // compared sample by sample
 }
 
-// On the side of the point that lies a thousandth of a step off, either length sees half of it.
+// With a kink a thousandth of a step beside the point, either length sees half of it.
 TEST_F(DerivativeCheck, AKinkBesideThePointIsNoWrongSlope) {
-  constexpr double kPoint = 0.05;  // the bound moved inward by a thousandth of the range
+  constexpr double kPoint = 0.05;  // bound moved inward by a thousandth of the range
   for (const double at : {kPoint - 5e-5, kPoint + 5e-5}) {
     const Study study = read({.kink = 3e-4, .at = at});
     const auto slopes = check_slopes(study, study.space.initial());

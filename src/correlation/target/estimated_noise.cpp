@@ -9,7 +9,8 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kLeast = 1e-9;  // of 100 %: a model that is the measurement has no noise at all
+constexpr double kLeast = 1e-9;  // share of 100 %: avoids zero noise if the model equals the
+                                 // measurement
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trials of all experiments of a study, the predicted ones included. They are kept in a journal of
-// their own beside the study's, because its trials hold the fitted experiments alone.
+// Trials of all experiments of a study, including the predicted ones. They are kept in a separate
+// journal beside the study's, because the study's trials hold the fitted experiments alone.
 #pragma once
 
 #include <optional>
@@ -12,30 +12,31 @@
 
 namespace latsch::correlation {
 
-/// Whether there are experiments with use = "predict".
+/// True if there are experiments with use = "predict".
 bool has_predictions(const Study& study);
 
-/// The study as if all its experiments were fitted, with the journal "study.predictions.latsch".
+/// Returns the study with all its experiments fitted and the journal "study.predictions.latsch".
 Study with_predictions(const Study& study);
 
-/// Evaluates the points of a study, with an executor of it, into its journal; false where that was
+/// Evaluates points with an executor of the study into the study's journal. Returns false if
 /// stopped.
 bool evaluate_points(const Study& study,
                      const std::vector<DesignPoint>& points,
                      Executor& executor,
                      const RunOptions& options);
 
-/// Their channels, from its journal; nullopt where one is missing or failed.
+/// Returns the channels of the points from the study's journal; nullopt if a trial is missing or
+/// failed.
 std::optional<std::vector<Channels>> recorded_channels(const Study& study,
                                                        const std::vector<DesignPoint>& points);
 
-/// Evaluates the points with an executor of with_predictions(study); false where that was stopped.
+/// Evaluates the points with an executor of with_predictions(study). Returns false if stopped.
 bool predict(const Study& study,
              const std::vector<DesignPoint>& points,
              Executor& executor,
              const RunOptions& options);
 
-/// The channels of the points, from that journal; nullopt where one is missing or failed.
+/// Returns the channels of the points from that journal; nullopt if a trial is missing or failed.
 std::optional<std::vector<Channels>> predicted_channels(const Study& study,
                                                         const std::vector<DesignPoint>& points);
 

@@ -29,13 +29,13 @@ double mean_count(const std::vector<StudyExperiment>& experiments) {
   return sum / static_cast<double>(experiments.size());
 }
 
-/// Of a residual, in units of the spread.
+/// Returns the spread of a residual in units of the common spread.
 double spread_of(const StudyExperiment& experiment, double mean) {
   return experiment.noise ? std::sqrt(experiment.objective.weight)
                           : std::sqrt(mean / static_cast<double>(experiment.values()));
 }
 
-/// Residual over d / sigma, or over d where no noise is stated.
+/// Returns the residual over d / sigma, or over d if no noise is stated.
 double factor_of(const StudyExperiment& experiment, double mean) {
   const double weight = std::sqrt(experiment.objective.weight);
   return experiment.noise ? weight : weight * spread_of(experiment, mean);

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The measured values of a study as one vector of residuals, whatever the target makes of them.
+// The measured values of a study as one vector of residuals, independent of the target's exponents.
 //
-// Fit and intervals use the same: residuals here are in proportion to those of objective(). Of each
-// of the N values of a fitted experiment of positive weight w, with d its difference as compared,
-//   r = sqrt(w) d / sigma        where the experiments state their noise (measurement_noise.h) or
+// Fit and intervals use the same residuals, which are proportional to those of objective(). For
+// each of the N values of a fitted experiment of positive weight w, with d its difference as
+// compared,
+//   r = sqrt(w) d / sigma        if the experiments state their noise (measurement_noise.h), or if
 //                                it is estimated (estimated_noise.h), then in units of a common
 //                                spread that is estimated from the fit, or
-//   r = sqrt(w n / N) d          where not, n the mean of all N; the weights then stand for how far
-//                                values can be trusted, and the common spread of sqrt(w) d is
+//   r = sqrt(w n / N) d          otherwise, with n the mean of all N; the weights then express how
+//                                far values can be trusted, and the common spread of sqrt(w) d is
 //                                estimated from the fit
-// both after a robust loss. How r is distributed is told beside: its deviation is sqrt(w), or
-// sqrt(n / N), in units of the spread, because a weight or a mean over few values makes a value
-// count more and not more exact; and values of a curve or a load-deflection test share noise with
-// their neighbors. Priors of variables (variables.h) follow, one residual each. A measured mode
-// without a partner is NaN: nothing is known about its derivative.
+// Both are taken after a robust loss. The distribution of r is stated separately: its deviation is
+// sqrt(w), or sqrt(n / N), in units of the spread, because a weight or a mean over few values makes
+// a value count more but not more exact. Values of a curve or a load-deflection test share noise
+// with their neighbors. Priors of variables (variables.h) follow, one residual each. A measured
+// mode without a partner is NaN, because its derivative is not known.
 #pragma once
 
 #include <optional>
@@ -26,30 +27,30 @@
 
 namespace latsch::correlation {
 
-/// 1 where the study states the noise of its experiments, nullopt where it has to be estimated.
+/// Returns 1 if the study states the noise of its experiments, nullopt if it has to be estimated.
 std::optional<double> residual_sigma(const Study& study);
 
-/// How they are distributed.
+/// Returns the distribution of the residuals.
 ResidualTraits residual_traits(const Study& study);
 
-/// The residuals with their sum of squares as the value: an objective.
+/// Returns an objective with these residuals and their sum of squares as its value.
 Objective residual_objective(const Study& study);
 
-/// The difference d, without a robust loss, that makes such a residual of an experiment; with
-/// stated noise in the mean of its values.
+/// Returns the difference d, without a robust loss, that makes such a residual of an experiment.
+/// With stated noise the mean over its values is used.
 double difference_of(const Study& study, int experiment, double residual);
 
-/// One measured value.
+/// One measured value, or a prior.
 struct ResidualRow {
-  int experiment = 0;  // place in the study; -1: a prior
+  int experiment = 0;  // index in the study; -1: a prior
   std::string name;    // "10 mm", "radial n=2"
-  double unit = 1.0;   // the difference d that makes a residual of 1, but for a robust loss
+  double unit = 1.0;   // difference d that makes a residual of 1, without a robust loss
 };
 
-/// Of every residual, in their order.
+/// Returns a row for every residual, in their order.
 std::vector<ResidualRow> residual_rows(const Study& study);
 
-/// How many of them are priors of variables, the last ones.
+/// Returns how many of the residuals are priors of variables; these come last.
 std::size_t prior_count(const Study& study);
 
 }  // namespace latsch::correlation

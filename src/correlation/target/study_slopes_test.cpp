@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes on their way from a model to the Jacobian of a score, against central differences of the
-// residuals themselves; and a fit that goes by them.
+// Slopes from a model to the Jacobian of a score, against central differences of the residuals
+// themselves, and a fit that uses them.
 #include "correlation/study/study_slopes.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::vector<double> residuals_at(const Study& study, const DesignPoint& point) {
   return objective(study)(point, *evaluator(study)(point))->residuals;
 }
 
-/// Column i: (r(x + h e_i) - r(x - h e_i)) / 2h, of an error h^2 r''' / 6 and eps r / h.
+/// Column i is (r(x + h e_i) - r(x - h e_i)) / 2h, with errors h^2 r''' / 6 and eps r / h.
 RowMajor central_differences(const Study& study, const DesignPoint& point) {
   const auto r = residuals_at(study, point);
   RowMajor J(std::ssize(r), study.space.size());
@@ -57,7 +57,7 @@ void expect_exact(const Study& study) {
 
 TEST_F(StudySlopes, AreThoseOfTheResiduals) { expect_exact(read_squares("")); }
 
-// A search by them makes squares least, whatever the exponent of the target it reports.
+// A search with slopes minimizes squares, whatever the exponent of the target it reports.
 TEST_F(StudySlopes, AreOfResidualsOfAnyExponent) {
   for (const char* exponent : {"1", "1.5", "4"}) {
     const Study study = read(std::string("exponent = ") + exponent + "\n");
@@ -90,7 +90,7 @@ TEST_F(StudySlopes, CountNoiseRobustLossAndPriors) {
   expect_exact(read_study(folder_ / "study.toml", experiment::language()));
 }
 
-// The truth is 1.3 and -22: residuals vanish there, so steps of Gauss and Newton end quadratically.
+// The truth is 1.3 and -22. Residuals vanish there, so Gauss-Newton steps converge quadratically.
 TEST_F(StudySlopes, LetAFitEndInAFewTrials) {
   const Study study = read_squares("");
   EXPECT_EQ(method_of(study).method, Method::levenberg_marquardt);

@@ -15,7 +15,7 @@
 namespace latsch::correlation {
 namespace {
 
-/// Specimens of earlier points, for whoever builds the next one.
+/// Keeps specimens of earlier points for the construction of the next ones.
 class Reuse {
  public:
   std::unique_ptr<experiment::Specimen> take() {
@@ -47,7 +47,7 @@ class StudyTrials {
 
   Result<Channels> run(const DesignPoint& point) {
     std::unique_ptr<experiment::Specimen> specimen;
-    try {  // the bounds were checked one by one, not every combination
+    try {  // only the bounds were checked, one by one, not every combination
       specimen = study_.specimens->at(study_, point, reuse_.take());
     } catch (const InputError& error) {
       return Failure{std::string("the model does not accept this point: ") + error.what()};
@@ -66,7 +66,8 @@ class StudyTrials {
       }
     }
     reuse_.give_back(std::move(specimen));
-    return trial;  // whether it can be compared is the objective's matter: a study may be mended
+    return trial;  // the objective decides later whether it can be compared: a study may be
+                   // corrected
   }
 
  private:
@@ -110,7 +111,7 @@ Result<Channels> simulate_all(const Study& study, const DesignPoint& point) {
 
 namespace {
 
-/// Each as one value more.
+/// Adds each prior as one more value.
 void add_priors(const DesignSpace& space,
                 const DesignPoint& point,
                 double common,
@@ -141,7 +142,7 @@ double noise_alone(const Study& study) {
   for (const StudyExperiment& experiment : fitted) {
     const double w = experiment.objective.weight, N = static_cast<double>(experiment.values());
     if (w > 0.0 && experiment.loss.loss != Loss::squares) return 0.0;
-    if (experiment.estimates_noise) return 0.0;  // all that is left was called noise
+    if (experiment.estimates_noise) return 0.0;  // all remaining error was called noise
     mean += w * N;
     variance += 2.0 * w * w * N;
   }

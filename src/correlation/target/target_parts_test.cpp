@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The target put together from its parts is that of objective() at any weights.
+// The target assembled from its parts equals that of objective() at any weights.
 #include "correlation/target/target_parts.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 class PartsOfTarget : public FittedStudy {
  protected:
-  /// A second experiment of the same test with other settings, and what both have of noise.
+  /// Adds a second experiment of the same test with other settings, and the noise of both.
   static std::string more(const std::string& noise, const std::string& other_noise) {
     return noise + R"(
 [experiment.aligning]
@@ -60,7 +60,7 @@ TEST_F(PartsOfTarget, WithNoiseAndARobustLoss) {
       two_experiments("noise = \"3 %\"\nloss = \"huber\"\n", "noise = \"2 N*m\"\n"));
 }
 
-/// The sum of weights goes over the priors alone: twice the weights, half of what they add.
+/// The sum of weights divides only the priors: with twice the weights, their contribution halves.
 TEST_F(PartsOfTarget, PriorsCountAgainstTheSumOfWeights) {
   const PartedTarget parted(two_experiments("", ""));
   const TargetParts priors{{0.0, 0.0}, {}, {}, 2.0};
@@ -68,7 +68,7 @@ TEST_F(PartsOfTarget, PriorsCountAgainstTheSumOfWeights) {
   EXPECT_DOUBLE_EQ(parted.weighting({2.0, 0.5}).target(priors), 2.0 / 2.5);
 }
 
-/// Only ratios of weights matter to what is measured, at the ends of the numbers too.
+/// Only ratios of weights matter for measured values, also at the limits of floating-point numbers.
 TEST_F(PartsOfTarget, WeightsOfAnySize) {
   const PartedTarget parted(two_experiments("", ""));
   const TargetParts parts{{0.5, 0.25}, {}, {}};

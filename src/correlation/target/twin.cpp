@@ -19,8 +19,8 @@ namespace {
 constexpr const char* kComment =
     "Not measured: computed by the model itself, latsch export --measurements";
 
-/// The study with shapes of modes recorded where the model has sensors, for those experiments that
-/// want shapes nobody has measured yet.
+/// Returns the study with shapes of modes recorded at the model's sensors, for the experiments that
+/// want shapes but have no measured ones.
 Study with_sensors(Study study, experiment::Specimen& specimen) {
   for (StudyExperiment& experiment : study.experiments) {
     if (experiment.shapes_file.empty()) continue;
@@ -41,8 +41,8 @@ Study with_sensors(Study study, experiment::Specimen& specimen) {
   return study;
 }
 
-/// A measurement may stand in the table whose states a test runs through: writing it would take the
-/// states away.
+/// Refuses to write a measurement into the table that holds the states of a test, because the
+/// states would be lost.
 void refuse_to_overwrite_inputs(const Study& study) {
   for (const StudyExperiment& experiment : study.experiments) {
     const std::filesystem::path& file = experiment.measurement_file;
@@ -61,8 +61,8 @@ void refuse_to_overwrite_inputs(const Study& study) {
   }
 }
 
-/// The channels an experiment's measurement will hold; where in_frame has turned one force of a
-/// file, all of them.
+/// Returns the channels an experiment's measurement will hold. If in_frame has turned one force of
+/// a file, these are all forces of the file.
 std::vector<std::string> answers(const StudyExperiment& experiment) {
   std::vector<std::string> all = experiment.observable->asks();
   if (!experiment.measurement || all.empty()) return all;
@@ -74,7 +74,7 @@ std::vector<std::string> answers(const StudyExperiment& experiment) {
   return all;
 }
 
-/// A file has one column of a name: of two tests that fill it differently one would be lost.
+/// Refuses two tests that fill a column of a file differently, because one would be lost.
 void refuse_two_answers(const Study& study, const Channels& trial) {
   struct Answer {
     const StudyExperiment* experiment;

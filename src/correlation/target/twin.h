@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measurements written from the model itself, so that the values a fit has to find are known: those
+// Writes measurements from the model itself, so that the values a fit has to find are known: those
 // of the model file.
 #pragma once
 
@@ -12,9 +12,9 @@
 namespace latsch::correlation {
 
 /// Runs every experiment on the model as its file describes it (not at the initial values of the
-/// variables) and writes the measurement files the study names, replacing those there are.
-/// Deflections and the number of modes are those of the study file, or of the measurements where
-/// these exist. Returns the files written.
+/// variables) and writes the measurement files the study names, replacing existing ones.
+/// Deflections and the number of modes are those of the study file, or of the measurements if these
+/// exist. Returns the files written.
 Result<std::vector<std::filesystem::path>> write_twin(const Study& study);
 
 }  // namespace latsch::correlation

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Acceptance of a model: many checks, each with what is compared, how far off it may be, and where
-// that limit comes from. `latsch validate MODEL SUITE.toml` runs them.
+// Acceptance of a model: a suite of checks, each with a comparison, its limit, and the source of
+// the limit. `latsch validate MODEL SUITE.toml` runs the checks.
 //
 //   title = "Passenger tire 205/55 R16 at 2.4 bar"
 //
@@ -21,8 +21,9 @@
 //   upper = "240 N/mm"
 //   source = "drawing 12-345, sheet 2"
 //
-// Limits are inclusive. A measured mode without a partner has the error missing_mode. What weighs a
-// fit (weight, use, exponent, noise, loss) has no place here: nothing is fitted.
+// Limits are inclusive. A measured mode without a partner has the error missing_mode. Keys that
+// weight a fit (weight, use, exponent, noise, loss) are not allowed here, because nothing is
+// fitted.
 #pragma once
 
 #include <filesystem>
@@ -38,8 +39,9 @@ namespace latsch::correlation {
 
 struct Check {
   std::string name, source;
-  std::optional<StudyExperiment> experiment;        // and its limits; nullopt: of a number
-  std::optional<double> mean_error, largest_error;  // shares
+  std::optional<StudyExperiment> experiment;        // experiment with limits of its errors;
+                                                    // nullopt: a number is checked
+  std::optional<double> mean_error, largest_error;  // shares of 1
   ChannelConstraint number = {};
 };
 
@@ -50,7 +52,8 @@ struct Suite {
   std::vector<Check> checks;
 };
 
-/// For models of a kind. Throws InputError naming the place, also where the kind cannot do a test.
+/// Reads a suite for models of a kind. Throws InputError naming the place, also if the kind cannot
+/// run a test.
 Suite read_suite(const std::filesystem::path& file,
                  const experiment::SpecimenKind& kind,
                  const experiment::Language& language);

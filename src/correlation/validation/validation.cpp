@@ -11,7 +11,8 @@ namespace latsch::correlation {
 namespace {
 
 constexpr int kDigits = 4;
-// A limit read in percent and an error from a division differ by their last bits.
+// Relative tolerance of limits: a limit read in percent and an error from a division differ by
+// their last bits.
 constexpr double kRounding = 1e-12;
 
 bool is_within(double value,
@@ -21,10 +22,10 @@ bool is_within(double value,
   return (!lower || value >= *lower - room(*lower)) && (!upper || value <= *upper + room(*upper));
 }
 
-/// What the tests have recorded, and why others have not.
+/// Recordings of the tests, and the reasons why other tests have none.
 struct Recorded {
   Channels channels;
-  std::map<std::string, std::string> failures;  // by test
+  std::map<std::string, std::string> failures;  // keyed by test
 };
 
 std::vector<std::string> channels_of(const Check& check) {
@@ -65,7 +66,7 @@ Recorded record(const Suite& suite,
   return all;
 }
 
-/// The results of a check before they have values: one a limit.
+/// Returns the results of a check before they have values: one for each limit.
 std::vector<CheckResult> limits_of(const Check& check) {
   std::vector<CheckResult> results;
   if (!check.experiment) {
@@ -90,7 +91,7 @@ std::vector<CheckResult> limits_of(const Check& check) {
   return results;
 }
 
-/// Values of the results of a check; a Failure where there are none.
+/// Returns the values of the results of a check; a Failure if there are none.
 Result<std::vector<double>> values_of(const Check& check,
                                       const std::vector<StudyTest>& tests,
                                       const Recorded& recorded,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model through the checks of a suite.
+// Runs the checks of a suite on a model.
 #pragma once
 
 #include <functional>
@@ -12,12 +12,12 @@
 
 namespace latsch::correlation {
 
-/// One limit of a check.
+/// Result of one limit of a check.
 struct CheckResult {
-  std::string check, what;             // "stiffness", "largest error of force"
-  std::optional<double> value;         // SI; nullopt: `reason` says why there is none
+  std::string check, what;             // for example "stiffness", "largest error of force"
+  std::optional<double> value;         // SI; nullopt: `reason` says why
   std::optional<double> lower, upper;  // SI, inclusive
-  std::string unit;                    // in which people read it
+  std::string unit;                    // unit in which people read the value
   std::string source, reason;
   bool accepted = false;
 };
@@ -29,17 +29,17 @@ struct Validation {
   bool accepted() const;
 };
 
-/// Runs the tests that checks ask for; `tell` hears each before it runs. A test that fails leaves
-/// its checks without a value, others are not touched. Throws InputError where the numbers make no
-/// specimen.
+/// Runs the tests that the checks need; `tell` is called with the name of each test before it runs.
+/// Checks of a failed test have no value; other checks are not affected. Throws InputError if the
+/// numbers make no specimen.
 Validation validate(const Suite& suite,
                     const experiment::SpecimenKind& kind,
                     const Document& numbers,
                     const std::function<void(const std::string& test)>& tell);
 
-/// "3.99 %"; "–" where there is none.
+/// Returns for example "3.99 %"; "–" if there is no value.
 std::string value_text(const CheckResult& result);
-/// "at most 5 %", "200 N/mm .. 240 N/mm"
+/// Returns for example "at most 5 %", "200 N/mm .. 240 N/mm".
 std::string limit_text(const CheckResult& result);
 
 }  // namespace latsch::correlation

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where trials run: in this process, in its threads, in worker processes, on the ranks of an MPI
-// job, or in a simulated world with a clock of its own.
+// Executors run trials: in this process, in its threads, in worker processes, on the ranks of an
+// MPI job, or in a simulated world with a clock of its own.
 //
-// An executor runs what it is told to, once. Which points, in which order, what is tried again or
-// started twice is decided by the dispatcher, the same for all of them.
+// An executor runs each requested trial once. The dispatcher, which is the same for all executors,
+// decides which points run, in which order, and which are repeated or started twice.
 #pragma once
 
 #include <vector>
@@ -19,28 +19,28 @@ class Executor {
   virtual ~Executor() = default;
 
   virtual int workers() const = 0;
-  /// Workers without a trial.
+  /// Returns the number of workers without a trial.
   virtual int idle() const = 0;
 
-  /// Hands the point to an idle worker. It may run on another one already.
+  /// Starts the point on an idle worker. Another worker may be running it already.
   virtual void start(const DesignPoint& point) = 0;
 
-  /// Waits until a trial ends, at most `patience` seconds, and returns those that did; with a
-  /// patience of 0 those that have ended already. A trial whose worker was lost without a fault of
-  /// its own is a failure with Cause::transient, or with Cause::not_begun where no worker can have
-  /// tried it; of the latter there is an end. Never throws for what an evaluation did; throws
-  /// InputError where workers cannot be started at all.
+  /// Waits at most `patience` seconds until a trial ends, and returns the ended trials; with a
+  /// patience of 0, those that have ended already. A trial whose worker was lost without a fault of
+  /// its own is a failure with Cause::transient, or with Cause::not_begun if no worker can have
+  /// tried it; the number of the latter is limited. Never throws because of an evaluation. Throws
+  /// InputError if workers cannot be started at all.
   virtual std::vector<Trial> wait(double patience) = 0;
 
-  /// Forgets the running trials of this point and frees their workers as soon as it can.
+  /// Forgets the running trials of this point and frees their workers as soon as possible.
   virtual void withdraw(const DesignPoint& point) = 0;
-  /// Whether that frees them at once.
+  /// True if withdraw() frees the workers at once.
   virtual bool can_stop() const { return true; }
 
   /// Forgets all running trials and frees their workers.
   virtual void abandon() = 0;
 
-  /// s on the clock by which trials run; never runs backward.
+  /// Returns the time in s on the clock of the trials, which never runs backward.
   virtual double now() const { return steady_clock()(); }
 };
 

@@ -9,7 +9,8 @@ namespace latsch {
 namespace {
 
 constexpr std::uint32_t kMark = 0x4652414C;                 // "LARF"
-constexpr std::uint64_t kLargest = std::uint64_t{1} << 30;  // no trial has a gigabyte of channels
+constexpr std::uint64_t kLargest = std::uint64_t{1} << 30;  // limit of a frame, bytes; no trial has
+                                                            // a gigabyte of channels
 
 struct Header {
   std::uint32_t mark;

@@ -19,14 +19,14 @@ struct Frame {
 
 std::string encode_frame(FrameKind kind, std::string_view bytes);
 
-/// What is said about a trial begins with its number: a program an evaluator left behind may answer
-/// to a point that is not asked about any more.
+/// A message about a trial begins with the trial's number, because a program that an evaluator left
+/// behind may answer to a point that is no longer requested.
 struct Numbered {
   std::uint64_t number;
   std::string_view rest;
 };
 std::string numbered(std::uint64_t number, std::string_view bytes);
-/// nullopt where there is not even a number.
+/// Returns nullopt if there is not even a number.
 std::optional<Numbered> take_number(std::string_view bytes);
 
 /// Cuts frames from a stream of bytes as they arrive.
@@ -34,10 +34,11 @@ class FrameReader {
  public:
   void add(std::string_view bytes) { buffer_ += bytes; }
 
-  /// The next frame; nullopt where it is not complete yet, or never will be (broken).
+  /// Returns the next frame; nullopt if it is not complete yet, or if the stream is broken.
   std::optional<Frame> next();
 
-  /// The stream is not one of frames: a wrong mark, an impossible size, a hash that does not agree.
+  /// True if the stream does not consist of frames: a wrong mark, an impossible size, or a hash
+  /// that does not agree.
   bool broken() const { return broken_; }
 
  private:

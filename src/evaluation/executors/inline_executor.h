@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One worker: this process. For models that cannot hang or crash, and for tests.
+// Runs trials one by one in this process. It suits models that cannot hang or crash, and tests.
 #pragma once
 
 #include <optional>

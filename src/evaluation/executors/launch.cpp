@@ -13,7 +13,7 @@ namespace {
 
 using Value = std::function<const char*(const char*)>;
 
-/// `otherwise` where it is no number.
+/// Returns `otherwise` if the value is no number.
 int number(const Value& value, const char* name, int otherwise) {
   const char* text = value(name);
   int result = otherwise;

@@ -18,7 +18,8 @@ Launch of(const Environment& environment) {
   });
 }
 
-// As printed by env in Slurm 22.05 and Open MPI 4.1 of Debian 12; ./bench.sh slurm runs there.
+// The variables are those printed by env in Slurm 22.05 and Open MPI 4.1 of Debian 12; ./bench.sh
+// slurm runs there.
 TEST(Launch, IsReadFromTheEnvironment) {
   const Launch alone = of({});
   EXPECT_EQ(alone.tasks, 1);
@@ -39,14 +40,14 @@ TEST(Launch, IsReadFromTheEnvironment) {
   EXPECT_TRUE(of(step).is_job);  // --mpi=pmix
 }
 
-// SLURM_NTASKS is what the job was given, not how often the script runs.
+// SLURM_NTASKS is the size of the job, not the number of runs of the script.
 TEST(Launch, AScriptOfABatchJobIsOneProcess) {
   const Launch script = of({{"SLURM_NTASKS", "3"}, {"SLURM_NPROCS", "3"}, {"SLURM_PROCID", "0"}});
   EXPECT_EQ(script.tasks, 1);
   EXPECT_FALSE(script.is_job);
 }
 
-// srun -n 8 --pty bash, and there latsch run: MPI would wait for seven that never come.
+// After srun -n 8 --pty bash, latsch run is one process; MPI would wait for seven that never come.
 TEST(Launch, WhoSitsAtATerminalStartsOneProcess) {
   const auto value = [](const char* name) -> const char* {
     return std::string_view(name) == "SLURM_STEP_NUM_TASKS" ? "8" : "0";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a process ended, in words.
+// Describes in words how a process ended.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace latsch {
 
-/// `status` of waitpid: "exited with code 3; it last printed "no license"", from the last line of
-/// `printed` that is not blank.
+/// `status` is that of waitpid. Returns for example "exited with code 3; it last printed "no
+/// license"", with the last line of `printed` that is not blank.
 std::string how_it_ended(int status, std::string_view printed);
 
 }  // namespace latsch

@@ -19,22 +19,23 @@ namespace {
 
 using Steady = std::chrono::steady_clock;
 
-// A program that ends before it is ready so often in a row is not a worker.
+// Number of successive ends before being ready after which the program is no worker.
 constexpr int kMostFailedStarts = 3;
-// Killed from outside so often in a row: what kills it, as a lack of memory, does not pass.
+// Number of successive kills from outside after which the cause, such as a lack of memory, counts
+// as permanent.
 constexpr int kMostKilledStarts = 20;
 
 Steady::duration seconds(double s) {
   return std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(s));
 }
 
-/// A place for a worker: the process comes and goes.
+/// Place for a worker process, which may be replaced.
 struct Slot {
   std::unique_ptr<WorkerProcess> process;
-  bool ready = false;  // the process has said that it listens
+  bool ready = false;  // true once the process has reported that it listens
   std::optional<DesignPoint> point;
-  std::uint64_t trial = 0;   // its number, by which an answer is known to be one to it
-  Steady::time_point since;  // start of the process until it is ready, then of the trial
+  std::uint64_t trial = 0;   // number of its trial, which identifies the answer
+  Steady::time_point since;  // start of the process until it is ready, then start of the trial
 };
 
 }  // namespace
@@ -43,8 +44,8 @@ struct ProcessExecutor::Impl {
   ProcessOptions options;
   std::vector<Slot> slots;
   int failed_starts = 0;     // in a row, of any worker
-  int killed_starts = 0;     // likewise, from outside
-  std::uint64_t trials = 0;  // started so far
+  int killed_starts = 0;     // in a row, killed from outside
+  std::uint64_t trials = 0;  // number of trials started so far
 
   void start_process(Slot& slot) {
     slot.process = std::make_unique<WorkerProcess>(options.arguments, options.memory_limit);
@@ -63,7 +64,7 @@ struct ProcessExecutor::Impl {
     return {*std::exchange(slot.point, std::nullopt), std::move(outcome)};
   }
 
-  /// The trial of a worker that is lost.
+  /// Returns the trial of a lost worker as failed.
   Trial finish_lost(Slot& slot, Failure failure) {
     const double wall_time = std::chrono::duration<double>(Steady::now() - slot.since).count();
     slot.process.reset();
@@ -75,9 +76,10 @@ struct ProcessExecutor::Impl {
     slot.point.reset();
   }
 
-  /// What a worker has to say; nullopt where its trial goes on.
+  /// Returns the ended trial of a worker; nullopt while it continues.
   std::optional<Trial> listen(Slot& slot) {
-    const bool ended = slot.process->ended();  // asked first: what it wrote before is received
+    const bool ended = slot.process->ended();  // must come first, so that everything written before
+                                               // the end is received
     slot.process->receive();
     while (const auto frame = slot.process->frames().next()) {
       if (frame->kind == FrameKind::ready) {
@@ -118,7 +120,7 @@ struct ProcessExecutor::Impl {
     return finish_lost(slot, {"the worker " + how, cause});
   }
 
-  /// `killed`: from outside.
+  /// `killed` is true if the process was killed from outside.
   void restart_or_give_up(Slot& slot, const std::string& how, bool killed) {
     slot.process.reset();
     const int times = killed ? ++killed_starts : ++failed_starts;
@@ -152,7 +154,7 @@ struct ProcessExecutor::Impl {
     return slot.point ? slot.since + seconds(options.timeout) : Steady::time_point::max();
   }
 
-  /// Sleeps until a worker has something to say, a deadline or `until`; false where a signal came.
+  /// Sleeps until a worker sends something, a deadline, or `until`. Returns false after a signal.
   bool sleep(Steady::time_point until) const {
     std::vector<pollfd> entries;
     for (const Slot& slot : slots) {
@@ -174,7 +176,7 @@ ProcessExecutor::ProcessExecutor(ProcessOptions options) : impl_(std::make_uniqu
     throw InputError(fmt::format("timeout of a trial is {} s, expected a positive time",
                                  std::min(options.timeout, options.start_timeout)));
   }
-  // A year, so that adding it to a point in time cannot overflow.
+  // The limit is a year, so that adding it to a point in time cannot overflow.
   constexpr double kLongest = 365.0 * 86400.0;
   options.timeout = std::min(options.timeout, kLongest);
   options.start_timeout = std::min(options.start_timeout, kLongest);
@@ -216,7 +218,7 @@ std::vector<Trial> ProcessExecutor::wait(double patience) {
       if (auto trial = impl_->listen(slot)) finished.push_back(std::move(*trial));
     }
     if (!finished.empty() || Steady::now() >= until) return finished;
-    if (!impl_->sleep(until)) return finished;  // a signal: the caller may want to stop
+    if (!impl_->sleep(until)) return finished;  // after a signal the caller may want to stop
   }
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Worker processes: a trial that crashes, hangs or prints nonsense costs that trial and nothing
-// else.
+// Worker processes: a trial that crashes, hangs or prints nonsense costs only that trial.
 //
-// Each worker is the program of an argument list (never a shell line), started by posix_spawn in
-// its own process group, that calls serve() of worker.h. It answers on file descriptors of its own;
-// what it prints is kept for the reason of a failure. A worker that overruns the timeout is killed
-// with its whole process group and replaced.
+// Each worker is a program started from an argument list (never a shell line) by posix_spawn, in
+// its own process group, and calls serve() of worker.h. The worker answers on file descriptors of
+// its own; its printed output is kept for the reason of a failure. A worker that overruns the
+// timeout is killed with its whole process group and replaced.
 #pragma once
 
 #include <memory>
@@ -21,18 +20,18 @@ struct ProcessOptions {
   int workers = 1;
   double timeout = 600.0;       // s, wall time of one trial
   double start_timeout = 60.0;  // s, from the start of a worker until it is ready
-  double memory_limit = 0.0;    // bytes of address space of a worker; 0: none
+  double memory_limit = 0.0;    // bytes of address space of each worker; 0: unlimited
 };
 
 class ProcessExecutor : public Executor {
  public:
-  /// Throws InputError where the program cannot be started.
+  /// Throws InputError if the program cannot be started.
   explicit ProcessExecutor(ProcessOptions options);
   ~ProcessExecutor() override;
 
   int workers() const override;
   int idle() const override;
-  /// Trials in a worker that was ready for them.
+  /// Returns the number of running trials whose worker was ready for them.
   int begun() const;
   void start(const DesignPoint& point) override;
   std::vector<Trial> wait(double patience) override;

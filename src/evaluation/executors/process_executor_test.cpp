@@ -28,7 +28,7 @@
 #include "evaluation/schedule/scheduler.h"
 #include "evaluation/trial/encoding.h"
 
-#if defined(__SANITIZE_ADDRESS__)  // else it turns a worker's signal into an exit
+#if defined(__SANITIZE_ADDRESS__)  // otherwise the sanitizer turns a worker's signal into an exit
 extern "C" const char* __asan_default_options() { return "handle_segv=0"; }
 #endif
 
@@ -37,7 +37,7 @@ namespace {
 
 constexpr const char* kOnceVariable = "LATSCH_TEST_FILE";
 constexpr const char* kLockVariable = "LATSCH_TEST_LOCK";
-constexpr int kLockedFor = 60;  // s, unless somebody kills
+constexpr int kLockedFor = 60;  // s, unless killed
 
 enum Fault {
   none,
@@ -60,7 +60,7 @@ enum Fault {
   hanging_session
 };
 
-/// A file-size limit makes write(2) fail as a full disk does.
+/// Limits the file size, so that write(2) fails as on a full disk.
 void fill_the_disk() {
   std::signal(SIGXFSZ, SIG_IGN);
   const rlimit small{4096, 4096};
@@ -72,7 +72,7 @@ void fill_the_disk() {
   throw std::runtime_error(std::strerror(errno));
 }
 
-/// The first variable says what goes wrong, the second is squared.
+/// The first variable selects the fault; the second is squared.
 Result<Channels> faulty(const DesignPoint& point) {
   const auto fault = static_cast<Fault>(static_cast<int>(point.values[0]));
   switch (fault) {
@@ -102,7 +102,7 @@ Result<Channels> faulty(const DesignPoint& point) {
       if (::fork() == 0) ::sleep(1000);
       std::raise(SIGSEGV);
       break;
-    case hanging_session: {  // the lock is theirs until both have ended
+    case hanging_session: {  // the lock is held until both processes have ended
       const int file = ::open(std::getenv(kLockVariable), O_RDWR | O_CREAT, 0600);
       ::flock(file, LOCK_EX);
       if (::fork() == 0) ::setsid();
@@ -116,7 +116,7 @@ Result<Channels> faulty(const DesignPoint& point) {
       std::raise(SIGTERM);
       break;
     case forks:
-      if (::fork() < 0) std::abort();  // both of them go on
+      if (::fork() < 0) std::abort();  // both processes continue
       break;
     case answers_twice: {
       const std::string old = encode_frame(
@@ -139,7 +139,7 @@ Result<Channels> faulty(const DesignPoint& point) {
   return channels;
 }
 
-// Not a test of its own: the program that the tests below start as their worker.
+// This is the worker program of the tests below, not a test of its own.
 TEST(Worker, DISABLED_ServesFaultyEvaluator) { std::_Exit(serve(faulty)); }
 
 ProcessOptions worker_options(int workers) {
@@ -165,7 +165,7 @@ std::string reason(ProcessExecutor& executor, Fault fault) {
   const Trial trial = run_one(executor, {{static_cast<double>(fault), 3.0}});
   EXPECT_FALSE(trial.outcome.result.ok()) << fault;
   if (trial.outcome.result) return "";
-  // The worker that comes after it does its work.
+  // The worker started next works.
   const Trial next = run_one(executor, {{0.0, 4.0}});
   EXPECT_TRUE(next.outcome.result.ok()) << next.outcome.result.failure().reason;
   return trial.outcome.result.failure().reason;
@@ -186,7 +186,8 @@ TEST(ProcessExecutor, GivesBackChannelsAndTimes) {
 
 TEST(ProcessExecutor, EveryFaultIsAFailureWithItsReason) {
   ProcessOptions options = worker_options(1);
-#if !defined(__SANITIZE_ADDRESS__)  // its shadow needs terabytes of address space
+#if !defined(__SANITIZE_ADDRESS__)  // the sanitizer's shadow memory needs terabytes of address
+                                    // space
   options.memory_limit = 1e9;
 #endif
   ProcessExecutor executor(options);
@@ -233,7 +234,7 @@ TEST(ProcessExecutor, AnEvaluatorThatForksAnswersOnce) {
   }
 }
 
-// The worker's answer to a trial that nobody waits for any more is not one to the next.
+// The worker's answer to an earlier trial must not count as an answer to the next.
 TEST(ProcessExecutor, AnAnswerToAnotherTrialIsRefused) {
   ProcessExecutor executor(worker_options(1));
   const Trial trial = run_one(executor, {{static_cast<double>(answers_twice), 3.0}});
@@ -296,7 +297,7 @@ TEST(ProcessExecutor, WorkersWorkAtTheSameTime) {
   EXPECT_TRUE(executor.wait(0.05).empty());
 }
 
-/// A worker that is killed before it is ready, the first `times` times.
+/// Returns options for a worker that is killed before it is ready, the first `times` times.
 ProcessOptions killed_while_it_starts(const ScratchFolder& folder, int times) {
   ProcessOptions options = worker_options(1);
   const std::string script =
@@ -307,8 +308,8 @@ ProcessOptions killed_while_it_starts(const ScratchFolder& folder, int times) {
   return options;
 }
 
-// Where a system lacks memory, or an administrator ends what he finds, workers die while they
-// start, several times in a row. That says nothing about the program.
+// If a system lacks memory, or an administrator ends processes, workers die while they start,
+// several times in a row. That does not show a fault of the program.
 TEST(ProcessExecutor, AWorkerThatIsKilledWhileItStartsIsStartedAgain) {
   const ScratchFolder folder;
   ProcessExecutor executor(killed_while_it_starts(folder, 6));

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The parent of every process. [proc(5): /proc/PID/stat is "PID (NAME) STATE PARENT ...", and NAME
-/// may hold anything]
+/// Returns the parent of every process. [proc(5): /proc/PID/stat is "PID (NAME) STATE PARENT ...",
+/// and NAME may hold anything]
 std::map<pid_t, pid_t> parents() {
   std::map<pid_t, pid_t> parents;
   std::error_code ended;
@@ -27,9 +27,9 @@ std::map<pid_t, pid_t> parents() {
     if (std::from_chars(name.data(), end, pid).ptr != end) continue;
     std::ifstream file(entry.path() / "stat");
     std::string stat;
-    std::getline(file, stat, '\0');  // where the process ends just now a stream's iterators throw
+    std::getline(file, stat, '\0');  // stream iterators would throw if the process ends meanwhile
     const std::size_t after_name = stat.rfind(')');
-    if (after_name == std::string::npos) continue;  // it has just ended
+    if (after_name == std::string::npos) continue;  // the process has just ended
     std::istringstream rest(stat.substr(after_name + 1));
     std::string state;
     pid_t parent = 0;
@@ -38,7 +38,7 @@ std::map<pid_t, pid_t> parents() {
   return parents;
 }
 
-/// Adds what descends from the members; true where there was something.
+/// Adds the descendants of the members. Returns true if there were any.
 bool add_descendants(std::set<pid_t>& tree) {
   const std::map<pid_t, pid_t> all = parents();
   const std::size_t before = tree.size();
@@ -55,7 +55,7 @@ bool add_descendants(std::set<pid_t>& tree) {
 
 void kill_descendants(pid_t root) {
   std::set<pid_t> tree{root};
-  // What is stopped starts nothing: once a look finds no other, these are all.
+  // A stopped process starts nothing, so once no further descendant is found, all are known.
   while (add_descendants(tree)) {
     for (const pid_t pid : tree) {
       if (pid != root) ::kill(pid, SIGSTOP);

@@ -18,7 +18,7 @@ extern char** environ;
 namespace latsch {
 namespace {
 
-/// A shell with standard output in a pipe.
+/// A shell with its standard output in a pipe.
 struct Shell {
   explicit Shell(std::string script) {
     std::array<int, 2> ends;
@@ -37,7 +37,7 @@ struct Shell {
   }
   ~Shell() { ::close(output); }
 
-  /// Waits for that many bytes from it or its children.
+  /// Waits for that many bytes from the shell or its children.
   void await(int count) const {
     std::array<char, 1> byte;
     for (int i = 0; i < count; ++i) ASSERT_EQ(::read(output, byte.data(), 1), 1);
@@ -48,20 +48,20 @@ struct Shell {
 };
 
 TEST(ProcessTree, WhatDescendsFromAProcessIsKilledAndTheProcessItselfNotEvenStopped) {
-  // The inner shell leaves the process group of the outer one, as job control makes it.
+  // The inner shell leaves the process group of the outer one, as job control does.
   const Shell shell("set -m; sh -c 'sleep 1000 & printf 12; wait'; exit 7");
   shell.await(2);
   kill_descendants(shell.pid);
   int status = 0;
   ASSERT_EQ(::waitpid(shell.pid, &status, 0), shell.pid);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 7);
-  // All who could write to the pipe have ended, the sleeping one too.
+  // All processes that could write to the pipe have ended, the sleeping one too.
   pollfd end{shell.output, POLLIN, 0};
   ASSERT_EQ(::poll(&end, 1, 10'000), 1);
   EXPECT_EQ(end.revents & POLLHUP, POLLHUP);
 }
 
-// Reading of a process that ends just then fails with ESRCH, which a stream's iterators throw.
+// Reading /proc of a process that ends meanwhile fails with ESRCH, which stream iterators throw.
 TEST(ProcessTree, ProcessesThatEndWhileItLooksDoNotDisturb) {
   const pid_t churn = ::fork();
   if (churn == 0) {

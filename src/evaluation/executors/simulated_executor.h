@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Workers in a simulated world: trials take seeded random times on a virtual clock and fail by a
-// seeded lot, so that asynchrony can be tested in no time and repeated exactly.
+// Workers in a simulated world: trials take seeded random times on a virtual clock and fail by
+// seeded chance, so that asynchrony is tested instantly and repeated exactly.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ namespace latsch {
 struct SimulatedOptions {
   int workers = 1;
   std::uint64_t seed = 0;
-  double shortest = 0.5;  // s, trials take between
-  double longest = 1.5;   // s, and this long, uniformly
+  double shortest = 0.5;  // s, shortest time of a trial
+  double longest = 1.5;   // s, longest time; times are uniform between
   double failures =
-      0.0;  // share of the points that fail; the same points for any number of workers
+      0.0;  // share of the points that fail, independent of the number of workers
 };
 
 class SimulatedExecutor : public Executor {
@@ -31,7 +31,7 @@ class SimulatedExecutor : public Executor {
   void abandon() override { running_.clear(); }
 
   double now() const override { return now_; }     // s on the virtual clock
-  double busy_time() const { return busy_time_; }  // s, summed over the workers
+  double busy_time() const { return busy_time_; }  // s, sum over the workers
   long started() const { return started_; }
 
  private:
@@ -46,7 +46,7 @@ class SimulatedExecutor : public Executor {
   std::vector<Running> running_;
   double now_ = 0.0;
   double busy_time_ = 0.0;
-  long started_ = 0;  // number of the trial in the random stream
+  long started_ = 0;  // number of the next trial in the random stream
 };
 
 }  // namespace latsch

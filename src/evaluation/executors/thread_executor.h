@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Workers that are threads of this process: for models that take less than a millisecond and can
-// neither hang nor crash. A thread cannot be killed, so there is no timeout; what may run wild
-// belongs in a ProcessExecutor, which costs some fifty microseconds more a trial.
+// Workers that are threads of this process, for models that take less than a millisecond and can
+// neither hang nor crash. A thread cannot be killed, so there is no timeout. A model that may crash
+// or hang belongs in a ProcessExecutor, which costs some fifty microseconds more for each trial.
 #pragma once
 
 #include <condition_variable>
@@ -18,7 +18,7 @@ namespace latsch {
 
 class ThreadExecutor : public Executor {
  public:
-  /// `make` is called once in every thread, for an evaluator that no other thread uses.
+  /// `make` is called once in every thread and returns an evaluator that no other thread uses.
   ThreadExecutor(std::function<Evaluator()> make, int workers);
   /// Waits for running trials.
   ~ThreadExecutor() override;
@@ -27,7 +27,7 @@ class ThreadExecutor : public Executor {
   int idle() const override;
   void start(const DesignPoint& point) override;
   std::vector<Trial> wait(double patience) override;
-  /// The worker is busy until its trial ends, whose outcome is then dropped.
+  /// The worker stays busy until its trial ends. The outcome is then dropped.
   void withdraw(const DesignPoint& point) override;
   bool can_stop() const override { return false; }
   void abandon() override;
@@ -43,7 +43,7 @@ class ThreadExecutor : public Executor {
   void work(const std::function<Evaluator()>& make, int worker);
   void forget(Slot& slot);
 
-  mutable std::mutex mutex_;  // of all that follows
+  mutable std::mutex mutex_;  // guards the members below
   std::condition_variable ended_;
   std::vector<Trial> finished_;
   bool ending_ = false;

@@ -24,7 +24,7 @@ Result<Channels> square(const DesignPoint& point) {
 
 TEST(ThreadExecutor, EveryThreadHasAnEvaluatorOfItsOwnAndTheyWorkAtTheSameTime) {
   std::atomic<int> made = 0;
-  std::latch all_here(3);  // opens once three trials are under way together
+  std::latch all_here(3);  // opens once three trials run at the same time
   const auto make = [&]() -> Evaluator {
     ++made;
     return [&](const DesignPoint& point) {

@@ -7,13 +7,13 @@
 
 namespace latsch {
 
-/// The descriptors on which ProcessExecutor talks to its worker; 0, 1 and 2 stay free for what
-/// programs print.
+/// File descriptors between ProcessExecutor and its worker; 0, 1 and 2 stay free for printed
+/// output.
 inline constexpr int kWorkerInput = 3;
 inline constexpr int kWorkerOutput = 4;
 
-/// Evaluates points until the other side closes; returns the program's exit code. Ends with the
-/// process that started it.
+/// Evaluates points until the other side closes; returns the program's exit code. Ends when the
+/// process that started it ends.
 int serve(const Evaluator& evaluator, int in_fd = kWorkerInput, int out_fd = kWorkerOutput);
 
 }  // namespace latsch

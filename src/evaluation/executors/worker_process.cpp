@@ -27,15 +27,15 @@ extern char** environ;
 namespace latsch {
 namespace {
 
-constexpr std::size_t kKeptOutput = 4096;  // bytes of what a worker printed last
-constexpr int kFreeDescriptors = 10;       // ours stay above those that the worker gets
+constexpr std::size_t kKeptOutput = 4096;  // bytes kept of the worker's last output
+constexpr int kFreeDescriptors = 10;       // first descriptor numbers, left to the worker
 
 [[noreturn]] void cannot_start(const std::string& program, int error) {
   throw InputError(
       fmt::format("cannot start the worker program \"{}\": {}", program, std::strerror(error)));
 }
 
-/// The same file above the numbers that dup2 will use in the worker.
+/// Returns the file with a descriptor above the numbers that dup2 will use in the worker.
 Descriptor moved_up(int fd, const std::string& program) {
   const Descriptor low(fd);
   Descriptor high(::fcntl(fd, F_DUPFD_CLOEXEC, kFreeDescriptors));
@@ -80,7 +80,7 @@ pid_t spawn(const std::vector<std::string>& arguments, int socket, int printed) 
   ::sigfillset(&defaults);
   ::posix_spawnattr_setsigmask(&attributes, &none);
   ::posix_spawnattr_setsigdefault(&attributes, &defaults);
-  ::posix_spawnattr_setpgroup(&attributes, 0);  // a group of its own, to be killed as a whole
+  ::posix_spawnattr_setpgroup(&attributes, 0);  // own process group, to be killed as a whole
   ::posix_spawnattr_setflags(
       &attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
 
@@ -175,9 +175,9 @@ void WorkerProcess::take_printed() {
 bool WorkerProcess::ended() const { return readable(process_.get(), 0); }
 
 std::string WorkerProcess::end() {
-  // A child that left the group is found as a descendant, one whose parent has ended, or that
-  // starts only now, as a member of the group. Both are killed while the leader is not yet waited
-  // for: no number is taken by others.
+  // A child that left the group is found as a descendant. A child whose parent has ended, or that
+  // starts only now, is found as a member of the group. Both are killed before waiting for the
+  // leader, so that the system does not reuse the leader's number.
   if (!ended()) kill_descendants(pid_);
   ::kill(-pid_, SIGKILL);
   while (::waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One worker process as its master sees it: started, told a point, listened to, killed.
+// A worker process as its master sees it: starts it, sends a point, receives its messages, kills
+// it.
 #pragma once
 
 #include <sys/types.h>
@@ -11,7 +12,7 @@
 
 namespace latsch {
 
-/// A file descriptor that closes itself.
+/// File descriptor that closes itself.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -30,39 +31,39 @@ class Descriptor {
 class WorkerProcess {
  public:
   /// Starts the program, without core dumps and with at most `memory_limit` bytes of address space
-  /// (0: any). Throws InputError where that is not possible.
+  /// (0: unlimited). Throws InputError if that is not possible.
   WorkerProcess(const std::vector<std::string>& arguments, double memory_limit);
-  /// Kills its whole process group.
+  /// Kills the worker's whole process group.
   ~WorkerProcess();
   WorkerProcess(WorkerProcess&&) = delete;
 
-  /// False where the worker does not listen any more.
+  /// Returns false if the worker no longer listens.
   bool send(const std::string& frame);
 
-  /// Takes over what has arrived, without waiting.
+  /// Reads the bytes that have arrived, without waiting.
   void receive();
   FrameReader& frames() { return frames_; }
   bool ended() const;
 
-  /// Kills what is left of the process group and tells how the worker ended: "was killed by signal
-  /// 11 (Segmentation fault)", with the last line it printed.
+  /// Kills the rest of the process group and returns how the worker ended: "was killed by signal 11
+  /// (Segmentation fault)", with the last line it printed.
   std::string end();
 
-  /// After end(): a signal sent by somebody else (a person, the system short of memory, a shutdown)
-  /// rather than by a fault of its own.
+  /// Valid after end(). True if the signal came from somebody else (a person, the system short of
+  /// memory, a shutdown) and not from a fault of the worker.
   bool was_stopped_from_outside() const;
 
-  /// To poll(2) on: readable when there is something to receive or the worker ended.
+  /// Returns descriptors for poll(2): readable when data has arrived or the worker has ended.
   std::vector<int> descriptors() const;
 
  private:
   void take_printed();
 
   pid_t pid_ = -1;
-  int status_ = 0;  // of waitpid(2)
+  int status_ = 0;  // status of waitpid(2)
   Descriptor socket_;
-  Descriptor printed_;  // its stdout and stderr
-  Descriptor process_;  // readable once it has ended
+  Descriptor printed_;  // the worker's stdout and stderr
+  Descriptor process_;  // readable once the worker has ended
   FrameReader frames_;
   std::string last_printed_;
 };

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which trials of a journal somebody asked for, and which were speculation that never came true.
+// Separates the requested trials of a journal from speculation that was never needed.
 //
-// What runs ahead of a search depends on the workers and their timing. It saves time where the
-// search arrives there, but it must not be a result: a best trial that only three workers find
-// would make the result depend on them. So whoever ends keeps a mark of the points it was answered;
-// a trial counts where a mark names its point. Before the first mark (journals of older programs)
-// and behind the last one (commands that were killed, or that run now) nobody has said what a trial
-// was for: there all count.
+// Speculative trials, which run ahead of a search, depend on the workers and their timing. They
+// save time if the search later requests their points, but they must not be results: a best trial
+// that only three workers find would make the result depend on the number of workers. Every command
+// therefore ends by writing a mark with the points whose outcomes it used, and a trial counts if a
+// mark names its point. Before the first mark (journals of older programs) and after the last one
+// (commands that were killed, or are running) the purpose of trials is not known, so all of them
+// count.
 #pragma once
 
 #include <cstdint>
@@ -26,19 +27,19 @@ class AskedTrials {
 
   bool is_marked() const { return is_marked_; }
 
-  /// Of the trial in that row of the journal, the first is 0.
+  /// True if the trial in that row of the journal, the first being 0, counts as requested.
   bool contains(long row, const DesignPoint& point) const;
 
-  /// The text of a mark for these points (DesignPoint::bits) but those that are known; nullopt
-  /// where it would say nothing about a journal of so many trials.
+  /// Returns the text of a mark for these points (DesignPoint::bits) without those already marked;
+  /// nullopt if the mark would say nothing about a journal with this number of trials.
   std::optional<std::string> mark_for(const std::set<std::string>& points, long trials) const;
 
   static constexpr const char* kKind = "asked";
 
  private:
   bool is_marked_ = false;
-  long first_ = 0;  // trials there were at the first mark
-  long last_ = 0;   // and at the last one
+  long first_ = 0;  // number of trials at the first mark
+  long last_ = 0;   // number of trials at the last mark
   std::set<std::uint64_t> points_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// kill -9 at random moments: a real process with real workers and a real journal is killed and
-// started again until it ends. Nothing acknowledged may be lost or repeated, and the result must be
+// Kills a real process with real workers and a real journal (kill -9) at random moments and
+// restarts it until it ends. Nothing acknowledged may be lost or repeated, and the result must have
 // the same bits as without a kill.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -54,7 +54,7 @@ std::vector<std::string> this_program(const std::string& test) {
           "--gtest_filter=" + test};
 }
 
-// The two programs of the test below.
+// These are the two programs of the test below.
 TEST(CrashTest, DISABLED_Worker) {
   std::_Exit(serve([](const DesignPoint& point) {
     std::this_thread::sleep_for(3ms);
@@ -85,11 +85,11 @@ pid_t start_study() {
   return child;
 }
 
-/// Trials the journal holds, read beside the process that writes it.
+/// Returns the number of trials in the journal, read beside the process that writes it.
 long trials_in(const std::filesystem::path& file) {
   try {
     return std::filesystem::exists(file) ? Journal::read(file).size() : 0;
-  } catch (const std::exception&) {  // is being created
+  } catch (const std::exception&) {  // the file is being created
     return 0;
   }
 }
@@ -99,7 +99,8 @@ bool has_ended(pid_t child) {
   return ::waitid(P_PID, child, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
 }
 
-/// Kills the study a moment after its journal holds so many trials; true where it ended by itself.
+/// Kills the study a moment after its journal holds this number of trials. Returns true if it ended
+/// by itself.
 bool run_until(const std::filesystem::path& file, long trials, std::chrono::microseconds moment) {
   const pid_t child = start_study();
   while (!has_ended(child) && trials_in(file) < trials) std::this_thread::sleep_for(500us);
@@ -125,7 +126,7 @@ TEST(CrashTest, KillAtRandomMomentsLosesAndRepeatsNothing) {
     const long more = static_cast<long>(random.below(12));
     const std::chrono::microseconds moment(random.below(5'000));
     ended = run_until(file, std::ssize(before) + more, moment);
-    if (!std::filesystem::exists(file)) continue;  // killed before its first act
+    if (!std::filesystem::exists(file)) continue;  // killed before its first action
     const std::vector<Trial> after = Journal::open(file, kCrashStudy).trials();
     ASSERT_GE(after.size(), before.size());
     for (std::size_t i = 0; i < before.size(); ++i) {

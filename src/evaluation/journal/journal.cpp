@@ -24,9 +24,11 @@ using namespace journal_format;
 namespace {
 
 constexpr int kBusyTimeout = 2000;       // ms
-constexpr int kReaderPatience = 60'000;  // ms, of a commit for those who read a rollback journal
+constexpr int kReaderPatience = 60'000;  // ms; a commit waits this long for readers of a rollback
+                                         // journal
 
-/// What was packed counts once it is committed; else the next row must not refer to it.
+/// Keeps the packer's state only if the transaction is committed; otherwise the next row must not
+/// refer to the lost one.
 class PackedForGood {
  public:
   explicit PackedForGood(OutcomePacker& packer) : packer_(packer) {}
@@ -48,7 +50,7 @@ struct Journal::Impl {
   std::filesystem::path file;
   std::optional<JournalLock> lock;  // held by a writer
   std::unique_ptr<SQLite::Database> database;
-  std::optional<SQLite::Statement> insert;  // after the database: it ends before it
+  std::optional<SQLite::Statement> insert;  // declared after the database, so destroyed before it
   int format = kFormat;
   StudyIdentity identity;
   Tally tally;
@@ -73,7 +75,7 @@ struct Journal::Impl {
     }
   }
 
-  /// What SQLite said, in words that tell what to do.
+  /// Reports SQLite's error in words that include what to do.
   [[noreturn]] void report(const SQLite::Exception& error) const {
     const std::string name = file.string();
     switch (error.getErrorCode()) {
@@ -125,8 +127,8 @@ struct Journal::Impl {
       return;
     }
     database->exec("PRAGMA journal_mode = DELETE; PRAGMA locking_mode = NORMAL");
-    database->execAndGet("SELECT count(*) FROM sqlite_master");  // only a read lets the lock go
-    // EXTRA: a commit counts only once the removal of its log is on the disk too.
+    database->execAndGet("SELECT count(*) FROM sqlite_master");  // only a read releases the lock
+    // With EXTRA, a commit counts only once the removal of its log is on the disk, too.
     database->exec("PRAGMA synchronous = EXTRA");
     database->setBusyTimeout(kReaderPatience);
   }
@@ -202,7 +204,8 @@ struct Journal::Impl {
   }
 
   void for_each_row(const std::function<void(const Row&)>& visit) const {
-    SQLite::Transaction snapshot(*database);  // rows and tally of one moment, while another writes
+    SQLite::Transaction snapshot(*database);  // rows and tally of one moment, while another process
+                                              // writes
     std::uint64_t state = hash_of(identity);
     std::int64_t number = 0;
     SQLite::Statement select(*database,
@@ -231,7 +234,7 @@ struct Journal::Impl {
     });
   }
 
-  /// With that identity, in the present format.
+  /// Rewrites the journal with that identity, in the present format.
   void rewrite(const StudyIdentity& as, const std::filesystem::path& backup) {
     std::vector<Row> rows;
     RowDecoder decoder(format);
@@ -253,7 +256,7 @@ struct Journal::Impl {
     Tally next = tally;
     for (const Trial& trial : more) {
       const Row row = make_row(++next.trials, trial, next.hash, packer);
-      insert->tryReset();  // whatever became of the one before
+      insert->tryReset();  // the statement may be in any state after the last use
       bind_row(*insert, row);
       insert->exec();
       insert->tryReset();
@@ -293,8 +296,8 @@ Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& id
   impl->guarded([&] {
     impl->database = std::make_unique<SQLite::Database>(
         file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeout);
-    // The whole file until the log is chosen: a write-ahead log from elsewhere then needs no shared
-    // memory.
+    // The whole file is locked until the log is chosen: a write-ahead log from elsewhere then needs
+    // no shared memory.
     if (log == Log::rollback) impl->database->exec("PRAGMA locking_mode = EXCLUSIVE");
     const bool is_new = impl->is_new();
     if (!is_new) impl->check_format();
@@ -302,7 +305,7 @@ Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& id
     if (is_new) impl->create(identity);
     impl->read_identity();
     impl->read_tally();
-    impl->expect(identity);  // first: one that is refused stays as it is
+    impl->expect(identity);  // checked first, so that a refused journal stays unchanged
     if (impl->format != kFormat) {
       const StudyIdentity same = impl->identity;
       impl->rewrite(same, migration_backup(file, impl->format));

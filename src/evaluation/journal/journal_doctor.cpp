@@ -21,14 +21,14 @@ using namespace journal_format;
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestFile = std::size_t{16} << 30;
-constexpr int kShownDamages = 5;   // of SQLite's own list
-constexpr long kShownTrials = 12;  // numbers in one sentence
+constexpr int kShownDamages = 5;   // shown lines of SQLite's list of damages
+constexpr long kShownTrials = 12;  // trial numbers listed in one sentence
 
 std::string read_if_there(const fs::path& file) {
   return fs::exists(file) ? read_text_file(file, kLargestFile) : std::string();
 }
 
-/// "3, 7, 12 to 15"
+/// Returns for example "3, 7, 12 to 15".
 std::string ranges(const std::vector<std::int64_t>& numbers) {
   std::string text;
   long shown = 0;
@@ -44,7 +44,7 @@ std::string ranges(const std::vector<std::int64_t>& numbers) {
   return text;
 }
 
-/// One examination, step by step.
+/// Examines a journal step by step.
 class Examination {
  public:
   explicit Examination(fs::path file) : file_(std::move(file)) {
@@ -149,7 +149,7 @@ class Examination {
         report_.expected, database_->execAndGet("SELECT max(number) FROM trials").getInt64());
   }
 
-  /// Row by row, so that a damaged page costs its own rows alone.
+  /// Reads row by row, so that a damaged page costs only its own rows.
   void read_row_number(std::int64_t number) {
     try {
       SQLite::Statement select(
@@ -188,13 +188,14 @@ class Examination {
     }
   }
 
-  /// Rows whose trial cannot be read, because one they refer to is lost, are lost too.
+  /// A row that refers to a lost row cannot be read and is lost, too.
   void unpack_rows() {
     RowDecoder decoder(report_.format ? report_.format : kFormat);
     std::vector<std::int64_t> useless;
     for (const auto& [number, row] : rows_) {
       auto trial = decoder.decode(row);
-      if (!trial && report_.format == 0) trial = row.decode();  // older than this one?
+      if (!trial && report_.format == 0) trial = row.decode();  // the journal may have an older
+                                                                // format
       if (trial) {
         report_.rows.push_back(unpacked(row, *trial));
       } else {
@@ -206,7 +207,7 @@ class Examination {
                      ranges(useless)));
   }
 
-  /// Missing numbers, and the chain from row to row.
+  /// Checks for missing numbers and checks the chain from row to row.
   void check_rows() {
     std::vector<std::int64_t> lost, untied;
     std::int64_t number = 0;
@@ -239,7 +240,7 @@ class Examination {
     unpack_rows();
   }
 
-  /// In format 1 a row has no hash of its own: the chain alone proves it.
+  /// In format 1 a row has no hash of its own, so the chain alone proves it.
   void drop_unproven(const std::vector<std::int64_t>& untied) {
     if (report_.format != 1) return;
     for (const std::int64_t number : untied) rows_.erase(number);
@@ -264,7 +265,8 @@ class Examination {
   std::int64_t tally_hash_ = 0;
 };
 
-/// Whether its process ended in a commit to a rollback log: reading alone cannot take that back.
+/// True if the writing process ended during a commit to a rollback log. Reading alone cannot undo
+/// the commit.
 bool has_unfinished_commit(const fs::path& file) {
   if (!fs::exists(file.string() + "-journal")) return false;
   try {
@@ -276,7 +278,7 @@ bool has_unfinished_commit(const fs::path& file) {
   return false;
 }
 
-/// A copy with its rollback log, in which SQLite may take the commit back.
+/// A copy with its rollback log, in which SQLite may undo the commit.
 class Copy {
  public:
   explicit Copy(const fs::path& file)
@@ -328,7 +330,7 @@ void salvage_journal(const JournalReport& report,
     SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     SQLite::Transaction transaction(database);
     create_tables(database);
-    // Marks count trials: none may be missing before them.
+    // Marks count trials, so no trial before a mark may be missing.
     const bool all = std::ssize(report.rows) == report.expected;
     write_journal_rows(
         database, *study, report.rows, all ? report.marks : std::vector<JournalMark>{});

@@ -21,8 +21,8 @@ namespace {
 
 const StudyIdentity kPatient{{"model", "a = 1\nb = 2\n"}, {"variables", "E: layer.E\n"}};
 
-/// With long channels every second time, of numbers that nothing predicts, so that rows also lie on
-/// overflow pages and none refers to another.
+/// Every second trial has long channels of unpredictable numbers, so that rows also lie on overflow
+/// pages and none refers to another.
 Trial patient_trial(int number) {
   RandomStream random(static_cast<std::uint64_t>(number), 0);
   std::vector<double> values(number % 2 ? 20 : 1200);
@@ -41,7 +41,7 @@ void put_bytes(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
-/// Rows by their points are what was written; true where all are there.
+/// Expects that rows, found by their points, are as written. Returns true if all are there.
 bool all_authentic(const JournalReport& report, int trials, const std::string& what) {
   for (const auto& row : report.rows) {
     const auto read = row.decode();
@@ -62,7 +62,7 @@ TEST(JournalDoctor, ACommitThatDidNotComeToItsEndIsNoDamage) {
     for (int i = 1; i <= 12; ++i) journal.append(patient_trial(i));
   }
   const pid_t child = ::fork();
-  if (child == 0) {  // ends in a commit that has reached the file already
+  if (child == 0) {  // the process ends during a commit that has already reached the file
     SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
     database.exec("PRAGMA cache_size = 1; BEGIN; UPDATE trials SET point = zeroblob(9000)");
     ::_exit(0);
@@ -101,7 +101,7 @@ TEST(JournalDoctor, AHealthyJournalIsCalledHealthyAndSalvagedToTheSameTrials) {
   EXPECT_THROW(salvage_journal(report, std::nullopt, folder / "b"), InputError);
 }
 
-// Damage is found wherever it changes what was written, and costs the trials it hits alone.
+// Every change of the written bytes is detected, and costs only the trials it hits.
 TEST(JournalDoctor, NoDamageIsTakenForDataAndIntactTrialsAreSaved) {
   const ScratchFolder folder;
   constexpr int kTrials = 30;
@@ -166,7 +166,7 @@ TEST(JournalDoctor, ADamagedIdentityNeedsTheStudyToBeSaved) {
   EXPECT_EQ(Journal::open(folder / "b", kPatient).size(), 4);
 }
 
-// The log as it lies there when the process that writes it is killed.
+// The log is in the state in which a killed writer leaves it.
 TEST(JournalDoctor, DamageInTheLogIsFoundAndTheTrialsInItAreSaved) {
   const ScratchFolder folder;
   Journal journal = Journal::open(folder / "a", kPatient);

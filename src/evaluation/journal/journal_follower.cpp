@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kPatience = 2000;  // ms
 
-/// Which file a path leads to now.
+/// The file that a path leads to now.
 struct FileThere {
   dev_t device;
   ino_t number;
@@ -30,7 +30,7 @@ struct FileThere {
   bool is_same_file(const FileThere& other) const {
     return device == other.device && number == other.number;
   }
-  /// Nobody has written to it since; what is still in the log beside it is not in it.
+  /// True if the file was not written since. Content of the log beside it does not count.
   bool is_untouched(const FileThere& other) const {
     return size == other.size && written.tv_sec == other.written.tv_sec &&
            written.tv_nsec == other.written.tv_nsec;
@@ -52,9 +52,9 @@ struct JournalFollower::Impl {
   StudyIdentity identity;
   std::vector<JournalMark> marks;
   std::optional<RowDecoder> decoder;
-  std::int64_t number = 0;  // of the last row handed on
-  std::uint64_t state = 0;  // of the chain there
-  std::int64_t total = 0;   // rows at the last look
+  std::int64_t number = 0;  // number of the last row visited
+  std::uint64_t state = 0;  // hash of the chain at that row
+  std::int64_t total = 0;   // number of rows at the last read
   std::int64_t marks_seen = -1;
 
   void close() {
@@ -68,16 +68,17 @@ struct JournalFollower::Impl {
 
   void open() {
     opened = file_at(file);
-    identity = Journal::read(file).identity();  // and says what is wrong with the file
+    identity = Journal::read(file).identity();  // throws an InputError that describes any fault of
+                                                // the file
     database = open_for_reading(file, kPatience);
     format = database->execAndGet("PRAGMA user_version").getInt();
     decoder.emplace(format);
     state = hash_of(identity);
   }
 
-  /// Where the file has been written to: whether the row that was handed on last is still in it, of
-  /// the same study. Another journal can be copied over this one, which leaves the file the same
-  /// and SQLite with pages of the old one.
+  /// True if the last visited row is still in the file and belongs to the same study; checked if
+  /// the file was written. Another journal can be copied over this one, which leaves the file
+  /// number unchanged and SQLite with pages of the old journal.
   bool has_what_was_handed_on() {
     const auto there = file_at(file);
     if (!there || !opened->is_same_file(*there)) return false;
@@ -92,7 +93,7 @@ struct JournalFollower::Impl {
       SQLite::Statement select(*database, "SELECT hash FROM trials WHERE number = ?");
       select.bind(1, number);
       return select.executeStep() && select.getColumn(0).getInt64() == stored(state);
-    } catch (const std::runtime_error&) {  // half written: the next look says what it is
+    } catch (const std::runtime_error&) {  // half written; the next read reports the fault
       return false;
     }
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a journal while another process writes it: each call hands on what has come since the one
-// before, so that who watches fifty thousand trials reads each of them once.
+// Reads a journal while another process writes it. Each call visits the trials that came since the
+// call before, so that a viewer of fifty thousand trials reads each of them once.
 //
-// Every row is held against its hash and the chain of those before it, as Journal::read does. A
-// journal that was put in another's place (latsch run --anew), or copied over it, is noticed and
-// read from its beginning.
+// Every row is checked against its hash and the chain of the rows before it, as in Journal::read. A
+// journal that was replaced (latsch run --anew), or copied over, is noticed and read from its
+// beginning.
 #pragma once
 
 #include <filesystem>
@@ -20,26 +20,26 @@ namespace latsch {
 
 class JournalFollower {
  public:
-  /// Nothing is opened before the first call; the file need not exist yet.
+  /// Opens nothing before the first call; the file need not exist yet.
   explicit JournalFollower(std::filesystem::path file);
   ~JournalFollower();
   JournalFollower(JournalFollower&&) noexcept;
   JournalFollower& operator=(JournalFollower&&) noexcept;
 
   struct News {
-    bool begins_anew = false;  // what was handed on before is of a journal that is gone; the next
-                               // call hands on from the beginning of what is there now
-    long trials = 0;           // handed on now
-    bool has_more = false;     // `most` was reached
-    bool has_marks = false;    // marks() are others than before
+    bool begins_anew = false;  // true if earlier trials belong to a journal that is gone; the next
+                               // call starts at the beginning of the present one
+    long trials = 0;           // number of trials visited by this call
+    bool has_more = false;     // true if `most` was reached
+    bool has_marks = false;    // true if marks() changed
   };
 
-  /// At most `most` trials, in the order they were kept. Throws InputError where the file is no
-  /// journal, JournalError where a row is damaged; trials handed on before stay good. A file that
-  /// does not exist has no trials.
+  /// Visits at most `most` trials, in the order of the journal. Throws InputError if the file is no
+  /// journal, JournalError if a row is damaged; trials visited before stay valid. A file that does
+  /// not exist has no trials.
   News read(long most, const std::function<void(const Trial&)>& visit);
 
-  /// Of all rows, as far as read() has seen the journal.
+  /// Returns the number of rows in the journal at the last read().
   long total() const;
   const StudyIdentity& identity() const;
   const std::vector<JournalMark>& marks() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who follows a journal sees what who reads it whole sees, each trial once.
+// A follower visits exactly the trials that a complete read returns, each once.
 #include "evaluation/journal/journal_follower.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -25,7 +25,7 @@ Trial trial_with(int number) {
 class Followed : public testing::Test {
  protected:
   std::filesystem::path file() const { return folder_ / "study.latsch"; }
-  /// What read() hands on, as the values of the points.
+  /// Returns the values of the points that read() visits.
   std::vector<double> news(long most = 1000) {
     std::vector<double> points;
     last_ = follower_.read(most, [&](const Trial& trial) {
@@ -54,7 +54,7 @@ TEST_F(Followed, EveryTrialIsHandedOnOnceWhileAnotherWrites) {
   for (int i = 0; i < 40; ++i) {
     journal.append(trial_with(i));
     for (const double one : news(i % 3))
-      seen.push_back(one);  // also none, also fewer than there are
+      seen.push_back(one);  // may also be none, or fewer than there are
   }
   while (true) {
     const auto more = news(7);
@@ -95,7 +95,7 @@ TEST_F(Followed, AJournalInTheOthersPlaceIsReadFromItsBeginning) {
   EXPECT_FALSE(last_.begins_anew);
 }
 
-// cp other.latsch study.latsch: the same file to all who ask for its number.
+// After cp other.latsch study.latsch the file has the same number.
 TEST_F(Followed, AJournalCopiedOverTheOtherIsReadFromItsBeginning) {
   const auto other = folder_ / "other.latsch";
   const auto write = [](const std::filesystem::path& path, int first, int count) {
@@ -113,7 +113,7 @@ TEST_F(Followed, AJournalCopiedOverTheOtherIsReadFromItsBeginning) {
   EXPECT_FALSE(last_.begins_anew);
   EXPECT_TRUE(news().empty());
   EXPECT_EQ(follower_.total(), 5);
-  // One that goes on is the same journal.
+  // A journal that continues is the same journal.
   write(file(), 15, 1);
   EXPECT_EQ(news(), std::vector{15.0});
   EXPECT_FALSE(last_.begins_anew);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: one history of a journal that is written until the power fails, and what it has to
-// fulfill when the power comes back.
+// Test support: one history of a journal that is written until the power fails, and the conditions
+// it has to fulfill when the power returns.
 #pragma once
 
 #include <string>
@@ -16,14 +16,15 @@
 namespace latsch {
 
 struct PowerHistory {
-  long acknowledged = 0;  // trials, when the power failed
+  long acknowledged = 0;  // number of trials acknowledged when the power failed
   long kept = 0;
   long sectors_lost = 0;
-  bool while_open = false;  // the power failed before the journal was closed for good
-  std::string wrong;        // empty where nothing acknowledged was lost or changed
+  bool while_open = false;  // true if the power failed before the journal was closed
+  std::string wrong;        // empty if nothing acknowledged was lost or changed
 };
 
-/// A function of its number alone. Every fifth trial is large: some histories reach a checkpoint.
+/// The trial depends on its number only. Every fifth trial is large, so some histories reach a
+/// checkpoint.
 inline Trial trial_of_history(long number) {
   Channels channels;
   channels.add(

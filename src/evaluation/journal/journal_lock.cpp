@@ -46,7 +46,7 @@ std::string holder_text() {
                      fmt::gmtime(std::time(nullptr)));
 }
 
-/// Whether `fd` is still the file at that path; a holder removes its lock file when it ends.
+/// True if `fd` is still the file at that path. A holder removes its lock file when it ends.
 bool is_current(int fd, const std::filesystem::path& file) {
   struct stat opened {};
   struct stat present {};
@@ -58,7 +58,7 @@ bool is_current(int fd, const std::filesystem::path& file) {
   throw InputError({journal.string(), 0}, what);
 }
 
-/// `error`: of flock(2), of which one alone says that somebody holds it.
+/// `error` is that of flock(2); only EWOULDBLOCK means that somebody holds the lock.
 std::string complaint(int error, const std::string& holder) {
   if (error == EWOULDBLOCK) {
     return fmt::format(
@@ -72,7 +72,7 @@ std::string complaint(int error, const std::string& holder) {
       std::strerror(error));
 }
 
-/// A process whose name stands in a lock file.
+/// Process named in a lock file.
 struct Named {
   int process = 0;
   std::string host;
@@ -82,18 +82,19 @@ std::optional<Named> named_in(const std::string& holder) {
   Named named;
   std::array<char, 256> host{};
   if (std::sscanf(holder.c_str(), "process %d on %255s", &named.process, host.data()) != 2)
-    return std::nullopt;  // it has just been taken, or its holder's disk is full
+    return std::nullopt;  // the lock was just taken, or its holder's disk is full
   named.host = host.data();
   return named;
 }
 
-/// Whether who took the lock is gone: a child of it holds it, until it becomes another program.
+/// True if the process that took the lock is gone: a child holds the lock until it executes another
+/// program.
 bool is_inherited(const std::string& holder) {
   const auto named = named_in(holder);
   return named && named->host == host_name() && ::kill(named->process, 0) != 0 && errno == ESRCH;
 }
 
-/// Beside the file itself: links to one journal have one lock.
+/// Returns the lock beside the file itself, so that all links to a journal have one lock.
 std::filesystem::path lock_of(const std::filesystem::path& journal) {
   std::error_code none;
   std::filesystem::path file = std::filesystem::weakly_canonical(journal, none);
@@ -106,7 +107,7 @@ std::filesystem::path lock_of(const std::filesystem::path& journal) {
 
 JournalLock::JournalLock(const std::filesystem::path& journal) : file_(lock_of(journal)) {
   using namespace std::chrono_literals;
-  constexpr auto kMostPatience = 5s;  // with what takes a moment, on a machine that is busy
+  constexpr auto kMostPatience = 5s;  // for short waits on a busy machine
   const auto until = std::chrono::steady_clock::now() + kMostPatience;
   while (true) {
     fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
@@ -128,7 +129,7 @@ JournalLock::JournalLock(const std::filesystem::path& journal) : file_(lock_of(j
     if (is_current(fd_, file_)) break;
     ::close(fd_);
   }
-  // Without the holder's name, say on a full disk, the lock still holds.
+  // If the holder's name cannot be written, for example on a full disk, the lock still holds.
   const std::string holder = holder_text();
   if (::ftruncate(fd_, 0) == 0 && ::pwrite(fd_, holder.data(), holder.size(), 0) < 0) errno = 0;
 }
@@ -140,8 +141,9 @@ JournalLock::~JournalLock() {
 
 namespace {
 
-/// Whether that process of this machine holds an flock(2) on the file. Its device is not compared:
-/// overlays and file systems of several volumes show another one there. [proc(5), /proc/locks]
+/// True if that process of this machine holds an flock(2) on the file. The device is not compared,
+/// because overlays and file systems of several volumes show another one there. [proc(5),
+/// /proc/locks]
 bool holds(int process, ino_t inode) {
   std::ifstream locks("/proc/locks");
   for (std::string line; std::getline(locks, line);) {
@@ -167,7 +169,8 @@ std::optional<JournalHolder> journal_holder(const std::filesystem::path& journal
   const auto named = named_in(words);
   if (!named) return std::nullopt;
   if (named->host != host_name()) return JournalHolder{words, std::nullopt};
-  if (!holds(named->process, file.st_ino)) return std::nullopt;  // left behind by a kill
+  if (!holds(named->process, file.st_ino)) return std::nullopt;  // the name was left behind by a
+                                                                 // killed process
   return JournalHolder{words, named->process};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One writer a journal: an advisory lock on a file beside it that names the process that holds it.
-// The system releases it when that process ends, however it ends.
+// Admits one writer for each journal, by an advisory lock on a file beside it that names the
+// process holding it. The system releases the lock when that process ends, however it ends.
 #pragma once
 
 #include <filesystem>
@@ -9,17 +9,18 @@
 
 namespace latsch {
 
-/// Who writes a journal.
+/// The process that writes a journal.
 struct JournalHolder {
   std::string words;           // "process 4711 on lab7 since 2026-03-01 10:12:44 UTC"
-  std::optional<int> process;  // of this machine; nullopt: of another one, or not told
+  std::optional<int> process;  // process on this machine; nullopt: on another one, or not known
 };
 
 class JournalLock {
  public:
-  /// Waits a moment for what a killed process leaves, a child of it that has yet to become another
-  /// program. Throws InputError naming the holder, with its machine, where another process (or
-  /// another Journal of this one) has it, or the reason where the file system gives no locks.
+  /// Waits briefly while a child of a killed process still holds the lock, until it executes
+  /// another program. Throws InputError naming the holder and its machine if another process (or
+  /// another Journal of this process) has the lock, or the reason if the file system gives no
+  /// locks.
   explicit JournalLock(const std::filesystem::path& journal);
   ~JournalLock();
   JournalLock(const JournalLock&) = delete;
@@ -30,9 +31,9 @@ class JournalLock {
   int fd_ = -1;
 };
 
-/// Looked up without taking the lock even for a moment: who opens the journal meanwhile is not in
-/// the way. nullopt where nobody holds it. A holder on another machine is one whose name stands in
-/// the file.
+/// Looks up the holder without taking the lock even briefly, so it does not disturb a process that
+/// opens the journal. Returns nullopt if nobody holds the lock. A holder on another machine is
+/// recognized by the name in the file.
 std::optional<JournalHolder> journal_holder(const std::filesystem::path& journal);
 
 }  // namespace latsch

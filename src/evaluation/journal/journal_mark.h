@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What happened to a journal between two of its trials (journal_format.h).
+// Event in a journal between two of its trials (journal_format.h).
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace latsch {
 struct JournalMark {
   std::string kind;
   std::string text;
-  long trials = 0;  // there were when it was made
+  long trials = 0;  // number of trials when the mark was made
 
   bool operator==(const JournalMark&) const = default;
 };

@@ -17,8 +17,8 @@ void rewrite_journal(SQLite::Database& database,
                      const StudyIdentity& identity,
                      std::vector<Row> rows,
                      const std::vector<JournalMark>& marks) {
-  // With VACUUM INTO what still lies in the write-ahead log is copied too.
-  std::filesystem::remove(backup);  // of an attempt that did not come to its end
+  // VACUUM INTO also copies the content of the write-ahead log.
+  std::filesystem::remove(backup);  // left by an attempt that was interrupted
   SQLite::Statement copy(database, "VACUUM INTO ?");
   copy.bind(1, backup.string());
   copy.exec();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Brings a journal of an older format to the present one.
+// Converts a journal of an older format to the present one.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -11,7 +11,7 @@
 
 namespace latsch {
 
-/// Where the journal stays as it was: "study.latsch.format1".
+/// Returns the file that keeps the original journal: "study.latsch.format1".
 std::filesystem::path migration_backup(const std::filesystem::path& journal, int format);
 
 /// Copies the journal to that backup, then rewrites it in one transaction. `rows` are those of the

@@ -14,8 +14,7 @@
 namespace latsch {
 namespace {
 
-// A journal as the program that knew format 1 wrote it: tables and hashes by their definition
-// there.
+// Writes a journal as the program of format 1 did, with the tables and hashes of that format.
 void write_format_1(const std::filesystem::path& file, int trials) {
   SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   database.exec(R"(PRAGMA application_id = 0x4C747368; PRAGMA user_version = 1;
@@ -73,7 +72,7 @@ TEST(JournalMigration, AnOlderFormatIsReadAndMigratedWithABackup) {
   EXPECT_EQ(Journal::read(folder / "old.format1").trials().size(), 6u);
 }
 
-// A journal of format 4 is one of format 5 without slopes; the number alone differs.
+// A journal of format 4 is one of format 5 without slopes; only the number differs.
 TEST(JournalMigration, FormatFourIsReadAndMigratedWithABackup) {
   const ScratchFolder folder;
   const auto file = folder / "old";
@@ -121,7 +120,7 @@ TEST(JournalMigration, OfAnotherVersionOfTheModelItIsRefusedAndMayBeAdopted) {
     return study;
   };
   {
-    Journal journal = Journal::open(file, kStudy);  // of a program that kept no versions
+    Journal journal = Journal::open(file, kStudy);  // written by a program that stored no versions
     journal.append(trial(1));
     journal.mark("start", "x");
     journal.append(failed_trial(2));

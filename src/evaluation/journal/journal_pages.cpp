@@ -37,7 +37,7 @@ std::size_t page_size_of(const std::string& database) {
   return is_page_size(size) ? size : kUsualPage;
 }
 
-/// Pages by their number, the first one is 1.
+/// Pages keyed by their number; the first page is 1.
 using Pages = std::map<std::uint32_t, std::string_view>;
 
 Pages pages_of(const std::string& database, std::size_t page_size) {
@@ -49,7 +49,7 @@ Pages pages_of(const std::string& database, std::size_t page_size) {
   return pages;
 }
 
-/// Numbers are seven bits a byte, high ones first, the ninth byte whole.
+/// Reads numbers of seven bits a byte, high bits first; the ninth byte counts whole.
 struct Cursor {
   std::string_view bytes;
   std::size_t at;
@@ -69,7 +69,7 @@ struct Cursor {
   }
 };
 
-/// Lengths of the columns of a row of `trials`; its number stands before the record.
+/// Lengths of the columns of a row of `trials`. The row number is stored before the record.
 struct Shape {
   std::size_t header, point, outcome, finished, content, hash;
 };
@@ -106,7 +106,8 @@ std::int64_t read_integer(std::string_view bytes, std::size_t at, std::size_t si
   return size == 0 ? 0 : static_cast<std::int64_t>(value << unused) >> unused;
 }
 
-/// How much of a record of that size lies on the page of the row itself; `usable` bytes a page.
+/// Returns how many bytes of a record of that size lie on the page of the row itself; a page has
+/// `usable` bytes.
 std::size_t local_size(std::uint64_t size, std::size_t usable) {
   const std::size_t most = usable - 35;
   if (size <= most) return size;
@@ -115,7 +116,7 @@ std::size_t local_size(std::uint64_t size, std::size_t usable) {
   return fitting <= most ? fitting : least;
 }
 
-/// The record that begins there, with its tail from the overflow pages.
+/// Returns the record that begins at `at`, with its tail from the overflow pages.
 std::optional<std::string> gather(const Pages& pages,
                                   std::string_view page,
                                   std::size_t at,
@@ -170,7 +171,7 @@ void find_rows(const Pages& pages, std::map<std::int64_t, Row>& rows) {
   }
 }
 
-/// The frames of the log that belong to its present header; older ones may lie behind them.
+/// Visits the frames that belong to the log's present header; older ones may follow them.
 template <class Visit>
 void for_each_frame(const std::string& log, const Visit& visit) {
   if (log.size() < kLogHeader) return;
@@ -186,7 +187,7 @@ void for_each_frame(const std::string& log, const Visit& visit) {
 
 struct Checksum {
   std::uint32_t s0 = 0, s1 = 0;
-  bool big = false;  // byte order of the sums, as the magic number says
+  bool big = false;  // byte order of the checksums, from the magic number
 
   void add(std::string_view bytes) {
     for (std::size_t at = 0; at + 8 <= bytes.size(); at += 8) {
@@ -206,7 +207,7 @@ std::vector<Row> rows_on_pages(const std::string& database, const std::string& l
   std::map<std::int64_t, Row> rows;
   Pages pages = pages_of(database, page_size_of(database));
   find_rows(pages, rows);
-  // Then as if everything in the log had been taken over, damaged or not.
+  // Then rows are searched as if everything in the log had been taken over, damaged or not.
   Pages with_log = pages;
   for_each_frame(log, [&](std::string_view frame) {
     with_log[big_endian(frame, 0)] = frame.substr(kFrameHeader);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bytes of a journal file read without SQLite, for when SQLite cannot: rows of trials found on
-// its pages, and how far its write-ahead log can be trusted.
+// Reads a journal file without SQLite, for damaged files that SQLite cannot read: finds rows of
+// trials on its pages and checks its write-ahead log.
 //
-// A row lies in one piece on a page, its long tail on a chain of overflow pages. Every offset of
-// every page is tried as the beginning of a row of the right shape; the hash of its content decides
-// whether it is one. So neither a broken tree nor a broken page hides the rows that are whole.
+// A row lies in one piece on a page, with its long tail on a chain of overflow pages. Every offset
+// of every page is tried as the beginning of a row of the right shape; the hash of its content
+// decides. So neither a broken tree nor a broken page hides intact rows.
 // [https://www.sqlite.org/fileformat2.html, sections 1.5, 1.6, 2.1, 4]
 #pragma once
 
@@ -15,13 +15,14 @@
 
 namespace latsch {
 
-/// Rows of format 2 and later whose content agrees with its hash, in the order of their numbers,
-/// each once. `database` and `log` are the bytes of the journal and of the "-wal" file beside it.
+/// Returns rows of format 2 and later whose content agrees with its hash, each once, in the order
+/// of their numbers. `database` and `log` are the bytes of the journal and of the "-wal" file
+/// beside it.
 std::vector<journal_format::Row> rows_on_pages(const std::string& database, const std::string& log);
 
 struct LogState {
-  long frames = 0;  // of the present log: pages that were written to it
-  long intact = 0;  // of these, before the first whose checksum is wrong
+  long frames = 0;  // pages written to the present log
+  long intact = 0;  // pages before the first with a wrong checksum
 };
 LogState check_log(const std::string& log);
 

@@ -28,7 +28,7 @@ namespace {
 int error_of_locks = 0;  // 0: locks work
 }
 
-/// In the place of the system's in this program.
+/// Replaces the system's flock(2) in this program.
 extern "C" int flock(int file, int operation) {
   if (error_of_locks == 0) return static_cast<int>(::syscall(SYS_flock, file, operation));
   errno = error_of_locks;
@@ -187,7 +187,8 @@ TEST(Journal, ASecondWriterIsToldWhoHoldsItAndReadersMayComeIn) {
   EXPECT_EQ(reader.trials().size(), 2u);
 }
 
-// Killed while it starts a worker, a writer leaves the lock to it until that has become the worker.
+// If a writer is killed while it starts a worker, the child holds the lock until it executes the
+// worker program.
 TEST(Journal, OfAKilledWriterWhoseChildIsOnItsWayItIsFreeAfterAMoment) {
   const ScratchFolder folder;
   int ready[2];
@@ -231,7 +232,7 @@ TEST(Journal, WhoWritesItIsToldWithoutTakingTheLock) {
   EXPECT_FALSE(far->process);
 }
 
-/// Until its end flock(2) fails so in this program.
+/// Makes flock(2) fail with this error in this program during its life.
 class FailingLocks {
  public:
   explicit FailingLocks(int error) { error_of_locks = error; }
@@ -269,7 +270,7 @@ TEST(Journal, LeavesNoLockBehind) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.journal.lock"));
 }
 
-// A file-size limit makes write(2) fail as a full disk does.
+// A file-size limit makes write(2) fail as on a full disk.
 TEST(Journal, OnAFullDiskNothingIsLostAndWritingGoesOnOnceThereIsRoom) {
   const ScratchFolder folder;
   rlimit before{};
@@ -295,7 +296,7 @@ TEST(Journal, OnAFullDiskNothingIsLostAndWritingGoesOnOnceThereIsRoom) {
   for (long i = 0; i < written; ++i) expect_same(trials[i], trial(static_cast<int>(i)));
 }
 
-// Reading either gives the trials as they were written or says that the file is damaged.
+// Expects that reading either gives the trials as written or reports that the file is damaged.
 void expect_intact_or_detected(const std::filesystem::path& file, int trials, const char* what) {
   try {
     const Journal journal = Journal::read(file);
@@ -308,7 +309,7 @@ void expect_intact_or_detected(const std::filesystem::path& file, int trials, co
   }
 }
 
-// The short form of rows of ./bench.sh faults.
+// This is the short form of rows of ./bench.sh faults.
 TEST(Journal, APowerLossLosesNothingThatWasAcknowledged) {
   for (const auto log : {Journal::Log::write_ahead, Journal::Log::rollback}) {
     long sectors = 0, while_open = 0;
@@ -318,7 +319,7 @@ TEST(Journal, APowerLossLosesNothingThatWasAcknowledged) {
       sectors += history.sectors_lost;
       while_open += history.while_open;
     }
-    EXPECT_GT(sectors, 100);  // so something was at stake
+    EXPECT_GT(sectors, 100);  // confirms that data was at risk
     EXPECT_GT(while_open, 10);
   }
 }
@@ -335,8 +336,9 @@ TEST(Journal, OnlyAFileSystemKnownToBeLocalGetsAWriteAheadLog) {
     EXPECT_EQ(shared_file_system(local), std::nullopt) << std::hex << local;
   }
   EXPECT_EQ(shared_file_system(0x6969), "NFS");
-  EXPECT_EQ(shared_file_system(0xFFFFFFFFFF534D42), "CIFS");  // a sign that was extended
-  // VirtualBox and VMware folders, Coda, Orange, IBM's and Quantum's, and one yet to come.
+  EXPECT_EQ(shared_file_system(0xFFFFFFFFFF534D42), "CIFS");  // a 32-bit number with extended sign
+  // The numbers are VirtualBox and VMware folders, Coda, Orange, IBM's and Quantum's, and an
+  // unknown one.
   for (const unsigned long shared :
        {0x786F4256ul, 0xBACBACBCul, 0x73757245ul, 0x20030528ul, 0x7ul}) {
     EXPECT_NE(shared_file_system(shared), std::nullopt) << std::hex << shared;
@@ -351,7 +353,9 @@ TEST(Journal, OnlyAFileSystemKnownToBeLocalGetsAWriteAheadLog) {
 TEST(Journal, OnANetworkFileSystemThereIsNoSharedMemory) {
   const ScratchFolder folder;
   const auto file = folder / "j";
-  Journal::open(file, kStudy, Journal::Log::write_ahead).append(trial(1));  // then it moved here
+  Journal::open(file, kStudy, Journal::Log::write_ahead).append(trial(1));  // written elsewhere
+                                                                            // before the file moved
+                                                                            // here
   Journal journal = Journal::open(file, kStudy, Journal::Log::rollback);
   for (int i = 2; i <= 5; ++i) {
     journal.append(trial(i));
@@ -363,7 +367,7 @@ TEST(Journal, OnANetworkFileSystemThereIsNoSharedMemory) {
                   "is in use by process");
 }
 
-// Without the syncs the same losses do cost trials: the disk of this test is no ideal one.
+// Without the syncs, equal power losses do cost trials: the disk of this test is no ideal one.
 TEST(PowerLoss, WhatIsNotSyncedMayBeGone) {
   int lost = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -373,7 +377,8 @@ TEST(PowerLoss, WhatIsNotSyncedMayBeGone) {
       SQLite::Database database((folder / "d").string(),
                                 SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
       database.exec("PRAGMA journal_mode = WAL");
-      database.exec("PRAGMA synchronous = NORMAL; CREATE TABLE t (i INTEGER)");  // no sync a commit
+      database.exec("PRAGMA synchronous = NORMAL; CREATE TABLE t (i INTEGER)");  // no sync at each
+                                                                                 // commit
       database.exec("INSERT INTO t VALUES (1)");
       disk.fail();
     }

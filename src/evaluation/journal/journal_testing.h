@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a study, trials that are functions of their number, and what is expected of them.
+// Test support: a study, trials that are functions of their number, and checks of these trials.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -47,7 +47,8 @@ inline void expect_contains(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
-/// As trial(), but long enough to be packed, each nearly a multiple of the one before.
+/// Returns a trial like trial(), but long enough to be packed and nearly a multiple of the one
+/// before.
 inline Trial long_trial(int number) {
   Trial t = trial(number);
   std::vector<double> force;

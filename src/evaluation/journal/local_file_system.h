@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the files of a folder are seen by this machine alone.
+// Determines if the files of a folder are used by this machine alone.
 //
-// SQLite's write-ahead log needs memory shared by all who read and write: safe where one kernel
-// keeps the files, lost trials where two do. So it is allowed on the file systems known to be local
-// and on no other: a cluster's may be any, and one in user space (FUSE) does not say what is behind
-// it, sshfs or a local disk.
-// [Numbers: statfs(2), linux/magic.h and the file systems' own sources]
+// SQLite's write-ahead log needs memory shared by all who read and write. That is safe if one
+// kernel keeps the files, and loses trials if two do. The log is therefore allowed only on file
+// systems known to be local. A cluster's file system may be any, and one in user space (FUSE) does
+// not report what is behind it, sshfs or a local disk. [Numbers: statfs(2), linux/magic.h and the
+// file systems' own sources]
 #pragma once
 
 #include <filesystem>
@@ -15,14 +15,15 @@
 
 namespace latsch {
 
-/// Its name, "ext4", by the number statfs(2) gives; nullopt for one that is not known to be local.
+/// Returns the name, such as "ext4", for the number from statfs(2); nullopt if it is not known to
+/// be local.
 std::optional<std::string_view> local_file_system(unsigned long kind);
 
-/// What the folder of the file, links followed, lies on where that is not known to be local: "NFS",
-/// "a file system that is not known to be local (0x1234)"; nullopt where it is.
+/// Returns the file system of the file's folder, links followed, if it is not known to be local:
+/// "NFS", "a file system that is not known to be local (0x1234)"; nullopt if it is local.
 std::optional<std::string> shared_file_system(const std::filesystem::path& file);
 
-/// The same of a number.
+/// Returns the same text for the number from statfs(2).
 std::optional<std::string> shared_file_system(unsigned long kind);
 
 }  // namespace latsch

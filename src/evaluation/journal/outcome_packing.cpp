@@ -18,23 +18,27 @@
 namespace latsch {
 namespace {
 
-// single: alone, and none may refer to it.
+// A row of kind `single` stands alone, and no row may refer to it.
 enum class Kind : std::uint8_t { plain, alone, referring, single };
 
-// How a channel is told: kDifferences + order, or by rows before it.
+// Coding of a channel: kDifferences + order, or by earlier rows.
 enum Coding : std::uint8_t { kDifferences = 0, kSame = 8, kCombined = 9 };
 
-constexpr std::size_t kLeastValues = 64;     // fewer are not worth the effort
-constexpr std::size_t kLeastToRefer = 1000;  // below, room is not worth what a damaged row costs
-constexpr std::size_t kMostValues = std::size_t{8} << 20;  // of a block: 64 MB
-constexpr std::size_t kLeastSamples = 32;                  // of a channel to be told by combination
+constexpr std::size_t kLeastValues = 64;     // numbers; a smaller outcome is not packed
+constexpr std::size_t kLeastToRefer = 1000;  // numbers; below, the room saved is not worth the loss
+                                             // by a damaged row
+constexpr std::size_t kMostValues = std::size_t{8} << 20;  // numbers in a block: 64 MB
+constexpr std::size_t kLeastSamples = 32;                  // samples of a channel; fewer are not
+                                                           // coded by combination
 constexpr int kHighestOrder = 2;
 constexpr double kWorthReferring =
-    0.9;                       // times the room without: else a row had better stand alone
-constexpr int kMostRows = 16;  // of a combination
-constexpr Eigen::Index kMostFitted = 128;  // samples that its coefficients are fitted to
-constexpr int kDeflateLevel = 1;  // what is left is nearly noise: more effort gains nothing
-constexpr std::uint64_t kMostInflated = 1100;  // times what is deflated: zlib's limit is 1032
+    0.9;                       // ratio to the room of a row that stands alone; above, the row
+                               // stands alone
+constexpr int kMostRows = 16;  // rows in a combination
+constexpr Eigen::Index kMostFitted = 128;  // samples used for the fit of the coefficients
+constexpr int kDeflateLevel = 1;  // the remainder is nearly noise, so more effort gains nothing
+constexpr std::uint64_t kMostInflated = 1100;  // multiple of the deflated size; zlib's limit is
+                                               // 1032
 
 using Row = OutcomeBlock::Row;
 
@@ -51,7 +55,7 @@ bool take(std::string_view& bytes, T& number) {
   return true;
 }
 
-/// Whole numbers in the order of the numbers: neighbors differ by one.
+/// Maps numbers to integers in the same order; neighboring numbers differ by one.
 std::uint64_t place_of(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   return bits >> 63 ? ~bits : bits | std::uint64_t{1} << 63;
@@ -60,7 +64,7 @@ double at_place(std::uint64_t place) {
   return std::bit_cast<double>(place >> 63 ? place & ~(std::uint64_t{1} << 63) : ~place);
 }
 
-/// 0, -1, 1, -2, ... as 0, 1, 2, 3, ...
+/// Maps 0, -1, 1, -2, ... to 0, 1, 2, 3, ...
 std::uint64_t folded(std::uint64_t difference) {
   return difference << 1 ^ (0 - (difference >> 63));
 }
@@ -69,7 +73,7 @@ std::uint64_t unfolded(std::uint64_t number) { return number >> 1 ^ (0 - (number
 using Rest = std::vector<std::uint64_t>;
 using Numbers = std::span<const double>;
 
-/// The place a sample is expected at by those before it.
+/// Returns the integer predicted for a sample from the samples before it.
 std::uint64_t expected(Numbers x, std::size_t i, int order) {
   order = std::min(order, static_cast<int>(i));
   if (order == 0) return place_of(0.0);
@@ -85,7 +89,7 @@ Rest rest_of_differences(Numbers x, int order) {
   return rest;
 }
 
-/// The channel at that place of each row before, the last one first.
+/// The channel at that place in each earlier row, the last row first.
 using Before = std::vector<Numbers>;
 
 std::vector<double> combination(const Before& rows, const std::vector<double>& a) {
@@ -104,7 +108,7 @@ Rest rest_of_combination(Numbers x, const Before& rows, const std::vector<double
   return rest;
 }
 
-/// Of least relative error, over samples spread evenly.
+/// Returns the coefficients of least relative error, over samples spread evenly.
 std::vector<double> coefficients(Numbers x, const Before& rows) {
   const auto n = static_cast<Eigen::Index>(x.size());
   const Eigen::Index fitted = std::min(n, kMostFitted);
@@ -126,14 +130,14 @@ std::vector<double> coefficients(Numbers x, const Before& rows) {
   return {a.begin(), a.end()};
 }
 
-/// Bits a rest takes, about.
+/// Returns the approximate number of bits of a remainder.
 double cost(const Rest& rest) {
   double bits = 0.0;
   for (const std::uint64_t number : rest) bits += std::bit_width(number);
   return bits;
 }
 
-/// Bytes of one significance together, the highest first.
+/// Writes bytes of one significance together, the highest first.
 void put_planes(std::string& bytes, const Rest& rest) {
   for (int plane = 7; plane >= 0; --plane) {
     for (const std::uint64_t number : rest) {
@@ -154,7 +158,7 @@ std::optional<Rest> take_planes(std::string_view& bytes, std::size_t count) {
   return rest;
 }
 
-/// Numbers that are told together: the values of a channel, or its slopes in one variable.
+/// Numbers coded together: the values of a channel, or its slopes in one variable.
 struct Column {
   std::size_t channel;
   std::optional<std::size_t> variable = {};
@@ -170,7 +174,8 @@ std::optional<Numbers> numbers_of(const Row& row, const Column& column, std::siz
   return Numbers(channel.slopes).subspan(*column.variable * count, count);
 }
 
-/// In rows of the block, the last one first; rows without such a channel are left out.
+/// Returns the column in the rows of the block, the last row first; rows without such a channel are
+/// left out.
 Before before(const OutcomeBlock& block, const Column& column, std::size_t count) {
   Before rows;
   for (auto row = block.rows.rbegin(); row != block.rows.rend(); ++row) {
@@ -185,7 +190,7 @@ bool same_bits(Numbers a, Numbers b) {
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
-/// Of a row that has the very same values; 0: none has.
+/// Returns the distance to a row with identical values; 0: there is none.
 std::uint8_t places_back(const OutcomeBlock& block,
                          std::int64_t number,
                          const Column& column,
@@ -305,7 +310,7 @@ void put_slopes(std::string& bytes,
   }
 }
 
-/// False where they are not there.
+/// Returns false if the slopes are missing.
 bool take_slopes(std::string_view& bytes,
                  Channel& channel,
                  std::size_t place,
@@ -357,7 +362,7 @@ std::size_t values_of(const Channels& channels) {
   return count;
 }
 
-/// The outcome with the names of its channels, but without their numbers.
+/// Returns the outcome with the names of its channels, but without their numbers.
 Outcome without_values(const Outcome& outcome) {
   Outcome bare = outcome;
   Channels channels;

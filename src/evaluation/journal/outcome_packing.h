@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outcomes as the journal keeps them: every bit, in less room.
+// Compresses outcomes for the journal without loss of a bit.
 //
-// A run asks a model again and again at points not far apart, so a channel of a trial is nearly a
-// combination of what the trials before it gave:
+// A run evaluates a model at many points close to each other, so a channel of a trial is nearly a
+// combination of the channels of earlier trials:
 //
 //   x  ~  x_1 + sum_j a_j (x_j - x_1),    x_j the same channel of the row j places back
 //
-// with a by least squares over some of its samples; a channel that does not depend on what varies
-// is one of them to the bit, and only that is kept. Where this is worth less, the samples before it
-// predict a sample: differences of order 0 to 2. What is left, counted in units of the last place,
+// with a from least squares over some of its samples. If a channel is equal to an earlier one to
+// the bit, only that is stored. If the combination saves less, samples are predicted from the
+// samples before: differences of order 0 to 2. The remainder, counted in units of the last place,
 // is small: its leading bytes are zeros. Bytes of one significance lie together and are deflated
-// (zlib). What a prediction cannot tell, the rounding of a simulation say, takes its full room.
+// (zlib). A part that cannot be predicted, such as the rounding of a simulation, takes its full
+// room.
 //
-// Slopes are told variable by variable, each as a channel of its own.
+// Slopes are stored variable by variable, each as a channel of its own.
 //
-// A row refers to at most kLongestBlock - 1 rows before it, back to the last one that stands alone:
-// as many trials can a damaged row cost. Outcomes of less than a thousand numbers stand alone.
+// A row refers to at most kLongestBlock - 1 rows before it, back to the last one that stands alone;
+// a damaged row can cost this many trials. Outcomes of less than a thousand numbers stand alone.
 //
 // Predictions are plain sums in a fixed order; this file is compiled without contraction, so every
-// machine computes the same. A checksum of the outcome itself is kept for proof.
+// machine computes equal bits. A checksum of the outcome itself is stored as a proof.
 #pragma once
 
 #include <cstdint>
@@ -40,14 +41,14 @@ struct OutcomeBlock {
     Channels channels;
   };
   std::deque<Row> rows;
-  std::size_t values = 0;  // in all of them
+  std::size_t values = 0;  // number of values in all rows
 };
 
 class OutcomePacker {
  public:
-  /// Rows are given in the order of their numbers, each once.
+  /// Rows must be packed in the order of their numbers, each once.
   std::string pack(std::int64_t number, const Outcome& outcome);
-  /// The next one stands alone: rows before it were not kept, or are not known.
+  /// Makes the next row stand alone, because rows before it were not kept or are not known.
   void begin_anew() { block_ = {}; }
 
  private:
@@ -56,8 +57,8 @@ class OutcomePacker {
 
 class OutcomeUnpacker {
  public:
-  /// Rows in the order of their numbers. nullopt where the bytes are no packed outcome or refer to
-  /// one that was not given.
+  /// Rows must come in the order of their numbers. Returns nullopt if the bytes are no packed
+  /// outcome or refer to a row that was not given.
   std::optional<Outcome> unpack(std::int64_t number, std::string_view bytes);
 
  private:

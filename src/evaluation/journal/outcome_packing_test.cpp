@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kStates = 600;
 
-/// A smooth model of three variables at measured states: one channel that nothing varies, one that
-/// one variable does, one of all of them.
+/// Returns a smooth model of three variables at measured states: one channel is constant, one
+/// depends on one variable, one on all of them.
 Outcome smooth(const std::vector<double>& p, double ripple = 0.0, std::uint64_t seed = 1) {
   RandomStream states(7, 0), noise(seed, 1);
   std::vector<double> load, trail, force;
@@ -42,7 +42,7 @@ std::vector<Outcome> search(int trials, double ripple = 0.0) {
   return all;
 }
 
-/// Packs, unpacks, compares bit by bit; the share of the plain size.
+/// Packs, unpacks and compares bit by bit. Returns the packed size as a share of the plain size.
 double share(const std::vector<Outcome>& outcomes) {
   OutcomePacker packer;
   OutcomeUnpacker unpacker;
@@ -62,9 +62,10 @@ TEST(OutcomePacking, KeepsEveryBitOfSmoothChannelsInAFifthOfTheRoom) {
   EXPECT_LE(share(search(200)), 0.2);
 }
 
-// Rounding and solver tolerances are noise, which cannot be told from what was before.
+// Rounding and solver tolerances are noise, which earlier outcomes cannot predict.
 TEST(OutcomePacking, RoughChannelsTakeWhatTheirNoiseTakes) {
-  const double rough = share(search(100, 1e-3));  // of 1e3 N: 20 bits of 53 can be predicted
+  const double rough = share(search(100, 1e-3));  // forces near 1e3 N: 20 of 53 bits can be
+                                                  // predicted
   EXPECT_LE(rough, 0.5);
 }
 
@@ -91,11 +92,11 @@ TEST(OutcomePacking, KeepsAnyBits) {
 TEST(OutcomePacking, SlopesComeBackWhereThereAreSome) {
   std::vector<Outcome> outcomes = search(80);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    if (i % 5 == 0) continue;  // a trial that nobody asked for slopes
+    if (i % 5 == 0) continue;  // a trial without requested slopes
     Channels with_slopes;
     for (Channel channel : outcomes[i].result->all()) {
       if (channel.name == "Fy") {
-        channel.slopes = channel.values;  // dFy/d ln p[0], then a variable that does not matter
+        channel.slopes = channel.values;  // dFy/d ln p[0], then a variable without effect
         channel.slopes.resize(2 * kStates, 0.0);
       }
       with_slopes.add(std::move(channel));
@@ -113,11 +114,11 @@ TEST(OutcomePacking, ALostRowCostsThoseOfItsBlockAtMost) {
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const auto number = static_cast<std::int64_t>(i) + 1;
     const std::string bytes = packer.pack(number, outcomes[i]);
-    if (number == kLongestBlock + 1) continue;  // that stands alone
+    if (number == kLongestBlock + 1) continue;  // a row that stands alone
     const auto back = unpacker.unpack(number, bytes);
     if (!back) ++lost;
     if (back) {
-      EXPECT_EQ(encode(*back), encode(outcomes[i]));  // never something else
+      EXPECT_EQ(encode(*back), encode(outcomes[i]));  // never a wrong outcome
     }
   }
   EXPECT_GT(lost, 0);

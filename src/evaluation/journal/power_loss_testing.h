@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a disk under SQLite whose power fails. What was written and not yet synced may be
+// Test support: a disk under SQLite whose power fails. Data that was written but not synced may be
 // lost, in parts and out of order.
 //
-// SQLite reaches files through a VFS [sqlite.org/vfs.html]. This one passes everything on to the
-// usual one but notes every write since the last sync of its file. At the loss all calls fail; when
-// the power comes back, a file is what was synced and, of the sectors (512 bytes) written since,
-// some by lot, a few of them only up to a byte in the middle. A file of which nothing in its folder
-// was ever synced may not exist, one that was removed without a sync may be there again. Syncs cost
-// nothing: nothing is waited for.
+// SQLite accesses files through a VFS [sqlite.org/vfs.html]. This VFS passes everything on to the
+// usual one but notes every write since the last sync of its file. At the power loss all calls
+// fail. When the power returns, a file contains the synced data and a random choice of the sectors
+// (512 bytes) written since, a few of them only up to a byte in the middle. A file whose folder was
+// never synced may not exist; a file that was removed without a sync may be there again. Syncs do
+// not wait for anything.
 //
-// Not simulated: a disk that acknowledges a sync and lies, sectors that change beside those
-// written.
+// A disk that acknowledges a sync falsely, and changes of neighboring sectors, are not simulated.
 #pragma once
 
 #include <sqlite3.h>
@@ -30,8 +29,9 @@ namespace latsch {
 
 class PowerLoss {
  public:
-  /// Is the file system of all databases opened while it lives; the power fails at the operation of
-  /// that number, from 1: writes, truncations, syncs and removals count.
+  /// Acts as the file system of all databases opened during its life. The power fails at the
+  /// operation with number `fails_at`, counted from 1: writes, truncations, syncs and removals
+  /// count.
   PowerLoss(std::uint64_t seed, long fails_at)
       : random_(seed, 7), fails_at_(fails_at), usual_(sqlite3_vfs_find(nullptr)), vfs_(*usual_) {
     vfs_.zName = "power_loss";
@@ -49,17 +49,17 @@ class PowerLoss {
   PowerLoss(const PowerLoss&) = delete;
   PowerLoss& operator=(const PowerLoss&) = delete;
 
-  /// The power fails now.
+  /// Makes the power fail now.
   void fail() { failed_ = true; }
   bool failed() const { return failed_; }
   long operations() const { return operations_; }
-  /// Of the last loss.
+  /// Returns the number of sectors lost at the last loss.
   long sectors_lost() const { return sectors_lost_; }
 
-  /// Leaves in the files what the disk kept. To be called when no database is open any more.
+  /// Leaves in the files what the disk kept. Must be called when no database is open any more.
   void come_back() {
     for (auto& [path, image] : images_) {
-      std::filesystem::remove(path + "-shm");  // memory, shared by way of a file
+      std::filesystem::remove(path + "-shm");  // shared memory in the form of a file
       const bool exists =
           image.removed ? random_.uniform() < 0.5 : image.entered || random_.uniform() < 0.5;
       if (!exists) {
@@ -78,15 +78,15 @@ class PowerLoss {
   struct Change {
     long offset;
     std::string bytes;
-    bool is_end = false;  // the file ends at `offset`
+    bool is_end = false;  // true if the file ends at `offset`
   };
   struct Image {
     std::string synced;
     std::vector<Change> since;
-    bool entered = false;  // its folder was synced with it
+    bool entered = false;  // true if its folder was synced with it
     bool removed = false;
   };
-  /// What SQLite holds of an open file; that of the usual VFS follows it in memory.
+  /// SQLite's handle of an open file. The handle of the usual VFS follows it in memory.
   struct File {
     sqlite3_file base;
     PowerLoss* disk;
@@ -97,7 +97,7 @@ class PowerLoss {
   static File& file_of(sqlite3_file* file) { return *reinterpret_cast<File*>(file); }
   static sqlite3_file* usual(sqlite3_file* file) { return file_of(file).usual(); }
 
-  /// False where the power is off.
+  /// Returns false if the power is off.
   bool counted() {
     if (++operations_ >= fails_at_) failed_ = true;
     return !failed_;
@@ -189,7 +189,7 @@ class PowerLoss {
     File& f = file_of(file);
     const bool powered = !f.disk->failed_;
     const bool done = f.disk->counted();
-    if (powered && f.image) {  // also the one that is under way at the loss
+    if (powered && f.image) {  // also the write that is under way at the loss
       f.image->since.push_back(
           {offset, std::string(static_cast<const char*>(from), static_cast<std::size_t>(size))});
     }
@@ -248,10 +248,11 @@ class PowerLoss {
   bool failed_ = false;
   long operations_ = 0;
   long sectors_lost_ = 0;
-  std::map<std::string, Image> images_;  // by path
+  std::map<std::string, Image> images_;  // one for each path
 };
 
-inline const sqlite3_io_methods PowerLoss::kMethods{2,  // without mapped files: they know no writes
+inline const sqlite3_io_methods PowerLoss::kMethods{2,  // without mapped files, whose writes are
+                                                        // not seen
                                                     close,
                                                     read,
                                                     write,

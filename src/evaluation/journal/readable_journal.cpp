@@ -20,7 +20,7 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// The path as SQLite takes it in a URI. [sqlite.org/uri.html]
+/// Returns the path in the form of a SQLite URI. [sqlite.org/uri.html]
 std::string uri_of(const fs::path& file) {
   std::string uri = "file:";
   for (const char c : fs::absolute(file).string()) {
@@ -40,8 +40,8 @@ bool has_log(const fs::path& file) {
   return false;
 }
 
-/// A copy with its logs, in which SQLite may take them in. The folder is removed at once: what is
-/// open stays readable.
+/// Opens a copy with its logs, which SQLite may merge there. The folder is removed at once, because
+/// open files stay readable.
 std::unique_ptr<SQLite::Database> open_copy(const fs::path& file, int patience) {
   std::string folder = (fs::temp_directory_path() / "latsch_reading_XXXXXX").string();
   if (!::mkdtemp(folder.data())) throw SQLite::Exception("no temporary folder", SQLITE_CANTOPEN);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A journal's file opened for reading, whoever may write it.
+// Opens a journal's file for reading, whichever process writes it.
 //
-// SQLite reads a file with a write-ahead log only if it can make the memory that readers and
-// writers share, which is a file beside it. So a journal in a folder that may not be written is
-// opened otherwise: if it has no log, as a file that never changes; if the process that wrote it
-// ended before the log was taken in, as a copy in the folder for temporary files.
+// SQLite reads a file with a write-ahead log only if it can create the memory that readers and
+// writers share, which is a file beside it. A journal in a read-only folder is therefore opened
+// differently: without a log, as a file that never changes; with a log left by a process that ended
+// early, as a copy in the folder for temporary files.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -14,10 +14,10 @@
 
 namespace latsch {
 
-/// `patience`: ms, for which a writer is waited for. Throws SQLite::Exception.
+/// `patience` is the time to wait for a writer, ms. Throws SQLite::Exception.
 std::unique_ptr<SQLite::Database> open_for_reading(const std::filesystem::path& file, int patience);
 
-/// Whether this process may write the journal: the file, and its folder, where its logs stand.
+/// True if this process may write the journal: both the file and its folder, which holds the logs.
 bool may_be_written(const std::filesystem::path& file);
 
 }  // namespace latsch

@@ -10,7 +10,7 @@
 namespace latsch {
 namespace {
 
-/// "line 12: it has `a`, the study has `b`", for the first line that differs.
+/// Returns "line 12: it has `a`, the study has `b`", for the first line that differs.
 std::string first_difference(const std::string& journal, const std::string& study) {
   std::istringstream theirs(journal);
   std::istringstream ours(study);
@@ -37,12 +37,12 @@ bool is_version(const IdentityPart& part) {
   return part.name == kModelVersionPart || part.name == kProgramFilesPart;
 }
 
-/// Whether a journal says of its tests what older programs said.
+/// True if a journal describes its tests in the form of older programs.
 bool tells_old_tests(const StudyIdentity& journal) {
   return find(journal, kOldTestsPart) && !find(journal, kTestsPart);
 }
 
-/// The model of a journal in today's form: older ones have the text of its file.
+/// Returns the model of a journal in today's form. Older journals hold the text of its file.
 std::string model_of(const IdentityPart& part) {
   try {
     return canonical_text(Document::parse(part.text, "journal"));

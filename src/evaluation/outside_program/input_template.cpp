@@ -18,7 +18,7 @@ namespace {
 
 bool is_name_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// % flags width .precision, then e, f or g: nothing that reads more than one number.
+/// True for % flags width .precision, then e, f or g: formats that read exactly one number.
 bool is_number_format(std::string_view format) {
   std::size_t at = 0;
   const auto skip = [&](std::string_view set) {
@@ -37,10 +37,10 @@ bool is_number_format(std::string_view format) {
 struct Hole {
   std::string name;
   std::string format;
-  std::size_t size;  // in the file
+  std::size_t size;  // length in the file
 };
 
-/// The hole that begins with the brace at `at`; nullopt where what follows is no name.
+/// Returns the hole that begins with the brace at `at`; nullopt if no name follows.
 std::optional<Hole> hole_at(std::string_view text, std::size_t at) {
   std::size_t end = at + 1;
   while (end < text.size() && is_name_character(text[end])) ++end;
@@ -59,7 +59,7 @@ std::optional<Hole> hole_at(std::string_view text, std::size_t at) {
   return hole;
 }
 
-/// Size of what begins at `at` where that is {{NAME}}, a hole that is none; 0 otherwise.
+/// Returns the length of {{NAME}} at `at`, which is no hole; 0 otherwise.
 std::size_t doubled_hole_at(std::string_view text, std::size_t at) {
   if (!text.substr(at).starts_with("{{")) return 0;
   const auto hole = hole_at(text, at + 1);

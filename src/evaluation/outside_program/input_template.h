@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// An input file of an outside program with holes for the design variables.
+// Input file of an outside program with holes for the design variables.
 //
 //   *ELASTIC
 //   {modulus}, 0.3                    the shortest text that gives the bits of the value back
 //   {modulus:%.6e}, 0.3               as printf(3) formats it: e, f or g
 //   {{modulus}}                       stays {modulus}
 //
-// Values are written in the unit the study declares for the variable. Braces around anything but a
-// name are left alone.
+// Values are written in the unit that the study declares for the variable. Braces around anything
+// but a name stay unchanged.
 #pragma once
 
 #include <string>
@@ -19,22 +19,22 @@ namespace latsch {
 
 class InputTemplate {
  public:
-  /// Throws InputError naming `file` and line for a hole that names no variable, or with a format
-  /// that is none.
+  /// Throws InputError naming `file` and line for a hole that names no variable or has an invalid
+  /// format.
   InputTemplate(std::string text, std::string file, const DesignSpace& space);
 
-  /// The text with values in place of the holes.
+  /// Returns the text with values in place of the holes.
   std::string filled(const DesignSpace& space, const DesignPoint& point) const;
 
-  /// Whether a hole of it names that variable.
+  /// True if a hole names that variable.
   bool uses(int variable) const;
 
-  /// As it was read.
+  /// Returns the text as read.
   const std::string& text() const { return text_; }
 
  private:
   struct Part {
-    std::string before;  // text up to the hole
+    std::string before;  // text before the hole
     int variable = -1;   // -1: the end of the file
     std::string format;  // empty: exact
   };

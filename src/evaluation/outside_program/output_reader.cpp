@@ -19,7 +19,7 @@
 namespace latsch {
 namespace {
 
-// std::regex needs stack in proportion to the line.
+// Longest line, characters, because std::regex needs stack in proportion to the line.
 constexpr std::size_t kLongestLine = 4096;
 
 const char* word_for(OutputReader::Kind kind) {
@@ -38,7 +38,7 @@ const char* word_for(OutputReader::Kind kind) {
   return "";
 }
 
-/// Reads one file; the first thing that is wrong ends it.
+/// Reads one file. The first error ends the reading.
 class Reading {
  public:
   Reading(const OutputReader& reader, std::string text) : reader_(reader), text_(std::move(text)) {
@@ -232,7 +232,7 @@ class Reading {
 
   const OutputReader& reader_;
   std::string text_;
-  std::vector<std::vector<double>> values_;  // SI, by quantity
+  std::vector<std::vector<double>> values_;  // SI, for each quantity
   std::optional<Failure> failure_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the files an outside program leaves behind into channels, as a study declares them.
+// Reads the output files of an outside program into channels, as a study declares them.
 //
 //   table     columns by the names in the header, with their units there (csv_table.h)
 //   columns   numbers in rows, columns by their place; lines before the first row of numbers are
@@ -10,8 +10,8 @@
 //   tydex     channels of a TYDEX file by their names, and constants, which have one value
 //             (tydex_file.h); the file has their units
 //
-// What is missing, too little or no finite number is a Failure with Cause::bad_output that names
-// the output, the file, what was found and what was expected.
+// Missing or too few data, or numbers that are not finite, give a Failure with Cause::bad_output
+// that names the output, the file, what was found and what was expected.
 #pragma once
 
 #include <filesystem>
@@ -27,21 +27,22 @@ struct OutputReader {
   enum class Kind { table, columns, keys, pattern, tydex };
   struct Quantity {
     std::string name;
-    std::string unit = "1";  // in which the file has it
+    std::string unit = "1";  // unit in the file
   };
 
-  std::string name = {};  // of the output; its channels are NAME/QUANTITY
+  std::string name = {};  // name of the output; its channels are NAME/QUANTITY
   std::filesystem::path file = {};
   Kind kind = Kind::table;
   std::vector<Quantity> quantities = {};
-  std::vector<int> columns = {};       // columns: place of each quantity, from 1
-  std::vector<std::string> keys = {};  // keys: what stands before the number
-  std::string pattern = {};            // pattern
-  std::string after = {};              // pattern: only behind a line that contains this text
-  int samples = 0;                     // as many are expected; 0: at least one
+  std::vector<int> columns = {};       // for `columns`: position of each quantity, from 1
+  std::vector<std::string> keys = {};  // for `keys`: text before each number
+  std::string pattern = {};            // for `pattern`: the regular expression
+  std::string after = {};              // for `pattern`: only lines after one that contains this
+                                       // text
+  int samples = 0;                     // expected number of samples; 0: at least one
 };
 
-/// Values in SI.
+/// Returns values in SI.
 Result<std::vector<Channel>> read_output(const OutputReader& reader,
                                          const std::filesystem::path& folder);
 

@@ -28,7 +28,8 @@ extern char** environ;
 namespace latsch {
 namespace {
 
-constexpr long kTail = 4096;  // bytes of what it printed in which the last line is looked for
+constexpr long kTail = 4096;  // bytes at the end of the printed output in which the last line is
+                              // searched
 
 std::string tail_of(const std::filesystem::path& printed) {
   std::ifstream file(printed, std::ios::binary | std::ios::ate);
@@ -39,7 +40,7 @@ std::string tail_of(const std::filesystem::path& printed) {
   return tail;
 }
 
-/// Waits for its end, but not for longer.
+/// Waits for the end of the process, but not longer than `timeout`.
 bool ends_within(pid_t pid, double timeout) {
   using Clock = std::chrono::steady_clock;
   const auto until = Clock::now() + std::chrono::duration<double>(timeout);
@@ -79,7 +80,7 @@ std::optional<Failure> run_program(const std::vector<std::string>& arguments,
   }
   const bool in_time = timeout <= 0.0 || ends_within(pid, timeout);
   if (!in_time) {
-    ::kill(pid, SIGSTOP);  // it starts nothing while what it started is looked for
+    ::kill(pid, SIGSTOP);  // a stopped program starts nothing while its descendants are searched
     kill_descendants(pid);
     ::kill(pid, SIGKILL);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a program of somebody else to its end.
+// Runs an outside program to its end.
 #pragma once
 
 #include <filesystem>
@@ -11,20 +11,21 @@
 
 namespace latsch {
 
-/// Runs the program of that argument list in that folder, with nothing on its standard input and
-/// what it prints in `printed`, in the process group of this process. The Failure says how it ended
-/// unless with exit code 0, and the last line it printed. After `timeout` seconds (0: never) it is
-/// killed with all that descends from it; that is a Failure with Cause::timeout.
+/// Runs the program of that argument list in `folder`, in the process group of this process, with
+/// an empty standard input and its output in the file `printed`. Unless it exits with code 0, the
+/// Failure says how it ended and the last line it printed. After `timeout` seconds (0: never) it is
+/// killed with all its descendants; that is a Failure with Cause::timeout.
 std::optional<Failure> run_program(const std::vector<std::string>& arguments,
                                    const std::filesystem::path& folder,
                                    const std::filesystem::path& printed,
                                    double timeout = 0.0);
 
-/// The file of such a program, where it is known: in PATH or, with a path from the root, there.
+/// Returns the file of such a program if it is known: found in PATH, or existing if the path is
+/// absolute.
 std::optional<std::filesystem::path> file_of_program(const std::string& program);
 
-/// Whether there is such a program: in PATH or, with a path from the root, there. Of another path
-/// it is not known before there is a folder it starts from: true.
+/// True if the program exists: in PATH, or at its absolute path. A relative path counts as
+/// existing, because the folder it starts from is not known yet.
 bool can_be_found(const std::string& program);
 
 }  // namespace latsch

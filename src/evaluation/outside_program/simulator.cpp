@@ -31,8 +31,8 @@ std::string host_name() {
   return name.data();
 }
 
-/// Removes folders "...-HOST-PROCESS" of processes of this machine that are no more: a trial that
-/// was killed cannot remove its own, and what it wrote may have filled the disk.
+/// Removes folders "...-HOST-PROCESS" of ended processes of this machine. A killed trial cannot
+/// remove its own folder, and its files may have filled the disk.
 void remove_abandoned(const fs::path& scratch) {
   const std::string ours = fmt::format("-{}-", host_name());
   std::error_code ignored;
@@ -48,8 +48,8 @@ void remove_abandoned(const fs::path& scratch) {
   }
 }
 
-/// The folder of one trial. Machine and process are part of its name: the same point may run twice
-/// at once.
+/// The folder of one trial. Machine and process are part of its name, because the same point may
+/// run twice at once.
 class TrialFolder {
  public:
   TrialFolder(const fs::path& scratch, const DesignPoint& point)
@@ -109,8 +109,8 @@ Result<Channels> run(const Simulator& simulator,
   return channels;
 }
 
-/// Why nothing more can be written behind what the program printed; empty where it can. Programs
-/// tell of a full disk in many ways or not at all.
+/// Returns why nothing more can be written after the program's printed output; empty if it can.
+/// Programs report a full disk in many ways or not at all.
 std::string full_disk(const fs::path& printed) {
   const int file = ::open(printed.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
   if (file < 0) return errno == ENOSPC || errno == EDQUOT ? std::strerror(errno) : "";
@@ -119,15 +119,15 @@ std::string full_disk(const fs::path& printed) {
   errno = 0;
   const bool is_written =
       ::write(file, kBlock.data(), kBlock.size()) == std::ssize(kBlock) && ::fsync(file) == 0;
-  const int error = errno == 0 ? ENOSPC : errno;  // a part of the block alone: no error yet
+  const int error = errno == 0 ? ENOSPC : errno;  // a partial write sets no error yet
   const bool is_restored = ::ftruncate(file, size) == 0;
   ::close(file);
   const bool is_full = error == ENOSPC || error == EDQUOT || error == EFBIG;
   return !is_written && is_restored && is_full ? std::strerror(error) : "";
 }
 
-/// The command line program: this process, what lies beside it (a benchmark's), or the one of the
-/// search path.
+/// Returns the command line program: this process, the program beside it (for a benchmark), or the
+/// one in the search path.
 std::string this_program() {
   const std::string name = "latsch";
   std::error_code ignored;
@@ -176,12 +176,12 @@ namespace {
 
 constexpr std::uintmax_t kLargestRead = std::uintmax_t{256} << 20;
 
-/// "python3: 6831736 bytes, 0123456789abcdef": where it lies does not matter.
+/// Returns "python3: 6831736 bytes, 0123456789abcdef", which does not depend on the file's place.
 std::string told(const std::string& argument, const fs::path& file) {
   std::error_code error;
   const auto size = fs::file_size(file, error);
   if (error) return "";
-  if (size > kLargestRead) {  // a program with all it needs in one: its date has to do
+  if (size > kLargestRead) {  // a program packed with all it needs; its date is used
     const auto time = fs::last_write_time(file, error).time_since_epoch().count();
     return fmt::format("{}: {} bytes, written {}\n", argument, size, time);
   }
@@ -189,7 +189,8 @@ std::string told(const std::string& argument, const fs::path& file) {
       "{}: {} bytes, {:016x}\n", argument, size, hash(read_text_file(file, kLargestRead)));
 }
 
-/// The program and the files among its arguments. This program itself is known by its versions.
+/// Returns the program and the files among its arguments. This program itself is identified by its
+/// versions.
 std::string program_files(const Simulator& simulator) {
   const std::vector<std::string> arguments = command(simulator);
   std::string text;

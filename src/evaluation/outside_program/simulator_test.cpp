@@ -69,7 +69,7 @@ TEST_F(SimulatorTest, ReadsTheInputAndItsOutputBecomesChannelsInSi) {
   EXPECT_TRUE(fs::is_empty(folder_ / "scratch"));
 }
 
-// A file-size limit makes write(2) fail as a full disk does.
+// A file-size limit makes write(2) fail as on a full disk.
 TEST_F(SimulatorTest, ADiskFilledByWhatAProgramPrintsIsNamed) {
   const Simulator printing = simulator("while echo a line of output; do :; done");
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -83,7 +83,8 @@ TEST_F(SimulatorTest, ADiskFilledByWhatAProgramPrintsIsNamed) {
   ASSERT_FALSE(result.ok());
   expect_contains(result.failure().reason, "the disk is full, nothing more can be written to ");
   EXPECT_EQ(result.failure().cause, Cause::transient);
-  expect_contains(reason("exit 3"), "\"/bin/sh\" exited with code 3");  // not named without cause
+  expect_contains(reason("exit 3"), "\"/bin/sh\" exited with code 3");  // a full disk is not named
+                                                                        // without cause
 }
 
 TEST_F(SimulatorTest, HowAProgramFailedIsToldWithTheLastLineItPrinted) {
@@ -116,7 +117,8 @@ TEST_F(SimulatorTest, AProgramThatOverrunsItsTimeoutIsKilledWithAllItStarted) {
   expect_contains(outcome.result.failure().reason, "took more than the 0.3 s allowed to it");
   EXPECT_LT(outcome.wall_time, 1.3);
   const pid_t child = std::stoi(read_text_file(folder_ / "child"));
-  while (::kill(child, 0) == 0) {  // until its new parent has seen it: it is a zombie at most
+  while (::kill(child, 0) == 0) {  // waits until its new parent has reaped it; until then it is a
+                                   // zombie
     const std::string stat = read_text_file(fs::path("/proc") / std::to_string(child) / "stat");
     if (stat.find(") Z ") != std::string::npos) break;
     std::this_thread::yield();

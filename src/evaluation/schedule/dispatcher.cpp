@@ -11,12 +11,14 @@
 namespace latsch {
 namespace {
 
-constexpr double kPatience = 0.1;  // s between two looks at the stop request and the progress bar
-constexpr double kLeastStraggling = 0.05;   // s; what takes less waits for the system now and then
-constexpr std::size_t kTimesForMedian = 5;  // fewer say nothing about what is usual
-constexpr std::size_t kRecentTimes = 101;   // a model may become slower on the way
+constexpr double kPatience = 0.1;  // s between two checks of the stop request and the progress bar
+constexpr double kLeastStraggling = 0.05;   // s; shorter trials wait for the system now and then
+constexpr std::size_t kTimesForMedian = 5;  // least number of times from which a median is
+                                            // meaningful
+constexpr std::size_t kRecentTimes = 101;   // number of times in the median, because a model may
+                                            // become slower during a run
 
-/// The target function of an outcome; a score that is not a number is no score.
+/// Returns the target function of an outcome; a score that is not a number is no score.
 Result<Score> score(const Objective& objective, const DesignPoint& point, const Outcome& outcome) {
   if (!outcome.result) return outcome.result.failure();
   if (!objective) return Score{};
@@ -188,7 +190,7 @@ void Dispatcher::stop_unwanted_stragglers(std::span<const DesignPoint> wanted) {
   const auto limit = straggling_since();
   if (!limit) return;
   const auto straggles = [&](const auto& entry) {
-    // What has no start left is let run: it may be wanted again.
+    // A trial without a start left is allowed to run, because it may be wanted again.
     return entry.second.copies > 0 && entry.second.since <= *limit &&
            entry.second.attempts.starts < most_starts();
   };
@@ -226,7 +228,8 @@ void Dispatcher::start_stragglers_again() {
   }
 }
 
-/// What runs since then or longer is a straggler; nullopt where there is no saying.
+/// Returns the time before which a running trial must have started to be a straggler; nullopt if
+/// that cannot be determined.
 std::optional<double> Dispatcher::straggling_since() const {
   if (options_.straggler_factor <= 0.0 || recent_times_.size() < kTimesForMedian) {
     return std::nullopt;
@@ -248,11 +251,11 @@ void Dispatcher::receive(std::vector<Trial> trials) {
     const auto entry = running_.find(bits);
     if (entry == running_.end()) continue;  // a second answer, or one nobody waits for any more
     Running& running = entry->second;
-    // Told twice, or by an attempt that was withdrawn: it waits for a worker already.
+    // The failure came twice, or from a withdrawn attempt: the point waits for a worker already.
     if (running.copies == 0 && !trial.outcome.result) continue;
     running.copies = std::max(running.copies - 1, 0);
     if (is_repeated(running, trial)) {
-      // The run that resumes tries it.
+      // The resumed run repeats the trial.
       if (stopping_ && running.copies == 0) running_.erase(entry);
       continue;
     }
@@ -267,7 +270,7 @@ void Dispatcher::receive(std::vector<Trial> trials) {
 
 int Dispatcher::most_starts() const { return options_.on_failure.retries + 2; }
 
-/// Whether this outcome does not count, because another copy runs or the trial is started again.
+/// True if this outcome does not count, because another copy runs or the trial is started again.
 bool Dispatcher::is_repeated(Running& running, const Trial& trial) {
   if (trial.outcome.result) return false;
   Attempts& attempts = running.attempts;
@@ -280,13 +283,14 @@ bool Dispatcher::is_repeated(Running& running, const Trial& trial) {
     ++attempts.failures;
     attempts.failure = trial;
   }
-  // A worker may have been slow where the other one is not; other failures belong to the point.
+  // A worker may have been slow where another is not; other failures belong to the point.
   const bool is_told = cause != Cause::transient && cause != Cause::timeout;
   if (running.copies > 0) return !is_told || attempts.failures <= options_.on_failure.retries;
   return attempts.failures <= options_.on_failure.retries && attempts.starts < most_starts();
 }
 
-/// What is kept of an outcome that counts: of several failures the last that tells something.
+/// Returns the stored form of an outcome that counts: of several failures, the last informative
+/// one.
 Trial Dispatcher::final_of(const Running& running, Trial trial) const {
   const Attempts& attempts = running.attempts;
   if (trial.outcome.result || attempts.starts == 1) return trial;
@@ -313,7 +317,8 @@ void Dispatcher::count_trial(const Trial& trial) {
   }
 }
 
-/// What ended while the optimizer was thinking: it waited to be heard and is no straggler.
+/// Takes trials that ended while the optimizer was computing. They waited to be noticed and are no
+/// stragglers.
 void Dispatcher::take_finished() {
   while (!running_.empty()) {
     std::vector<Trial> finished = executor_.wait(0.0);
@@ -326,12 +331,13 @@ void Dispatcher::take_committed() {
   for (const Trial& trial : commits_.take()) {
     known_.add(trial);
     const auto* outcome = known_.find(trial.point);
-    if (trial.outcome.result && outcome && !*outcome) ++progress_.failed;  // it has no target
+    if (trial.outcome.result && outcome && !*outcome) ++progress_.failed;  // the trial has no
+                                                                           // target
     committing_.erase(trial.point.bits());
   }
 }
 
-/// Running trials get a moment to end; those that do not will be evaluated again on resume.
+/// Gives running trials a moment to end. The others will be evaluated again on resume.
 void Dispatcher::give_running_a_moment() {
   stopping_ = true;
   std::erase_if(running_, [](const auto& entry) { return entry.second.copies == 0; });

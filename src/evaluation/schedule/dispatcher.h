@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hands points to workers and takes their outcomes to the journal, whatever happens to the workers.
+// Starts points on workers and stores their outcomes in the journal, even if workers fail.
 //
-// - A point that was evaluated, is being evaluated or is on its way to the disk is not started
-// again.
-// - A point is started at most `retries` + 2 times, whatever becomes of its copies: once, once more
-//   for what is not its own fault, and so often as the failure policy asks for. A start whose
-//   worker was lost before it began (Cause::not_begun) is none.
+// - A point that was evaluated, is being evaluated or is being stored is not started again.
+// - A point is started at most `retries` + 2 times, including all copies: once, once more for a
+//   loss that is not its own fault, and as often as the failure policy asks for. A start whose
+//   worker was lost before it began (Cause::not_begun) does not count.
 // - A trial whose worker was lost (Cause::transient) says nothing about its point and is repeated
-//   as far as its starts last: where a point needs too much memory, the system kills every worker
+//   until its starts are used up: if a point needs too much memory, the system kills every worker
 //   that tries it. Other failures are repeated as the failure policy says.
-// - A straggler, running much longer than the median while a worker has nothing to do, is started a
-//   second time, once. Evaluators are pure, so whichever copy ends first with channels gives the
-//   same bits. A copy that is lost or expires counts, and the other one goes on; there is no new
-//   one behind a point that has expired or failed: it does so again.
+// - A straggler runs much longer than the median while a worker is idle. It is started a second
+//   time, once. Evaluators are pure, so whichever copy ends first with channels gives the same
+//   bits. A copy that is lost or expires counts, and the other one continues; a point that has
+//   expired or failed gets no new copy, because it would do so again.
 // - An outcome counts once it is on the disk.
 //
-// - What was wanted and is not any more is withdrawn by not being named again, if it has not
-//   started. Where it runs it may come true yet, and its worker is warm; only a straggler is
-//   stopped for a wanted point that waits. To stop every unnamed trial was tried: it saves 2 to 3 %
-//   of the time with 2 to 4 workers, less than new worker processes cost, and nothing with 16.
+// - A wanted point that is no longer named is withdrawn if it has not started. A running trial may
+//   still be needed, and its worker is warm; only a straggler is stopped for a waiting wanted
+//   point.
 #pragma once
 
 #include <map>
@@ -35,13 +33,14 @@
 
 namespace latsch {
 
-/// Every outcome so far by the bits of its point, as scores: channels are large and stay on disk.
+/// Scores of all outcomes so far, keyed by the bits of the point. Channels are large and stay on
+/// disk.
 class KnownScores {
  public:
   explicit KnownScores(const Objective& objective) : objective_(objective) {}
 
   void add(const Trial& trial);
-  /// One that was kept earlier, for whatever purpose: without slopes where they are needed it is
+  /// Adds a trial stored earlier for any purpose. If slopes are needed and it has none, it is
   /// evaluated again.
   void add_kept(const Trial& trial);
   const Result<Score>* find(const DesignPoint& point) const;
@@ -53,47 +52,49 @@ class KnownScores {
 
 class Dispatcher {
  public:
-  /// `planned`: how many points can become wanted, for the progress bar.
+  /// `planned` is the number of points that can become wanted, for the progress bar.
   Dispatcher(const Objective& objective,
              Executor& executor,
              TrialStore* store,
              const RunOptions& options,
              long planned);
 
-  /// The outcome of the first of these points, keeping idle workers busy with those behind it, most
-  /// wanted first; nullptr where a stop was requested before it was known.
+  /// Returns the outcome of the first of these points. Meanwhile idle workers evaluate the points
+  /// after it, most wanted first. Returns nullptr if a stop was requested before the outcome was
+  /// known.
   const Result<Score>* first_of(std::span<const DesignPoint> wanted);
 
-  /// Evaluates all of these points. Calls `known` with each and its outcome in their order; false
-  /// from it, or a stop request, ends the work early: then false.
+  /// Evaluates all of these points and calls `known` with each point and its outcome in their
+  /// order. Returns false if `known` returned false or a stop was requested, either of which ends
+  /// the work early.
   bool all_of(std::span<const DesignPoint> wanted,
               const std::function<bool(const DesignPoint&, const Result<Score>&)>& known);
 
-  /// Withdraws what still runs; returns when everything that finished is on the disk, and what was
-  /// asked for (asked_trials.h).
+  /// Withdraws running trials. Returns when every finished trial is on the disk, together with the
+  /// record of the requested points (asked_trials.h).
   void finish();
 
-  /// Tells the progress bar what the optimizer, or the plan, has seen so far.
+  /// Reports to the progress bar what the optimizer, or the plan, has seen so far.
   void count(const DesignPoint& point, const Result<Score>& outcome, bool is_score);
   void report();
 
   bool knows(const DesignPoint& point) const { return known_.find(point) != nullptr; }
-  /// s, the mean over the trials so far; 0 where there is none.
+  /// Returns the mean time of the trials so far, s; 0 if there is none.
   double trial_time() const { return progress_.trial_wall_time; }
 
  private:
-  /// What has become of the attempts at a point.
+  /// Attempts at a point so far.
   struct Attempts {
     int starts = 0;
-    int failures = 0;                   // that did not count
-    bool copied = false;                // as a straggler
-    std::optional<Trial> failure = {};  // the last that says something about the point
+    int failures = 0;                   // failures that did not count
+    bool copied = false;                // true if a copy was started because it straggled
+    std::optional<Trial> failure = {};  // last failure that says something about the point
   };
   struct Running {
     DesignPoint point;
     Attempts attempts = {};
-    int copies = 0;      // 0: waits for a worker, to be repeated
-    double since = 0.0;  // of the first copy
+    int copies = 0;      // running copies; 0: waits for a worker to be repeated
+    double since = 0.0;  // start of the first copy
   };
 
   bool stop_requested() const;
@@ -119,11 +120,11 @@ class Dispatcher {
   const RunOptions& options_;
   GroupCommit commits_;
   KnownScores known_;
-  std::map<std::string, Running> running_;   // by the bits of the point
-  std::map<std::string, Attempts> stopped_;  // of points that were withdrawn while they ran
+  std::map<std::string, Running> running_;   // keyed by the bits of the point
+  std::map<std::string, Attempts> stopped_;  // points withdrawn while they ran
   std::set<std::string> committing_;         // finished, not yet on the disk
-  std::set<std::string> asked_;              // whose outcome was given
-  std::vector<double> recent_times_;         // s, of the trials that succeeded last
+  std::set<std::string> asked_;              // points whose outcome was given
+  std::vector<double> recent_times_;         // s, of the last trials that succeeded
   bool stopping_ = false;
   RunProgress progress_;
   std::optional<Score> best_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Failure policies, stragglers and seeded histories in virtual time.
+// Tests of failure policies, stragglers and seeded histories in virtual time.
 #include "evaluation/schedule/dispatcher.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ RunOptions virtual_time() {
   return options;
 }
 
-/// Workers that answer to their trials by a script: what, and after how many seconds.
+/// Workers that answer to their trials by a script, which sets the answer and its delay in seconds.
 class Scripted : public Executor {
  public:
   struct Answer {
@@ -64,7 +64,7 @@ class Scripted : public Executor {
   }
   void abandon() override { running_.clear(); }
   double now() const override { return now_; }
-  /// Meanwhile the trials go on.
+  /// Lets time pass while the trials run.
   void let_pass(double time) { now_ += time; }
 
   static constexpr double kTooLong = 1e4;  // s
@@ -104,15 +104,15 @@ TEST(FailurePolicy, ALostWorkerIsForgivenOnceMoreThanAFailure) {
   }
 }
 
-// A node that can start no worker any more takes points and loses them. That tries nothing and uses
-// up no start; the limit is for what was tried.
+// A node that can start no worker any more accepts points and loses them. That tries nothing and
+// uses up no start; only attempts count against the limit.
 TEST(FailurePolicy, AWorkerThatIsLostBeforeItBeginsCostsNoStart) {
   for (const int retries : {0, 1}) {
     const int losses = retries + 2;
     const auto script = [&](int allowed) -> Scripted::Script {
       return [=](const DesignPoint& point, int attempt) -> Scripted::Answer {
         if (point.values[0] != 3.0) return {};
-        // Every second attempt is tried by a worker, which dies of it.
+        // A worker tries every second attempt and dies of it.
         if (attempt % 2 == 1) return {1.0, Failure{"no worker", Cause::not_begun}};
         if (attempt / 2 <= allowed) return {1.0, Failure{"killed", Cause::transient}};
         return {};
@@ -168,7 +168,7 @@ TEST(FailurePolicy, AbortEndsTheRunAtTheFailedStep) {
   EXPECT_EQ(run.steps[0].outcome.failure().reason, "no");
 }
 
-// Nine trials of a second, a tenth whose worker stalls: its copy ends the plan.
+// Nine trials take a second; the worker of the tenth stalls, and its copy ends the plan.
 TEST(Stragglers, AreStartedOnceMoreWhereAWorkerIsIdle) {
   FaultyStore store(0.0, 0);
   Scripted executor(2, [](const DesignPoint& point, int attempt) -> Scripted::Answer {
@@ -196,7 +196,7 @@ TEST(Stragglers, ACopyThatIsLostOrTimesOutDoesNotCountWhileTheOtherRuns) {
 
 const Objective kAny = [](const Channels&) -> Result<Score> { return Score{}; };
 
-/// Names x and what it speculates on at its step x.
+/// Proposes x and its speculation at step x.
 class Counting : public Optimizer {
  public:
   explicit Counting(double steps) : steps_(steps) {}
@@ -214,12 +214,12 @@ class Counting : public Optimizer {
   double steps_, x_ = 0.0;
 };
 
-/// Has nothing else to propose than the next point.
+/// Proposes only the next point, without speculation.
 struct Patient : Counting {
   Patient() : Counting(30.0) {}
 };
 
-/// Speculates on what never comes true.
+/// Speculates on points that are never wanted.
 struct Forgetful : Counting {
   Forgetful() : Counting(30.0) {}
   std::optional<double> speculation(double x) const override { return 1000.0 + x; }
@@ -241,7 +241,7 @@ struct Insistent : Counting {
   }
 };
 
-/// Takes its time for every point that it proposes.
+/// Needs time for every point that it proposes.
 struct Thoughtful : Counting {
   Thoughtful(Scripted& clock_, double time_) : Counting(60.0), clock(clock_), time(time_) {}
   std::vector<DesignPoint> propose(int count) const override {
@@ -257,7 +257,7 @@ struct Thoughtful : Counting {
   mutable int proposed = 0;
 };
 
-/// At `x` every attempt hangs until its time is over.
+/// Every attempt at `x` hangs until its time limit.
 Scripted::Script hanging_at(double x) {
   return [=](const DesignPoint& point, int) -> Scripted::Answer {
     if (point.values[0] != x) return {};
@@ -265,7 +265,7 @@ Scripted::Script hanging_at(double x) {
   };
 }
 
-// Two workers and nothing else to do: one has the point, the other one copies of it.
+// Two workers have nothing else to do: one runs the point, the other one copies of it.
 TEST(Stragglers, APointThatHangsIsStartedTwiceAndThenCounts) {
   for (const int workers : {1, 2, 3, 8}) {
     for (const int retries : {0, 1, 3}) {
@@ -281,7 +281,8 @@ TEST(Stragglers, APointThatHangsIsStartedTwiceAndThenCounts) {
   }
 }
 
-// Seen with residuals that have one point to go to: nothing else is proposed meanwhile.
+// This happened with residuals that leave one point to evaluate: nothing else is proposed
+// meanwhile.
 TEST(Stragglers, ASearchGoesOnBehindAPointThatHangs) {
   Scripted executor(2, hanging_at(17.0));
   Patient optimizer;
@@ -292,7 +293,7 @@ TEST(Stragglers, ASearchGoesOnBehindAPointThatHangs) {
   EXPECT_EQ(executor.attempts(17.0), 2);
 }
 
-// A model of a tenth of a millisecond waits for the system now and then: that is none.
+// A model of a tenth of a millisecond waits for the system now and then, which makes no straggler.
 TEST(Stragglers, AreNoneBelowWhatTheSystemTakes) {
   FaultyStore store(0.0, 0);
   Scripted executor(2, [](const DesignPoint& point, int) -> Scripted::Answer {
@@ -302,7 +303,7 @@ TEST(Stragglers, AreNoneBelowWhatTheSystemTakes) {
   EXPECT_EQ(executor.attempts(9.0), 1);
 }
 
-// A copy that expires says what its point is; one whose worker is lost behind it says nothing.
+// A copy that expires describes its point; a later copy with a lost worker does not.
 TEST(Stragglers, WhatIsKeptOfTwoCopiesIsWhatTellsMore) {
   FaultyStore store(0.0, 0);
   Scripted executor(2, [](const DesignPoint& point, int attempt) -> Scripted::Answer {
@@ -319,7 +320,8 @@ TEST(Stragglers, WhatIsKeptOfTwoCopiesIsWhatTellsMore) {
   });
 }
 
-// It straggles as speculation, is stopped for a wanted point, and is wanted again: each time anew.
+// The point straggles as speculation, is stopped for a wanted point, and is wanted again, several
+// times.
 TEST(Stragglers, APointThatIsStoppedKeepsItsCount) {
   Scripted executor(2, [](const DesignPoint& point, int) -> Scripted::Answer {
     return {point.values[0] == 1000.0 ? 1e5 : 1.0};
@@ -346,7 +348,7 @@ TEST(Stragglers, AreCounted) {
   EXPECT_EQ(last.copied, 1);
   EXPECT_EQ(last.repeated, 0);
   EXPECT_EQ(most, 1);
-  EXPECT_NEAR(slowest, 23.0, 0.5);  // its copy began 3 s after it, three times the median
+  EXPECT_NEAR(slowest, 23.0, 0.5);  // its copy began 3 s later, at three times the median
   EXPECT_EQ(last.straggling, 0);
 }
 
@@ -361,7 +363,7 @@ TEST(Stragglers, AreLeftAloneWhereThatIsAskedFor) {
   EXPECT_EQ(executor.attempts(4.0), 1);
 }
 
-// The speculation that stalls holds one of two workers for good unless it is stopped.
+// The speculation that stalls holds one of two workers forever unless it is stopped.
 TEST(Stragglers, AreStoppedWhereNobodyNamesThemAndAWantedPointWaits) {
   const auto time = [](bool stop, long& stopped) {
     Scripted executor(2, [](const DesignPoint& point, int) -> Scripted::Answer {
@@ -382,7 +384,7 @@ TEST(Stragglers, AreStoppedWhereNobodyNamesThemAndAWantedPointWaits) {
   EXPECT_EQ(without, 0);
 }
 
-// Trials that ended while the optimizer was thinking had run "since" before it began to think.
+// Trials that ended while the optimizer was computing started before it began to compute.
 TEST(Stragglers, AreNotWhatWaitedForTheOptimizer) {
   RunProgress last;
   RunOptions options = virtual_time();
@@ -394,7 +396,7 @@ TEST(Stragglers, AreNotWhatWaitedForTheOptimizer) {
   EXPECT_EQ(last.copied, 0);
 }
 
-// A point ahead that takes a second to think of is not worth a trial of a tenth.
+// Speculation that takes a second to compute is not worth a trial of a tenth of a second.
 TEST(LookingAhead, EndsWhereThinkingTakesLongerThanTrials) {
   const auto proposed = [](double trial) {
     Scripted executor(4, [=](const DesignPoint&, int) -> Scripted::Answer { return {trial}; });
@@ -406,7 +408,7 @@ TEST(LookingAhead, EndsWhereThinkingTakesLongerThanTrials) {
   EXPECT_GT(proposed(100.0), 60 * 16);
 }
 
-// A run that is resumed thought of it all before.
+// A resumed run has computed everything before.
 TEST(LookingAhead, IsLeftOutWhereTheOutcomeIsKnown) {
   FaultyStore store(0.0, 0);
   for (const bool resumed : {false, true}) {
@@ -417,8 +419,8 @@ TEST(LookingAhead, IsLeftOutWhereTheOutcomeIsKnown) {
   }
 }
 
-// The short form of ./bench.sh scheduler_simulation: each mix of hanging points, lost workers,
-// stalls and failing points eight times.
+// This is the short form of ./bench.sh scheduler_simulation: each mix of hanging points, lost
+// workers, stalls and failing points runs eight times.
 TEST(SchedulerInVirtualTime, LosesAndRepeatsNothingAndGivesTheSameBitsInEveryHistory) {
   Undisturbed reference(two_variable_search());
   long expired = 0, repeats = 0;
@@ -433,10 +435,10 @@ TEST(SchedulerInVirtualTime, LosesAndRepeatsNothingAndGivesTheSameBitsInEveryHis
   }
   EXPECT_GT(expired, 60);
   EXPECT_GT(repeats, 300);
-  EXPECT_GE(most, 4);  // the bound is reached where failures are tried again
+  EXPECT_GE(most, 4);  // the limit is reached if failures are repeated
 }
 
-// An answer that came twice, the second time while its point waited for a worker, was counted.
+// An answer that came twice, the second time while its point waited for a worker, was once counted.
 TEST(SchedulerInVirtualTime, WhatIsToldTwiceStartsNothing) {
   Undisturbed reference(two_variable_search());
   for (const std::uint64_t seed : {2430, 8843}) {

@@ -8,7 +8,8 @@
 namespace latsch {
 namespace {
 
-constexpr double kViolated = 1.0;  // nothing says that a failed point fulfills a constraint
+constexpr double kViolated = 1.0;  // violation of every constraint, because a failed point is not
+                                   // known to fulfill any
 
 double squared_distance(const std::vector<double>& u, const std::vector<double>& v) {
   double sum = 0.0;
@@ -16,7 +17,7 @@ double squared_distance(const std::vector<double>& u, const std::vector<double>&
   return sum;
 }
 
-/// The first of the nearest ones; nullptr where none succeeded.
+/// Returns the first of the nearest successful steps; nullptr if none succeeded.
 const Step* nearest_success(const DesignSpace& space,
                             const std::vector<Step>& steps,
                             const DesignPoint& point) {

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an optimizer is told in the place of a failure, where the policy asks for that. The trial
+// Values that replace a failure for the optimizer, if the failure policy asks for them. The trial
 // itself stays a failure in the journal, in the trajectory and in the report.
 //
-// recover       a declared value, the worse the farther from anything that succeeds: for methods
-//               that cannot take a failure. Residuals are all the same and have it as their sum of
-//               squares; nonlinear constraints count as violated by 1.
-// continuation  the failed point t is approached from the nearest point s of the trajectory that
-//               succeeded, in the unit cube of the design space:
-//                 m = (s + t) / 2;  s = m where m succeeds, else t = m;  so often as is asked for
-//               Every m is a trial like others, observed for what it is, and the last s answers for
-//               the failed point. Where no m succeeds the failure stands.
+// recover       A declared penalty, equal for all failed points, for methods that cannot handle a
+//               failure. All residuals are equal, and their sum of squares is the penalty;
+//               nonlinear constraints count as violated by 1.
+// continuation  The failed point t is approached from the nearest successful point s of the
+//               trajectory, in the unit cube of the design space:
+//                 m = (s + t) / 2;  s = m if m succeeds, else t = m;  repeated `halvings` times
+//               Every m is a normal trial that the optimizer observes, and the last s gives the
+//               value for the failed point. If no m succeeds, the failure stands.
 //
-// Both are named after Dakota's failure capturing. There a simulation may start from the state the
-// step before left behind, so that the failed point itself may succeed in the end; here a trial
-// knows of no other, and its point fails again. What continuation gives is the value at the edge of
+// Both are named after Dakota's failure capturing. There a simulation may start from the final
+// state of the step before, so that the failed point itself may succeed in the end. Here trials are
+// independent, and the point fails again. Continuation gives the value at the edge of the region
 // where the model works.
 //
-// Of the trajectory alone, so that it is the same for any number of workers and after a crash.
+// The values depend on the trajectory alone, so they are equal for any number of workers and after
+// a crash.
 #pragma once
 
 #include <functional>
@@ -29,28 +30,29 @@
 
 namespace latsch {
 
-/// A point the optimizer observed.
+/// Point observed by the optimizer.
 struct Step {
   DesignPoint point;
   Result<Score> outcome;
-  std::optional<Score> answer = {};  // what it was told in the place of a failure
+  std::optional<Score> answer = {};  // value reported to the optimizer in place of a failure
 };
 
-/// The outcome of the first of these points, most wanted first; nullptr where it cannot be had.
+/// Returns the outcome of the first of these points, most wanted first; nullptr if it cannot be
+/// obtained.
 using Ask = std::function<const Result<Score>*(std::span<const DesignPoint> wanted)>;
 
-/// The penalty as a score with as many residuals and constraints as the scores before had; nothing
-/// before one succeeded: how many there are is not known then.
+/// Returns the penalty as a score with as many residuals and constraints as earlier scores. Returns
+/// nullopt before the first success, because these numbers are not known then.
 std::optional<Score> recovered(const FailurePolicy& policy, const std::vector<Step>& before);
 
-/// The trials of a continuation, in their order, and the answer they give.
+/// The trials of a continuation, in their order, and the resulting value.
 struct Continuation {
   std::vector<Step> steps;
   std::optional<Score> answer;
 };
 
-/// `behind`: what is wanted after the trials of the continuation, where there are idle workers for
-/// speculation. nullopt where a trial cannot be had.
+/// `behind` are points wanted after the trials of the continuation, if there are idle workers for
+/// speculation. Returns nullopt if a trial cannot be obtained.
 std::optional<Continuation> continued(const FailurePolicy& policy,
                                       const std::vector<Step>& before,
                                       const DesignPoint& failed,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model that fails beyond a distance, and what its optimizer is told there.
+// Tests a model that fails beyond a distance, and the values its optimizer receives there.
 #include "evaluation/schedule/failure_answer.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 using Then = FailurePolicy::Then;
 
-constexpr double kRadius = 0.55;  // around the middle, beyond which the model fails
+constexpr double kRadius = 0.55;  // distance from the center beyond which the model fails
 
 DesignSpace answer_space() {
   return DesignSpace({{.name = "a", .lower = 0.0, .upper = 1.0, .initial = 0.6},
@@ -57,7 +57,7 @@ RunOptions options(Then then) {
   return options;
 }
 
-/// Stands for a method that ends where it is told of a failure.
+/// Represents a method that ends when it receives a failure.
 class TakesNoFailure : public Optimizer {
  public:
   std::vector<DesignPoint> propose(int count) const override { return gss_.propose(count); }
@@ -71,7 +71,7 @@ class TakesNoFailure : public Optimizer {
 
  private:
   Gss gss_{answer_space()};
-  std::set<std::size_t> residuals_;  // how many it was told
+  std::set<std::size_t> residuals_;  // numbers of residuals it received
 };
 
 TEST(Recover, AMethodThatCannotTakeAFailureGoesOnAndTheTrialIsStillAFailedOne) {
@@ -113,7 +113,8 @@ TEST(Recover, BeforeAnythingSucceededAFailureIsAFailure) {
   EXPECT_FALSE(recovered({.then = Then::recover}, {{{{0.5}}, Failure{"no"}}}));
 }
 
-// s = 0.25, t = 1, edge at 0.7: 0.625 succeeds, 0.8125 and 0.71875 fail, 0.671875 succeeds.
+// With s = 0.25, t = 1 and the edge at 0.7, 0.625 succeeds, 0.8125 and 0.71875 fail, 0.671875
+// succeeds.
 TEST(Continuation, HalvesTheWayFromTheNearestSuccessToTheFailedPoint) {
   const FailurePolicy policy{
       .then = Then::continuation, .halvings = 4, .space = DesignSpace({{.name = "x"}})};
@@ -154,12 +155,12 @@ TEST(Continuation, ItsTrialsAreInTheJournalAndItsAnswerComesFromTheEdge) {
   Gss gss(answer_space());
   const auto run =
       run_optimizer(gss, answer_target, executor, &journal, options(Then::continuation));
-  EXPECT_EQ(journal.size(), std::ssize(run.steps));  // one worker: nothing in vain
+  EXPECT_EQ(journal.size(), std::ssize(run.steps));  // one worker runs nothing in vain
   int answered = 0;
   for (std::size_t i = 0; i < run.steps.size(); ++i) {
     if (!run.steps[i].answer) continue;
     ++answered;
-    double closest = 1.0;  // of the trials before it, to the edge
+    double closest = 1.0;  // least distance of the earlier trials to the edge
     for (std::size_t k = i - 6; k < i; ++k) {
       const std::vector<double>& x = run.steps[k].point.values;
       closest = std::min(closest, std::abs(std::hypot(x[0] - 0.5, x[1] - 0.5) - kRadius));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: workers, messages and a store in virtual time, in which everything goes wrong that
-// may: points hang or fail, workers die or stall, messages are late, overtake each other and come
-// twice, the store refuses, the master dies. All of it is a function of the seed.
+// Test support: workers, messages and a store in virtual time in which everything goes wrong:
+// points hang or fail, workers die or stall, messages are late, overtake each other and come twice,
+// the store refuses, the master dies. All faults are a function of the seed.
 #pragma once
 
 #include <algorithm>
@@ -20,25 +20,26 @@
 
 namespace latsch {
 
-/// The master is gone: what is not in the store is lost.
+/// The master died: everything that is not in the store is lost.
 struct MasterDied : std::exception {};
 
-/// Shares of trials, messages or commits with which it happens.
+/// Shares of trials, messages or commits with each fault.
 struct Faults {
-  double failure = 0.0;   // of the points; belongs to the point, not to the history
-  double hang = 0.0;      // of the points, likewise: every attempt overruns the timeout
-  double timeout = 20.0;  // s; beyond what stalls unless it is made shorter
-  int retries = 0;        // of failed trials
-  double death = 0.0;     // of the workers, as often as a point may be started again
-  double refusal = 0.0;   // the worker is lost before it begins
-  double stall = 0.0;     // takes kStall times longer
+  double failure = 0.0;   // share of the points that fail, in every history
+  double hang = 0.0;      // share of the points that hang: every attempt overruns the timeout
+  double timeout = 20.0;  // s; longer than a stalled trial unless it is made shorter
+  int retries = 0;        // repeats of failed trials
+  double death = 0.0;     // share of starts in which the worker dies, as often as a restart is
+                          // allowed
+  double refusal = 0.0;   // share of starts in which the worker is lost before it begins
+  double stall = 0.0;     // share of trials that take kStall times longer
   double late = 0.0;
   double twice = 0.0;
   double store = 0.0;
-  double master = 0.0;  // while it listens
+  double master = 0.0;  // share of calls in which the master dies while it listens
 };
 
-/// Keeps what it acknowledged; counts what must never happen.
+/// Keeps what it acknowledged, and counts events that must never happen.
 class FaultyStore : public TrialStore {
  public:
   FaultyStore(double refused, std::uint64_t seed) : refused_(refused), random_(seed, 1) {}
@@ -99,7 +100,8 @@ class FaultyWorld : public Executor {
     if (is_among(point, faults_.hang, 4)) time = 1e9;
     const bool expires = time > faults_.timeout;
     time = std::min(time, faults_.timeout);
-    // As often as the dispatcher forgives; then it would be the point's fault.
+    // A worker dies only as often as the dispatcher tolerates; another death would count as the
+    // point's fault.
     const int starts = ++starts_[point.bits()];
     most_starts_ = std::max(most_starts_, starts);
     const bool dies = happens(faults_.death) && starts < faults_.retries + 2;
@@ -108,7 +110,7 @@ class FaultyWorld : public Executor {
     if (happens(faults_.late)) arrival += 0.3 * random_.uniform();
     Trial trial{point, dies ? lost() : expires ? expired() : outcome(point)};
     trial.outcome.wall_time = time;
-    // That a worker died is seen, not told: it cannot come twice.
+    // A worker's death is observed, not sent as a message, so it cannot come twice.
     if (!dies && happens(faults_.twice)) {
       messages_.push_back({arrival + 0.5 * random_.uniform(), kNobody, trial});
     }
@@ -131,7 +133,7 @@ class FaultyWorld : public Executor {
     return arrived;
   }
 
-  /// What was said already still arrives.
+  /// Messages already sent still arrive.
   void withdraw(const DesignPoint& point) override {
     for (Message& message : messages_) {
       if (message.trial.point == point) forget(message);
@@ -142,20 +144,20 @@ class FaultyWorld : public Executor {
   }
   double now() const override { return now_; }
 
-  /// Trials that were started although the store had them.
+  /// Returns the number of trials that were started although the store had them.
   long started_again() const { return started_again_; }
 
-  /// Of the point that was started most often.
+  /// Returns the number of starts of the point that was started most often.
   int most_starts() const { return most_starts_; }
 
   static constexpr double kStall = 50.0;
-  static constexpr double kTooLong = 1e5;  // s; a search takes some ten
+  static constexpr double kTooLong = 1e5;  // s; a search takes about ten
 
  private:
   static constexpr int kNobody = -1;
   struct Message {
     double arrival;
-    int worker;  // that becomes idle by it
+    int worker;  // worker that becomes idle by this message
     Trial trial;
   };
 
@@ -166,7 +168,7 @@ class FaultyWorld : public Executor {
     message.worker = kNobody;
   }
 
-  /// The same points in every history, of the bits of the first value.
+  /// The choice is the same in every history and depends on the bits of the first value.
   static bool is_among(const DesignPoint& point, double share, std::uint64_t lot) {
     std::uint64_t key = 0;
     std::memcpy(&key, point.values.data(), sizeof key);
@@ -187,7 +189,7 @@ class FaultyWorld : public Executor {
   RandomStream random_;
   std::vector<bool> busy_;
   std::vector<Message> messages_;
-  std::map<std::string, int> starts_;  // by the bits of the point
+  std::map<std::string, int> starts_;  // starts of each point, keyed by its bits
   int most_starts_ = 0;
   double now_ = 0.0;
   long started_again_ = 0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes finished trials to their store while workers go on.
+// Writes finished trials to their store while workers continue.
 //
-// A commit waits for the disk, milliseconds a time. What finishes meanwhile is gathered and becomes
-// the next commit, so that the disk is waited for once a group and never by a worker. A trial that
-// was taken back from here is on the disk; before that it must not reach an optimizer.
+// A commit waits for the disk, milliseconds each time. Trials that finish meanwhile form the next
+// commit, so that each group waits for the disk once and workers never wait. Trials returned by
+// take() are on the disk; earlier they must not reach an optimizer.
 #pragma once
 
 #include <condition_variable>
@@ -18,36 +18,36 @@ namespace latsch {
 
 class GroupCommit {
  public:
-  /// With `in_background` false, add() itself commits: for worlds with a clock of their own.
-  /// Without a store nothing has to be kept.
+  /// If `in_background` is false, add() itself commits, for worlds with a clock of their own.
+  /// Without a store nothing is stored.
   GroupCommit(TrialStore* store, bool in_background);
-  /// Commits what it still has.
+  /// Commits the trials still waiting.
   ~GroupCommit();
   GroupCommit(const GroupCommit&) = delete;
   GroupCommit& operator=(const GroupCommit&) = delete;
 
   void add(std::vector<Trial> trials);
 
-  /// Those committed since the last call, in the order they came. Throws JournalError where the
-  /// store refused a group.
+  /// Returns the trials committed since the last call, in the order they came. Throws JournalError
+  /// if the store refused a group.
   std::vector<Trial> take();
 
-  /// Waits until there is something to take, or an error to throw; at once where nothing is under
-  /// way.
+  /// Waits until there is something to take, or an error to throw. Returns at once if nothing is
+  /// under way.
   void wait();
 
  private:
   void work();
 
   TrialStore* store_;
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the members below
   std::condition_variable changed_;
   std::vector<Trial> waiting_;
   std::vector<Trial> committed_;
   std::exception_ptr error_;
   bool writing_ = false;
   bool ending_ = false;
-  std::thread writer_;  // last: it works on all of these
+  std::thread writer_;  // last member, because the thread uses all of these
 };
 
 }  // namespace latsch

@@ -6,7 +6,8 @@
 namespace latsch {
 namespace {
 
-constexpr int kAskAgain = 16;  // proposals: both times change as a search goes on
+constexpr int kAskAgain = 16;  // proposals until the next try, because both times change during a
+                               // search
 constexpr int kAskSeldom = 1024;
 
 }  // namespace

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many points an optimizer is asked for: as many as keep the workers busy, unless thinking of
-// them takes longer than the trials that are gained by it.
+// Chooses the number of points requested from an optimizer: as many as keep the workers busy,
+// unless computing them takes longer than the trials gained.
 #pragma once
 
 namespace latsch {
 
 class LookAhead {
  public:
-  /// `most`: points asked for where thinking costs nothing, >= 1.
+  /// `most` is the number of points requested if computing them costs nothing, >= 1.
   explicit LookAhead(int most) : most_(most) {}
 
-  /// Points to ask for now, 1 or `most`; `trial`: s that a trial takes, 0 where none has ended.
+  /// Returns the number of points to request now, 1 or `most`; `trial` is the duration of a trial
+  /// in s, 0 if none has ended.
   int points(double trial);
-  /// The optimizer took so many seconds for so many points.
+  /// Reports that the optimizer took `seconds` for `points`.
   void took(int points, double seconds);
 
  private:
   int most_;
-  double alone_ = 0.0, ahead_ = 0.0;  // s, when last asked for one point, for most
-  int left_out_ = 0;                  // times since it was last tried
-  int patience_ = 0;                  // times before it is tried again
+  double alone_ = 0.0, ahead_ = 0.0;  // s, at the last request for one point and for `most`
+  int left_out_ = 0;                  // requests since `most` was last tried
+  int patience_ = 0;                  // requests before `most` is tried again
 };
 
 }  // namespace latsch

@@ -38,7 +38,7 @@ Result<Score> sum_of_squares(const Channels& channels) {
   return score;
 }
 
-/// For a method that needs them: the others are to do without derivatives.
+/// Returns a score for a method that needs derivatives; other methods must do without.
 Result<Score> with_derivatives(const Channels& channels) {
   Score score = *sum_of_squares(channels);
   score.constraints.clear();
@@ -62,7 +62,7 @@ std::vector<DesignPoint> path(const std::string& method,
           .method,
       optimizers_space,
       settings);
-  // Which points fail goes with the seed, so timing is varied by the range of the times.
+  // The failing points depend on the seed, so the timing is varied by the range of the times.
   SimulatedExecutor executor(
       valley,
       {.workers = workers, .seed = 3, .shortest = 0.1 * timing, .longest = 2.0, .failures = 0.1});

@@ -24,7 +24,7 @@ bool says(const Failure& failure, std::string_view words) {
   return failure.reason.find(words) != std::string::npos;
 }
 
-/// A process that is refused memory may say so, or just end.
+/// A process that is refused memory may report it, or just end.
 bool may_lack_memory(const Failure& failure) {
   static constexpr std::array<std::string_view, 8> kWords{"out of memory",
                                                           "Out of memory",
@@ -41,14 +41,14 @@ bool may_lack_memory(const Failure& failure) {
 }
 
 bool concerns(const std::string& what, const Failure& failure) {
-  const bool is_program = says(failure, "allowed to it");  // outside_program.cpp
+  const bool is_program = says(failure, "allowed to it");  // text from outside_program.cpp
   if (what == kTimeout) return failure.cause == Cause::timeout && !is_program;
   if (what == kProgramTimeout) return failure.cause == Cause::timeout && is_program;
   if (what == kMemory) return failure.cause != Cause::timeout && may_lack_memory(failure);
   return what == kAll;
 }
 
-/// `row`: of the trial, from 1.
+/// `row` is the row of the trial, from 1.
 bool is_to_be_tried_again(const std::vector<JournalMark>& marks, long row, const Failure& failure) {
   for (const JournalMark& mark : marks) {
     if (mark.kind == kRetry && row <= mark.trials && concerns(mark.text, failure)) return true;
@@ -56,7 +56,7 @@ bool is_to_be_tried_again(const std::vector<JournalMark>& marks, long row, const
   return false;
 }
 
-/// Points whose last trial failed and counts, as far as `what` concerns them.
+/// Returns the number of points whose last trial failed and counts, if `what` concerns the failure.
 long failed_points(const Journal& journal, const std::string& what) {
   std::set<std::string> failed;
   TrialsThatCount(journal).for_each([&](const Trial& trial) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Failed trials that are to be tried again.
+// Repeats failed trials.
 //
-// A journal is never rewritten: a mark says that what failed before it, or what failed of it for a
-// limit of time or memory, does not count any more. The search asks for such points anew; what
-// comes of them is a further trial of the same point. As the mark stays, a run that is interrupted
-// and goes on tries the same ones.
+// A journal is never rewritten. A mark says that earlier failures, or those due to a limit of time
+// or memory, do not count any more. The search then requests such points again, and their outcome
+// is a further trial of the same point. The mark stays, so an interrupted and resumed run repeats
+// the same points.
 #pragma once
 
 #include <limits>
@@ -15,25 +15,26 @@
 
 namespace latsch {
 
-/// What a trial is allowed. 0: as much as it takes.
+/// Limits of a trial. 0: unlimited.
 struct TrialLimits {
-  double timeout = 0.0;          // s, of a trial
-  double program_timeout = 0.0;  // s, of the outside program in it
+  double timeout = 0.0;          // s, for the trial
+  double program_timeout = 0.0;  // s, for the outside program in it
   double memory = 0.0;           // bytes
 };
 
-/// All that failed so far is to be tried again; how many points these are.
+/// Marks all failures so far to be repeated. Returns the number of these points.
 long retry_failures(Journal& journal);
 
-/// Keeps the limits that hold from now on. What failed for one that was lower until now is to be
-/// tried again; how many points these are.
+/// Stores the limits that hold from now on, and marks trials that failed at a lower limit to be
+/// repeated. Returns the number of these points.
 long retry_what_limits_forbade(Journal& journal, const TrialLimits& limits);
 
-/// A journal without the failures that are to be tried again.
+/// A journal without the failures that are to be repeated.
 class TrialsThatCount : public TrialStore {
  public:
   explicit TrialsThatCount(Journal& journal) : read_(&journal), written_(&journal) {}
-  /// For reading; of its first trials alone, and of these what was asked for.
+  /// For reading only: restricts the journal to its first `trials`, and of these to the requested
+  /// ones.
   explicit TrialsThatCount(const Journal& journal,
                            long trials = std::numeric_limits<long>::max(),
                            AskedTrials asked = AskedTrials({}))

@@ -50,7 +50,7 @@ TEST_F(Failed, AllOfThemAreTriedAgainWhereThatIsAskedFor) {
   EXPECT_EQ(retry_failures(journal), 4);
   EXPECT_EQ(counting(journal), (Points{1}));
   journal.append(trial(2, Channels()));
-  journal.append(trial(5, kBuckles));  // again: it counts now
+  journal.append(trial(5, kBuckles));  // the repeated trial counts now
   EXPECT_EQ(counting(journal), (Points{1, 2, 5}));
   EXPECT_EQ(retry_failures(journal), 1);
 }
@@ -58,10 +58,10 @@ TEST_F(Failed, AllOfThemAreTriedAgainWhereThatIsAskedFor) {
 TEST_F(Failed, ARaisedLimitConcernsWhatItForbadeAlone) {
   const auto with = [&](TrialLimits limits) { return retry_what_limits_forbade(journal, limits); };
   EXPECT_EQ(with({5.0, 2.0, 1e9}), 0);
-  EXPECT_EQ(with({4.0, 2.0, 1e9}), 0);  // lowered
+  EXPECT_EQ(with({4.0, 2.0, 1e9}), 0);  // a lowered limit
   EXPECT_EQ(with({9.0, 2.0, 1e9}), 1);
   EXPECT_EQ(counting(journal), (Points{1, 3, 4, 5}));
-  EXPECT_EQ(with({9.0, 0.0, 1e9}), 1);  // none at all
+  EXPECT_EQ(with({9.0, 0.0, 1e9}), 1);  // no limit at all
   EXPECT_EQ(counting(journal), (Points{1, 4, 5}));
   EXPECT_EQ(with({9.0, 0.0, 2e9}), 1);
   EXPECT_EQ(counting(journal), (Points{1, 5}));
@@ -69,7 +69,7 @@ TEST_F(Failed, ARaisedLimitConcernsWhatItForbadeAlone) {
 
 TEST_F(Failed, WhatIsToBeTriedAgainIsRemembered) {
   EXPECT_EQ(retry_failures(journal), 4);
-  journal = Journal::open(folder / "b", kRetriedStudy);  // lets go of the first one
+  journal = Journal::open(folder / "b", kRetriedStudy);  // closes the first journal
   EXPECT_EQ(counting(Journal::open(folder / "a", kRetriedStudy)), (Points{1}));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a run goes on, when it stops and what it tells meanwhile.
+// Options of a run: failures, end and progress reports.
 #pragma once
 
 #include <functional>
@@ -10,36 +10,37 @@
 
 namespace latsch {
 
-/// What follows from a failed trial. A design of experiments, which nobody has to answer to, knows
-/// only the first two.
+/// Reaction to a failed trial. A design of experiments, which has no optimizer, supports only the
+/// first two.
 struct FailurePolicy {
   enum class Then {
-    proceed,       // an optimizer takes the point as worse than any that succeeded
-    abort,         // the run ends
-    recover,       // it is told `penalty`; see failure_answer.h
-    continuation,  // it is told the value of the last point, going there, that succeeds
+    proceed,       // The optimizer treats the point as worse than any that succeeded.
+    abort,         // The run ends.
+    recover,       // The optimizer receives `penalty`; see failure_answer.h.
+    continuation,  // The optimizer receives the value of the last successful point on the way
+                   // there.
   };
   Then then = Then::proceed;
-  /// How often a failed trial is tried again before it counts as failed. No point is started more
-  /// than `retries` + 2 times, copies of stragglers and what replaces lost workers included.
+  /// Number of repeats of a failed trial before it counts as failed. No point is started more than
+  /// `retries` + 2 times, including copies of stragglers and replacements of lost workers.
   int retries = 0;
-  double penalty = 1.0;                   // of the target function
-  int halvings = 4;                       // trials of a continuation
-  std::optional<DesignSpace> space = {};  // which a continuation needs
+  double penalty = 1.0;                   // value of the target function
+  int halvings = 4;                       // number of trials of a continuation
+  std::optional<DesignSpace> space = {};  // needed by a continuation
 };
 
-/// What a progress bar needs.
+/// Data for a progress bar.
 struct RunProgress {
-  long known = 0;        // of the points wanted so far, those whose outcome is known
-  long planned = 0;      // how many it can become: the plan's size or the largest number of steps
+  long known = 0;        // wanted points so far whose outcome is known
+  long planned = 0;      // upper limit of `known`: the plan's size or the largest number of steps
   long evaluated = 0;    // trials that ran in this process
-  long failed = 0;       // of these
-  long repeated = 0;     // trials started again: their worker was lost, or they failed
+  long failed = 0;       // failed trials among `evaluated`
+  long repeated = 0;     // trials started again because their worker was lost or they failed
   long copied = 0;       // stragglers started a second time
   long stopped = 0;      // stragglers that were withdrawn
-  int running = 0;       // points
-  int straggling = 0;    // of these, run much longer than usual
-  double slowest = 0.0;  // s, how long the one that runs longest has
+  int running = 0;       // running points
+  int straggling = 0;    // running points that take much longer than usual
+  double slowest = 0.0;  // s, time of the longest running trial so far
   double elapsed = 0.0;  // s since the run began
   double trial_wall_time = 0.0;  // s, mean over `evaluated`
   std::optional<double> best;    // target of the best point so far
@@ -48,19 +49,19 @@ struct RunProgress {
 
 struct RunOptions {
   long max_steps = 1000;  // outcomes the optimizer may observe
-  int look_ahead = 4;     // points proposed ahead for every worker, where there are several
+  int look_ahead = 4;     // points proposed ahead for every worker, if there are several
   FailurePolicy on_failure = {};
-  /// A trial that runs so many times longer than the median is a straggler and started a second
-  /// time where a worker has nothing else to do; 0: none is.
+  /// A trial that runs this many times longer than the median is a straggler and is started a
+  /// second time if a worker is idle; 0: no trial is.
   double straggler_factor = 3.0;
-  /// A straggler is stopped where nobody names its point any more and a wanted one waits for a
-  /// worker.
+  /// Stops a straggler if its point is no longer named and a wanted point waits for a worker.
   bool stop_unwanted = true;
-  /// False for a simulated world, where a commit must not take real time.
+  /// False for a simulated world, in which a commit must not take real time.
   bool commit_in_background = true;
   /// Called after every outcome and about ten times a second.
   std::function<void(const RunProgress&)> on_progress = {};
-  /// Asked about ten times a second; running trials then get `stop_patience` seconds to end.
+  /// Called about ten times a second. After it returns true, running trials get `stop_patience`
+  /// seconds to end.
   std::function<bool()> stop_requested = {};
   double stop_patience = 1.0;
 };

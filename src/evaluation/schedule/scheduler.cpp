@@ -10,7 +10,7 @@
 namespace latsch {
 namespace {
 
-/// Lets the optimizer observe the outcome of the first point it proposes, again and again.
+/// Lets the optimizer observe the outcome of the first point it proposes, repeatedly.
 class Search {
  public:
   using Seen = std::function<void(const Step&)>;
@@ -39,7 +39,8 @@ class Search {
   }
 
  private:
-  /// What the failed point is answered by; false where a trial for that cannot be had.
+  /// Sets the value reported for the failed point. Returns false if a trial for it cannot be
+  /// obtained.
   bool answer(Step& failed, std::span<const DesignPoint> plan) {
     if (policy_.then == FailurePolicy::Then::recover) {
       failed.answer = recovered(policy_, run_.steps);
@@ -112,7 +113,8 @@ Run run_optimizer(Optimizer& optimizer,
       optimizer,
       options.on_failure,
       [&](const Optimizer& thinking) {
-        // What the journal knows, or ran ahead, needs no thought of what might follow.
+        // Speculation is not computed while outcomes are known from the journal or from trials run
+        // ahead.
         std::vector<DesignPoint> plan = thinking.propose(1);
         if (dispatcher.knows(plan.front())) return plan;
         const double since = executor.now();
@@ -124,7 +126,7 @@ Run run_optimizer(Optimizer& optimizer,
       [&](std::span<const DesignPoint> wanted) { return dispatcher.first_of(wanted); },
       [&](const Step& step) { dispatcher.count(step.point, step.outcome, true); });
   Run run = search.to_its_end(options.max_steps);
-  dispatcher.finish();  // speculation that is not needed any more
+  dispatcher.finish();  // withdraws speculation that is no longer needed
   dispatcher.report();
   return run;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: one history of a search in a faulty world, from its first point to its end through
-// every death of the master, and what it has to fulfill.
+// Test support: one history of a search in a faulty world, from its first point to its end through
+// every death of the master, and the conditions it has to fulfill.
 #pragma once
 
 #include <algorithm>
@@ -19,14 +19,14 @@
 
 namespace latsch {
 
-/// A search to put through it.
+/// Search problem of a history.
 struct SearchProblem {
   std::function<std::unique_ptr<Optimizer>()> optimizer;
   Evaluator evaluator;
   Objective objective;
 };
 
-/// A generating-set search for the lowest point of a kinked valley.
+/// Returns a generating-set search for the lowest point of a kinked valley.
 inline SearchProblem two_variable_search() {
   const DesignSpace space({{.name = "a", .lower = 0.0, .upper = 1.0, .initial = 0.9},
                            {.name = "b", .lower = 0.0, .upper = 1.0, .initial = 0.1}});
@@ -42,7 +42,7 @@ inline SearchProblem two_variable_search() {
           }};
 }
 
-/// Every point, value and failure of a trajectory, to the last bit.
+/// Returns every point, value and failure of a trajectory, to the last bit.
 inline std::string bits_of(const Run& run) {
   std::string bits = std::to_string(static_cast<int>(run.end));
   for (const Step& step : run.steps) {
@@ -54,17 +54,17 @@ inline std::string bits_of(const Run& run) {
 
 struct History {
   std::uint64_t seed = 0;
-  int workers = 0;       // of the last run
-  int restarts = 0;      // after the master died or the store refused
-  long evaluations = 0;  // kept
+  int workers = 0;       // workers of the last run
+  int restarts = 0;      // restarts after the master died or the store refused
+  long evaluations = 0;  // evaluations stored
   long repeats = 0;      // copies of stragglers, trials of lost workers
-  long expired = 0;      // of those kept
-  int most_starts = 0;   // of one point in one run
-  std::string wrong;     // empty where every invariant holds
-  std::string bits;      // of the trajectory
+  long expired = 0;      // stored evaluations that expired
+  int most_starts = 0;   // starts of one point in one run
+  std::string wrong;     // broken invariant; empty if all hold
+  std::string bits;      // bits of the trajectory
 };
 
-/// Observes as the optimizer does and asks whether what it is told is in the store.
+/// Observes as the optimizer does and checks that every observed outcome is in the store.
 class Witness : public Optimizer {
  public:
   Witness(std::unique_ptr<Optimizer> optimizer, const FaultyStore& store)
@@ -83,8 +83,8 @@ class Witness : public Optimizer {
   long unkept_ = 0;
 };
 
-/// Of hanging points, lost workers, stalls and failing points each mix; every other fault with a
-/// share of its own, from none to many.
+/// Mixes hanging points, lost workers, stalls and failing points in every combination. Every other
+/// fault has a share of its own, from none to many.
 inline Faults faults_of(std::uint64_t seed) {
   RandomStream random(seed, 4);
   const auto in_mix = [&](int kind, double share) { return seed >> kind & 1 ? share : 0.0; };
@@ -98,18 +98,19 @@ inline Faults faults_of(std::uint64_t seed) {
   faults.twice = 0.3 * random.uniform();
   faults.store = 0.03 * random.uniform();
   faults.master = 0.02 * random.uniform();
-  // What stalls may expire too: how a point ends is then chance, once it is kept it is not.
+  // A stalled trial may also expire. How a point ends is then chance, but fixed once stored.
   if (seed >> 4 & 1) faults.timeout = 0.2 + 3.0 * random.uniform();
   if (seed % 3 == 1) faults.refusal = 0.3 * random.uniform();
   return faults;
 }
 
-/// Whether the trajectory is that of the undisturbed search to the last bit.
+/// True if the trajectory must equal that of the undisturbed search to the last bit.
 inline bool is_comparable(const Faults& faults) {
   return faults.stall == 0.0 || faults.timeout > 0.15 * FaultyWorld::kStall;
 }
 
-/// The trajectory of one worker in a world where points hang and fail and nothing else does.
+/// Returns the trajectory of one worker in a world where points hang and fail and nothing else
+/// happens.
 inline std::string undisturbed(const SearchProblem& problem, const Faults& faults) {
   FaultyStore store(0.0, 0);
   FaultyWorld world(
@@ -120,7 +121,7 @@ inline std::string undisturbed(const SearchProblem& problem, const Faults& fault
   return bits_of(run_optimizer(*optimizer, problem.objective, world, &store, options));
 }
 
-/// Every undisturbed trajectory there is, each computed once.
+/// Cache of the undisturbed trajectories, each computed once.
 class Undisturbed {
  public:
   explicit Undisturbed(SearchProblem problem) : problem_(std::move(problem)) {}
@@ -136,7 +137,7 @@ class Undisturbed {
   std::map<std::pair<bool, bool>, std::string> bits_;
 };
 
-/// What does not hold of a search that has come to its end.
+/// Returns the violated condition of a completed search.
 inline std::string fault_of(const History& history,
                             const Faults& faults,
                             const FaultyStore& store,

@@ -25,7 +25,7 @@ void put_numbers(std::string& bytes, const std::vector<double>& numbers) {
   bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
 }
 
-/// Reads from the front of `rest`; after the first count or number that is not there, ok is false.
+/// Reads from the front of `rest`. After the first missing count or number, ok is false.
 struct Reader {
   std::string_view rest;
   bool ok = true;
@@ -64,8 +64,8 @@ struct Reader {
   bool finished() const { return ok && rest.empty(); }
 };
 
-// What an outcome is: channels, or a failure by its cause. The first two are those of journals of
-// format 1, which knew no causes.
+// Kind of an outcome: channels, or a failure by its cause. The first two are those of journals of
+// format 1, which had no causes.
 enum Kind : std::uint8_t {
   kPoint = 0,
   kChannels = 1,
@@ -73,11 +73,11 @@ enum Kind : std::uint8_t {
   kBadOutput = 3,
   kTransient = 4,
   kNotBegun = 5,
-  // Added to the kind where the CPU time of outside programs comes next; not before format 3.
+  // Added to the kind if the CPU time of outside programs follows; not before format 3.
   kWithPrograms = 0x80
 };
 
-// Added to the count of channels where each is followed by its slopes; not before format 5.
+// Added to the count of channels if each is followed by its slopes; not before format 5.
 constexpr std::uint64_t kWithSlopes = std::uint64_t{1} << 63;
 
 bool is_table(const std::vector<double>& slopes, std::size_t rows) {
@@ -130,7 +130,7 @@ Channels read_channels(Reader& reader) {
     if (channels.find(channel.name) != nullptr) reader.ok = false;  // names are unique
     if (reader.ok) channels.add(std::move(channel));
   }
-  if (slopes && !channels.has_slopes()) reader.ok = false;  // one value, one encoding
+  if (slopes && !channels.has_slopes()) reader.ok = false;  // one value has one encoding
   return channels;
 }
 
@@ -188,7 +188,7 @@ std::optional<Outcome> decode_outcome(std::string_view bytes) {
   if (kind & kWithPrograms) {
     kind &= static_cast<std::uint8_t>(~kWithPrograms);
     outcome.program_time = reader.number<double>();
-    if (outcome.program_time == 0.0) reader.ok = false;  // one value, one encoding
+    if (outcome.program_time == 0.0) reader.ok = false;  // one value has one encoding
   }
   const std::optional<Cause> cause = cause_of(kind);
   if (kind == kChannels) {

@@ -19,7 +19,7 @@ TEST(Encoding, SlopesStandBehindTheirChannel) {
 }
 
 TEST(Encoding, HashIsFnv1a) {
-  // Test vectors of draft-eastlake-fnv, appendix C.
+  // The test vectors are those of draft-eastlake-fnv, appendix C.
   EXPECT_EQ(hash(""), 0xcbf29ce484222325u);
   EXPECT_EQ(hash("a"), 0xaf63dc4c8601ec8cu);
   EXPECT_EQ(hash("foobar"), 0x85944171f73967e8u);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a design point to the channels of all its experiments, and from channels to a score.
+// Functions from a design point to the channels of all its experiments, and from channels to a
+// score.
 //
-// The evaluator runs where the workers are and is expensive; the objective runs in the process that
-// owns the journal and is cheap. The journal keeps channels, so that another objective can be
-// computed from finished trials.
+// The evaluator runs on the workers and is expensive; the objective runs in the process that owns
+// the journal and is cheap. The journal stores channels, so that another objective can be computed
+// from finished trials.
 #pragma once
 
 #include <functional>
@@ -17,12 +18,12 @@
 
 namespace latsch {
 
-/// Pure: the same point gives the same bits. A simulation that does not succeed is a Failure; an
-/// exception counts as one too, with its text as the reason.
+/// An evaluator is pure: the same point gives the same bits. A simulation that does not succeed is
+/// a Failure; an exception counts as a Failure, too, with its text as the reason.
 using Evaluator = std::function<Result<Channels>(const DesignPoint&)>;
 
-/// The target function: of the channels, and where something is known of the values beforehand, of
-/// the point too. A score that is not finite counts as a failure.
+/// Target function of the channels and, if prior knowledge of the values exists, of the point. A
+/// score that is not finite counts as a failure.
 class Objective {
   template <class F>
   using IfOfChannels = std::enable_if_t<
@@ -33,7 +34,7 @@ class Objective {
   using OfTrial = std::function<Result<Score>(const DesignPoint&, const Channels&)>;
 
   Objective() = default;
-  /// `needs_slopes`: a trial that was kept without them is not known to it.
+  /// With `needs_slopes`, a trial stored without slopes counts as not evaluated.
   Objective(OfTrial of_trial, bool needs_slopes = false)
       : of_trial_(std::move(of_trial)), needs_slopes_(needs_slopes) {}
   template <class OfChannels, class = IfOfChannels<OfChannels>>
@@ -47,7 +48,7 @@ class Objective {
     return of_trial_(point, channels);
   }
   bool needs_slopes() const { return needs_slopes_; }
-  /// For one that does not ask for the point.
+  /// Evaluates an objective that does not depend on the point.
   Result<Score> operator()(const Channels& channels) const { return of_trial_({}, channels); }
 
  private:

@@ -13,14 +13,14 @@
 namespace latsch {
 namespace {
 
-/// Of this thread: beside it others may evaluate points of their own.
+/// Returns the CPU time of this thread; other threads may evaluate points of their own.
 double cpu_seconds() {
   timespec time{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Of the programs this process has waited for, and of those they waited for.
+/// Returns the CPU time of the programs this process has waited for, and of those they waited for.
 double program_seconds() {
   rusage usage{};
   ::getrusage(RUSAGE_CHILDREN, &usage);

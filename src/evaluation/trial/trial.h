@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One point under evaluation and what became of it.
+// One point under evaluation and its outcome.
 #pragma once
 
 #include "base/result.h"
@@ -9,13 +9,13 @@
 
 namespace latsch {
 
-/// Channels or the reason why there are none, and what they cost.
+/// Channels, or the reason why there are none, and their cost.
 struct Outcome {
   Result<Channels> result;
   double wall_time = 0.0;  // s
   double cpu_time = 0.0;   // s, of the thread that evaluated
   int worker = 0;
-  double program_time = 0.0;  // s, CPU of outside programs: user and system, of what was waited for
+  double program_time = 0.0;  // s, user and system CPU time of completed outside programs
 };
 
 struct Trial {
@@ -23,11 +23,11 @@ struct Trial {
   Outcome outcome;
 };
 
-/// Runs the evaluator on the point and takes the time. Exceptions and numbers that are not finite
-/// become failures.
+/// Runs the evaluator on the point and measures the time. Exceptions and numbers that are not
+/// finite become failures.
 Outcome evaluate(const Evaluator& evaluator, const DesignPoint& point);
 
-/// The channels, or a Failure that names the first number in them that is not finite.
+/// Returns the channels, or a Failure that names the first number in them that is not finite.
 Result<Channels> finite(Channels channels);
 
 }  // namespace latsch

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who may ask the studio's server, judged by the head of a request and in this order:
+// Decides which requests the studio's server accepts. The head of a request is checked in this
+// order:
 //
 //   1 Host names this machine    a page whose own name was turned to 127.0.0.1 (DNS rebinding)
 //                                still sends its name; another port is a tunnel's and all right
@@ -24,10 +25,10 @@
 
 namespace latsch::studio {
 
-/// Fields of a request that decide; empty where there are none.
+/// Fields of a request used by the decision; empty if absent.
 struct Head {
   std::string method, target;
-  int hosts = 0;  // fields called Host
+  int hosts = 0;  // number of fields called Host
   std::string host, origin, fetch_site, fetch_mode;
   std::string authorization, cookie;
   std::string content_type, accept, if_none_match;
@@ -38,26 +39,26 @@ struct Refusal {
   std::string error, hint;
 };
 
-/// 128 bits of the system's random numbers in hexadecimal.
+/// Returns 128 bits of the system's random numbers in hexadecimal.
 std::string random_token();
 
 class Admission {
  public:
-  /// `listen`: a numerical address; `names`: others by which requests may call this machine.
-  /// Throws InputError where the token has fewer than 16 characters or others than A-Z a-z 0-9 - _.
+  /// `listen` is a numerical address; `names` are further names of this machine in requests. Throws
+  /// InputError if the token has fewer than 16 characters or others than A-Z a-z 0-9 - _.
   Admission(const std::string& listen,
             std::uint16_t port,
             std::string token,
             std::vector<std::string> names);
 
-  /// Steps 1 to 4.
+  /// Checks steps 1 to 4.
   std::optional<Refusal> refuse_stranger(const Head& head) const;
-  /// Steps 5 and 6.
+  /// Checks steps 5 and 6.
   std::optional<Refusal> refuse_untrusted(const Head& head) const;
 
   const std::string& token() const { return token_; }
   bool is_token(std::string_view text) const;
-  /// What the page keeps in place of the token: the value of Set-Cookie.
+  /// Returns the value of Set-Cookie that the page keeps in place of the token.
   std::string cookie() const;
 
  private:
@@ -66,7 +67,7 @@ class Admission {
 
   std::string token_;
   std::string cookie_name_;
-  std::vector<std::string> hosts_;  // in lower case, addresses of IPv6 in brackets
+  std::vector<std::string> hosts_;  // in lower case, IPv6 addresses in brackets
   bool is_any_address_ = false;
 };
 

@@ -141,7 +141,7 @@ TEST(Admission, WantsTheTokenAsBearerOrCookie) {
   }
 }
 
-// What a form can send without a preflight [Fetch, CORS-safelisted request headers].
+// A form can send these content types without a preflight [Fetch, CORS-safelisted request headers].
 TEST(Admission, WantsJsonOfAPost) {
   Head head = asking("localhost:8421");
   head.authorization = "Bearer " + kToken;

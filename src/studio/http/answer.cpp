@@ -52,7 +52,7 @@ std::string_view words(int status) {
   return "Other";
 }
 
-/// "Sun, 06 Nov 1994 08:49:37 GMT" [RFC 9110, 5.6.7], in English whatever the locale.
+/// Returns "Sun, 06 Nov 1994 08:49:37 GMT" [RFC 9110, 5.6.7], in English for any locale.
 std::string date(std::time_t now) {
   constexpr const char* kDays[] = {"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
   constexpr const char* kMonths[] = {
@@ -69,7 +69,7 @@ std::string date(std::time_t now) {
                      t.tm_sec);
 }
 
-/// Whether a list of tags, "W/" before them or not, has this one or is "*".
+/// True if a list of tags, "W/" before them or not, contains this one or is "*".
 bool has_tag(std::string_view list, std::string_view etag) {
   if (trimmed(list) == "*") return true;
   while (!list.empty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An answer as bytes: status line, the fields every answer has for safety, body.
+// An answer as bytes: status line, the safety fields of every answer, body.
 //
 //   Content-Security-Policy        scripts, styles, pictures, data from this server only, no frame
 //                                  around it. What scripts set by element.style is allowed, as
@@ -23,20 +23,20 @@ namespace latsch::studio {
 struct Answer {
   int status = 200;
   std::string type;
-  std::string body;        // of a handler, or
-  std::string_view asset;  // in memory as long as the server
-  std::string fields;      // further ones: "Location: /\r\n"
-  bool has_length = true;  // without: what follows ends with the connection
-  bool has_body = true;    // none for HEAD and 304
+  std::string body;        // body from a handler, unless `asset` is set
+  std::string_view asset;  // kept in memory as long as the server
+  std::string fields;      // further fields: "Location: /\r\n"
+  bool has_length = true;  // false: the body ends with the connection
+  bool has_body = true;    // false for HEAD and 304
 
   std::string_view text() const { return asset.empty() ? std::string_view(body) : asset; }
 };
 
 Answer answer_of(Response response);
-/// 304 where `if_none_match` [RFC 9110, 13.1.2] has its etag.
+/// Returns 304 if `if_none_match` [RFC 9110, 13.1.2] contains the asset's etag.
 Answer answer_of(const Asset& asset, std::string_view if_none_match);
 
-/// Status line and fields, with the empty line behind them.
+/// Returns status line and fields, with the empty line after them.
 std::string head_text(const Answer& answer, bool keep_alive);
 
 }  // namespace latsch::studio

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// One connection: reads the head of a request, asks its owner what to do with it, reads the body,
-// writes the answer, and so on until one side ends it.
+// One connection: reads the head of a request, lets its owner decide, reads the body, writes the
+// answer, and repeats this until one side ends it.
 //
 //   reading ──► answering ──► writing ──► reading | lingering | closed
 //
-// An answer before the end of a request ends the connection, but what still comes is read and
-// thrown away for a second: closed at once, the kernel would reset it and the client never see the
-// answer [RFC 9112, 9.6].
+// An answer before the end of a request ends the connection, but further bytes are read and dropped
+// for a second. If the connection were closed at once, the kernel would reset it and the client
+// would never see the answer [RFC 9112, 9.6].
 //
-// All of it runs in the thread of the sockets. Included by server.cpp alone: Beast's headers take
-// most of the time this module needs to compile.
+// All of it runs in the thread of the sockets. Only server.cpp includes this file, because Beast's
+// headers take most of this module's compile time.
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
@@ -34,18 +34,18 @@ using Moment = std::chrono::steady_clock::time_point;
 
 class Connection;
 
-/// What to do with a request of which the head is known.
+/// Decision about a request whose head is known.
 struct Verdict {
   enum class Kind : std::uint8_t { refuse, answer, handle, follow } kind = Kind::refuse;
-  Answer answer;  // to refuse or answer with
-  Target target;  // to handle, or to follow the events of
+  Answer answer;  // used by refuse and answer
+  Target target;  // used by handle and follow
 };
 
-/// The server, as its connections see it.
+/// The server as seen by its connections.
 class ConnectionOwner {
  public:
   virtual Verdict judge(const Head& head) = 0;
-  /// Answers with Connection::answer(), from its thread.
+  /// The owner answers by Connection::answer(), in the connection's thread.
   virtual void handle(std::shared_ptr<Connection> connection, Request request) = 0;
   virtual void follow(net::ip::tcp::socket socket, const Target& target) = 0;
   virtual Answer refusal(const Head& head, const Refusal& refusal) = 0;
@@ -64,13 +64,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   void read_request();
   void answer(Answer answer);
-  /// Ends it without a word.
+  /// Closes the connection without an answer.
   void close();
-  /// Ends it where it takes longer than it may.
+  /// Closes the connection if it exceeds its time limit.
   void close_if_overdue(Moment now);
 
-  /// Who has to make room first: those who showed no token before those who did, of them the one
-  /// of which nothing was heard for the longest time. Whose answer is worked at is not asked.
+  /// Order of closing if room is needed: connections without a token before those with one, and
+  /// among these the one silent for the longest time. A connection whose answer is being computed
+  /// stays.
   bool may_be_closed() const { return state_ != State::answering; }
   bool makes_room_before(const Connection& other) const {
     return std::pair(is_trusted_, heard_) < std::pair(other.is_trusted_, other.heard_);
@@ -78,7 +79,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
  private:
   enum class State : std::uint8_t { reading, answering, writing, lingering };
-  static constexpr std::size_t kSpare = 1024;  // of the buffer, so that the parser sees the limit
+  static constexpr std::size_t kSpare = 1024;  // bytes of buffer beyond the limit, so that the
+                                               // parser detects the limit
   static constexpr std::size_t kPiece = 512;
   static constexpr std::size_t kMostThrownAway = 4 << 20;  // bytes
   static constexpr std::chrono::milliseconds kLinger{1000};
@@ -101,7 +103,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   const ServerLimits& limits_;
   State state_ = State::reading;
   bool is_trusted_ = false;
-  bool is_overdue_ = false;  // while reading
+  bool is_overdue_ = false;  // set while reading
   bool is_refused_ = false;
   Moment heard_, deadline_;
 
@@ -140,7 +142,8 @@ inline void Connection::read_request() {
   head_ = {};
   parser_.emplace();
   parser_->header_limit(static_cast<std::uint32_t>(limits_.head));
-  parser_->body_limit(std::numeric_limits<std::uint64_t>::max());  // first who asks, then how much
+  parser_->body_limit(std::numeric_limits<std::uint64_t>::max());  // the sender is checked first,
+                                                                   // then the size
   http::async_read_header(
       socket_, buffer_, *parser_, [self = shared_from_this()](error_code error, std::size_t) {
         self->read_head_done(error);
@@ -275,7 +278,7 @@ inline void Connection::close() {
 inline void Connection::close_if_overdue(Moment now) {
   if (state_ == State::answering || now < deadline_) return;
   if (state_ != State::reading || is_overdue_) return close();
-  is_overdue_ = true;  // says so where something of a request has come
+  is_overdue_ = true;  // reported if part of a request has arrived
   deadline_ = now + kLinger;
   error_code ignored;
   socket_.cancel(ignored);

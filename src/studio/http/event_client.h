@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A connection that follows the events of a topic until one side ends it. What it sends is not
-// read. One that takes nothing for too long, or lags too far behind, is ended: its page connects
-// again. In the thread of the sockets; included by server.cpp alone, as connection.h.
+// A connection that follows the events of a topic until one side ends it. Bytes from the client are
+// not read. A client that receives nothing for too long, or lags too far behind, is disconnected;
+// its page connects again. Runs in the thread of the sockets; only server.cpp includes this file,
+// as with connection.h.
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
@@ -30,7 +31,7 @@ class EventClient : public std::enable_shared_from_this<EventClient> {
     if (on_their_way_.empty()) write();
   }
 
-  /// Only where nothing else is on its way that shows it as well.
+  /// Sends `alive` only if no other event is on its way.
   void send_alive(const EventText& text, Moment now) {
     if (!on_their_way_.empty() && now > since_ + limits_.stalled) return close();
     if (on_their_way_.empty()) send(text);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a client of events has not been sent yet, and the outbox in which other threads leave events
-// for the thread of the sockets. Texts are shared by all clients: two hundred that lag behind cost
-// as much as one.
+// Events waiting for a client, and the outbox in which other threads leave events for the thread of
+// the sockets. Texts are shared by all clients, so two hundred slow clients cost as much as one.
 #pragma once
 
 #include <cstddef>
@@ -14,20 +13,21 @@
 
 namespace latsch::studio {
 
-/// As server-sent events write it [HTML, 9.2.5]: a line of the event, one a line of its data.
+/// Returns the format of server-sent events [HTML, 9.2.5]: a line for the event, one for each line
+/// of its data.
 std::string event_text(std::string_view event, std::string_view data);
 
 using EventText = std::shared_ptr<const std::string>;
 
-/// Of one client.
+/// Queue of one client.
 class EventQueue {
  public:
   explicit EventQueue(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
-  /// What says the same as the last that waits is left out. False where too much waits.
+  /// Drops an event equal to the last one waiting. Returns false if too much is waiting.
   bool push(EventText text);
   bool empty() const { return waiting_.empty(); }
-  /// All that waits, in order; nothing waits then.
+  /// Returns all waiting events in order and empties the queue.
   std::vector<EventText> take();
 
  private:
@@ -36,7 +36,7 @@ class EventQueue {
   std::deque<EventText> waiting_;
 };
 
-/// Filled by any thread, emptied by that of the sockets.
+/// Any thread may fill the outbox; the thread of the sockets empties it.
 class EventOutbox {
  public:
   struct Event {
@@ -45,12 +45,12 @@ class EventOutbox {
   };
   struct Content {
     std::vector<Event> events;
-    bool has_overrun = false;  // some were lost since the last time
+    bool has_overrun = false;  // true if events were lost since the last call
   };
 
   explicit EventOutbox(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
-  /// True where it was empty: then somebody has to be told.
+  /// Returns true if the outbox was empty, in which case the reader has to be woken.
   bool put(Event event);
   Content take();
 

@@ -14,7 +14,7 @@ std::string all(EventQueue& queue) {
   return result;
 }
 
-// [HTML, 9.2.5]: lines end in CR, LF or both, an empty line ends the event.
+// In [HTML, 9.2.5] lines end in CR, LF or both, and an empty line ends the event.
 TEST(EventText, HasOneDataLineALineOfData) {
   EXPECT_EQ(event_text("alive", "{}"), "event: alive\ndata: {}\n\n");
   EXPECT_EQ(event_text("run", "{\n}"), "event: run\ndata: {\ndata: }\n\n");

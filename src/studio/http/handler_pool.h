@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A few threads for what takes time, and a line before them that has an end.
+// A few threads for work that takes time, with a queue of limited length.
 #pragma once
 
 #include <condition_variable>
@@ -15,12 +15,12 @@ namespace latsch::studio {
 class HandlerPool {
  public:
   HandlerPool(int threads, std::size_t most_waiting);
-  /// Forgets what waits, waits for what is under way.
+  /// Drops waiting work and waits for running work.
   ~HandlerPool();
   HandlerPool(const HandlerPool&) = delete;
   HandlerPool& operator=(const HandlerPool&) = delete;
 
-  /// `work` throws nothing. False where too many wait: then it is not done.
+  /// `work` must not throw. Returns false, without running it, if too much work is waiting.
   bool submit(std::function<void()> work);
 
  private:

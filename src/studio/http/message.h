@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the studio is asked and answers, without the bytes of HTTP around it.
+// Requests and answers of the studio, without the bytes of HTTP around them.
 #pragma once
 
 #include <map>
@@ -9,14 +9,15 @@
 
 namespace latsch::studio {
 
-/// Decoded, valid UTF-8 without zeros; the path has no segment "." or "..". The body of a POST is
-/// said to be JSON, which the handler has to check.
+/// All texts are decoded, valid UTF-8 without zeros; the path has no segment "." or "..". The body
+/// of a POST is declared as JSON, which the handler has to check.
 struct Request {
-  std::string method;  // GET or POST; HEAD comes as GET
+  std::string method;  // GET or POST; HEAD is passed as GET
   std::string path;
   std::map<std::string, std::string> query;
   std::string body;
-  std::stop_token stop;  // the server ends: a long handler may throw or answer anything
+  std::stop_token stop;  // set when the server ends: a long handler may then throw or answer
+                         // anything
 };
 
 struct Response {
@@ -25,10 +26,10 @@ struct Response {
   std::string body;
 };
 
-/// In quotes, escaped [RFC 8259, 7]; bytes that are no UTF-8 are replaced.
+/// Returns the text in quotes, escaped [RFC 8259, 7]; bytes that are no UTF-8 are replaced.
 std::string json_string(std::string_view text);
 
-/// {"error": ..., "hint": ...}
+/// Returns {"error": ..., "hint": ...}.
 Response error_response(int status, std::string_view error, std::string_view hint);
 
 }  // namespace latsch::studio

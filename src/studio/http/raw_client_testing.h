@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests and benchmarks: a client that sends whatever bytes it is given, and waits no longer
-// than it says.
+// Test support, also for benchmarks: a client that sends any bytes and waits no longer than a given
+// time.
 #pragma once
 
 #include <arpa/inet.h>
@@ -21,10 +21,10 @@
 namespace latsch::studio {
 
 struct Reply {
-  int status = 0;  // 0: none came
+  int status = 0;  // 0: no reply came
   std::string head, body;
 
-  /// Value of a field, its name as the server writes it; empty where there is none.
+  /// Returns the value of a field, its name as the server writes it; empty if there is none.
   std::string field(const std::string& name) const {
     const std::size_t at = head.find("\r\n" + name + ": ");
     if (at == head.npos) return "";
@@ -61,7 +61,8 @@ class RawClient {
   }
   bool is_connected() const { return fd_ >= 0; }
 
-  /// Bytes sent before the server ended it or nothing went on for so long.
+  /// Returns the number of bytes sent before the server closed, or nothing could be sent for
+  /// `patience`.
   std::size_t send(std::string_view bytes, Milliseconds patience = kPatience) {
     std::size_t sent = 0;
     while (sent < bytes.size() && wait(POLLOUT, patience)) {
@@ -72,7 +73,7 @@ class RawClient {
     return sent;
   }
 
-  /// Whether all came up to and with `text`; what was received is in received().
+  /// True if everything up to and including `text` arrived; see received().
   bool read_to(std::string_view text, Milliseconds patience = kPatience) {
     while (received_.find(text) == received_.npos)
       if (!receive(patience)) return false;
@@ -83,7 +84,7 @@ class RawClient {
       if (!receive(patience)) return false;
     return true;
   }
-  /// Whether the server ends the connection in that time; what comes before is kept.
+  /// True if the server closes the connection in that time. Bytes that came before are kept.
   bool is_ended(Milliseconds patience = kPatience) {
     const auto until = std::chrono::steady_clock::now() + patience;
     while (receive(std::max(
@@ -93,7 +94,7 @@ class RawClient {
     return has_ended_;
   }
 
-  /// The next reply, with its body where its length is said.
+  /// Returns the next reply, with its body if its length is stated.
   Reply reply(Milliseconds patience = kPatience, bool has_body = true) {
     Reply result;
     if (!read_to("\r\n\r\n", patience)) return result;
@@ -107,7 +108,7 @@ class RawClient {
     return result;
   }
 
-  /// Says that nothing more will be sent.
+  /// Signals that nothing more will be sent.
   void end_sending() { ::shutdown(fd_, SHUT_WR); }
 
   const std::string& received() const { return received_; }
@@ -136,7 +137,7 @@ class RawClient {
   std::string received_;
 };
 
-/// One request on a connection of its own.
+/// Sends one request on a connection of its own.
 inline Reply reply_to(std::uint16_t port, std::string_view request) {
   RawClient client(port);
   client.send(request);

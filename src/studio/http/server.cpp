@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Accepts, judges and hands over; connection.h and event_client.h do the reading and writing.
+// Accepts connections, judges requests and passes them on; connection.h and event_client.h read and
+// write.
 #include "studio/http/server.h"
 
 #include <fcntl.h>
@@ -26,13 +27,16 @@ namespace {
 
 using net::ip::tcp;
 
-constexpr std::chrono::milliseconds kSweep{200};  // between two looks for overdue connections
-constexpr std::chrono::milliseconds kGather{20};  // events of a burst go out in one write a client
-constexpr std::size_t kMostPublished = 8 << 20;   // bytes that wait for the thread of the sockets
-constexpr int kAcceptedAtOnce = 32;               // then the others have their turn
+constexpr std::chrono::milliseconds kSweep{200};  // between two checks for overdue connections
+constexpr std::chrono::milliseconds kGather{20};  // events within this time go to a client in one
+                                                  // write
+constexpr std::size_t kMostPublished = 8 << 20;   // bytes waiting for the thread of the sockets
+constexpr int kAcceptedAtOnce = 32;               // connections accepted before others have their
+                                                  // turn
 constexpr int kBacklog = 4096;
 
-/// Closed in the programs that this one starts, also in those that another thread starts meanwhile.
+/// The flags close the socket in programs that this one starts, also in those started by another
+/// thread meanwhile.
 constexpr int kSocketFlags = SOCK_CLOEXEC | SOCK_NONBLOCK;
 
 net::ip::address address_of(const std::string& listen) {
@@ -55,12 +59,13 @@ net::ip::address address_of(const std::string& listen) {
   throw InputError(where + ": " + std::strerror(error));
 }
 
-/// A socket that listens.
+/// Returns a listening socket.
 int listening_socket(const tcp::endpoint& endpoint) {
   const int fd = ::socket(endpoint.protocol().family(), SOCK_STREAM | kSocketFlags, 0);
   if (fd < 0) cannot_listen(endpoint, errno);
   const int yes = 1;
-  ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);  // connections that have ended
+  ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);  // allows reuse while ended
+                                                                 // connections linger
   if (::bind(fd, endpoint.data(), static_cast<socklen_t>(endpoint.size())) != 0 ||
       ::listen(fd, kBacklog) != 0) {
     const int error = errno;
@@ -121,7 +126,7 @@ class Server::Impl final : public ConnectionOwner {
   EventOutbox published_{kMostPublished};
   std::stop_source stop_;
   HandlerPool pool_;
-  std::thread thread_;  // of the sockets
+  std::thread thread_;  // thread of the sockets
 };
 
 Server::Impl::Impl(ServerOptions options, Handler handler)
@@ -145,7 +150,8 @@ Server::Impl::~Impl() {
   stop_.request_stop();
   io_.stop();
   thread_.join();
-  end_connections();  // at once; then the pool waits for its handlers, whose answers nobody gets
+  end_connections();  // at once; then the pool waits for its handlers, whose answers nobody
+                      // receives
 }
 
 void Server::Impl::run() {
@@ -154,7 +160,8 @@ void Server::Impl::run() {
     try {
       io_.run();
       return;
-    } catch (const std::exception& failure) {  // no memory; the sweep ends what was under way
+    } catch (const std::exception& failure) {  // for example no memory; the sweep ends connections
+                                               // under way
       if (options_.report) options_.report(failure.what());
     }
   }
@@ -168,7 +175,7 @@ std::string Server::Impl::address() const {
       "http://{}:{}/?token={}", listen_.is_v6() ? "[" + host + "]" : host, port_, token());
 }
 
-// Requests.
+// The following functions handle requests.
 
 Verdict Server::Impl::judge(const Head& head) {
   const auto refuse = [&](const Refusal& why) {
@@ -209,9 +216,9 @@ Verdict Server::Impl::judge(const Head& head) {
   return {Verdict::Kind::handle, {}, std::move(target)};
 }
 
-// To / with the cookie in place of the token, so that the address may be shown and kept. A browser
-// that comes from another page follows a redirection as a request of that page, without the cookie;
-// what a page of our own opens is ours [RFC 6265bis, 5.2].
+// Redirects to / with the cookie in place of the token, so that the address may be shown and
+// stored. A browser that comes from another page follows a redirection as a request of that page,
+// without the cookie. A page opened by our own page counts as ours [RFC 6265bis, 5.2].
 Verdict Server::Impl::opened_with_token(const Head& head, std::string_view token) {
   if (!admission_.is_token(token)) {
     return {Verdict::Kind::refuse,
@@ -257,7 +264,8 @@ void Server::Impl::handle(std::shared_ptr<Connection> connection, Request reques
     return connection->answer(
         answer_of(error_response(400, "the body is no UTF-8", "send JSON in UTF-8")));
   request.stop = stop_.get_token();
-  // Kept by the thread of the sockets alone: at the end it is gone before the handlers are.
+  // Only the thread of the sockets owns the connection: at the end it is gone before the handlers
+  // are.
   const std::weak_ptr<Connection> client = connection;
   const bool is_accepted = pool_.submit([this, client, request = std::move(request)] {
     if (client.expired()) return;
@@ -293,7 +301,7 @@ void Server::Impl::forget(const Connection& connection) {
   connections_.pop_back();
 }
 
-// Clients that come and go.
+// The following functions accept and end connections.
 
 // Asio's own accept would leave the socket open in programs that are started at that moment.
 void Server::Impl::wait_for_clients() {
@@ -336,7 +344,7 @@ void Server::Impl::accept_client(int fd) {
   connection->read_request();
 }
 
-/// Ends the connection that has to make room first; false where all of them are being answered.
+/// Ends the connection that has to make room first; false if all of them are being answered.
 bool Server::Impl::make_room() {
   std::shared_ptr<Connection> slowest;
   for (const auto& each : connections_)
@@ -347,7 +355,7 @@ bool Server::Impl::make_room() {
 
 void Server::Impl::sweep() {
   const Moment now = std::chrono::steady_clock::now();
-  const auto all = connections_;  // those that are closed leave it
+  const auto all = connections_;  // a copy, because closed connections leave the list
   for (const auto& each : all) each->close_if_overdue(now);
   std::erase_if(event_clients_, [](const auto& each) { return !each->is_open(); });
   sweep_timer_.expires_after(kSweep);
@@ -364,7 +372,7 @@ void Server::Impl::end_connections() {
   for (const auto& each : event_clients_) each->close();
 }
 
-// Events.
+// The following functions handle events.
 
 void Server::Impl::follow(tcp::socket socket, const Target& target) {
   const auto study = target.query.find("study");
@@ -407,7 +415,7 @@ void Server::Impl::send_alive() {
   });
 }
 
-// The server as others see it.
+// The following functions are the server's public interface.
 
 Server::Server(ServerOptions options, Handler handler)
     : impl_(std::make_unique<Impl>(std::move(options), std::move(handler))) {}

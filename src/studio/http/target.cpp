@@ -10,7 +10,7 @@
 namespace latsch::studio {
 namespace {
 
-/// Without percent signs and, where it is of a query, without pluses.
+/// Decodes percent signs and, in a query, pluses.
 std::string decoded(std::string_view text, bool is_query) {
   std::string result;
   for (std::size_t at = 0; at < text.size(); ++at) {

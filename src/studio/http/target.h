@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The target of a request [RFC 9112, 3.2.1]: path and query, taken apart and decoded.
+// Parses and decodes the target of a request [RFC 9112, 3.2.1]: path and query.
 //
 //   /api/study?study=tires%2Fa.toml&weights=force:2   ->   /api/study, study, weights
 //
-// Stricter than the standard, so that a path means one thing only: no segment "." or "..", no
-// backslash, no control characters, also behind percent signs, and each name of the query once. In
-// the query a plus is a blank, as forms and URLSearchParams write it.
+// The parser is stricter than the standard, so that a path means one thing only: no segment "." or
+// "..", no backslash, no control characters, not even percent-encoded, and each name of the query
+// once. In the query a plus is a blank, as forms and URLSearchParams write it.
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ struct Target {
   std::map<std::string, std::string> query;
 };
 
-/// Throws InputError that says what is wrong with it.
+/// Throws InputError that says what is wrong with the target.
 Target parse_target(std::string_view target);
 
 }  // namespace latsch::studio

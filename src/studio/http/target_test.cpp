@@ -56,7 +56,7 @@ TEST(Target, ThatIsNotEncodedWellIsRefused) {
                              "/%0x",
                              "/\xff",
                              "/%ff",
-                             "/%c0%ae%c0%ae/etc",  // ".." in forms that are too long
+                             "/%c0%ae%c0%ae/etc",  // overlong encodings of ".."
                              "/?a=%ed%a0%80",
                              "/?a=%00",
                              "/?%ff=1",

@@ -44,8 +44,8 @@ fs::file_time_type time_of(const fs::path& file) {
   return none ? fs::file_time_type::min() : time;
 }
 
-/// The files that the texts of a model's file name, such as the suspensions and tires of a car, and
-/// those that they name in turn.
+/// Adds the files named in a model's file, such as the suspensions and tires of a car, and the
+/// files that these name in turn.
 void add_named_files(const fs::path& file, int deepest, std::vector<fs::path>& files) {
   if (deepest == 0 || file.extension() != ".toml") return;
   const std::string text = canonical_text(Document::read(file));
@@ -62,11 +62,11 @@ void add_named_files(const fs::path& file, int deepest, std::vector<fs::path>& f
   }
 }
 
-/// The files a study was read from.
+/// Returns the files a study was read from.
 std::vector<fs::path> files_of(const Study& study) {
   std::vector<fs::path> files{study.file};
   if (!study.model_file.empty()) {
-    constexpr int kDeepest = 4;  // car, suspension, bushing
+    constexpr int kDeepest = 4;  // levels: car, suspension, bushing
     files.push_back(study.model_file);
     add_named_files(study.model_file, kDeepest, files);
   }
@@ -79,7 +79,7 @@ std::vector<fs::path> files_of(const Study& study) {
   return files;
 }
 
-/// The last stage that has a journal of its own which was begun; without one the first.
+/// Returns the last stage that has begun a journal of its own, or else the first stage.
 Study shown_stage(const Study& study) {
   if (study.stages.empty()) return study;
   for (int k = correlation::stage_count(study) - 1; k > 0; --k) {
@@ -89,7 +89,7 @@ Study shown_stage(const Study& study) {
   return correlation::stage(study, 0);
 }
 
-/// Why the trials of a journal are not those of the study; empty where they are.
+/// Returns why the trials of a journal do not belong to the study; empty if they do.
 std::string journal_fault(const Study& study) {
   try {
     if (!fs::exists(study.run.journal)) return "";
@@ -100,8 +100,8 @@ std::string journal_fault(const Study& study) {
   }
 }
 
-/// Whether the search of a study without stages has a step in its journal; a large design of
-/// experiments takes a second to read anew, to find out that it has none.
+/// True if the search of a study without stages may have a step in its journal. Reading a large
+/// design of experiments again takes a second, only to find that it has none.
 bool may_be_begun(const Study& study, const std::vector<TableRow>& rows) {
   if (!study.stages.empty() || correlation::estimates_noise(study)) return true;
   try {
@@ -110,12 +110,11 @@ bool may_be_begun(const Study& study, const std::vector<TableRow>& rows) {
       return row.point == *first;
     });
   } catch (const std::exception&) {
-    return true;  // whoever replays it says why not
+    return true;  // the replay reports the reason
   }
 }
 
-/// Whether two are the same as their last stage has them: noise that the fit tells, weights, and
-/// the variables that are held.
+/// True if the last stages agree: noise estimated by the fit, weights, and the variables held.
 bool have_same_last_stage(const Study& a, const Study& b) {
   if (a.free != b.free || a.held_at != b.held_at) return false;
   for (std::size_t e = 0; e < a.experiments.size(); ++e) {
@@ -142,7 +141,8 @@ bool ShelvedStudy::is_out_of_date() const {
 
 void ShelvedStudy::read_files() {
   is_read_ = true;
-  read_at_ = {{file_, time_of(file_)}};  // before it is read: what changes meanwhile is seen
+  read_at_ = {{file_, time_of(file_)}};  // taken before reading, so that changes meanwhile are
+                                         // noticed
   const fs::path folder = file_.parent_path();
   const auto folder_was = time_of(folder);
   whole_.reset();
@@ -159,7 +159,7 @@ void ShelvedStudy::read_files() {
   } catch (const std::exception& error) {
     error_ = error.what();
     whole_.reset();
-    // A file that it names may come, or be mended, while the study stays as it is.
+    // A file that the study names may appear, or be corrected, while the study stays unchanged.
     read_at_.emplace(folder, folder_was);
     const auto* wrong = dynamic_cast<const InputError*>(&error);
     if (wrong && !wrong->place().file.empty())
@@ -176,12 +176,13 @@ void ShelvedStudy::show_stage() {
       journal_fault_.empty())
     correlation::take_stage(
         correlation::with_estimated_noise(*whole_, Journal::read(whole_->run.journal)), shown);
-  table_ = std::make_unique<TrialTable>(shown);  // what it throws leaves no study without a table
+  table_ = std::make_unique<TrialTable>(shown);  // must come first: an exception must not leave a
+                                                 // study without a table
   study_ = std::make_shared<const Study>(std::move(shown));
 }
 
-/// Before its first trial is taken, and as long as it is another study's: points of another space
-/// have no place in the table.
+/// Checks the journal before its first trial is read, and as long as it belongs to another study,
+/// because points of another space have no place in the table.
 void ShelvedStudy::check_journal() {
   const bool was_another = !journal_fault_.empty();
   if (!was_another && !table_->rows().empty()) return;
@@ -221,7 +222,7 @@ ShelvedStudy::Changes ShelvedStudy::refresh(long most_trials) {
   return changes;
 }
 
-/// Who runs it and when it last changed; whether a run has begun or ended.
+/// Updates who runs the study and when it last changed. Returns true if a run has begun or ended.
 bool ShelvedStudy::look_at_run() {
   const auto& journal = study_->run.journal;
   changed_ = std::max({time_of(file_), time_of(journal), time_of(journal.string() + "-wal")});
@@ -254,7 +255,7 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
     found.edition = table_->edition();
     is_begun = may_be_begun(*whole, table_->rows());
   }
-  Study weighted = *whole;  // with the noise its stages found
+  Study weighted = *whole;  // with the noise that its stages found
   try {
     std::vector<correlation::Fit> fits;
     if (is_begun)
@@ -270,14 +271,14 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
             correlation::spoiled_experiments(weighted, fits, Journal::read(whole->run.journal));
       }
     }
-  } catch (const std::exception&) {  // of a stage that is not there, or changed meanwhile
+  } catch (const std::exception&) {  // a missing or changed stage
   }
   const std::lock_guard lock(mutex_);
   if (whole != whole_) return {};
   const bool is_of_now = found.rows == table_->rows().size() && found.edition == table_->edition();
   ending_ = std::move(found);
   if (!is_of_now || have_same_last_stage(weighted, *study_)) return {.of_state = true};
-  // The trials since it was read have told more of the noise.
+  // Trials since the study was read have changed the noise.
   Study shown = *study_;
   correlation::take_stage(weighted, shown);
   std::unique_ptr<TrialTable> table;
@@ -286,7 +287,7 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
     while (table->follow(std::numeric_limits<int>::max()) && table->has_more()) {
     }
   } catch (const std::exception&) {
-    return {.of_state = true};  // refresh() says why
+    return {.of_state = true};  // refresh() reports the reason
   }
   study_ = std::make_shared<const Study>(std::move(shown));
   table_ = std::move(table);

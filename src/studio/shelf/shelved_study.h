@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One study of a folder as it is now: its file, read anew when it or its model changes, its
-// trials, who runs it. Every call is safe from any thread.
+// The current state of one study of a folder: its file, read again when it or its model changes,
+// its trials, and the process that runs it. Every call is safe from any thread.
 #pragma once
 
 #include <filesystem>
@@ -17,18 +17,18 @@
 namespace latsch::studio {
 
 enum class StudyState {
-  reading,  // not looked at yet
-  broken,   // its file cannot be read: `error`
+  reading,  // not read yet
+  broken,   // unreadable file, see `error`
   fresh,    // never run
   running,
-  stopped,  // has trials; nobody runs it and its search has not ended
+  stopped,  // has trials; no process runs it and its search has not ended
   ended
 };
 std::string name(StudyState state);
 
 class ShelvedStudy {
  public:
-  /// `id`: its path below the folder, as requests name it.
+  /// `id` is the path below the folder, used in requests.
   ShelvedStudy(std::string id, std::filesystem::path file, const experiment::Language& language);
 
   const std::string& id() const { return id_; }
@@ -38,30 +38,31 @@ class ShelvedStudy {
     bool of_study = false, of_trials = false, of_state = false;
     bool any() const { return of_study || of_trials || of_state; }
   };
-  /// Looks at the files and reads at most so many new trials.
+  /// Checks the files and reads at most this many new trials.
   Changes refresh(long most_trials);
-  /// From now on it counts as run by nobody: for a report at the end of its own run.
+  /// Counts the study as not running from now on, for a report at the end of its own run.
   void ignore_runs() { ignores_runs_ = true; }
-  /// Whether refresh() has read less than there is.
+  /// True if refresh() has not read everything yet.
   bool has_more() const;
-  /// Replays the search on the journal, where nobody has since it last grew: whether it has ended,
-  /// and how. May take seconds, during which nothing else waits.
+  /// Replays the search on the journal, if that has grown since the last replay, to determine
+  /// whether and how it has ended. May take seconds, during which no other call waits.
   Changes find_ending();
 
-  /// What is known now, held still: the table does not move while `look` runs.
+  /// The current state, held constant: the table does not change while `look` runs.
   struct Sight {
     StudyState state;
-    std::string error;  // of the file, or of the journal
+    std::string error;  // error of the file, or of the journal
     std::shared_ptr<const correlation::Study>
-        study;                // as the stage that is shown has it; nullptr: broken
+        study;                // the study in the stage that is shown; nullptr: broken
     const TrialTable* table;  // nullptr: broken
     std::optional<JournalHolder> holder;
-    std::filesystem::file_time_type changed;  // of file and journal the later
-    /// Since the run that goes on was first seen; rows of it.
+    std::filesystem::file_time_type changed;  // later one of file and journal
+    /// Duration and number of rows since the present run was first seen.
     double run_seconds = 0.0;
     long run_trials = 0;
-    std::string ending;                // why its search ended; empty: it has not, or unknown
-    std::vector<std::string> spoiled;  // experiments that an earlier stage had better, in words
+    std::string ending;                // why the search ended; empty: it has not, or unknown
+    std::vector<std::string> spoiled;  // experiments that were better after an earlier stage, in
+                                       // words
   };
   template <class Look>
   auto look(Look&& look) const {
@@ -84,19 +85,19 @@ class ShelvedStudy {
 
   mutable std::mutex mutex_;
   bool is_read_ = false, ignores_runs_ = false;
-  std::string error_;          // of the file
-  std::string journal_fault_;  // why the journal is not that of the study: none of it is shown
-  std::string journal_error_;  // why no more of it can be read
-  std::map<std::filesystem::path, std::filesystem::file_time_type> read_at_;  // what was read when
+  std::string error_;          // error of the file
+  std::string journal_fault_;  // why the journal does not belong to the study: none of it is shown
+  std::string journal_error_;  // why the rest of the journal cannot be read
+  std::map<std::filesystem::path, std::filesystem::file_time_type> read_at_;  // at last reading
   std::filesystem::file_time_type changed_ = std::filesystem::file_time_type::min();
-  std::shared_ptr<const correlation::Study> whole_;  // as its file says
-  std::shared_ptr<const correlation::Study> study_;  // the stage that is shown, with its noise
+  std::shared_ptr<const correlation::Study> whole_;  // study as written in the file
+  std::shared_ptr<const correlation::Study> study_;  // stage that is shown, with its noise
   std::unique_ptr<TrialTable> table_;
   std::optional<JournalHolder> holder_;
-  double run_seen_at_ = 0.0;  // s, of the steady clock
+  double run_seen_at_ = 0.0;  // s, on the steady clock
   long run_seen_rows_ = 0;
   struct Ending {
-    std::size_t rows = 0;  // of the table it was found with
+    std::size_t rows = 0;  // rows of the table at the replay
     int edition = 0;
     bool has_ended = false;
     std::string words;

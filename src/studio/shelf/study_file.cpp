@@ -29,7 +29,7 @@ namespace {
 
 std::string version_of(const std::string& text) { return fmt::format("{:016x}", hash(text)); }
 
-/// A basic string. [TOML 1.0, String]
+/// Returns a basic string. [TOML 1.0, String]
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -57,14 +57,14 @@ std::string toml_of(const EditedValue& value) {
   return fmt::format("{}", number);
 }
 
-/// Letters, digits, _ and -: a name that needs no quotes in a head.
+/// Expects letters, digits, _ and -: a name that needs no quotes in a table head.
 void expect_bare(const std::string& name) {
   const auto is_bare = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
   if (name.empty() || !std::all_of(name.begin(), name.end(), is_bare))
     throw InputError("\"" + name + "\" is no name: expected letters, digits, _ and - only");
 }
 
-/// Where the line of a place in the text begins, and where the next one does.
+/// Returns the beginning of the line around a position in the text, and that of the next line.
 std::pair<std::size_t, std::size_t> line_around(const std::string& text, std::size_t at) {
   const std::size_t before = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
   const std::size_t begin = before == std::string::npos ? 0 : before + 1;
@@ -72,7 +72,7 @@ std::pair<std::size_t, std::size_t> line_around(const std::string& text, std::si
   return {begin, end == std::string::npos ? text.size() : end + 1};
 }
 
-/// Where the line of that number ends, counted from 1.
+/// Returns the end of the line with that number, counted from 1.
 std::size_t end_of_line(const std::string& text, int line) {
   std::size_t at = 0;
   for (int k = 0; k < line; ++k) {
@@ -143,7 +143,7 @@ std::string edited(const std::string& text, const std::string& file_name, const 
 std::string write_study_text(const fs::path& file,
                              const std::string& version,
                              const std::string& text) {
-  DocumentTree(text, file.string());  // a text that is no TOML is not written
+  DocumentTree(text, file.string());  // throws for a text that is no TOML, before writing
   if (read_study_text(file).version != version)
     throw ChangedMeanwhile(
         file.string() + " was changed by somebody else meanwhile: load it again before you write");
@@ -153,7 +153,7 @@ std::string write_study_text(const fs::path& file,
 
 namespace {
 
-/// A file beside the study while it is read.
+/// A temporary file beside the study while the study is read.
 class Beside {
  public:
   Beside(const fs::path& file, const std::string& text) {
@@ -206,7 +206,8 @@ Checked check_study_text(const fs::path& file,
                          const std::string& text,
                          const experiment::Language& language) {
   Checked checked;
-  // What it names stands beside it: so does the text while it is read, unless it is in the file.
+  // Files that the study names are relative to its folder, so the text is read from a temporary
+  // file there, unless the file holds the same text.
   std::optional<Beside> beside;
   try {
     std::error_code none;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page changes in a study's file is changed there and nowhere else.
+// A change by the page changes only the intended place of a study's file.
 #include "studio/shelf/study_file.h"
 
 #include <gtest/gtest.h>
@@ -108,8 +108,8 @@ TEST_F(WrittenStudy, TheCheckNamesTheLineAndLeavesNothing) {
     EXPECT_FALSE(file.path().filename().string().starts_with(".")) << file.path();
 }
 
-// As in a folder that cannot be written to, which a test run by root has not: a name so long that
-// none fits beside it.
+// A name so long that no other name fits beside it acts like a read-only folder, which a test run
+// by root cannot have.
 TEST_F(WrittenStudy, WhereNothingCanBeWrittenTheCheckSaysSo) {
   const auto& language = experiment::language();
   const std::string name = std::string(240, 'x') + ".toml";

@@ -60,7 +60,7 @@ class SpawnSettings {
   posix_spawnattr_t attributes_;
 };
 
-/// A line that was written over (progress) counts as it was last.
+/// Returns the last lines. Of a line that was overwritten (progress), only the last text counts.
 std::vector<std::string> last_lines(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   in.seekg(0, std::ios::end);

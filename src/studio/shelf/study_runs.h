@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of studies as processes of their own: `latsch run STUDY` as a person would type it, in a
-// session of its own, so that it goes on where the page and its server end. What it prints goes to
+// Runs studies as separate processes: `latsch run STUDY` as a user would type it, in a session of
+// its own, so that the run continues when the page and its server end. Its output goes to
 // STUDY.run.log beside the study.
 #pragma once
 
@@ -15,32 +15,32 @@
 
 namespace latsch::studio {
 
-/// What a page may start; nothing else ever is.
+/// The commands that a page may start; there are no others.
 enum class RunVerb { run, resume, doe, identify };
 std::optional<RunVerb> run_verb(const std::string& name);
 
 class StudyRuns {
  public:
-  /// `program`: of `latsch` itself.
+  /// `program` is the executable of `latsch` itself.
   explicit StudyRuns(std::filesystem::path program) : program_(std::move(program)) {}
 
   struct Asked {
     RunVerb verb = RunVerb::run;
-    int workers = 0;  // 0: as the study says
+    int workers = 0;  // 0: the number in the study
     bool anew = false;
   };
-  /// InputError where it runs already or cannot be started.
+  /// Throws InputError if the study is running already or cannot be started.
   void start(const ShelvedStudy& study, const Asked& asked);
-  /// Asks whoever runs it to stop, as Ctrl-C does: running trials are given up, finished ones stay.
-  /// InputError where nobody does, or on another machine.
+  /// Requests the running process to stop, as Ctrl-C does: running trials are given up, finished
+  /// ones stay. Throws InputError if no process runs the study, or on another machine.
   void stop(const ShelvedStudy& study);
 
   struct Run {
-    bool is_ours = false;  // was started from this page
+    bool is_ours = false;  // started from this page
     bool is_alive = false;
     std::optional<int> exit_code;
-    bool was_stopped = false;      // from this page: its exit code is no failure
-    RunVerb verb = RunVerb::run;   // of one of ours
+    bool was_stopped = false;      // stopped from this page: its exit code is no failure
+    RunVerb verb = RunVerb::run;   // valid for a run of this page
     std::vector<std::string> log;  // last lines
   };
   Run of(const ShelvedStudy& study);
@@ -56,10 +56,10 @@ class StudyRuns {
 
   std::filesystem::path program_;
   std::mutex mutex_;
-  std::map<std::string, Process> started_;  // by study
+  std::map<std::string, Process> started_;  // one for each study
 };
 
-/// Where a run started from a page writes what it prints.
+/// Returns the output file of a run started from a page.
 std::filesystem::path run_log(const std::filesystem::path& study);
 
 }  // namespace latsch::studio

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The trials of a study as a page shows them: every row of its journal with the parts of its
-// target, read as they come, so that another set of weights or another stretch of fifty thousand
-// trials is a pass over numbers in memory. Channels stay in the journal, but for those of the best
-// and of the initial point.
+// target, read as they come. Another set of weights, or another stretch of fifty thousand trials,
+// is then a pass over numbers in memory. Channels stay in the journal, except those of the best and
+// of the initial point.
 //
-// Trials are numbered from 1, as the journal has them. One that nobody asked for
-// (asked_trials.h) keeps its number and does not count.
+// Trials are numbered from 1, as in the journal. A trial that was not requested (asked_trials.h)
+// keeps its number and does not count.
 #pragma once
 
 #include <filesystem>
@@ -23,47 +23,51 @@ namespace latsch::studio {
 
 struct TableRow {
   DesignPoint point;
-  std::optional<correlation::TargetParts> parts;  // nullopt: it failed
-  int reason = -1;                                // of its failure: TrialTable::reasons
+  std::optional<correlation::TargetParts> parts;  // nullopt: the trial failed
+  int reason = -1;                                // index of the failure's reason in
+                                                  // TrialTable::reasons
   Cause cause = Cause::point;
-  float seconds = 0.0F;  // it took
+  float seconds = 0.0F;  // duration of the trial
 };
 
 class TrialTable {
  public:
   explicit TrialTable(const correlation::Study& study);
 
-  /// Reads what has come, at most so many; whether anything changed. Throws as JournalFollower.
+  /// Reads new trials, at most `most`. Returns true if anything changed. Throws as JournalFollower
+  /// does.
   bool follow(long most);
   bool has_more() const { return has_more_; }
-  /// Where the journal was replaced the table began anew; counts up then, and where marks came.
+  /// Number that rises if the journal was replaced, so that the table began anew, and if marks
+  /// came.
   int edition() const { return edition_; }
 
   const std::vector<TableRow>& rows() const { return rows_; }
-  /// Sentences of failures.
+  /// Returns the sentences of failures.
   const std::vector<std::string>& reasons() const { return reasons_; }
   bool counts(std::size_t row) const;
   long failed() const { return failed_; }
-  /// Of trials in the journal, read or not.
+  /// Returns the number of trials in the journal, read or not.
   long total() const { return follower_.total(); }
   const StudyIdentity& identity() const { return follower_.identity(); }
 
   const correlation::PartedTarget& target() const { return target_; }
 
-  /// The best row: the least violation, then the least target, of those that count and lie in the
-  /// space; nullopt where none succeeded.
+  /// Returns the best row: the least violation, then the least target, of the rows that count and
+  /// lie in the space; nullopt if none succeeded.
   std::optional<std::size_t> best(const correlation::PartedTarget::Weighting& weighting) const;
-  /// With the study's own weights.
+  /// Returns the best row with the study's own weights.
   std::optional<std::size_t> best() const { return best(own_weights_); }
-  /// Where the initial point was tried.
+  /// Returns the row of the initial point, if it was tried.
   std::optional<std::size_t> initial() const { return initial_; }
 
-  /// Of the best and of the initial row; nullptr: read_channels() has them.
+  /// Returns the channels of the best or the initial row; nullptr for others, which read_channels()
+  /// reads.
   const Channels* kept_channels(std::size_t row) const;
 
  private:
   void take(const Trial& trial);
-  /// Whether it can be a result: inside the space, and with the variables that are held in place.
+  /// True if the point can be a result: inside the space, with the held variables at their values.
   bool can_be_best(const DesignPoint& point) const;
 
   DesignSpace space_;
@@ -78,15 +82,16 @@ class TrialTable {
   long failed_ = 0;
   bool has_more_ = false;
   int edition_ = 0;
-  /// With the study's own weights, and the initial point, with their channels.
+  /// Best row with the study's own weights, and initial row, with their channels.
   std::optional<std::size_t> kept_best_, initial_;
   Channels kept_best_channels_, initial_channels_;
 };
 
-/// Of any row that succeeded, from its journal: as long as it takes to read all rows before it.
+/// Returns the channels of any successful row from the journal. It takes as long as reading all
+/// earlier rows.
 Result<Channels> read_channels(const std::filesystem::path& journal, std::size_t row);
 
-/// Whether a trial is better than another one.
+/// Order of trials from better to worse.
 struct Rank {
   double violation = std::numeric_limits<double>::infinity();
   double target = std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two studies beside each other: what they have in common by name.
+// Compares two studies by the names that they have in common.
 #include <algorithm>
 
 #include "base/error.h"
@@ -18,10 +18,10 @@ struct Side {
   std::shared_ptr<const correlation::Study> study;
   std::optional<DesignPoint> best;
   Json target = nullptr;
-  std::map<std::string, double> errors;  // mean, by experiment
+  std::map<std::string, double> errors;  // mean error of each experiment
   Json convergence;
   KeptIdentifiability kept;
-  std::string no_intervals;  // why none is told
+  std::string no_intervals;  // reason why there are no intervals
 };
 
 Side side_of(const ShelvedStudy& shelved) {
@@ -52,7 +52,8 @@ bool has(const auto& named, const std::string& name) {
   return std::any_of(named.begin(), named.end(), [&](const auto& one) { return one.name == name; });
 }
 
-/// Why a study has no value of a variable, or no error of an experiment; empty where it has.
+/// Returns why a study has no value of a variable, or no error of an experiment; empty if it has
+/// one.
 std::string lack(const Side& side, const auto& named, const std::string& name, const char* words) {
   if (!has(named, name)) return words;
   return side.best ? "" : kNoTrial;
@@ -74,7 +75,7 @@ Json interval_of(const Side& side, const std::string& name) {
   return "";
 }
 
-/// Names of both, those of the first in front.
+/// Returns the names of both, those of the first in front.
 template <class Named>
 std::vector<std::string> names_of(const Named& a, const Named& b) {
   std::vector<std::string> names;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measured and simulated, from the channels in the journal. Experiments that are only predicted are
-// in no journal: the point is simulated once more for them, where the model allows it.
+// Measured and simulated values, from the channels in the journal. Experiments that are only
+// predicted are in no journal, so the point is simulated again for them, if the model allows it.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -22,9 +22,9 @@ namespace {
 
 using correlation::Study;
 
-constexpr std::size_t kMostSamples = 4000;  // of a curve on a page
+constexpr std::size_t kMostSamples = 4000;  // samples of a curve on a page
 
-/// Of long curves the least and the greatest of every stretch, in their order.
+/// For long curves, the least and the greatest value of every stretch, in their order.
 struct Samples {
   std::vector<double> x, y;
 };
@@ -55,7 +55,7 @@ Json line(const std::vector<double>& x,
   return {{"x", in_unit(few.x, x_unit)}, {"y", in_unit(few.y, y_unit)}};
 }
 
-/// Samples by their number where there is no abscissa.
+/// Returns the numbers of the samples if there is no abscissa.
 std::vector<double> abscissa_of(const std::vector<double>& x, std::size_t count) {
   if (!x.empty()) return x;
   std::vector<double> numbers(count);
@@ -65,7 +65,7 @@ std::vector<double> abscissa_of(const std::vector<double>& x, std::size_t count)
 
 bool is_of_time(const std::string& name) { return name == "time" || name.ends_with("/time"); }
 
-/// y at evenly spaced times between its first and its last; empty where time does not rise.
+/// Returns y at evenly spaced times between its first and its last; empty if time does not rise.
 std::vector<double> even_samples(const std::vector<double>& t,
                                  const std::vector<double>& y,
                                  double rate) {
@@ -81,7 +81,7 @@ std::vector<double> even_samples(const std::vector<double>& t,
 }
 
 Json psd(const report::MeasuredCurve& curve) {
-  constexpr std::size_t kLeastSamples = 64;  // samples that make a spectrum worth a look
+  constexpr std::size_t kLeastSamples = 64;  // least number for a useful spectrum
   if (!is_of_time(curve.x_name) || curve.x_measured.size() < kLeastSamples ||
       curve.x_simulated.size() < kLeastSamples)
     return nullptr;
@@ -138,7 +138,7 @@ Json curve_of(const report::ForceCurve& curve) {
           {"psd", nullptr}};
 }
 
-/// The simulated line of every piece; null where the curve is one.
+/// Returns the simulated line of every piece; null if the curve is one piece.
 Json pieces_of(const report::MeasuredCurve& curve) {
   if (curve.pieces.empty() || curve.y_simulated.size() != curve.x_measured.size()) return nullptr;
   Json pieces = Json::array();

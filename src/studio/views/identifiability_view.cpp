@@ -75,7 +75,7 @@ Json of_page(const report::Identifiability& page, const std::string& why_not) {
 Json identifiability_view(const ShelvedStudy& shelved) {
   const KeptIdentifiability kept = kept_identifiability(shelved);
   if (!kept.what) return of_page({}, kept.why_not);
-  // Bands and gains take readings of the whole journal, and trials of what is only predicted.
+  // Bands and gains need the whole journal, and trials of the predicted experiments.
   using Question = std::pair<std::shared_ptr<const correlation::Identifiability>, std::string>;
   static KeptAnswers<Question, Json> pages(kPagesKept);
   return *pages.get({kept.what, state_of_predictions(*kept.study)}, [&] {

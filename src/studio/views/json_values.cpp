@@ -13,7 +13,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// To seven significant digits: what is written then is short.
+/// Rounds to seven significant digits, which keeps the text short.
 double short_number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.7g", value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as the page gets them.
+// Formats numbers for the page.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,12 +9,12 @@
 
 namespace latsch::studio {
 
-/// null where it is not finite.
+/// Returns null if the value is not finite.
 nlohmann::ordered_json finite(double value);
 nlohmann::ordered_json finite(const std::optional<double>& value);
 nlohmann::ordered_json finite(const std::vector<double>& values);
 
-/// SI values in a unit a person reads, seven digits: a page needs no more.
+/// Returns SI values in a unit a person reads, with seven digits, which is enough for a page.
 nlohmann::ordered_json in_unit(double si, const std::string& unit);
 nlohmann::ordered_json in_unit(const std::vector<double>& si, const std::string& unit);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last answers to a question that takes a trial's time or a reading of the journal, by what was
-// asked. Who asks for one that is being found waits for it, and for no other.
+// Cache of the last answers to questions that take a trial's time or a reading of the journal. A
+// thread that requests an answer under computation waits for that answer, and for no other.
 #pragma once
 
 #include <algorithm>
@@ -19,12 +19,14 @@ class KeptAnswers {
  public:
   explicit KeptAnswers(std::size_t most) : most_(most) {}
 
-  /// As it was kept, or what `find()` says now, from any thread. What it throws, all throw who wait
-  /// for it; the next who asks has it found again.
+  /// Returns the stored answer, or the result of `find()`; may be called by any thread. All threads
+  /// waiting for an answer receive the exception that `find()` throws; the next request computes it
+  /// again.
   template <class Find>
   std::shared_ptr<const Answer> get(const Question& question, Find&& find) {
     std::promise<std::shared_ptr<const Answer>> promise;
-    const auto mine = std::make_shared<int>();  // others may have taken its place meanwhile
+    const auto mine = std::make_shared<int>();  // another answer may have replaced the entry
+                                                // meanwhile
     {
       std::unique_lock lock(mutex_);
       for (const Kept& one : kept_) {

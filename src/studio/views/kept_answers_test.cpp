@@ -31,8 +31,8 @@ TEST(KeptAnswers, ATroubleIsThrownAndNotKept) {
   EXPECT_EQ(*kept.get(1, [] { return 5; }), 5);
 }
 
-// One thread is held while it finds an answer: who asks for another one does not wait, who asks for
-// the same gets that one.
+// One thread is held while it computes an answer. A request for another answer does not wait; a
+// request for the same answer receives that one.
 TEST(KeptAnswers, OneThatTakesLongHoldsUpNoOther) {
   KeptAnswers<int, int> kept(4);
   std::promise<void> begun, go_on;

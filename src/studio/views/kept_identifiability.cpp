@@ -30,7 +30,7 @@ KeptIdentifiability computed(const std::string& id,
   return {study, std::make_shared<const correlation::Identifiability>(std::move(*what)), ""};
 }
 
-/// What it was computed from.
+/// State of a study from which a result was computed.
 struct State {
   std::shared_ptr<const correlation::Study> study;
   int edition = 0;
@@ -38,8 +38,7 @@ struct State {
   std::string error;
   bool is_running = false;
 
-  /// It takes a reading of the whole journal: while a run goes on, what was known when it was first
-  /// asked for stays.
+  /// A result needs the whole journal, so during a run the result of the first request stays valid.
   bool holds_for(const State& now) const {
     return study == now.study && edition == now.edition && error == now.error &&
            (rows == now.rows || now.is_running);
@@ -47,7 +46,7 @@ struct State {
 };
 
 struct Kept {
-  std::mutex mutex;  // of one study: the others do not wait for it
+  std::mutex mutex;  // one for each study, so that others do not wait
   std::optional<State> from;
   KeptIdentifiability result;
 };
@@ -72,7 +71,7 @@ std::string state_of_predictions(const correlation::Study& study) {
   if (!correlation::has_predictions(study)) return "";
   const std::string journal = correlation::with_predictions(study).run.journal.string();
   std::string state;
-  for (const char* of : {"", "-wal"}) {  // the log beside it
+  for (const char* of : {"", "-wal"}) {  // also the log beside the journal
     std::error_code none;
     const auto size = std::filesystem::file_size(journal + of, none);
     const auto written = std::filesystem::last_write_time(journal + of, none);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the journal of a study tells of identifiability, computed once for every state of it: it
-// takes a pass over all channels.
+// Identifiability from the journal of a study, computed once for every state of the study, because
+// it takes a pass over all channels.
 #pragma once
 
 #include <memory>
@@ -13,17 +13,18 @@ namespace latsch::studio {
 
 struct KeptIdentifiability {
   std::shared_ptr<const correlation::Study> study;
-  std::shared_ptr<const correlation::Identifiability> what;  // nullptr: `why_not`
+  std::shared_ptr<const correlation::Identifiability> what;  // nullptr: see `why_not`
   std::string why_not;
 
-  /// Why nothing of it holds at a point; empty where it does.
+  /// Returns why the result does not hold at a point; empty if it does.
   std::string why_not_at(const DesignPoint& point) const;
 };
 
-/// Changes where trials of what is only predicted have come, which are in a journal of their own.
+/// Returns a text that changes with new trials of predicted experiments, which have a journal of
+/// their own.
 std::string state_of_predictions(const correlation::Study& study);
 
-/// From any thread; who asks while it is computed waits.
+/// May be called by any thread, which waits while the result is being computed.
 KeptIdentifiability kept_identifiability(const ShelvedStudy& shelved);
 
 }  // namespace latsch::studio

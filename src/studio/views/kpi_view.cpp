@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of the compliance tool: weight, target, initial, optimized, error, a row a number; what
-// is a whole curve has a row for its mean error.
+// The table of the compliance tool: weight, target, initial value, optimized value and error, one
+// row for each number. A whole curve has a row for its mean error.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,9 +17,9 @@ namespace {
 
 using correlation::Study;
 
-constexpr double kNextToNoWeight = 1e-6;  // of the largest
-constexpr double kAtBound = 1e-3;         // of the range
-constexpr double kMissed = 0.1;           // an error worth a remark
+constexpr double kNextToNoWeight = 1e-6;  // share of the largest weight
+constexpr double kAtBound = 1e-3;         // share of the range
+constexpr double kMissed = 0.1;           // error that deserves a remark
 
 std::string weight_flag(double weight, double largest) {
   return weight < kNextToNoWeight * largest ? "weight about zero: it does not count" : "";
@@ -51,7 +51,7 @@ std::string error_flag(double error) {
                                    : "";
 }
 
-/// The mean error of a whole curve or set of modes, which should be 0.
+/// Returns the row of the mean error of a whole curve or set of modes, whose target is 0.
 Row mean_row(const std::string& experiment,
              bool fitted,
              double weight,

@@ -17,7 +17,7 @@ using correlation::Study;
 
 namespace {
 
-constexpr std::size_t kKept = 16;  // points with their predictions, and with their bands
+constexpr std::size_t kKept = 16;  // stored points with their predictions, and with their bands
 
 std::size_t place_of(const ShelvedStudy::Sight& sight, const std::string& trial) {
   const auto count = static_cast<long>(sight.table->rows().size());
@@ -35,17 +35,17 @@ std::size_t place_of(const ShelvedStudy::Sight& sight, const std::string& trial)
   return static_cast<std::size_t>(number - 1);
 }
 
-/// A study and a point of it, and where it counts what was known of it then.
+/// A study, a point of it and, if it matters, the identifiability known then.
 struct Known {
   std::shared_ptr<const Study> study;
   std::string point;
   std::shared_ptr<const correlation::Identifiability> what = nullptr;
-  std::string predictions = {};  // their state
+  std::string predictions = {};  // state of the predictions
   bool operator==(const Known&) const = default;
 };
 
-/// Recordings of all experiments at a point, the predicted ones too; two pages that ask for the
-/// same wait for one simulation.
+/// Returns the recordings of all experiments at a point, including the predicted ones. Two pages
+/// with the same question wait for one simulation.
 std::shared_ptr<const Result<Channels>> with_predicted(const std::shared_ptr<const Study>& study,
                                                        const DesignPoint& point) {
   static KeptAnswers<Known, Result<Channels>> kept(kKept);
@@ -81,7 +81,7 @@ RecordedTrial recorded_trial(const ShelvedStudy& shelved, const std::string& tri
     return found;
   });
   if (is_kept) return recorded;
-  // Nobody who follows the journal has to wait for it.
+  // Reads outside the lock, so that no follower of the journal waits.
   auto channels =
       read_channels(recorded.study->run.journal, static_cast<std::size_t>(recorded.trial - 1));
   if (!channels) throw InputError(channels.failure().reason);
@@ -93,7 +93,7 @@ namespace {
 
 using Bands = std::vector<correlation::ExperimentBand>;
 
-/// One for every experiment, or none. They take a reading of the whole journal.
+/// Returns one band for every experiment, or none. Reads the whole journal.
 std::shared_ptr<const Bands> bands_of(
     const RecordedTrial& recorded,
     const std::shared_ptr<const correlation::Identifiability>& what) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A trial with its channels, and its experiments drawn: what several views begin with.
+// A trial with its channels and its drawn experiments: the basis of several views.
 #pragma once
 
 #include <memory>
@@ -16,25 +16,25 @@ namespace latsch::studio {
 
 struct RecordedTrial {
   std::shared_ptr<const correlation::Study> study;
-  long trial = 0;  // from 1
+  long trial = 0;  // counted from 1
   DesignPoint point;
   Channels channels;
   std::optional<long> initial_trial;
   std::optional<Channels> initial;
 };
 
-/// `trial`: "best" or a number. Throws InputError where there is none, or it failed, with its
-/// reason.
+/// `trial` is "best" or a number. Throws InputError if there is none, or with the reason if it
+/// failed.
 RecordedTrial recorded_trial(const ShelvedStudy& shelved, const std::string& trial);
 
 struct Drawn {
   report::StudyReport page;                                 // forces, curves, modes, values
-  std::vector<std::pair<std::string, std::string>> absent;  // experiment and why
+  std::vector<std::pair<std::string, std::string>> absent;  // experiment and reason
 };
 
-/// Every experiment at that trial beside the initial point. Those that are only predicted are
-/// simulated, where the model may be: as long as a trial takes. With `what`, where it belongs to
-/// that point, also how uncertain the computed values are.
+/// Draws every experiment at that trial beside the initial point. Predicted experiments are
+/// simulated if the model allows it, which takes a trial's time. If `what` belongs to that point,
+/// the uncertainty of the computed values is drawn, too.
 Drawn draw(const RecordedTrial& recorded,
            const std::shared_ptr<const correlation::Identifiability>& what = nullptr);
 

@@ -10,7 +10,7 @@
 namespace latsch::studio {
 namespace {
 
-/// Numbers of four bytes behind each other, and where each list of them begins.
+/// Concatenated lists of four-byte numbers, and the beginning of each list.
 class Buffer {
  public:
   template <class Number>
@@ -22,7 +22,8 @@ class Buffer {
                   numbers.size() * sizeof(Number));  // least significant byte first: x86, ARM
     return at;
   }
-  /// The length of the head, the head with blanks up to a multiple of four, the numbers.
+  /// Returns the length of the head, the head padded with blanks to a multiple of four, and the
+  /// numbers.
   std::string behind(const Json& head) const {
     std::string text = head.dump();
     text.append((4 - text.size() % 4) % 4, ' ');
@@ -50,7 +51,7 @@ Json ranges(const std::vector<report::Scene::Part>& parts) {
   return all;
 }
 
-/// What changes from step to step in one list each, the steps behind each other.
+/// Returns one list for each quantity that changes from step to step, with the steps concatenated.
 Json sequence_of(const report::Scene::Sequence& sequence, Buffer& buffer) {
   std::vector<float> points, field, vectors;
   Json at = Json::array(), origins = Json::array(), arrows = Json::array();

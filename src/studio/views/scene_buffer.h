@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene as the one buffer that docs/studio.md describes, and a tire's section as JSON.
+// Encodes a scene as the one buffer that docs/studio.md describes, and a tire's section as JSON.
 #pragma once
 
 #include <string>

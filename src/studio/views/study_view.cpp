@@ -20,9 +20,9 @@ namespace {
 using correlation::Study;
 using Sight = ShelvedStudy::Sight;
 
-constexpr std::size_t kNamedTrials = 20;  // of one reason
+constexpr std::size_t kNamedTrials = 20;  // trials named for one reason
 constexpr std::size_t kReasons = 50;
-constexpr double kNoWeight = 1e-6;  // of the largest: as good as none
+constexpr double kNoWeight = 1e-6;  // share of the largest weight that counts as none
 
 Json variables(const Study& study, const DesignPoint* best) {
   Json list = Json::array();
@@ -102,7 +102,7 @@ Json failures(const TrialTable& table) {
   return list;
 }
 
-/// What to mind before or while it runs.
+/// Returns warnings before or during a run.
 Json warnings(const Study& study, const Sight& sight) {
   Json list = Json::array();
   if (!sight.error.empty()) list.push_back(sight.error);
@@ -128,15 +128,15 @@ double seconds_since(std::filesystem::file_time_type time) {
       .count();
 }
 
-/// Points of the design that are still to come; nullopt where nobody knows how many there will be:
-/// a search ends where it has found something.
+/// Returns the number of points of the design still to come; nullopt if it is not known, because a
+/// search ends when it has found a minimum.
 std::optional<double> trials_to_come(const Sight& sight, const StudyRuns::Run& run) {
   if (!run.is_alive || run.verb != RunVerb::doe || !sight.study->doe) return std::nullopt;
   const auto points = plan(*sight.study->doe, sight.study->space).points.size();
   return std::max(0.0, static_cast<double>(points) - static_cast<double>(sight.table->total()));
 }
 
-/// Of a run that goes on, or of the last one that this page started.
+/// Returns the present run, or the last run that this page started.
 Json run_of(const ShelvedStudy& shelved, const Sight& sight, const StudyRuns::Run& run) {
   if (!sight.holder && !run.is_ours) return nullptr;
   Json view{{"workers", sight.study->run.workers},
@@ -157,7 +157,7 @@ Json run_of(const ShelvedStudy& shelved, const Sight& sight, const StudyRuns::Ru
   if (!none) view["elapsed"] = finite(seconds_since(since));
   if (sight.run_trials < 2 || !(sight.run_seconds > 0.0)) return view;
   const double rate = static_cast<double>(sight.run_trials) / sight.run_seconds;
-  view["rate"] = finite(rate);  // trials a second
+  view["rate"] = finite(rate);  // trials per second
   if (const auto left = trials_to_come(sight, run)) view["eta"] = finite(*left / rate);
   return view;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whose fault a failed trial is, and what to do about it, for a person.
+// Explains to a person the cause of a failed trial and what to do about it.
 #pragma once
 
 #include <string>

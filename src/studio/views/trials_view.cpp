@@ -43,7 +43,7 @@ Json row_of(const Sight& sight, std::size_t place, const Weighting& weighting) {
           {"seconds", finite(row.seconds)}};
 }
 
-/// Places of one stretch worth showing: its least, its greatest, its first failure.
+/// Indices of the trials of one stretch worth showing: least, greatest, first failure.
 struct Extremes {
   std::optional<std::size_t> least, greatest, failed;
 };
@@ -61,7 +61,8 @@ Json convergence_view(const ShelvedStudy& study,
     const long to = stretch.to <= 0 ? total : std::clamp(stretch.to, from, std::max(from, total));
     const long most = std::clamp(stretch.most, 10L, kMostPoints);
     const long count = std::max(0L, std::min(to, total) - from + 1);
-    const long width = std::max(1L, (3 * count + most - 1) / most);  // trials a stretch of three
+    const long width = std::max(1L, (3 * count + most - 1) / most);  // trials in a stretch of three
+                                                                     // points
 
     std::vector<double> targets(static_cast<std::size_t>(total));
     std::vector<double> best(static_cast<std::size_t>(total));
@@ -114,7 +115,7 @@ Json trials_view(const ShelvedStudy& study, const TrialsPage& page, const std::s
     std::vector<std::size_t> order(static_cast<std::size_t>(total));
     std::iota(order.begin(), order.end(), 0);
     if (page.by_target) {
-      std::vector<std::pair<double, double>> rank(order.size());  // failed ones come last
+      std::vector<std::pair<double, double>> rank(order.size());  // failed trials come last
       for (std::size_t k = 0; k < rank.size(); ++k) {
         const auto& parts = table.rows()[k].parts;
         constexpr double kLast = std::numeric_limits<double>::infinity();

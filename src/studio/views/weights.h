@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Weights as a request names them: "force:2,modes:0.5" changes those of two experiments, the others
-// keep what the study has.
+// Parses the weights of a request: "force:2,modes:0.5" changes those of two experiments, and the
+// others keep the weights of the study.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace latsch::studio {
 
-/// Throws InputError for an experiment that is not fitted or a weight that is none.
+/// Throws InputError for an experiment that is not fitted or an invalid weight.
 std::vector<double> weights_of(const std::string& text, const correlation::PartedTarget& target);
 
 correlation::PartedTarget::Weighting weighting_of(const std::string& text,

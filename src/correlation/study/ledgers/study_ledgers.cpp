@@ -12,7 +12,7 @@ namespace latsch::correlation {
 
 namespace {
 
-/// Of a table whose reader refuses every column that it does not use: load-deflection, modes.
+/// Adds the ledger of a table whose reader refuses every unused column: load-deflection, modes.
 void add_table(const std::filesystem::path& file,
                const std::string& by,
                std::vector<Ledger>& ledgers) {

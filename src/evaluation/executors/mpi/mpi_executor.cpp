@@ -22,9 +22,9 @@ namespace latsch {
 namespace {
 
 enum Tag { kPoint = 1, kOutcome, kAlive, kWithdraw, kEnd, kEnded, kLeave, kBegun };
-constexpr const char* kAlone = "alone";  // with kLeave: another rank is lost, wait for none
-constexpr auto kPause = std::chrono::microseconds(500);  // between two looks for a message
-constexpr double kLocalPatience = 0.01;                  // s, of a rank for its own worker
+constexpr const char* kAlone = "alone";  // sent with kLeave: another rank is lost, so do not wait
+constexpr auto kPause = std::chrono::microseconds(500);  // between two checks for a message
+constexpr double kLocalPatience = 0.01;                  // s, wait of a rank for its own worker
 
 std::chrono::duration<double> seconds(double s) { return std::chrono::duration<double>(s); }
 
@@ -35,7 +35,7 @@ struct MpiJob::Outbox {
     std::string bytes;
     MPI_Request request;
   };
-  std::list<Letter> letters;  // whose bytes MPI may still need
+  std::list<Letter> letters;  // messages whose bytes MPI may still need
 };
 
 MpiJob::MpiJob(const MpiPatience& patience)
@@ -51,7 +51,7 @@ MpiJob::MpiJob(const MpiPatience& patience)
 
 namespace {
 
-/// While it lives this process may wait for the others, but not longer: one may be lost just now.
+/// Limits the time for which this process waits for other ranks, since one may have just been lost.
 class LongestWait {
  public:
   explicit LongestWait(double patience) : before_(::alarm(0)) {
@@ -63,7 +63,7 @@ class LongestWait {
   LongestWait& operator=(const LongestWait&) = delete;
 
  private:
-  unsigned before_;  // s, of somebody else's alarm
+  unsigned before_;  // s, remaining time of an alarm set before
 };
 
 }  // namespace
@@ -75,7 +75,7 @@ MpiJob::~MpiJob() {
   }
   end_.notify_one();
   if (heart_.joinable()) heart_.join();
-  // MPI_Finalize waits for every rank, also for one that is lost.
+  // MPI_Finalize waits for every rank, also for a lost one.
   if (ends_alone_) return;
   const LongestWait wait(patience_.master_silence);
   for (Outbox::Letter& letter : outbox_->letters) MPI_Wait(&letter.request, MPI_STATUS_IGNORE);
@@ -88,7 +88,7 @@ bool MpiJob::agrees(std::uint64_t value) {
   const std::array<std::uint64_t, 2> mine{value, ~value};
   std::array<std::uint64_t, 2> least{};
   MPI_Allreduce(mine.data(), least.data(), 2, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
-  return least[0] == ~least[1];  // the least is the greatest
+  return least[0] == ~least[1];  // all values are equal if the least equals the greatest
 }
 
 void MpiJob::beat() {
@@ -146,7 +146,7 @@ std::optional<MpiMessage> MpiJob::poll() {
 
 namespace {
 
-/// Says that this rank has come to its end and waits to be told whether the others have, too.
+/// Reports that this rank has come to its end, and waits to learn if the others have, too.
 void leave(MpiJob& job) {
   job.send(0, kEnded, {});
   const auto until = std::chrono::steady_clock::now() + seconds(job.patience().master_silence);
@@ -165,7 +165,7 @@ void serve(MpiJob& job, ProcessOptions options) {
   options.workers = 1;
   ProcessExecutor worker(std::move(options));
   std::uint64_t trial = 0;
-  bool begun = false;  // and said so
+  bool begun = false;  // true once rank 0 knows that the trial began
   double said = worker.now(), heard = worker.now();
   while (true) {
     if (worker.now() - heard > job.patience().master_silence) return job.ends_alone();
@@ -203,7 +203,7 @@ void serve_rank(MpiJob& job, ProcessOptions options) {
   try {
     serve(job, std::move(options));
   } catch (...) {
-    job.ends_alone();  // the others go on: the end of MPI would wait for them
+    job.ends_alone();  // the others continue: the end of MPI would wait for them
     throw;
   }
 }
@@ -214,11 +214,11 @@ MpiExecutor::MpiExecutor(MpiJob& job) : job_(job), ranks_(job.size() - 1) {
   for (Rank& rank : ranks_) rank.heard = listened_;
 }
 
-// A rank that was lost unnoticed would keep all others waiting in the end of MPI: so they are asked
-// first whether they have come to theirs.
+// A rank that was lost unnoticed would make all others wait in the end of MPI. Therefore every rank
+// first reports that it has come to its end.
 MpiExecutor::~MpiExecutor() {
   tell_all(kEnd, {});
-  for (Rank& rank : ranks_) rank.heard = now();  // nobody may have listened for long
+  for (Rank& rank : ranks_) rank.heard = now();  // rank 0 may not have listened for long
   const auto awaited = [](const Rank& rank) { return !rank.lost && !rank.ended; };
   while (std::any_of(ranks_.begin(), ranks_.end(), awaited)) {
     while (const auto message = job_.poll()) {
@@ -277,14 +277,15 @@ void MpiExecutor::lose(std::size_t worker) {
   job_.ends_alone();
 }
 
-/// The next outcome that has arrived.
+/// Returns the next outcome that has arrived.
 std::optional<Trial> MpiExecutor::receive() {
   while (const auto message = job_.poll()) {
     Rank& rank = ranks_[message->rank - 1];
     rank.heard = now();
     if ((message->tag != kOutcome && message->tag != kBegun) || rank.lost) continue;
     const auto answer = take_number(message->bytes);
-    if (!answer || !rank.point || answer->number != rank.trial) continue;  // was withdrawn
+    if (!answer || !rank.point || answer->number != rank.trial) continue;  // the trial was
+                                                                           // withdrawn
     rank.begun = true;
     if (message->tag == kBegun) continue;
     auto outcome = decode_outcome(answer->rest);
@@ -295,7 +296,7 @@ std::optional<Trial> MpiExecutor::receive() {
   return std::nullopt;
 }
 
-/// The trial of a rank that has not been heard for too long, which is not used any more.
+/// Returns the trial of a rank that has been silent for too long; the rank is no longer used.
 std::optional<Trial> MpiExecutor::lose_silent() {
   for (std::size_t i = 0; i < ranks_.size(); ++i) {
     Rank& rank = ranks_[i];

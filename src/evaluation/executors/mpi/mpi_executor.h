@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Workers on the ranks of an MPI job (Open MPI 4.1):
+// Executor whose workers are the ranks of an MPI job (Open MPI 4.1):
 //
 //   mpirun -n 4 --enable-recovery latsch run study.toml        rank 0 searches, three work
 //   srun -n 4 --mpi=pmix latsch run study.toml                 the same, started by Slurm
 //
 // Every working rank runs its trials in a worker process of its own, as ProcessExecutor does, so
-// that a crash or a timeout costs the trial and not the rank. Every rank says each second that it
-// lives, rank 0 in a thread of its own: reading a journal, proposing a step, writing a page may
-// take it minutes. One that is silent for too long is lost with the trial it had, which is then
-// repeated on another, and counts as tried if the rank had said that its worker is at it; only the
-// time in which rank 0 listened counts. Without --enable-recovery mpirun ends the whole job where a
-// rank dies; the journal is then resumed by the same command.
+// that a crash or a timeout costs the trial and not the rank. Every rank reports each second that
+// it is alive. Rank 0 does so in a thread, because reading a journal, proposing a step or writing a
+// page may take minutes. A rank that is silent for too long is lost with its trial, which is
+// repeated on another rank. The lost trial counts as tried if the rank had reported that its worker
+// began it. Only the time in which rank 0 listened counts as silence. Without --enable-recovery,
+// mpirun ends the whole job if a rank dies; the same command then resumes from the journal.
 #pragma once
 
 #include <condition_variable>
@@ -28,25 +28,25 @@
 
 namespace latsch {
 
-/// Who waits how long for whom, in s.
+/// Times after which a silent partner counts as lost, in s.
 struct MpiPatience {
   double heartbeat = 1.0;
-  double silence = 10.0;         // of a working rank, after which it is lost
-  double master_silence = 20.0;  // of rank 0, after which a rank ends by itself
+  double silence = 10.0;         // silence of a working rank after which the rank is lost
+  double master_silence = 20.0;  // silence of rank 0 after which a rank ends by itself
 };
 
-/// A message that has arrived.
+/// Received message.
 struct MpiMessage {
   int rank;
   int tag;
   std::string bytes;
 };
 
-/// The MPI job of this process; ends with it.
+/// The MPI job of this process. It ends with the process.
 class MpiJob {
  public:
   explicit MpiJob(const MpiPatience& patience = {});
-  /// Ends MPI; does not wait for ranks that are lost.
+  /// Ends MPI without waiting for lost ranks.
   ~MpiJob();
   MpiJob(const MpiJob&) = delete;
   MpiJob& operator=(const MpiJob&) = delete;
@@ -54,28 +54,28 @@ class MpiJob {
   int rank() const { return rank_; }
   int size() const { return size_; }
   const MpiPatience& patience() const { return patience_; }
-  /// Whether every rank has the same value; each has to ask.
+  /// True if every rank has the same value. Every rank must call this.
   bool agrees(std::uint64_t value);
-  /// A rank has been lost: the end must not wait for it.
+  /// Declares that a rank has been lost, so that the end does not wait for it.
   void ends_alone() { ends_alone_ = true; }
   bool is_alone() const { return ends_alone_; }
 
-  /// Does not wait until it is received: a rank that is lost never receives.
+  /// Does not wait until the message is received, because a lost rank never receives it.
   void send(int rank, int tag, std::string bytes);
-  /// nullopt where none has arrived.
+  /// Returns nullopt if no message has arrived.
   std::optional<MpiMessage> poll();
-  /// Nothing is said to that rank any more.
+  /// Sends no more messages to that rank.
   void lose(int rank);
 
  private:
-  void beat();  // until the end, in a thread of rank 0
+  void beat();  // runs until the end, in a thread of rank 0
   void say(int rank, int tag, std::string bytes);
 
   MpiPatience patience_;
   int rank_ = 0;
   int size_ = 1;
   bool ends_alone_ = false;
-  std::mutex mutex_;  // of every call of MPI and what follows
+  std::mutex mutex_;  // guards every call of MPI and the members below
   struct Outbox;
   std::unique_ptr<Outbox> outbox_;
   std::set<int> lost_;
@@ -84,21 +84,21 @@ class MpiJob {
   std::thread heart_;
 };
 
-/// What a working rank does until rank 0 ends the job: trials in one worker process.
+/// Runs trials in one worker process until rank 0 ends the job: the work of a working rank.
 void serve_rank(MpiJob& job, ProcessOptions options);
 
 class MpiExecutor : public Executor {
  public:
-  /// On rank 0 of a job of at least two ranks.
+  /// Must be called on rank 0 of a job of at least two ranks.
   explicit MpiExecutor(MpiJob& job);
-  /// Tells the ranks to end and waits until they have, for one that is lost no longer than their
-  /// silence may last.
+  /// Tells the ranks to end and waits until they have; for a lost rank, no longer than its
+  /// permitted silence.
   ~MpiExecutor() override;
 
   int workers() const override { return static_cast<int>(ranks_.size()); }
   int idle() const override;
   void start(const DesignPoint& point) override;
-  /// Throws InputError where every rank is lost.
+  /// Throws InputError if every rank is lost.
   std::vector<Trial> wait(double patience) override;
   void withdraw(const DesignPoint& point) override;
   void abandon() override;
@@ -107,10 +107,10 @@ class MpiExecutor : public Executor {
   struct Rank {
     std::optional<DesignPoint> point;
     std::uint64_t trial = 0;
-    bool begun = false;  // its worker is at the point
-    double heard = 0.0;  // s, when it last said something
+    bool begun = false;  // true once its worker has begun the point
+    double heard = 0.0;  // time of its last message, s
     bool lost = false;
-    bool ended = false;  // does no trials any more, waits to leave the job
+    bool ended = false;  // runs no more trials, waits to leave the job
   };
   void tell_all(int tag, const std::string& bytes);
   void lose(std::size_t worker);
@@ -119,9 +119,9 @@ class MpiExecutor : public Executor {
   void forget(std::size_t worker);
 
   MpiJob& job_;
-  std::vector<Rank> ranks_;  // rank 1 is the first
+  std::vector<Rank> ranks_;  // starts with rank 1
   std::uint64_t trials_ = 0;
-  double listened_ = 0.0;  // s, until when
+  double listened_ = 0.0;  // time until which rank 0 has listened, s
 };
 
 }  // namespace latsch

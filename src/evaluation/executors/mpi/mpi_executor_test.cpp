@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ranks and a master that is busy elsewhere, with little patience:
+// Tests ranks with a master that is busy elsewhere, with short time limits:
 //
 //   mpirun -n 3 mpi_executor_test         rank 0 tests, the others work
 #include "evaluation/executors/mpi/mpi_executor.h"
@@ -19,7 +19,7 @@ namespace {
 constexpr MpiPatience kLittle{.heartbeat = 0.05, .silence = 0.6, .master_silence = 0.8};
 constexpr auto kBusy = std::chrono::milliseconds(2000);
 
-MpiJob* the_job = nullptr;  // MPI begins and ends once a process
+MpiJob* the_job = nullptr;  // MPI starts and ends once in a process
 
 Result<Channels> square(const DesignPoint& point) {
   Channels channels;
@@ -27,7 +27,7 @@ Result<Channels> square(const DesignPoint& point) {
   return channels;
 }
 
-/// All ranks have answered to a point.
+/// Expects that all ranks answer to a point.
 void expect_answers(MpiExecutor& executor, double first) {
   const int ranks = executor.workers();
   for (int i = 0; i < ranks; ++i) executor.start({{first + i}});
@@ -42,8 +42,8 @@ void expect_answers(MpiExecutor& executor, double first) {
   }
 }
 
-// Reading a large journal before the first trial, a step that takes long, a page that is written:
-// the ranks wait, and the master does not take for silence that it did not listen.
+// The master is busy, as while reading a large journal, computing a long step or writing a page.
+// The ranks wait, and the master does not count its own absence as their silence.
 TEST(MpiExecutor, RanksStayWhileTheMasterIsBusy) {
   std::this_thread::sleep_for(kBusy);
   {
@@ -52,7 +52,7 @@ TEST(MpiExecutor, RanksStayWhileTheMasterIsBusy) {
     std::this_thread::sleep_for(kBusy);
     expect_answers(executor, 10.0);
     executor.start({{100.0}});
-    std::this_thread::sleep_for(kBusy);  // the answer has long come
+    std::this_thread::sleep_for(kBusy);  // the answer has long arrived
     const std::vector<Trial> trials = executor.wait(1.0);
     ASSERT_EQ(trials.size(), 1u);
     EXPECT_TRUE(trials[0].outcome.result.ok());
