@@ -42,10 +42,17 @@ def comment_of(line, mark):
     return None
 
 
+def without_texts(text, suffix):
+    """A file's text with blanks in place of Python's texts of several lines, in which # begins no comment."""
+    if suffix != ".py":
+        return text
+    return re.sub(r'"""(?:.|\n)*?"""', lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+
+
 def blocks_of(path):
     """Each comment of a file as (line, [its lines]): lines in a row, the second of which may go on one after code."""
     found, block, column, first, raw = [], [], 0, 0, False
-    for number, line in enumerate(path.read_text(encoding="utf-8").split("\n") + [""], 1):
+    for number, line in enumerate(without_texts(path.read_text(encoding="utf-8"), path.suffix).split("\n") + [""], 1):
         if not raw and 'R"' in line:
             raw = ')"' not in line and re.search(r'R"\w*\(', line) is not None
         elif raw:

@@ -38,7 +38,6 @@ SECTIONS = [
     ('Test "steady_states": a table of states', "steady_states"),
     ('Test "slip_history": slips as recorded, lagging', "slip_history"),
     ('Test "kc": a corner under loads', "kc"),
-    ('Test "axle_kc": an axle under loads', "axle_kc"),
     ("What a K&C rig states or has recorded, slopes over it", "kc_histories"),
     ('Test "kinematics": a corner and its axle as rigid links', "kinematics"),
     ('Test "four_post": a car on four posts', "four_post"),
@@ -216,7 +215,7 @@ def section(heading, name):
             lines += ["```", ""]
         code = indented or (code and not line)
         shown = without_pointers(line[2:] if code else line)
-        if shown.startswith(":"):  # the text in parentheses before it was a header
+        if shown.startswith((":", ".", ";", ",")):  # behind the name of a header that was left out
             lines[-1] += shown
             continue
         lines.append(re.sub(r"#\s*$", "", shown).rstrip())

@@ -5,8 +5,8 @@
 //            meshes, contact and solvers' tolerances; the same for every evaluation of a point
 //   noisy    r_i + 1e-3 s N(0, 1), drawn from the bits of the point
 //   failing  a corner of 13.5 % of the space has no outcome: a half space, or the region in which
-//            two variables both exceed a limit. Its edge is next to the truth; for every other problem
-//            the truth is inside, if possible
+//            two variables both exceed a limit. Its edge is next to the truth; for every other
+//            problem the truth is inside, if possible
 //
 // s is the root mean square of the residuals at the start. The undisturbed residuals decide whether
 // a problem is solved.

@@ -10,7 +10,8 @@
 //   friction = 0.8                   # of a finite-element tire with the ground, 0 unless given
 //   sensor = "15 mm"                 # side of the squares in which pressure is measured; default
 //   sensors = [["0 mm", "0 mm"]]     # centers of some squares, x forward, y left of the point
-//                                    # below the wheel center; or {from = "measurement.mat"}: its x, y
+//                                    # below the wheel center; or {from = "measurement.mat"}: its
+//                                    # x and y
 //   elements = ["7 mm", "7 mm"]      # of a finite-element tire: the longest below its tread around
 //                                    # and across, around half of that in the patch of the first
 //                                    # millimeters; default. ["1 m", "1 m"] is its own mesh, which
