@@ -127,6 +127,8 @@ void warn(const std::string& sentence, const Place& place) {
   console().head["warnings"].push_back(note(sentence, place));
 }
 
+int warnings() { return static_cast<int>(console().head["warnings"].size()); }
+
 void complain(const std::string& sentence, const Place& place) {
   to_standard_error(sentence);
   console().head["error"] = note(sentence, place);

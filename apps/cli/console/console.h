@@ -52,6 +52,8 @@ void put(std::string_view data);
 
 /// One sentence, without "latsch: " and line end.
 void warn(const std::string& sentence, const Place& place = {});
+/// The count of warnings so far.
+int warnings();
 void complain(const std::string& sentence, const Place& place = {});
 
 /// What a program gets; empty until a verb fills it.

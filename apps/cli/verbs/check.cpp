@@ -248,6 +248,18 @@ void print_numbers(const Document& numbers, const std::string& file) {
   if (shortened) say("  {:<40} each by itself: latsch show {}\n", "", file);
 }
 
+/// The last word of a check. A file with warnings is accepted, but it is not called in order.
+std::string verdict() {
+  const int count = warnings();
+  if (count == 0) return "Everything is in order.";
+  return fmt::format(
+      "Nothing is refused, but there {} {} {}: read {} first.",
+      count == 1 ? "is" : "are",
+      count,
+      count == 1 ? "warning" : "warnings",
+      count == 1 ? "it" : "them");
+}
+
 /// A model alone, in a file of another program: what it is, what was assumed for it, the numbers a
 /// study may vary.
 void check_model(const std::string& file, const experiment::Language& language) {
@@ -267,8 +279,8 @@ void check_model(const std::string& file, const experiment::Language& language) 
   print_numbers(numbers, file);
   for (const std::string& note : kind.notes(file)) warn(note, {file, 0});
   warn_beyond_data(kind, numbers, file);
-  say("\nEverything is in order. Next: a test of it, latsch test {} TEST, or a study with model = "
-      "\"{}\"\n",
+  say("\n{} Next: a test of it, latsch test {} TEST, or a study with model = \"{}\"\n",
+      verdict(),
       file,
       std::filesystem::path(file).filename().string());
 }
@@ -299,7 +311,7 @@ void check(const std::string& file, const experiment::Language& language) {
   print_constraints(study.space);
   say("\nExperiments\n");
   print_experiments(study);
-  const std::size_t doubts = say_ledgers(study, true, "Files");
+  say_ledgers(study, true, "Files");
   if (!study.constraints.empty()) say("\nConstraints on channels\n");
   for (const auto& constraint : study.constraints) {
     say("  {:<16} {}\n", constraint.name, in_words(constraint));
@@ -325,14 +337,7 @@ void check(const std::string& file, const experiment::Language& language) {
       journal_in_words(study),
       correlation::in_words(study.run.on_failure));
   print_trials_so_far(study);
-  if (doubts > 0)
-    say("\n{} of what the files say {} in doubt (the warnings). Else everything is in order. Next: "
-        "latsch run {}\n",
-        doubts,
-        doubts == 1 ? "is" : "are",
-        file);
-  else
-    say("\nEverything is in order. Next: latsch run {}\n", file);
+  say("\n{} Next: latsch run {}\n", verdict(), file);
 }
 
 }  // namespace
