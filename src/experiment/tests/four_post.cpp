@@ -7,14 +7,15 @@
 //   to = "30 Hz"
 //   duration = "20 s"
 //   amplitude = "3 mm"                   # up to the frequency at which the plates move at
-//   velocity = "0.1 m/s"                 # this peak velocity, which holds above it
+//   velocity = "0.03 m/s"                # this peak velocity, which holds above it
 //   posts = {from = "measurement.rig"}   # in the place of the sweep: the heights post_FL, post_FR,
 //                                        # post_RL, post_RR that were recorded, evenly in time; or
 //                                        # posts = "heights.csv", a table of them and time
 //   step = "0.2 ms"                      # of the simulation; default
 //   sample_step = "1 ms"                 # of the record, a multiple of it; default
 //   spectra = true                       # adds channels over frequency; in recorded posts to the
-//                                        # signal of the mode that is stated; default false
+//                                        # signal of the mode that is stated; default false. The
+//                                        # car runs a second time, with the posts upside down
 //   segment = "4 s"                      # of Welch's method for densities, and 1/segment the
 //                                        # distance of lines; default, or all of a shorter record
 //   band = ["0.5 Hz", "30 Hz"]           # the lines that are kept; those of the sweep unless
@@ -74,19 +75,19 @@ class FourPost : public Test {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
     if (!frequencies_.are_recorded) return experiment::run(**car, test_);
-    const auto record = experiment::run(**car, until_it_rests());
-    if (!record) return record;
-    Channels all = as_posts_moved(*record);
-    const Channels more = over_frequency(*record);
+    const auto runs = run_both_ways(**car, test_);
+    if (!runs) return runs.failure();
+    Channels all = as_posts_moved(runs->up);
+    const Channels more = over_frequency(*runs);
     for (const Channel& channel : more.all()) all.add(channel);
     return all;
   }
   Result<Details> details(Specimen& specimen) const override {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
-    const auto record = experiment::run(**car, until_it_rests());
-    if (!record) return record.failure();
-    return four_post_details(as_posts_moved(*record), over_frequency(*record));
+    const auto runs = run_both_ways(**car, test_);
+    if (!runs) return runs.failure();
+    return four_post_details(as_posts_moved(runs->up), over_frequency(*runs));
   }
   bool has_film() const override { return true; }
   Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
@@ -100,13 +101,7 @@ class FourPost : public Test {
   }
 
  private:
-  /// Responses need a record that ends at rest (rigs/car/post_spectra.h).
-  FourPostTest until_it_rests() const {
-    FourPostTest test = test_;
-    test.still = 3.0;
-    return test;
-  }
-  /// Without that end.
+  /// Without the end in which the posts stand still.
   Channels as_posts_moved(const Channels& record) const {
     const auto count = static_cast<std::size_t>(
         std::lround((test_.times.back() - test_.times.front()) / test_.sample_step) + 1);
@@ -117,8 +112,8 @@ class FourPost : public Test {
     }
     return cut;
   }
-  Channels over_frequency(const Channels& record) const {
-    return spectra(record, frequencies_.mode, 1.0 / test_.sample_step, frequencies_.settings);
+  Channels over_frequency(const BothWays& runs) const {
+    return spectra(runs, frequencies_.mode, 1.0 / test_.sample_step, frequencies_.settings);
   }
 
   FourPostTest test_;
@@ -268,7 +263,10 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
 
 }  // namespace
 
-const TestKind kFourPost = {
-    "four_post", "stands on four posts that move it", {Drives::kName}, read_four_post};
+const TestKind kFourPost = {"four_post",
+                            "stands on four posts that move it",
+                            {Drives::kName},
+                            read_four_post,
+                            "sweeps begin below their band; responses of two runs"};
 
 }  // namespace latsch::experiment

@@ -3,6 +3,9 @@
 // turn. The same heights drive it as drove the car in the laboratory, or a sweep:
 //   h = A(t) sin φ(t),  φ' = 2π f(t), f rising by the same factor every second;  A = v/(2π f) up to
 //   the amplitude: above the frequency where both meet the plates move at one peak velocity.
+// The sweep begins below its lowest frequency and ends above its highest one: the plates take a
+// tenth of the duration to start and a twentieth to stop, and move fully from `from` to `to`. The
+// usual velocity keeps the tires of a light race car on their plates: at 0.1 m/s they leave them.
 #pragma once
 
 #include <array>
@@ -32,11 +35,20 @@ struct PostSweep {
   double from = 0.5, to = 30.0;  // Hz
   double duration = 20.0;        // s
   double amplitude = 3e-3;       // m
-  double velocity = 0.1;         // m/s
+  double velocity = 0.03;        // m/s
 };
 FourPostTest sweep_test(const PostSweep& sweep, double sample_step);
 
+/// A run, and a second one in which the plates go down from where they start wherever they went up.
+/// Half the difference of both follows the plates by their odd powers alone.
+struct BothWays {
+  Channels up, down;
+};
+
 /// What car_record.h names, and heights of the posts "post_FL" ...
 Result<Channels> run(car::Car& car, const FourPostTest& test, const CarWatcher& watch = {});
+/// Both runs end with kStill of posts that stand still, so that the car rests again.
+Result<BothWays> run_both_ways(car::Car& car, const FourPostTest& test);
+constexpr double kStill = 3.0;  // s; less cuts off what still rings, more costs time
 
 }  // namespace latsch::experiment

@@ -6,6 +6,10 @@
 // record by local polynomials (numerics/signals/local_response.h): segments would cut off what
 // enters a line before them, which at the low end of a sweep is most of it. So the record has to
 // end at rest: the posts stand still behind what moves them (FourPostTest::still).
+// Two runs are needed, y+ and one with the posts upside down, y-. The response is that of
+// (y+ - y-)/2, which has no even powers of u: a sweep's second harmonic and the mean that a bent
+// law shifts reach other lines before or after the posts do, and where the response is small they
+// are larger than it. (y+ + y-)/2 follows no linear law and lowers the coherence.
 //   u = (±h_FL ± h_FR ± h_RL ± h_RR)/4      the mode's signal, m: in a sweep that of the post FL
 //   H                                       y by u; phase positive where y leads
 // Heave: ++++, pitch: ++--, roll: +-+-, warp: +--+. Where posts also move otherwise, what follows
@@ -36,7 +40,8 @@ struct PostSpectra {
 std::vector<std::string> spectra_sensors();
 std::vector<std::pair<std::string, std::string>> spectra_channels();
 
-/// Of what run() records, no shorter than a segment, sampled at this rate, Hz.
-Channels spectra(const Channels& record, PostMode mode, double rate, const PostSpectra& settings);
+/// Of records no shorter than a segment, sampled at this rate, Hz. Densities are those of the run
+/// with the posts as they are.
+Channels spectra(const BothWays& runs, PostMode mode, double rate, const PostSpectra& settings);
 
 }  // namespace latsch::experiment
