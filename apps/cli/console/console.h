@@ -8,9 +8,10 @@
 //   answer   the same results for a program, printed at the end with --json
 //
 // With --json standard output is one JSON object whatever happens:
-//   {"verb": "run", "exit_code": 0, "warnings": [], "result": {...}}
-//   {"verb": "run", "exit_code": 2, "warnings": [], "error": {"message": "...", "file": "...",
-//    "line": 7}}
+//   {"verb": "run", "exit_code": 0, "status": "done", "warnings": [], "result": {...}}
+//   {"verb": "run", "exit_code": 2, "status": "wrong input", "warnings": [], "error": {"message":
+//    "...", "file": "...", "line": 7}}
+// "status" is "done", "failed", "wrong input" or "stopped"; who stops a run gets no "error".
 // A log file gets all of say, warn, complain and the progress, appended, with the time of the start
 // and of the end.
 #pragma once
@@ -38,6 +39,10 @@ struct CommonOptions {
 void open_console(const CommonOptions& options, const std::string& verb, const std::string& line);
 /// Prints the JSON answer and ends the log; gives the exit code back.
 int close_console(int exit_code);
+
+/// For a signal handler: writes the JSON answer of a verb that was stopped, without results, where
+/// one is wanted.
+void answer_stopped();
 
 /// Of this process nobody wants an answer: it works for another one.
 void be_silent();

@@ -24,6 +24,7 @@ from latsch._tests import Recording
 Best = collections.namedtuple("Best", "point target violation")
 Best.__doc__ = "The best trial: its point (n,), its target, by how much it violates constraints (0 where it does not)."
 
+_STOPPED = 130  # exit code of a run that was stopped on request
 _PATIENCE = 10  # s that a run is given to end after Ctrl-C; it asks for three
 
 
@@ -178,7 +179,9 @@ def _result(output, said):
         warnings.warn(warning["message"], stacklevel=4)
     if answer["exit_code"] == 0:
         return answer.get("result", {})
-    error = answer.get("error", {"message": "the run was interrupted"})
+    if answer["exit_code"] == _STOPPED:  # by somebody else: the page, a signal to the process
+        raise Failure("the run was stopped on request; run() or resume() goes on", "transient")
+    error = answer.get("error", {"message": "latsch says no reason"})
     if answer["exit_code"] == 2:
         raise InputError(error["message"], error.get("file", ""), error.get("line", 0))
     raise Failure(error["message"])

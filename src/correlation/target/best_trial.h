@@ -17,6 +17,9 @@ struct RatedTrial {
   double violation = 0.0;  // of the constraints on channels
 };
 
+/// Less violation beyond what counts as fulfilled, or else a smaller target.
+bool is_better(const RatedTrial& a, const RatedTrial& b);
+
 /// Every trial asked for that succeeded with its target, computed anew from the stored channels, in
 /// the order they finished.
 std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal);

@@ -60,6 +60,9 @@ class ProfileBranch {
 
   /// From the best point outward, without it.
   const std::vector<ProfilePoint>& points() const { return points_; }
+  /// How many rungs the ladder has from the last one to its end, if none is halved, refitted from
+  /// behind or fails; 0 where it wants nothing.
+  int rungs_left() const;
   /// The variable at the nearest rung where the model failed; nullopt where it did not.
   const std::optional<double>& failed_at() const { return failed_at_; }
 
@@ -77,6 +80,7 @@ class ProfileBranch {
   };
 
   void next_rung(const Linearization& from);
+  double rung_after(double at, double length) const;
   void climb(const Linearization& from, double to);
   void halve();
   void rung_reached(const Linearization& reached);

@@ -39,7 +39,7 @@ class StudyRuns {
     bool is_ours = false;  // was started from this page
     bool is_alive = false;
     std::optional<int> exit_code;
-    bool was_stopped = false;      // from this page: its exit code is no failure
+    bool was_stopped = false;      // on request: its exit code is no failure
     RunVerb verb = RunVerb::run;   // of one of ours
     std::vector<std::string> log;  // last lines
   };
