@@ -50,7 +50,7 @@ std::string program() {
   return (fs::read_symlink("/proc/self/exe").parent_path() / "latsch").string();
 }
 
-/// Of a verb to its end: what it says in JSON, and beside it.
+/// Runs a verb to its end and keeps what it says, in JSON and beside it.
 struct Done {
   nlohmann::json answer;
   std::string progress;
@@ -79,7 +79,7 @@ double megabytes(const fs::path& folder) {
   return 1e-6 * bytes;
 }
 
-/// Of the journal and of what stands beside it; none while a file is not there.
+/// Reads the journal and the file beside it; no trial while a file is not there.
 std::vector<Trial> all_trials(const fs::path& folder) {
   std::vector<Trial> all;
   for (const fs::path& file :
@@ -91,7 +91,7 @@ std::vector<Trial> all_trials(const fs::path& folder) {
   return all;
 }
 
-/// As bits, without what it took.
+/// Returns the bits of a trial without what it took.
 std::string bits_of(const Trial& trial) {
   std::string bits = trial.point.bits();
   return trial.outcome.result ? bits + encode(*trial.outcome.result)

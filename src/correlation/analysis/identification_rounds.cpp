@@ -11,7 +11,7 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kRefitTolerance = 0.02;  // of the threshold that ends an interval
+constexpr double kRefitTolerance = 0.02;  // share of the threshold that ends an interval
 
 /// An analysis that asks in rounds, as the scheduler knows it: the points of a round in their
 /// order.
@@ -64,7 +64,7 @@ class InRounds : public Optimizer {
   Analysis& analysis_;
   bool reduced_;
   std::function<bool()> ends_;
-  std::vector<Result<Evaluated>> seen_;  // of this round
+  std::vector<Result<Evaluated>> seen_;  // outcomes of this round
 };
 
 /// Leaves every experiment out in turn; the residuals not used by the identification stay out.
@@ -96,7 +96,7 @@ bool cross_validate_reduced(const IdentificationTrials& trials,
   const std::vector<Eigen::Index>& used = identification.residuals_used();
   std::map<int, std::size_t> place;
   std::vector<int> names;
-  RowGroups rows, places;  // of all residuals, and of those used
+  RowGroups rows, places;  // places among all residuals, and among those used
   for (std::size_t k = 0; k < group.size(); ++k) {
     const auto [at, is_new] = place.emplace(group[k], rows.size());
     if (is_new) {

@@ -15,9 +15,9 @@
 
 namespace latsch::correlation {
 
-inline constexpr long kMostIdentificationTrials = 100'000;  // of one optimizer
+inline constexpr long kMostIdentificationTrials = 100'000;  // one optimizer has no more
 
-/// How much of the trials of one optimizer is done, from 0 to 1; 0 where nobody knows.
+/// Returns the share of the trials of one optimizer that is done, from 0 to 1; 0 if nobody knows.
 using Share = std::function<double()>;
 
 /// Evaluates, or reads, until the optimizer wants nothing more; false where that was stopped.
@@ -32,7 +32,7 @@ Drive reading(const Study& study, const Journal& journal);
 struct IdentificationTrials {
   const Study& study;
   const Journal& journal;
-  Journal* writable;  // the same; nullptr: no trial may be added
+  Journal* writable;  // `journal` again; nullptr if no trial may be added
   Drive drive;
 
   RefitTrials refits(const RowGroups& groups, const Linearization& at) const;

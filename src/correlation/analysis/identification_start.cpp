@@ -56,7 +56,7 @@ class Watched : public Optimizer {
   bool& seen_;
 };
 
-/// Whether an identification from `start` has tried `point`, as far as the journal goes.
+/// Tells whether an identification from `start` has tried `point`, as far as the journal goes.
 bool comes_by(const Study& study,
               const Journal& journal,
               const DesignPoint& start,

@@ -12,16 +12,16 @@
 
 namespace latsch::correlation {
 
-/// Whether the journal knows where an identification of that depth began.
+/// Tells whether the journal knows where an identification of that depth began.
 bool has_begun(const Journal& journal, Depth depth);
 
-/// Where an identification begins, `best` being the best trial: there, or at the mark if it holds.
+/// Returns where an identification begins, `best` being the best trial: there, or at the mark if it holds.
 DesignPoint identification_start(const Study& study,
                                  const Journal& journal,
                                  const DesignPoint& best,
                                  Depth depth);
 
-/// The same, and marks it. At the point itself for Depth::at_the_point, without a mark.
+/// Returns the same point and marks it. Returns `best` for Depth::at_the_point, without a mark.
 DesignPoint begin_identification(const Study& study,
                                  Journal& journal,
                                  const DesignPoint& best,

@@ -125,7 +125,7 @@ std::optional<Evaluated> RefitTrials::unpacked(const std::vector<double>& number
   return all;
 }
 
-/// From a recording, or from what is kept of it: the same bits.
+/// A recording, and what is kept of it, give the same bits.
 Result<Score> RefitTrials::reduced(const DesignPoint& point, const Channels& channels) const {
   if (const Channel* kept = channels.find(name_)) {
     const auto rows = unpacked(kept->values);

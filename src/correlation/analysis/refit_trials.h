@@ -33,7 +33,7 @@ namespace latsch::correlation {
 
 class RefitTrials : public TrialStore {
  public:
-  /// Of a study and its `journal`, whose trials are known, too. `groups`: the residuals that are
+  /// The trials of `journal`, which belongs to the study, are known, too. `groups`: the residuals that are
   /// used; `at`: where the refits begin, in the rows used. `better`: the same journal, for trials
   /// better than its best one; the file is then created, and one of another study is replaced.
   /// nullptr: nothing is written, and the file is read where it is there.
@@ -65,12 +65,12 @@ class RefitTrials : public TrialStore {
   Objective residuals_, target_;
   RowGroups groups_;
   Eigen::Index variables_;
-  std::string name_;  // of the channel that holds the reduced residuals
+  std::string name_;  // name of the channel that holds the reduced residuals
   std::optional<RatedTrial> best_;
   std::unique_ptr<Journal> kept_;  // nullptr: none to read
 };
 
-/// How many trials are kept beside the journal; 0 where none are.
+/// Returns how many trials are kept beside the journal.
 long refit_trial_count(const Journal& journal);
 
 }  // namespace latsch::correlation

@@ -64,7 +64,7 @@ class RefitTrialsOfStudy : public FittedStudy {
     return std::move(**result);
   }
 
-  /// Of the journal and of what stands beside it.
+  /// Reads the trials that stand beside the journal.
   static std::vector<Trial> refits(const Study& study) {
     return Journal::read(RefitTrials::file(study.run.journal)).trials();
   }
