@@ -15,7 +15,8 @@ namespace latsch::correlation {
 /// Tells whether the journal knows where an identification of that depth began.
 bool has_begun(const Journal& journal, Depth depth);
 
-/// Returns where an identification begins, `best` being the best trial: there, or at the mark if it holds.
+/// Returns where an identification begins, `best` being the best trial: there, or at the mark if it
+/// holds.
 DesignPoint identification_start(const Study& study,
                                  const Journal& journal,
                                  const DesignPoint& best,

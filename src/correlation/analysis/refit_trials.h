@@ -33,10 +33,10 @@ namespace latsch::correlation {
 
 class RefitTrials : public TrialStore {
  public:
-  /// The trials of `journal`, which belongs to the study, are known, too. `groups`: the residuals that are
-  /// used; `at`: where the refits begin, in the rows used. `better`: the same journal, for trials
-  /// better than its best one; the file is then created, and one of another study is replaced.
-  /// nullptr: nothing is written, and the file is read where it is there.
+  /// The trials of `journal`, which belongs to the study, are known, too. `groups`: the residuals
+  /// that are used; `at`: where the refits begin, in the rows used. `better`: the same journal, for
+  /// trials better than its best one; the file is then created, and one of another study is
+  /// replaced. nullptr: nothing is written, and the file is read where it is there.
   RefitTrials(const Study& study,
               const Journal& journal,
               RowGroups groups,

@@ -80,8 +80,8 @@ class Identification {
   /// Whether linearization and confidence are there: not before round 1 is done, nor while it is
   /// done anew at a better point.
   bool is_linearized() const { return at_.has_value(); }
-  /// Tells whether the points wanted are those of profiles. If refitted() is exact, what they tell may
-  /// come reduced: as reduced_rows() of one group, the residuals used.
+  /// Tells whether the points wanted are those of profiles. If refitted() is exact, what they tell
+  /// may come reduced: as reduced_rows() of one group, the residuals used.
   bool is_profiling() const { return !branches_.empty() && !wanted_.empty(); }
   /// The share of the rungs of all profiles that is done, by the lengths of those to come: rungs
   /// that are halved or refitted from behind come on top.
