@@ -18,6 +18,9 @@ struct ModelSource {
 /// Whether a file is a study, with a model or an outside program; else it is a model.
 bool is_study(const std::string& file);
 
+/// A study with a model. InputError for a study of an outside program.
+correlation::Study study_with_model(const std::string& file, const experiment::Language& language);
+
 /// A model's file as it is; of a study its model at the best point of the journal, or at the
 /// initial values. `kind`: as what the file is read; empty: as it says. InputError for a study of
 /// an outside program.

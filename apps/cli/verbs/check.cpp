@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/text.h"
 #include "cli/console/answers.h"
@@ -16,13 +17,15 @@
 #include "cli/console/tire_faults.h"
 #include "cli/run/model_source.h"
 #include "cli/verbs/verbs.h"
-#include "correlation/analysis/coefficient_levels.h"
+#include "correlation/analysis/beyond_data.h"
+#include "correlation/search/study_fit.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/refinement.h"
 #include "correlation/study/study.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
 #include "correlation/study/variables.h"
+#include "correlation/target/best_trial.h"
 #include "correlation/target/derivative_check.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/journal/journal.h"
@@ -297,6 +300,25 @@ bool is_model(const std::string& file, const experiment::Language& language) {
   });
 }
 
+/// What the tire does beyond the data and which coefficients these do not tell. The best trial is
+/// judged if there is one, else the initial values, which are no result.
+void warn_tire(const Study& study) {
+  std::optional<DesignPoint> best;
+  if (std::filesystem::exists(study.run.journal)) {
+    const Journal journal = Journal::read(study.run.journal);
+    if (!difference(journal.identity(), correlation::identity(study)))
+      if (const auto found =
+              correlation::best_trial(correlation::with_estimated_noise(study, journal), journal))
+        best = found->point;
+  }
+  if (best)
+    warn_beyond_data(study, *best, "the best trial so far, ");
+  else
+    warn_beyond_data(study, study.space.initial(), "the initial values, from which a run starts, ");
+  for (const std::string& words : correlation::untold_in_words(study))
+    warn(words, {study.file.string(), 0});
+}
+
 void check(const std::string& file, const experiment::Language& language) {
   if (is_model(file, language)) return check_model(file, language);
   const Study study = correlation::read_study(file, language);
@@ -320,11 +342,7 @@ void check(const std::string& file, const experiment::Language& language) {
   if (study.refinement)
     say("\nRefined model, for what mesh and step make of the numbers: {}\n",
         in_words(*study.refinement));
-  warn_beyond_data(study, study.space.initial());
-  for (const auto& one : correlation::untold_coefficients(study))
-    warn("variable " + one.variable + " is free, but " + one.reason +
-             ": the measurement does not tell it; leave it out, or measure more levels",
-         {file, 0});
+  warn_tire(study);
   const MethodChoice choice = method_of(study);
   say("\nOptimizer {}, at most {} steps: {}\n"
       "Workers {}, {:g} s a trial at most, journal {}\n"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rigid ring as a kind of specimen.
 #include "experiment/kinds/rolling_specimen.h"
+#include "experiment/kinds/fitted_tir.h"
 #include "experiment/kinds/tir_numbers.h"
 #include "experiment/kinds/tire_sanity.h"
 #include "models/rigid_ring/rigid_ring_tire.h"
@@ -50,6 +51,10 @@ class RigidRingKind : public SpecimenKind {
   }
   void check(const Document& numbers) const override { RigidRingSpecimen(numbers).tire({}); }
   std::string text(const Document& numbers) const override { return tir_text_of(numbers); }
+  std::string annotated_text(const Document& numbers,
+                             const Provenance& provenance) const override {
+    return fitted_tir_text(numbers, provenance);
+  }
   std::vector<FaultBeyondData> faults_beyond_data(const Document& numbers,
                                                   const MeasuredAt& values_of) const override {
     return tire_faults(numbers, values_of);

@@ -90,7 +90,12 @@ constexpr Row kRows[] = {
     {"SSZ4", camber, 1},
     {"SSZ4", load, 1},
     // Mx, My, friction over speed
+    // QSX10 stands beside QSX2 and QSX13 beside QSX3, which have the same form at one load
     {"QSX2", camber, 1},
+    {"QSX10", camber, 1},
+    {"QSX10", load, 1},
+    {"QSX13", load, 1},
+    {"QSX14", camber, 1, true},
     {"QSY3", speed, 1},
     {"QSY4", speed, 4},
     {"QSY5", camber, 1, true},
