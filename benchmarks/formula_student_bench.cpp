@@ -35,8 +35,8 @@ using namespace latsch::correlation;
 constexpr const char* kRecord =
     LATSCH_SOURCE_DIR "/../shared/data/measured/ttc_hoosier_43075_cornering_10Hz.csv";
 constexpr double kWorse = 1.05;     // times the error of the own stage
-constexpr double kMostFy = 0.05;    // of the peak at the predicted pressure
-constexpr double kMostMz = 0.0754;  // the same
+constexpr double kMostFy = 0.05;    // share of the peak at the predicted pressure
+constexpr double kMostMz = 0.0754;  // share of the peak there
 constexpr const char* kChannels[] = {"Fy", "Mz", "Mx"};
 
 void write_study(const fs::path& folder) {
@@ -73,7 +73,7 @@ std::string with_pressure(std::string study, const std::string& name, const std:
   return study.insert(study.find("stage."), lines);
 }
 
-using Errors = std::map<std::string, double>;  // by experiment, a share of the peak
+using Errors = std::map<std::string, double>;  // keys are experiments, values shares of the peak
 
 Errors errors_at(const Study& study, const DesignPoint& point) {
   const auto trial = simulate_all(study, point);
@@ -85,7 +85,7 @@ Errors errors_at(const Study& study, const DesignPoint& point) {
 }
 
 struct Fitted {
-  std::map<std::string, Errors> own;  // by channel: at the end of the stage that has it best
+  std::map<std::string, Errors> own;  // errors at the end of the stage that has the channel best
   Errors errors;
   DesignPoint point;
 };

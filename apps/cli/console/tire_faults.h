@@ -8,13 +8,13 @@
 
 namespace latsch::cli {
 
-/// Of the tire of a study at a point, over the states of its fitted tests. `of_what` stands before
+/// Warns of the tire of a study at a point, over the states of its fitted tests. `of_what` stands before
 /// each sentence: "the initial values, which a run moves: ".
 void warn_beyond_data(const correlation::Study& study,
                       const DesignPoint& point,
                       const std::string& of_what = "");
 
-/// Of the tire of a file, over its ranges.
+/// Warns of the tire of a file, over its ranges.
 void warn_beyond_data(const experiment::SpecimenKind& kind,
                       const Document& numbers,
                       const std::string& file);

@@ -19,7 +19,7 @@ using Select = std::map<std::string, std::vector<std::string>>;
 struct HeldOut {
   std::vector<std::filesystem::path> files;
   std::string channel;               // empty: whole recordings are held out
-  std::vector<std::string> windows;  // of the channel, as the user wrote them
+  std::vector<std::string> windows;  // windows of the channel, as the user wrote them
 
   bool is_empty() const { return files.empty() && channel.empty(); }
 };
@@ -27,8 +27,8 @@ struct HeldOut {
 /// InputError if recordings and conditions are mixed, or conditions of two channels.
 HeldOut held_out_of(const std::vector<std::string>& given);
 
-/// The windows that hold every value that lies in none of the given ones; both in `unit`. InputError
-/// if a window cannot be read.
+/// The windows that hold every value that lies in none of the given ones; both in `unit`.
+/// InputError if a window cannot be read.
 std::vector<std::string> windows_outside(const std::vector<std::string>& windows,
                                          const std::string& unit);
 

@@ -61,9 +61,9 @@ std::vector<Stage> every_stage_of(const TireTest& t) {
                       {"QBZ4", "QBZ5", "QDZ3", "QDZ8", "QHZ3", "QDZ9", "QHZ4", "PPZ1", "PPZ2"}});
   }
   if (t.has("Mx")) {
-    // What camber adds over the load (QSX10 beside QSX2) and the arm of the side force (QSX13,
-    // QSX14 beside QSX3): without them Mx of a race tire at two pressures kept 7.1 % of its peak,
-    // with them 3.8 %.
+    // Camber has a term over the load (QSX10 beside QSX2), the side force an arm of its own
+    // (QSX13, QSX14 beside QSX3). Without them Mx of a race tire has an RMS error of 7.1 % of its
+    // peak at two fitted pressures, with them 3.8 %.
     stages.push_back({"Mx", {"Mx"}, {"QSX1", "QSX2", "QSX10"}});
     if (t.cornering)
       for (const char* sheared : {"QSX3", "QSX13", "QSX14"})

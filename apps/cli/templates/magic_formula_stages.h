@@ -17,7 +17,7 @@ struct Stage {
   std::vector<std::string> experiments, coefficients;
 };
 
-/// What is freed, and what is not, by its reason: "of order 2 in the pressure, of which there are 2
+/// The coefficients that are freed, and those that are not by their reason: "of order 2 in the pressure, of which there are 2
 /// levels: 69, 83 kPa" with the coefficients of which that is true.
 struct Freed {
   std::vector<Stage> stages;
@@ -30,7 +30,7 @@ struct Freed {
 /// the order of its polynomial.
 Freed stages_of(const TireTest& t);
 
-/// Whether the study bounds a coefficient more narrowly than its usual range.
+/// True if the study bounds a coefficient more narrowly than its usual range.
 bool is_bounded(std::string_view coefficient);
 
 /// [variable.NAME] of those among the coefficients, a line each, with a comment.

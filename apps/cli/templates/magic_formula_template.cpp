@@ -170,7 +170,7 @@ std::pair<Samples, Samples> parted(const TireTestFiles& test) {
   return {fitted, held};
 }
 
-/// An experiment of a study: a channel of a set of samples. Sets are "cornering" and "driving", those
+/// An experiment of a study: a channel of a set of samples. Sets are "cornering", "driving"; those
 /// that are held out "cornering_held" and "driving_held".
 struct Compared {
   std::string name, channel, set;
@@ -203,7 +203,7 @@ std::vector<Compared> compared_in(const TireTest& t) {
   return all;
 }
 
-/// Which samples of some belong to a set: all, or by the slip where a test has both sets.
+/// Selects the samples that belong to a set: all, or by the slip where a test has both sets.
 Select select_of(const TireTest& t, const std::string& set, Select select) {
   if (!(t.cornering && t.driving)) return select;
   if (select.contains("kappa"))
@@ -216,7 +216,7 @@ Select select_of(const TireTest& t, const std::string& set, Select select) {
   return select;
 }
 
-/// Whether samples that are held out have any of a set.
+/// True if samples that are held out have any of a set.
 bool has_samples(const TireTest& t, const TireTest& held, const std::string& set) {
   if (set == "cornering" ? !t.cornering : !t.driving) return false;
   if (!(t.cornering && t.driving)) return true;
@@ -303,7 +303,7 @@ std::string names_in_words(const std::vector<fs::path>& files) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Whether the values that the tire begins with were seen in the recordings, or are assumed.
+/// The .tir at which the fit starts: each value was seen in the recordings or is assumed.
 std::string tire_text(const TireTest& t,
                       const magic_formula::Parameters& p,
                       const std::vector<fs::path>& files,

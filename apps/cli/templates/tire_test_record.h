@@ -31,7 +31,7 @@ class TireTest {
  public:
   explicit TireTest(const correlation::Measurement& measured);
 
-  std::optional<RecordedLag> side_lag, drive_lag;  // of Fy and Fx; none: cannot be told
+  std::optional<RecordedLag> side_lag, drive_lag;  // lags of Fy and Fx; none: cannot be told
   bool lags = false;
   bool cornering, driving, combined;
 
@@ -39,7 +39,7 @@ class TireTest {
   /// where a test has both.
   magic_formula::ConditionLevels levels_of(bool of_driving) const;
 
-  /// Whether a channel is there and more than 0.
+  /// True if a channel is there and more than 0.
   bool has(const std::string& channel) const;
   /// SI; empty if there is no such channel.
   const std::vector<double>& of(const std::string& channel) const;

@@ -57,8 +57,9 @@ workers = 1
 
 
 def keys_of(text):
-    """{key: (value, remark)} of a .tir."""
+    """{key: (value, remark)} of a .tir, without those of [MDI_HEADER] and [UNITS]."""
     found = {}
+    text = text[text.index("[MODEL]"):]
     for line in text.splitlines():
         match = re.match(r"([A-Z_0-9]+)\s*=\s*(\S+)\s*(?:\$ (.*))?$", line)
         if match:

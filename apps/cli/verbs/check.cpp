@@ -300,7 +300,7 @@ bool is_model(const std::string& file, const experiment::Language& language) {
   });
 }
 
-/// What the tire does beyond the data and which coefficients these do not tell. The best trial is
+/// Warns of the tire beyond the data and of coefficients that the data do not tell. The best trial is
 /// judged if there is one, else the initial values, which are no result.
 void warn_tire(const Study& study) {
   std::optional<DesignPoint> best;

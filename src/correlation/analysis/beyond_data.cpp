@@ -13,7 +13,7 @@ namespace {
 
 /// " at its bound" where the variable of that path stands there.
 std::string bound_in_words(const Study& study, const DesignPoint& point, const std::string& path) {
-  constexpr double kAtBound = 1e-3;  // of the range
+  constexpr double kAtBound = 1e-3;  // share of the range
   for (int i = 0; i < study.space.size(); ++i) {
     const DesignVariable& v = study.space[i];
     if (std::find(v.paths.begin(), v.paths.end(), path) == v.paths.end()) continue;

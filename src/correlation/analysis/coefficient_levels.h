@@ -17,7 +17,7 @@ std::vector<double> driven_at(const Study& study, const std::string& condition, 
 struct UntoldCoefficient {
   std::string variable;
   std::string reason;      // "PPY4 is of order 2 in the pressure, of which there are 2 levels: ..."
-  std::string stage = {};  // that frees it; empty: a study without stages
+  std::string stage = {};  // the stage that frees it; empty: no stages
 };
 
 /// In the order of the variables. Levels are those of the experiments that are fitted together: of a

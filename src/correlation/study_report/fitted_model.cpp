@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kAtBound = 1e-6;  // of the range; a value nearer to a bound stands at it
-constexpr int kDigits = 6;         // of a value without a known uncertainty
+constexpr double kAtBound = 1e-6;  // share of the range; a value nearer to a bound stands at it
+constexpr int kDigits = 6;         // digits of a value without a known uncertainty
 
 std::string name_in_study(const Study& study, const fs::path& file) {
   const fs::path folder = study.file.parent_path();
@@ -62,7 +62,7 @@ std::string with_interval(const Study& study,
   const double below = value - unit.from_si(value_at(study.space, variable, interval.lower)),
                above = unit.from_si(value_at(study.space, variable, interval.upper)) - value;
   const double half = 0.5 * (below + above);
-  constexpr double kSkew = 0.05;  // of the half width: less is told as +-
+  constexpr double kSkew = 0.05;  // share of the half width; a smaller one is told as +-
   const std::string number = format_known(value, half);
   if (std::abs(above - below) <= kSkew * half)
     return fmt::format("{} +- {}{} (95 %)", number, format_number(half, 2), behind_number(v.unit));
@@ -84,7 +84,7 @@ std::vector<std::size_t> stages_that_move(const Study& study, int variable) {
   return all;
 }
 
-/// Where the value of one variable comes from.
+/// The origin of the value of one variable, in words.
 std::string origin_of_variable(const Study& weighted,
                                const DesignPoint& point,
                                const std::optional<Identifiability>& what,
@@ -169,7 +169,7 @@ std::string line_of(const Study& study,
                      files_in_words(study, experiment));
 }
 
-/// What the whole fit is: the first lines of the file.
+/// The lines about the whole fit, which begin the file.
 std::vector<std::string> header_of(const Study& weighted,
                                    const DesignPoint& point,
                                    const Channels& recorded,

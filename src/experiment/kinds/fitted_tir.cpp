@@ -117,7 +117,7 @@ void remark_speed(const MeasuredAt& measured_at, TirRemarks& remarks) {
       "speeds of the data: {:.4g} to {:.4g} m/s; a .tir has no range of speed", *least, *greatest);
 }
 
-/// Why a value is what it is that the study has not fitted. `stated`: the remarks of the model file.
+/// The origin of a value that the study has not fitted. `stated`: the remarks of the model file.
 std::string origin_of(const std::string& key,
                       const std::map<std::string, std::string, std::less<>>& stated,
                       const std::string& file) {
