@@ -10,8 +10,8 @@ namespace latsch::cli {
 namespace {
 
 // Upper bound of QCZ1, the shape factor of the trail: cos(C pi/2) is the least share of its peak
-// that the trail ends at, -0.16 for 1.1. Larger: the moment beyond the data turns further.
-constexpr double kMostQCZ1 = 1.1;
+// that the trail ends at, -0.31 for 1.2. Larger: the moment beyond the data turns further.
+constexpr double kMostQCZ1 = 1.2;
 
 /// The stages of all coefficients that the forces of a test could tell, whatever its conditions.
 /// Without what E owes to the side of the slip (PEY3, PEY4, QEZ4, QEZ5): where the formula cuts E

@@ -17,8 +17,8 @@ struct Stage {
   std::vector<std::string> experiments, coefficients;
 };
 
-/// The coefficients that are freed, and those that are not by their reason: "of order 2 in the pressure, of which there are 2
-/// levels: 69, 83 kPa" with the coefficients of which that is true.
+/// The coefficients that are freed, and those that are not by their reason: "of order 2 in the
+/// pressure, of which there are 2 levels: 69, 83 kPa".
 struct Freed {
   std::vector<Stage> stages;
   std::vector<std::pair<std::string, std::vector<std::string>>> left_out;

@@ -300,8 +300,8 @@ bool is_model(const std::string& file, const experiment::Language& language) {
   });
 }
 
-/// Warns of the tire beyond the data and of coefficients that the data do not tell. The best trial is
-/// judged if there is one, else the initial values, which are no result.
+/// Warns of the tire beyond the data and of coefficients that the data do not tell. Judges the best
+/// trial if there is one, else the initial values, which are no result.
 void warn_tire(const Study& study) {
   std::optional<DesignPoint> best;
   if (std::filesystem::exists(study.run.journal)) {

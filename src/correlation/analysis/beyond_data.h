@@ -12,8 +12,8 @@
 
 namespace latsch::correlation {
 
-/// "PDY2 = +0.5 at its bound: lateral friction rises with load: ...": `study` and `point`, if given,
-/// tell which numbers stand at their bounds.
+/// "PDY2 = +0.5 at its bound: lateral friction rises with load: ...": `study` and `point`, if
+/// given, tell which numbers stand at their bounds.
 std::string in_words(const experiment::FaultBeyondData& fault,
                      const Study* study = nullptr,
                      const DesignPoint& point = {});

@@ -28,9 +28,10 @@ struct FittedModel {
   bool is_fitted = false;  // false: no trial succeeded so far, the numbers are the initial values
 };
 
-/// Returns the model of the best trial in the journal of the study, or of the initial values if there is no journal.
-/// `at`: another point of the study, of which the journal need not know anything. InputError if the
-/// journal belongs to another study, or to this one before it was edited.
+/// Returns the model of the best trial in the journal of the study, or of the initial values if
+/// there is no journal. `at`: another point of the study, of which the journal need not know
+/// anything. InputError if the journal belongs to another study, or to this one before it was
+/// edited.
 FittedModel fitted_model(const Study& study,
                          const ExportedBy& by,
                          const std::optional<DesignPoint>& at = std::nullopt);
