@@ -35,6 +35,8 @@
 #include "experiment/language/test.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/four_post_rig.h"
+#include "experiment/rigs/car/held_band.h"
+#include "experiment/rigs/car/post_notes.h"
 #include "experiment/rigs/car/post_spectra.h"
 #include "experiment/tests/films/car_film.h"
 #include "experiment/tests/four_post_pictures.h"
@@ -50,12 +52,20 @@ struct Frequencies {
   PostMode mode = PostMode::heave;
   PostSpectra settings;
   bool are_recorded = false;
+  std::string note = {};  // of a band that the posts' record made narrower
 };
 
 class FourPost : public Test {
  public:
-  FourPost(FourPostTest test, Frequencies frequencies, std::string words)
-      : test_(std::move(test)), frequencies_(frequencies), words_(std::move(words)) {}
+  /// `sweep`: what the heights were made of; none: they were recorded.
+  FourPost(FourPostTest test,
+           Frequencies frequencies,
+           std::string words,
+           std::optional<PostSweep> sweep = std::nullopt)
+      : test_(std::move(test)),
+        frequencies_(std::move(frequencies)),
+        words_(std::move(words)),
+        sweep_(sweep) {}
 
   std::string in_words() const override { return words_; }
   std::vector<ChannelInfo> channels() const override {
@@ -81,6 +91,20 @@ class FourPost : public Test {
     const Channels more = over_frequency(*runs);
     for (const Channel& channel : more.all()) all.add(channel);
     return all;
+  }
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    const auto record = run(specimen);
+    if (!record) return record.failure();
+    tell(*record);
+    std::vector<std::string> notes = notes_of_lift(*record, [&](double time) {
+      return sweep_ ? fmt::format("{:.3g} s ({:.3g} Hz)", time, frequency_at(*sweep_, time))
+                    : fmt::format("{:.3g} s", time);
+    });
+    if (!frequencies_.are_recorded) return notes;
+    if (!frequencies_.note.empty()) notes.push_back(frequencies_.note);
+    for (std::string& note : notes_of_coherence(*record)) notes.push_back(std::move(note));
+    return notes;
   }
   Result<Details> details(Specimen& specimen) const override {
     auto car = specimen.find<Drives>()->car({});
@@ -119,6 +143,7 @@ class FourPost : public Test {
   FourPostTest test_;
   Frequencies frequencies_;
   std::string words_;
+  std::optional<PostSweep> sweep_;
 };
 
 void read_steps(const Node& root, FourPostTest& test) {
@@ -190,6 +215,33 @@ void refuse_beyond(const Node& root,
         sweep->to));
 }
 
+/// Recorded posts have to hold the band that is stated; a band that is not stated becomes theirs.
+void take_what_is_held(const Node& root, const FourPostTest& test, Frequencies& read) {
+  PostSpectra& band = read.settings;
+  const double line = 1.0 / band.segment;
+  const auto held = held_band(test, read.mode, 0.5 * line);
+  const std::string mode = kModes[static_cast<std::size_t>(read.mode)];
+  if (!held)
+    root.reject(root.has("mode") ? "mode" : "posts",
+                "the posts as recorded do not move in " + mode + ": expected another mode");
+  const std::string words =
+      fmt::format("the posts as recorded move in {} from {:.3g} to {:.3g} Hz alone",
+                  mode,
+                  held->from,
+                  held->to);
+  if (band.from >= held->from - line && band.to <= held->to + line) return;
+  if (root.has("band"))
+    root.reject("band",
+                fmt::format("is {:.4g} to {:.4g} Hz, but {}: expected a band inside of that",
+                            band.from,
+                            band.to,
+                            words));
+  band.from = std::max(band.from, held->from);
+  band.to = std::min(band.to, held->to);
+  read.note = fmt::format(
+      "{}: the channels over frequency go from {:.3g} to {:.3g} Hz", words, band.from, band.to);
+}
+
 /// `from` and `to`: of the band where nothing is said, Hz; with the sweep that the posts follow.
 Frequencies read_frequencies(const Node& root,
                              PostMode mode,
@@ -215,7 +267,10 @@ Frequencies read_frequencies(const Node& root,
     settings.from = band[0];
     settings.to = band[1];
   }
-  if (read.are_recorded) refuse_beyond(root, test, sweep, settings);
+  if (read.are_recorded) {
+    refuse_beyond(root, test, sweep, settings);
+    if (!sweep) take_what_is_held(root, test, read);
+  }
   const double highest = 0.5 / test.sample_step;
   settings.to = std::min(settings.to, highest);
   if (std::floor(settings.to * settings.segment) < std::ceil(settings.from * settings.segment))
@@ -258,7 +313,8 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
                   mode,
                   sweep.from,
                   sweep.to,
-                  1e3 * sweep.amplitude));
+                  1e3 * sweep.amplitude),
+      sweep);
 }
 
 }  // namespace

@@ -26,17 +26,31 @@ std::array<double, 4> signs_of(PostMode mode) {
   return {};
 }
 
+namespace {
+
+constexpr double kStart = 0.1, kStop = 0.05;  // shares of a sweep's duration
+
+/// By how much the logarithm of the frequency grows in a second.
+double growth_of(const PostSweep& sweep) {
+  return std::log(sweep.to / sweep.from) / ((1.0 - kStart - kStop) * sweep.duration);
+}
+
+}  // namespace
+
+double frequency_at(const PostSweep& sweep, double time) {
+  return sweep.from * std::exp(growth_of(sweep) * (time - kStart * sweep.duration));
+}
+
 FourPostTest sweep_test(const PostSweep& sweep, double sample_step) {
   FourPostTest test;
   test.sample_step = sample_step;
-  constexpr double kStart = 0.1, kStop = 0.05;  // shares of the duration
-  const double grows = std::log(sweep.to / sweep.from) / ((1.0 - kStart - kStop) * sweep.duration);
-  const double first = sweep.from * std::exp(-grows * kStart * sweep.duration);
+  const double grows = growth_of(sweep);
+  const double first = frequency_at(sweep, 0.0);
   const long count = std::lround(sweep.duration / sample_step) + 1;
   const std::array<double, 4> sign = signs_of(sweep.mode);
   for (long i = 0; i < count; ++i) {
     const double t = static_cast<double>(i) * sample_step;
-    const double f = first * std::exp(grows * t);
+    const double f = frequency_at(sweep, t);
     const double phase = 2.0 * std::numbers::pi * (f - first) / grows;
     const double fade =
         std::clamp(std::min(t / kStart, (sweep.duration - t) / kStop) / sweep.duration, 0.0, 1.0);

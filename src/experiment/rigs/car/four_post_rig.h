@@ -38,6 +38,8 @@ struct PostSweep {
   double velocity = 0.03;        // m/s
 };
 FourPostTest sweep_test(const PostSweep& sweep, double sample_step);
+/// Of the sweep at a time, Hz.
+double frequency_at(const PostSweep& sweep, double time);
 
 /// A run, and a second one in which the plates go down from where they start wherever they went up.
 /// Half the difference of both follows the plates by their odd powers alone.
