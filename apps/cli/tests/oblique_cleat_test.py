@@ -44,7 +44,7 @@ class OnAnObliqueBar(unittest.TestCase):
                                                      'pressure_width = "80 mm"\nbending_across = "5 N m"'))
         return tire
 
-    # From the crown's line to a bar along the road the finite-element tire loses a sixth of its force.
+    # The finite-element tire loses an eighth of its force if the bar turns from 45 degrees to along the road.
     def test_sections_that_bend_lose_force_as_the_finite_element_tire_does(self):
         def falls(tire):
             return self.stands(tire, 90)[0] / self.stands(tire, 45)[0]

@@ -52,7 +52,7 @@ struct Frequencies {
   PostMode mode = PostMode::heave;
   PostSpectra settings;
   bool are_recorded = false;
-  std::string note = {};  // of a band that the posts' record made narrower
+  std::string note = {};  // if the posts' record made the band narrower
 };
 
 class FourPost : public Test {

@@ -38,7 +38,7 @@ struct PostSweep {
   double velocity = 0.03;        // m/s
 };
 FourPostTest sweep_test(const PostSweep& sweep, double sample_step);
-/// Of the sweep at a time, Hz.
+/// The sweep's frequency at a time, Hz.
 double frequency_at(const PostSweep& sweep, double time);
 
 /// A run, and a second one in which the plates go down from where they start wherever they went up.

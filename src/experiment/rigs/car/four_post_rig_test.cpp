@@ -106,7 +106,7 @@ TEST_P(FourPostOfALinearCar, AtItsDefaultsItsResponsesAreRightFromTheLowestLineO
         continue;
       }
       EXPECT_LT(std::abs(found - expected), 0.02 * std::abs(expected)) << sensor << " " << f[i];
-      // Where the body hardly rises, in pitch, bent laws are a tenth of what it does.
+      // The body hardly rises in pitch: bent laws are a tenth of what it does.
       EXPECT_GT(measured["coherence_" + sensor][i], sensor == "body_z" ? 0.98 : 0.995)
           << sensor << " " << f[i];
     }
