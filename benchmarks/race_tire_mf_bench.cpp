@@ -89,7 +89,7 @@ double relative_error(const Study& study, const std::string& name, const Channel
 /// Returns the study with the side force alone.
 std::string of_side_force(const std::string& study) {
   const std::string text =
-      std::regex_replace(study, std::regex("(experiment[.]Mz|stage[.]Mz).*\n"), "");
+      std::regex_replace(study, std::regex("(experiment[.]Mz|stage[.]Mz|variable[.]Q).*\n"), "");
   return std::regex_replace(text, std::regex(", \"(Q|PPZ)[A-Z0-9]+\""), "");
 }
 

@@ -1,5 +1,5 @@
-# Installs the program, the libraries and their headers, so that find_package(latsch) gives latsch::correlation
-# and everything below it. The dependencies are found again on the other machine by the same file as here.
+# Installs the program, the libraries and their headers, so that find_package(latsch) gives latsch::cli and
+# everything below it. The dependencies are found again on the other machine by the same file as here.
 # Components: program (with its manual and completion), python, development.
 include(CMakePackageConfigHelpers)
 
@@ -9,6 +9,7 @@ install(TARGETS ${libraries} EXPORT latsch_targets COMPONENT development)
 install(EXPORT latsch_targets NAMESPACE latsch:: DESTINATION ${package_directory} COMPONENT development)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/latsch COMPONENT development
         FILES_MATCHING PATTERN "*.h" PATTERN "*_testing.h" EXCLUDE)
+install(FILES ${CMAKE_SOURCE_DIR}/apps/cli/run_cli.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/latsch/cli COMPONENT development)
 
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/latsch-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)
@@ -31,5 +32,6 @@ include(cmake/latsch_packages.cmake)
 if(LATSCH_TESTS AND NOT LATSCH_SANITIZE)
   add_test(NAME install_and_find_package
            COMMAND ${CMAKE_COMMAND} -D BUILD=${CMAKE_BINARY_DIR} -D SOURCE=${CMAKE_SOURCE_DIR}
-                   -D GENERATOR=${CMAKE_GENERATOR} -P ${CMAKE_SOURCE_DIR}/cmake/consumer/check.cmake)
+                   -D GENERATOR=${CMAKE_GENERATOR} -P ${CMAKE_SOURCE_DIR}/examples/check.cmake)
+  set_tests_properties(install_and_find_package PROPERTIES TIMEOUT 900 COST 9)
 endif()

@@ -117,7 +117,8 @@ function(latsch_position_independent)
   endforeach()
 endfunction()
 
-# latsch_program(apps/cli latsch LINK ...) makes bin/latsch from apps/cli/main.cpp and a library latsch_cli of all else.
+# latsch_program(apps/cli latsch LINK ...) makes bin/latsch from apps/cli/main.cpp and a library latsch_cli of all else,
+# which is installed so that others can ship the program with models of their own (run_cli.h).
 function(latsch_program folder program)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
   get_filename_component(name ${folder} NAME)
@@ -125,7 +126,10 @@ function(latsch_program folder program)
   list(REMOVE_ITEM sources ${CMAKE_SOURCE_DIR}/${folder}/main.cpp)
   add_library(latsch_${name} STATIC ${sources})
   target_link_libraries(latsch_${name} PUBLIC ${ARG_LINK})
-  target_include_directories(latsch_${name} PUBLIC ${CMAKE_SOURCE_DIR}/apps)
+  target_include_directories(latsch_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/apps> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/latsch>)
+  set_target_properties(latsch_${name} PROPERTIES EXPORT_NAME ${name})
+  set_property(GLOBAL APPEND PROPERTY LATSCH_LIBRARIES latsch_${name})
   add_executable(${program} ${folder}/main.cpp)
   target_link_libraries(${program} PRIVATE latsch_${name})
   install(TARGETS ${program} COMPONENT program)

@@ -1,10 +1,12 @@
-# If MPI is installed (Debian: libopenmpi-dev), the program also runs its trials on the ranks of an
-# MPI job. This concerns only the program: users of the libraries need no MPI.
+# Where MPI is installed (Debian: libopenmpi-dev), the program also runs its trials on the ranks of an MPI job.
+# Only the program and latsch::cli: whoever links the other libraries needs no MPI.
 set(MPI_CXX_SKIP_MPICXX ON)
 find_package(MPI COMPONENTS CXX QUIET)
 if(MPI_CXX_FOUND)
   add_library(latsch_mpi STATIC ${CMAKE_SOURCE_DIR}/src/evaluation/executors/mpi/mpi_executor.cpp)
   target_link_libraries(latsch_mpi PUBLIC latsch::evaluation MPI::MPI_CXX)
+  set_target_properties(latsch_mpi PROPERTIES EXPORT_NAME mpi)
+  set_property(GLOBAL APPEND PROPERTY LATSCH_LIBRARIES latsch_mpi)
   target_link_libraries(latsch_cli PUBLIC latsch_mpi)
   foreach(source run/workers.cpp console/version.cpp)
     set_property(SOURCE ${CMAKE_SOURCE_DIR}/apps/cli/${source} APPEND PROPERTY COMPILE_DEFINITIONS LATSCH_MPI)

@@ -66,7 +66,7 @@ constexpr const char* kFooter = R"(
 a study. Every verb has --json, --quiet and --log FILE. A study can be interrupted (Ctrl-C, even kill -9) and goes on with
 `latsch resume`; the result is the same to the last bit.
 
-Exit codes: 0 done; 1 the run failed or was interrupted, or a model is not accepted; 2 wrong input, with file, line, what was found, what was expected.)";
+Exit codes: 0 done; 1 the run failed, or a model is not accepted; 2 wrong input, with file, line, what was found, what was expected; 130 stopped on request (Ctrl-C, SIGTERM), which is no failure.)";
 
 int run(int argc, char** argv, const experiment::Language& language) {
   const auto offers = [&](const OfferedVerb& verb) {

@@ -53,10 +53,11 @@ double error_of_responses() {
   const road::PlaneRoad flat{road::PlaneRoad::Settings{}};
   const auto linear = car::linearize(**car, *(*car)->settle(flat, 0.0, {}), flat);
   const auto test = experiment::sweep_test({.to = 40.0, .duration = 24.0, .amplitude = 5e-4}, 4e-4);
-  const auto record = experiment::run(**car, test);
+  const auto runs = experiment::run_both_ways(**car, test);
+  if (!runs) throw std::runtime_error(runs.failure().reason);
   const auto mode = experiment::PostMode::heave;
   const Channels measured =
-      experiment::spectra(*record, mode, 2500.0, {.segment = 7.0, .from = 10.0, .to = 25.0});
+      experiment::spectra(*runs, mode, 2500.0, {.segment = 7.0, .from = 10.0, .to = 25.0});
   double worst = 0.0;
   const std::vector<double>& f = measured["frequency"];
   for (std::size_t i = 0; i < f.size(); ++i) {

@@ -24,6 +24,7 @@ struct Console {
   std::ofstream log;
   std::FILE* answers = nullptr;  // original standard output, kept for the JSON answer
   Json head = Json::object(), result = Json::object();
+  std::string if_stopped = {};  // the answer then, ready for a signal handler
 };
 
 Console& console() {
@@ -67,7 +68,20 @@ int printed(FILE* out, int exit_code) {
   return exit_code == kDone ? kFailed : exit_code;
 }
 
-/// Redirects other output to standard error, because it would spoil the JSON.
+const char* status_of(int exit_code) {
+  switch (exit_code) {
+    case kDone:
+      return "done";
+    case kWrongInput:
+      return "wrong input";
+    case kStopped:
+      return "stopped";
+    default:
+      return "failed";
+  }
+}
+
+/// What is printed past this file goes to standard error: it would spoil the JSON.
 void keep_standard_output() {
   std::fflush(stdout);
   console().answers = ::fdopen(::dup(STDOUT_FILENO), "w");
@@ -79,7 +93,16 @@ void keep_standard_output() {
 void open_console(const CommonOptions& options, const std::string& verb, const std::string& line) {
   Console& c = console();
   c.options = options;
-  c.head = Json{{"verb", verb}, {"exit_code", 0}, {"warnings", Json::array()}};
+  c.head = Json{
+      {"verb", verb}, {"exit_code", 0}, {"status", status_of(kDone)}, {"warnings", Json::array()}};
+  if (options.json) {
+    c.if_stopped = fmt::format(
+        "{{\n  \"verb\": \"{}\",\n  \"exit_code\": {},\n  \"status\": \"{}\",\n  \"warnings\": "
+        "[]\n}}\n",
+        verb,
+        kStopped,
+        status_of(kStopped));
+  }
   if (options.json && !c.answers) keep_standard_output();
   if (options.log.empty()) return;
   c.log.open(options.log, std::ios::app | std::ios::binary);
@@ -97,6 +120,7 @@ int close_console(int exit_code) {
   }
   if (!c.answers) return exit_code;
   c.head["exit_code"] = exit_code;
+  c.head["status"] = status_of(exit_code);
   if (!c.result.empty()) c.head["result"] = c.result;
   const auto replace = nlohmann::detail::error_handler_t::replace;  // for names that are no UTF-8
   const std::string text = c.head.dump(2, ' ', false, replace) + "\n";
@@ -105,6 +129,19 @@ int close_console(int exit_code) {
   std::fclose(c.answers);
   c.answers = nullptr;
   return exit_code;
+}
+
+void answer_stopped() {
+  const Console& c = console();
+  if (!c.answers) return;
+  const int out = ::fileno(c.answers);
+  const char* from = c.if_stopped.data();
+  for (std::size_t left = c.if_stopped.size(); left > 0;) {
+    const ssize_t written = ::write(out, from, left);
+    if (written <= 0) return;
+    from += written;
+    left -= static_cast<std::size_t>(written);
+  }
 }
 
 void be_silent() {
@@ -127,6 +164,8 @@ void warn(const std::string& sentence, const Place& place) {
   to_standard_error(sentence);
   console().head["warnings"].push_back(note(sentence, place));
 }
+
+int warnings() { return static_cast<int>(console().head["warnings"].size()); }
 
 void complain(const std::string& sentence, const Place& place) {
   to_standard_error(sentence);

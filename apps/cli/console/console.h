@@ -8,12 +8,13 @@
 //   complain why it ended: standard error; "error" of the JSON answer
 //   answer   the same results for a program, printed at the end with --json
 //
-// With --json standard output is one JSON object in all cases:
-//   {"verb": "run", "exit_code": 0, "warnings": [], "result": {...}}
-//   {"verb": "run", "exit_code": 2, "warnings": [], "error": {"message": "...", "file": "...",
-//    "line": 7}}
-// A log file receives all of say, warn, complain and the progress, appended, with the times of
-// start and end.
+// With --json standard output is one JSON object whatever happens:
+//   {"verb": "run", "exit_code": 0, "status": "done", "warnings": [], "result": {...}}
+//   {"verb": "run", "exit_code": 2, "status": "wrong input", "warnings": [], "error": {"message":
+//    "...", "file": "...", "line": 7}}
+// "status" is "done", "failed", "wrong input" or "stopped"; who stops a run gets no "error".
+// A log file gets all of say, warn, complain and the progress, appended, with the time of the start
+// and of the end.
 #pragma once
 
 #include <fmt/format.h>
@@ -40,7 +41,11 @@ void open_console(const CommonOptions& options, const std::string& verb, const s
 /// Prints the JSON answer and ends the log; returns the exit code.
 int close_console(int exit_code);
 
-/// Suppresses all output of this process, which works for another one.
+/// For a signal handler: writes the JSON answer of a verb that was stopped, without results, where
+/// one is wanted.
+void answer_stopped();
+
+/// Of this process nobody wants an answer: it works for another one.
 void be_silent();
 
 void say_text(std::string_view text);
@@ -53,6 +58,8 @@ void put(std::string_view data);
 
 /// Reports one sentence, without "latsch: " and line end.
 void warn(const std::string& sentence, const Place& place = {});
+/// The count of warnings so far.
+int warnings();
 void complain(const std::string& sentence, const Place& place = {});
 
 /// The result for programs; empty until a verb fills it.

@@ -8,10 +8,13 @@
 
 namespace latsch::cli {
 
-/// Checks the tire of a study at a point, over the states of its fitted tests.
-void warn_beyond_data(const correlation::Study& study, const DesignPoint& point);
+/// Warns of the tire of a study at a point, over the states of its fitted tests. `of_what` stands
+/// before each sentence: "the best trial so far, ".
+void warn_beyond_data(const correlation::Study& study,
+                      const DesignPoint& point,
+                      const std::string& of_what = "");
 
-/// Checks the tire of a file over its ranges.
+/// Warns of the tire of a file, over its ranges.
 void warn_beyond_data(const experiment::SpecimenKind& kind,
                       const Document& numbers,
                       const std::string& file);

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <csignal>
 
+#include "cli/console/console.h"
 #include "cli/verbs/verbs.h"
 
 namespace latsch::cli {
@@ -19,8 +20,9 @@ constexpr itimerval kPatience{.it_interval = {}, .it_value = {.tv_sec = 1, .tv_u
 
 void on_alarm(int) {
   constexpr char kSaid[] = "latsch: interrupted; what is in the journal is safe\n";
-  if (::write(STDERR_FILENO, kSaid, sizeof kSaid - 1) < 0) ::_exit(kFailed);
-  ::_exit(kFailed);
+  if (::write(STDERR_FILENO, kSaid, sizeof kSaid - 1) < 0) ::_exit(kStopped);
+  answer_stopped();
+  ::_exit(kStopped);
 }
 
 void on_signal(int signal) {

@@ -12,16 +12,20 @@
 namespace latsch::cli {
 namespace {
 
-/// Throws InputError if the study's model is an outside program.
 ModelSource study_source(const std::string& file, const experiment::Language& language) {
-  const auto study = correlation::read_study(file, language);
-  if (!study.specimens->kind())
-    throw InputError({file, 0},
-                     "has a [simulator] in a model's place: there is no model to show or to write");
+  const auto study = study_with_model(file, language);
   return {study.specimens->kind(), model_of(study)};
 }
 
 }  // namespace
+
+correlation::Study study_with_model(const std::string& file, const experiment::Language& language) {
+  auto study = correlation::read_study(file, language);
+  if (!study.specimens->kind())
+    throw InputError({file, 0},
+                     "has a [simulator] in a model's place: there is no model to show or to write");
+  return study;
+}
 
 bool is_study(const std::string& file) {
   if (!experiment::is_document(file)) return false;

@@ -167,6 +167,39 @@ class OnPosts(Cars):
         edit(self.folder / "heights.csv", (r"\n0.250,", "\n0.2504,"))
         self.assertIn("not even in time at sample 251", self.latsch("test", self.car, self.folder / "warp.toml", code=WRONG_INPUT))
 
+    def swept_posts(self, to):
+        """8 s of heave from 2 Hz on, 1 mm."""
+        rows = ["time [s],post_FL [m],post_FR [m],post_RL [m],post_RR [m]"]
+        for i in range(2001):
+            t = 4e-3 * i
+            f = 2.0 * (to / 2.0) ** (t / 8.0)
+            h = 1e-3 * math.sin(math.pi * t / 8.0) ** 2 * math.sin(2.0 * math.pi * (f - 2.0) * 8.0 / math.log(to / 2.0))
+            rows.append(f"{t:.3f}" + f",{h:.9f}" * 4)
+        (self.folder / "swept.csv").write_text("\n".join(rows) + "\n")
+
+    # Beyond what the posts move at a response is that of rounding.
+    def test_recorded_posts_hold_the_frequencies_they_move_at_and_no_others(self):
+        self.swept_posts(10.0)
+        swept = self.folder / "swept.toml"
+        swept.write_text('kind = "four_post"\nposts = "swept.csv"\nstep = "0.5 ms"\nspectra = true\n')
+        self.assertIn("move in heave from", self.latsch("test", self.car, swept, "-o", self.folder / "out.csv"))
+        lines = self.columns(swept)["frequency"]
+        self.assertGreater(lines[0], 1.0)
+        self.assertLess(lines[-1], 15.0)
+        swept.write_text(swept.read_text() + 'band = ["2 Hz", "25 Hz"]\n')
+        self.assertIn("band is 2 to 25 Hz, but the posts as recorded move in heave from", self.latsch("test", self.car, swept, code=WRONG_INPUT))
+        swept.write_text('kind = "four_post"\nposts = "swept.csv"\nmode = "roll"\nspectra = true\n')
+        self.assertIn("do not move in roll", self.latsch("test", self.car, swept, code=WRONG_INPUT))
+
+    def test_a_tire_that_leaves_its_post_is_told(self):
+        test = '{kind = "four_post", duration = "2 s", from = "6 Hz", to = "15 Hz", amplitude = "9 mm", velocity = "0.5 m/s", step = "0.5 ms"}'
+        page = self.folder / "page.html"
+        for arguments in ((), ("--html", page)):
+            text = self.latsch("test", self.car, test, "-o", self.folder / "out.csv", *arguments)
+            self.assertRegex(text, "tires .*FL.* left their posts, first after [0-9.]+ s \\([0-9.]+ Hz\\)")
+        self.assertIn("left their posts", page.read_text())
+        self.assertNotIn("left their posts", self.latsch("test", self.car, SHORT, "-o", self.folder / "out.csv"))
+
     def test_a_study_moves_its_posts_as_they_were_measured(self):
         text = self.latsch("check", self.folder / "four_post" / "study.toml")
         self.assertNotIn("error", text.lower())

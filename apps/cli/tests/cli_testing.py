@@ -11,7 +11,7 @@ import unittest
 
 LATSCH = sys.argv.pop(1) if len(sys.argv) > 1 else "latsch"
 
-DONE, FAILED, WRONG_INPUT = 0, 1, 2
+DONE, FAILED, WRONG_INPUT, STOPPED = 0, 1, 2, 130
 
 
 def edit(file, *replacements):

@@ -11,6 +11,7 @@ import json
 import math
 import pathlib
 import random
+import re
 import shutil
 import subprocess
 import tempfile
@@ -194,6 +195,13 @@ class Pac2002(InFolder):
                          "[VERTICAL] QFZI is not known here", 'did you mean "QFZ1"')
         self.assertNotIn("FE_METHOD =", said)  # 'NO' requests nothing
         self.assert_says(self.latsch("show", "tire.tir"), "PPMX1", "multiplies NOMPRES", "friction ellipse")
+
+    def test_a_file_with_warnings_is_not_called_in_order(self):
+        self.write("meters_for_millimeters.tir", re.sub(r"(UNLOADED_RADIUS *= *)\S+", r"\g<1>330", tir_of(PAC2002)))
+        said = self.latsch("check", "meters_for_millimeters.tir")
+        self.assertIn("UNLOADED_RADIUS is 330 m", said)
+        self.assertRegex(said, "Nothing is refused, but there (is|are) [0-9]+ warning")
+        self.assertNotIn("Everything is in order", said)
 
     def test_names_and_versions(self):
         plain = {key: value for key, value in PAC2002.items() if key != "LIP"}

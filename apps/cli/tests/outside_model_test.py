@@ -11,7 +11,7 @@ import subprocess
 import time
 import unittest
 
-from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, Outside, edit, trials_of
+from cli_testing import DONE, FAILED, LATSCH, STOPPED, WRONG_INPUT, Outside, edit, trials_of
 
 
 class SteadyStates(Outside):
@@ -169,7 +169,7 @@ class Simulators(Outside):
         begin = time.monotonic()
         run.send_signal(signal.SIGINT)
         self.assertIn("what is in the journal is safe", run.communicate(timeout=10)[1])
-        self.assertEqual(run.returncode, FAILED)
+        self.assertEqual(run.returncode, STOPPED)
         self.assertLess(time.monotonic() - begin, 2.0)
 
     def test_a_run_in_which_everything_fails_alike_ends_soon_and_goes_on_once_that_is_mended(self):

@@ -34,7 +34,7 @@ class Magnitudes(Coarse):
 
     def test_unusual_may_be_meant(self):
         edit(self.study, ('pressure = "2.4 bar"', 'pressure = "20 bar"'))
-        self.said(self.study, '"20 bar"', "warning: ", "Everything is in order", code=DONE)
+        self.said(self.study, '"20 bar"', "warning: ", "Nothing is refused, but there", code=DONE)
 
     def test_the_density_of_air(self):
         tire = self.folder / "tire.toml"

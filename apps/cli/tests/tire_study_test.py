@@ -13,7 +13,7 @@ import subprocess
 import time
 import unittest
 
-from cli_testing import FAILED, LATSCH, WRONG_INPUT, Coarse, edit, trials_of
+from cli_testing import FAILED, LATSCH, STOPPED, WRONG_INPUT, Coarse, edit, trials_of
 
 
 class GoodInput(Coarse):
@@ -97,7 +97,7 @@ bounds = 0.4
         with self.running_with_trials(3) as run:
             run.send_signal(signal.SIGINT)
             text, _ = run.communicate(timeout=30)
-        self.assertEqual(run.returncode, FAILED)
+        self.assertEqual(run.returncode, STOPPED)
         self.assert_says(text, "Interrupted", "latsch resume")
 
     @contextlib.contextmanager

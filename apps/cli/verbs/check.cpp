@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/text.h"
 #include "cli/console/answers.h"
@@ -16,13 +17,15 @@
 #include "cli/console/tire_faults.h"
 #include "cli/run/model_source.h"
 #include "cli/verbs/verbs.h"
-#include "correlation/analysis/coefficient_levels.h"
+#include "correlation/analysis/beyond_data.h"
+#include "correlation/search/study_fit.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/refinement.h"
 #include "correlation/study/study.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
 #include "correlation/study/variables.h"
+#include "correlation/target/best_trial.h"
 #include "correlation/target/derivative_check.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/journal/journal.h"
@@ -249,8 +252,20 @@ void print_numbers(const Document& numbers, const std::string& file) {
   if (shortened) say("  {:<40} each by itself: latsch show {}\n", "", file);
 }
 
-/// Checks a model alone, in a file of another program: what it is, what was assumed for it, and the
-/// numbers that a study may vary.
+/// The last word of a check. A file with warnings is accepted, but it is not called in order.
+std::string verdict() {
+  const int count = warnings();
+  if (count == 0) return "Everything is in order.";
+  return fmt::format(
+      "Nothing is refused, but there {} {} {}: read {} first.",
+      count == 1 ? "is" : "are",
+      count,
+      count == 1 ? "warning" : "warnings",
+      count == 1 ? "it" : "them");
+}
+
+/// A model alone, in a file of another program: what it is, what was assumed for it, the numbers a
+/// study may vary.
 void check_model(const std::string& file, const experiment::Language& language) {
   const experiment::SpecimenKind& kind = language.kind_of_file(file);
   const Document numbers = kind.read(file);
@@ -268,8 +283,8 @@ void check_model(const std::string& file, const experiment::Language& language) 
   print_numbers(numbers, file);
   for (const std::string& note : kind.notes(file)) warn(note, {file, 0});
   warn_beyond_data(kind, numbers, file);
-  say("\nEverything is in order. Next: a test of it, latsch test {} TEST, or a study with model = "
-      "\"{}\"\n",
+  say("\n{} Next: a test of it, latsch test {} TEST, or a study with model = \"{}\"\n",
+      verdict(),
       file,
       std::filesystem::path(file).filename().string());
 }
@@ -286,6 +301,25 @@ bool is_model(const std::string& file, const experiment::Language& language) {
   });
 }
 
+/// Warns of the tire beyond the data and of coefficients that the data do not tell. Judges the best
+/// trial if there is one, else the initial values, which are no result.
+void warn_tire(const Study& study) {
+  std::optional<DesignPoint> best;
+  if (std::filesystem::exists(study.run.journal)) {
+    const Journal journal = Journal::read(study.run.journal);
+    if (!difference(journal.identity(), correlation::identity(study)))
+      if (const auto found =
+              correlation::best_trial(correlation::with_estimated_noise(study, journal), journal))
+        best = found->point;
+  }
+  if (best)
+    warn_beyond_data(study, *best, "the best trial so far, ");
+  else
+    warn_beyond_data(study, study.space.initial(), "the initial values, from which a run starts, ");
+  for (const std::string& words : correlation::untold_in_words(study))
+    warn(words, {study.file.string(), 0});
+}
+
 void check(const std::string& file, const experiment::Language& language) {
   if (is_model(file, language)) return check_model(file, language);
   const Study study = correlation::read_study(file, language);
@@ -300,7 +334,7 @@ void check(const std::string& file, const experiment::Language& language) {
   print_constraints(study.space);
   say("\nExperiments\n");
   print_experiments(study);
-  const std::size_t doubts = say_ledgers(study, true, "Files");
+  say_ledgers(study, true, "Files");
   if (!study.constraints.empty()) say("\nConstraints on channels\n");
   for (const auto& constraint : study.constraints) {
     say("  {:<16} {}\n", constraint.name, in_words(constraint));
@@ -309,11 +343,7 @@ void check(const std::string& file, const experiment::Language& language) {
   if (study.refinement)
     say("\nRefined model, for what mesh and step make of the numbers: {}\n",
         in_words(*study.refinement));
-  warn_beyond_data(study, study.space.initial());
-  for (const auto& one : correlation::untold_coefficients(study))
-    warn("variable " + one.variable + " is free, but " + one.reason +
-             ": the measurement does not tell it; leave it out, or measure more levels",
-         {file, 0});
+  warn_tire(study);
   const MethodChoice choice = method_of(study);
   say("\nOptimizer {}, at most {} steps: {}\n"
       "Workers {}, {:g} s a trial at most, journal {}\n"
@@ -326,14 +356,7 @@ void check(const std::string& file, const experiment::Language& language) {
       journal_in_words(study),
       correlation::in_words(study.run.on_failure));
   print_trials_so_far(study);
-  if (doubts > 0)
-    say("\n{} of what the files say {} in doubt (the warnings). Else everything is in order. Next: "
-        "latsch run {}\n",
-        doubts,
-        doubts == 1 ? "is" : "are",
-        file);
-  else
-    say("\nEverything is in order. Next: latsch run {}\n", file);
+  say("\n{} Next: latsch run {}\n", verdict(), file);
 }
 
 }  // namespace

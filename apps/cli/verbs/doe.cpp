@@ -184,7 +184,7 @@ int doe(const std::string& file,
   const RunEnd end = run_doe(plan, executor, counting, run_options(study, /*length_known=*/true));
   if (end == RunEnd::stopped) {
     say("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
-    return kFailed;
+    return kStopped;
   }
   if (end == RunEnd::aborted) {
     if (const auto trial = first_failure(journal)) {

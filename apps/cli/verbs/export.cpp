@@ -7,11 +7,14 @@
 #include "base/file.h"
 #include "cli/console/console.h"
 #include "cli/console/parsed.h"
+#include "cli/console/version.h"
+#include "cli/run/export_date.h"
 #include "cli/run/model_source.h"
 #include "cli/templates/meshed_tire.h"
 #include "cli/verbs/exported_bushings.h"
 #include "cli/verbs/exported_unit.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/study_report/fitted_model.h"
 #include "correlation/target/twin.h"
 #include "formats/mesh/ccx_deck.h"
 #include "formats/mesh/vtu_file.h"
@@ -121,6 +124,19 @@ void write_model(const ExportOptions& options, const std::string& text) {
   say_written(options.model);
 }
 
+/// A model's file as it is read; of a study the model found, with the origin of its numbers.
+std::string model_text(const std::string& file, const experiment::Language& language) {
+  if (!is_study(file)) {
+    const ModelSource source = model_source(file, language);
+    return source.kind->text(source.numbers);
+  }
+  const correlation::Study study = study_with_model(file, language);
+  const auto model =
+      correlation::fitted_model(study, {version_number(), export_date(calendar_of_system())});
+  say("{} at {}\n", study.title, model.is_fitted ? "its best point" : "its initial values");
+  return correlation::text_of(study, model);
+}
+
 void write_measurements(const std::string& file, const experiment::Language& language) {
   const auto study = correlation::read_study(file, language, correlation::Measurements::not_yet);
   for (const auto& path : required(correlation::write_twin(study))) {
@@ -143,10 +159,7 @@ void export_files(const ExportOptions& options, const experiment::Language& lang
         "export: say what to write: --vtu, --ccx, --model, --fmu, --sti, --bus or "
         "--measurements");
   }
-  if (!options.model.empty()) {
-    const ModelSource source = model_source(options.file, language);
-    write_model(options, source.kind->text(source.numbers));
-  }
+  if (!options.model.empty()) write_model(options, model_text(options.file, language));
   if (!mesh) return;
   const MeshedTire tire = meshed_tire(options.file, language);
   if (!options.vtu.empty()) write_vtu(options, tire);

@@ -15,6 +15,8 @@
 #include "cli/run/trials.h"
 #include "cli/run/workers.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/analysis/identification_start.h"
+#include "correlation/analysis/refit_trials.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/predictions.h"
@@ -37,9 +39,18 @@ DesignPoint start(const Study& study, const Journal& journal, const DesignPoint&
   return std::equal(u.begin(), u.end(), v.begin(), close) ? recorded->point : best;
 }
 
-/// Ranks the information that predicted experiments would give if they were measured; returns false
-/// if that was interrupted. Uses workers of this machine, also under mpirun: one trial for each
-/// variable.
+void say_interrupted(const Journal& journal) {
+  const long refits = correlation::refit_trial_count(journal);
+  say("Interrupted; {} trials are safe{}. The same command goes on.\n",
+      journal.size() + refits,
+      refits == 0 ? ""
+                  : fmt::format(", {} of them, of refits, in {}",
+                                refits,
+                                correlation::RefitTrials::file(journal.file()).string()));
+}
+
+/// What an experiment that is only predicted so far would tell, were it measured; false where that
+/// was interrupted. Workers of this machine, also below mpirun: it is a trial a variable.
 bool rank_predictions(const Study& study, const correlation::Identifiability& what) {
   if (!correlation::has_predictions(study)) return true;
   const auto points = correlation::prediction_points(study, what);
@@ -110,7 +121,8 @@ int identify(const std::string& file,
     complain("no trial in " + study.run.journal.string() + " succeeded");
     return kFailed;
   }
-  const DesignPoint point = start(study, journal, best->point);
+  const bool has_begun = correlation::has_begun(journal, correlation::Depth::profiles);
+  const DesignPoint point = has_begun ? best->point : start(study, journal, best->point);
   catch_interrupts();
   const TrialsRun trials(workers_of_study, study);
   Executor& executor = workers_of_study.start(study);
@@ -122,8 +134,8 @@ int identify(const std::string& file,
                             journal,
                             counting_options(study, "trials around the best one"));
   if (!result) {
-    say("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
-    return kFailed;
+    say_interrupted(journal);
+    return kStopped;
   }
   if (!*result) {
     complain(result->failure().reason);
@@ -132,7 +144,7 @@ int identify(const std::string& file,
   workers_of_study.end();
   if (!take_refined(study, **result)) {
     say("Interrupted before the refined model; the same command goes on.\n");
-    return kFailed;
+    return kStopped;
   }
   answer()["variables"] = answer_of(study, **result);
   for (const Profile& profile : (*result)->identification.profiles())
@@ -152,8 +164,8 @@ int identify(const std::string& file,
   print_intervals(study, **result);
   print_identifiability(study, **result);
   if (profiles && !rank_predictions(study, **result)) {
-    say("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
-    return kFailed;
+    say_interrupted(journal);
+    return kStopped;
   }
   const auto bands = correlation::prediction_bands(study, **result, journal);
   print_bands(study, bands);
@@ -172,7 +184,11 @@ void add_identify(CommandLine& app, Program& program) {
   verb.footer(
       "Example:\n  latsch identify studies/tire_b_twin/study.toml --workers 2\n\n"
       "Starts at the best trial of the journal, holds each variable at other values and fits the "
-      "others\nanew. That takes some dozens of trials a variable; they stay in the journal.");
+      "others\nanew. That takes some dozens of trials a variable. They stay in the journal or, "
+      "where the model\n"
+      "brings its slopes, in brief in STUDY.latsch.refits beside it; interrupted, even killed, the "
+      "same\n"
+      "command goes on.");
   auto file = std::make_shared<std::string>();
   auto workers = std::make_shared<int>(0);
   auto short_form = std::make_shared<bool>(false);

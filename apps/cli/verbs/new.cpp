@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 struct NewOptions {
   std::string folder, tire = "passenger_205_55R16", size;
   bool coarse = false;
-  std::vector<std::string> recordings, columns;  // a tire test and names of its columns
+  std::vector<std::string> recordings, columns, held_out;  // of a tire test
   std::string axes, radius;
   std::string ring_data, known;  // a model, or kExample; a flexible ring
   bool suspension = false, car = false;
@@ -138,6 +138,7 @@ void start_magic_formula(const NewOptions& options, const experiment::Language& 
   const fs::path folder = options.folder, study = new_study(folder);
   TireTestFiles test{
       {options.recordings.begin(), options.recordings.end()}, options.axes, options.columns, {}};
+  test.held_out = held_out_of(options.held_out);
   if (!options.radius.empty()) test.unloaded_radius = length_of(options.radius);
   const MagicFormulaStudy written = magic_formula_study(test, folder);
   fs::create_directories(folder);
@@ -270,6 +271,7 @@ void add_new(CommandLine& app, Program& program) {
       "Examples:\n  latsch new my_tire\n  latsch new my_tire --size 275/35R19\n"
       "  latsch new race --tire race_16x7.5-10\n"
       "  latsch new mf --magic-formula cornering.dat drive_brake.dat\n"
+      "  latsch new mf --magic-formula cornering.dat --hold-out \"p = 97 kPa +- 7 kPa\"\n"
       "  latsch new ring --ring-data my_tire/tire.toml\n"
       "  latsch new drum --drum raw.csv --cleat \"10 mm x 20 mm\"\n"
       "  latsch new corner --suspension\n"
@@ -304,6 +306,10 @@ void add_new(CommandLine& app, Program& program) {
   verb.add_option("--axes", options->axes, "Of the recordings; by the sign of Fz unless given")
       .one_of({"iso", "adapted_sae", "sae"});
   verb.add_option("--column", options->columns, "How a channel is called: \"Fz = LOAD [N]\"");
+  verb.add_option("--hold-out",
+                  options->held_out,
+                  "What is predicted and not fitted: recordings, or samples by a channel, \"p = 90 "
+                  "kPa .. 104 kPa\"; with --magic-formula");
   verb.add_option("--radius", options->radius, "Of the unloaded tire, where no loaded radius is");
   verb.add_option("--ring-data",
                   options->ring_data,
@@ -326,6 +332,8 @@ void add_new(CommandLine& app, Program& program) {
                 "A corner of a suspension: its bushings from numbers of a K&C rig");
   verb.add_flag("--car", options->car, "A car on four posts and over a kerb");
   verb.callback([=, &program] {
+    if (!options->held_out.empty() && options->recordings.empty())
+      throw InputError("--hold-out: expected --magic-formula with the recordings of a tire test");
     if (options->suspension && options->car)
       throw InputError("new: --suspension and --car are two studies, expected one of them");
     if (!options->drum.empty()) {

@@ -24,6 +24,7 @@
 #include "cli/run/workers.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/prediction_bands.h"
+#include "correlation/analysis/refit_trials.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/study_stages.h"
@@ -155,6 +156,8 @@ void set_aside(const std::filesystem::path& journal) {
       if (!std::filesystem::exists(journal.string() + part)) continue;
       move_file(journal.string() + part, aside.string() + part);
     }
+    const auto refits = correlation::RefitTrials::file(journal);
+    if (std::filesystem::exists(refits)) move_file(refits, correlation::RefitTrials::file(aside));
     say("The old journal is kept as {}\n", aside.string());
     return;
   }
@@ -255,7 +258,8 @@ int fit(const Asked& asked, const experiment::Language& language) {
     Executor& executor = workers.start(stage);
     const correlation::Fit fitted =
         correlation::fit(stage, executor, journal, run_options(stage, /*length_known=*/false));
-    if (!has_found(stage, fitted, journal)) return kFailed;
+    if (!has_found(stage, fitted, journal))
+      return fitted.run.end == RunEnd::stopped ? kStopped : kFailed;
     const DesignPoint best = fitted.run.best()->point;
     if (k + 1 == correlation::stage_count(study)) {
       correlation::take_stage(stage, study);
@@ -264,7 +268,7 @@ int fit(const Asked& asked, const experiment::Language& language) {
       const DesignPoint shown = best_of_journal(study, best, journal);
       const auto depth = fitted.run.end == RunEnd::converged ? correlation::Depth::intervals
                                                              : correlation::Depth::at_the_point;
-      if (!print_values(study, shown, depth, workers, executor, journal)) return kFailed;
+      if (!print_values(study, shown, depth, workers, executor, journal)) return kStopped;
       workers.end();
       if (const auto found = correlation::best_trial(study, journal))
         warn_beyond_data(study, found->point);

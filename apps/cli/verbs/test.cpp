@@ -92,7 +92,8 @@ std::unique_ptr<experiment::Test> test_of(const std::string& text,
 void write_details(const TestOptions& options,
                    const experiment::Test& test,
                    const Channels& channels,
-                   const experiment::Test::Details& details) {
+                   const experiment::Test::Details& details,
+                   const std::vector<std::string>& notes) {
   if (!options.details.empty()) {
     if (details.numbers.all().empty())
       throw InputError("--details: this test (" + test.in_words() +
@@ -103,6 +104,7 @@ void write_details(const TestOptions& options,
   if (options.html.empty()) return;
   ShownFile shown;
   shown.kind = test.in_words();
+  for (const std::string& note : notes) shown.facts.push_back("Note: " + note);
   shown.pictures = details.pictures;
   show_channels(channels, true, shown);
   write_text_file(options.html, shown_page(options.model, shown));
@@ -134,7 +136,19 @@ void append(const Channels& block, Json& all) {
     for (const Json& value : more[i]["values"]) all[i]["values"].push_back(value);
 }
 
-/// A test that did not succeed, thrown so that its file is not written.
+/// The block behind those there are.
+void append(const Channels& block, Channels& all) {
+  Channels longer;
+  for (const Channel& channel : block.all()) {
+    Channel whole = channel;
+    if (const Channel* before = all.find(channel.name))
+      whole.values.insert(whole.values.begin(), before->values.begin(), before->values.end());
+    longer.add(std::move(whole));
+  }
+  all = std::move(longer);
+}
+
+/// A test that did not succeed, on its way out of a file that is then not written.
 struct Unsuccessful {
   Failure failure;
 };
@@ -198,17 +212,20 @@ int test(const TestOptions& options, const experiment::Language& language) {
   if (options.convergence) return say_convergence(*model.kind, model.numbers, *test);
   if (options.html.empty() && options.details.empty())
     return run_and_give(options, language, model, *test);
-  const auto recorded = language.run(*model.kind, model.numbers, *test);
-  if (!recorded) {
-    complain(recorded.failure().reason);
+  Channels recorded;
+  const auto notes = language.run_in_blocks(
+      *model.kind, model.numbers, *test, [&](const Channels& block) { append(block, recorded); });
+  if (!notes) {
+    complain(notes.failure().reason);
     return kFailed;
   }
   const auto view = experiment::sign_view(options.signs);
   const auto details = test->details_in(view, *model.kind->build(model.numbers));
   if (!details) throw std::runtime_error(details.failure().reason);
-  const Channels channels = experiment::in_signs(*recorded, *test, view);
-  write_details(options, *test, channels, *details);
+  const Channels channels = experiment::in_signs(recorded, *test, view);
+  write_details(options, *test, channels, *details, *notes);
   give(channels, options.output);
+  for (const std::string& note : *notes) warn(note);
   return kDone;
 }
 

@@ -11,8 +11,10 @@ namespace latsch::cli {
 /// Exit codes of the program.
 inline constexpr int kDone = 0;        // the request was carried out
 inline constexpr int kFailed = 1;      // the run failed: no trial succeeded, the journal cannot be
-                                       // written, interrupted; or a model is not accepted
+                                       // written; or a model is not accepted
 inline constexpr int kWrongInput = 2;  // wrong arguments or wrong files
+inline constexpr int kStopped = 130;   // stopped on request, by Ctrl-C or SIGTERM: no failure; as
+                                       // shells count it, 128 + SIGINT
 
 /// Knowledge of a verb about its program.
 struct Program {

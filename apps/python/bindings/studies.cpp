@@ -21,6 +21,7 @@
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study_slopes.h"
 #include "correlation/study/variables.h"
+#include "correlation/study_report/fitted_model.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/journal/asked_trials.h"
@@ -291,6 +292,16 @@ void bind_studies(py::module_& module) {
           [](const Read& s, const py::object& at) { return model_at(*s.study, at); },
           py::arg("point") = py::none(),
           "The Model as written, or with the variables at a point (n,).")
+      .def("_fitted_text",
+           [](const Read& s, const std::string& version, const std::string& date) {
+             if (!s.study->specimens->kind())
+               throw InputError({s.study->file.string(), 0},
+                                "has a [simulator] in a model's place: there is no model");
+             return long_call<std::string>([study = s.study, version, date](const Abandonment&) {
+               return correlation::text_of(*study,
+                                           correlation::fitted_model(*study, {version, date}));
+             });
+           })
       .def("_best", [](const Read& s) { return best_of(*s.study); })
       .def("_trials", [](const Read& s, const std::vector<std::string>& names, bool all) {
         const Trials trials = long_call<Trials>([study = s.study, names, all](const Abandonment&) {

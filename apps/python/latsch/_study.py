@@ -7,6 +7,8 @@ terminal; a simulation that crashes or takes all memory ends a worker of that pr
 which leaves every finished trial on the disk.
 """
 import collections
+import datetime
+import importlib
 import json
 import os
 import pathlib
@@ -24,7 +26,8 @@ from latsch._tests import Recording
 Best = collections.namedtuple("Best", "point target violation")
 Best.__doc__ = "The best trial: its point (n,), its target, by how much it violates constraints (0 where it does not)."
 
-_PATIENCE = 10  # s in which a run may end after Ctrl-C; it needs three
+_STOPPED = 130  # exit code of a run that was stopped on request
+_PATIENCE = 10  # s that a run is given to end after Ctrl-C; it asks for three
 
 
 def program():
@@ -66,7 +69,7 @@ class Study(_latsch._Study):
 
     score(point, slopes=None): a trial here and now, without journal: a Score with residuals and, where the model knows
     them, their jacobian. target(point, channels): the Score of channels that are known, a dict as a Recording is.
-    model(point=None): the Model as written, or at a point.
+    model(point=None): the Model as written, or at a point. fitted_text(): the file of the fitted model.
     """
 
     @property
@@ -111,6 +114,13 @@ class Study(_latsch._Study):
         """The best trial of the journal: (point, target, violation); None where none has succeeded."""
         found = self._best()
         return Best(*found) if found else None
+
+    def fitted_text(self, date=None):
+        """The text of a file of the model at the best trial, as `latsch export --model` writes it: with the origin of every
+        number, data, target and errors in comments. date: a datetime.date or text; today in UTC unless given.
+        """
+        when = datetime.datetime.now(datetime.timezone.utc).date() if date is None else date
+        return self._fitted_text(importlib.import_module(__package__).__version__, str(when))
 
     def _program(self, verb, workers, options, progress):
         command = [program(), verb, str(self.file), "--json", *options]
@@ -178,7 +188,9 @@ def _result(output, said):
         warnings.warn(warning["message"], stacklevel=4)
     if answer["exit_code"] == 0:
         return answer.get("result", {})
-    error = answer.get("error", {"message": "the run was interrupted"})
+    if answer["exit_code"] == _STOPPED:  # by somebody else: the page, a signal to the process
+        raise Failure("the run was stopped on request; run() or resume() goes on", "transient")
+    error = answer.get("error", {"message": "latsch says no reason"})
     if answer["exit_code"] == 2:
         raise InputError(error["message"], error.get("file", ""), error.get("line", 0))
     raise Failure(error["message"])

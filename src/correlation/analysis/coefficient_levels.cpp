@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "correlation/study/study_stages.h"
 #include "experiment/rigs/slip/condition_levels.h"
 
 namespace latsch::correlation {
@@ -14,7 +15,7 @@ namespace {
 std::set<std::string> tests_compared(const Study& study, bool fitted_only) {
   std::set<std::string> names;
   for (const StudyExperiment& experiment : study.experiments) {
-    if (fitted_only && !experiment.fitted) continue;
+    if (fitted_only && (!experiment.fitted || !(experiment.objective.weight > 0.0))) continue;
     for (const std::string& channel : experiment.observable->asks()) names.insert(test_of(channel));
   }
   return names;
@@ -33,27 +34,62 @@ std::vector<double> driven_at(const Study& study, const std::string& condition, 
   return all;
 }
 
-std::vector<UntoldCoefficient> untold_coefficients(const Study& study) {
-  if (driven_at(study, "Fz", /*fitted_only=*/true).empty()) return {};
+namespace {
+
+/// Why the fitted experiments of one stage, or of a study without stages, cannot tell the
+/// coefficients of a variable; "" if they can.
+std::vector<std::string> reasons_in(const Study& part) {
+  std::vector<std::string> reasons(static_cast<std::size_t>(part.space.size()));
+  if (driven_at(part, "Fz", /*fitted_only=*/true).empty()) return reasons;
   const auto values_of = [&](const std::string& channel) {
-    std::vector<double> values = driven_at(study, channel, /*fitted_only=*/true);
+    std::vector<double> values = driven_at(part, channel, /*fitted_only=*/true);
     if (!values.empty()) return values;
     const char* own = channel == "p" ? "INFLPRES" : channel == "Vx" ? "LONGVL" : nullptr;
-    if (own && study.model.root().has(own)) values = {study.model.get(own)};
+    if (own && part.model.root().has(own)) values = {part.model.get(own)};
     if (channel == "gamma") values = {0.0};
     return values;
   };
-  std::vector<std::string> paths, variables;
-  for (const DesignVariable& variable : study.space.variables())
-    for (const std::string& path : variable.paths) {
+  std::vector<std::string> paths;
+  std::vector<std::size_t> variables;
+  for (int i = 0; i < part.space.size(); ++i)
+    for (const std::string& path : part.space[i].paths) {
       paths.push_back(path);
-      variables.push_back(variable.name);
+      variables.push_back(static_cast<std::size_t>(i));
     }
-  const auto reasons = reasons_against(paths, values_of);
-  std::vector<UntoldCoefficient> untold;
+  const auto against = reasons_against(paths, values_of);
   for (std::size_t k = 0; k < paths.size(); ++k)
-    if (!reasons[k].empty()) untold.push_back({variables[k], paths[k] + " is " + reasons[k]});
-  return untold;
+    if (!against[k].empty()) reasons[variables[k]] = paths[k] + " is " + against[k];
+  return reasons;
+}
+
+}  // namespace
+
+std::vector<UntoldCoefficient> untold_coefficients(const Study& study) {
+  if (study.stages.empty()) {
+    std::vector<UntoldCoefficient> untold;
+    const auto reasons = reasons_in(study);
+    for (int i = 0; i < study.space.size(); ++i)
+      if (const std::string& reason = reasons[static_cast<std::size_t>(i)]; !reason.empty())
+        untold.push_back({study.space[i].name, reason});
+    return untold;
+  }
+  // The last stage that names the variable decides, or the last one that frees everything.
+  std::vector<UntoldCoefficient> last(static_cast<std::size_t>(study.space.size()));
+  std::vector<bool> is_named(last.size(), false);
+  for (int k = 0; k < std::ssize(study.stages); ++k) {
+    const std::vector<int>& free = study.stages[static_cast<std::size_t>(k)].free;
+    const auto reasons = reasons_in(stage(study, k));
+    for (std::size_t i = 0; i < last.size(); ++i) {
+      const bool names = std::find(free.begin(), free.end(), static_cast<int>(i)) != free.end();
+      if (!names && (!free.empty() || is_named[i])) continue;
+      is_named[i] = is_named[i] || names;
+      last[i] = {study.space[static_cast<int>(i)].name,
+                 reasons[i],
+                 study.stages[static_cast<std::size_t>(k)].name};
+    }
+  }
+  std::erase_if(last, [](const UntoldCoefficient& one) { return one.reason.empty(); });
+  return last;
 }
 
 }  // namespace latsch::correlation

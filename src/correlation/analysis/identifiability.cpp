@@ -10,6 +10,8 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/analysis/identification_rounds.h"
+#include "correlation/analysis/identification_start.h"
 #include "correlation/analysis/refined_shift.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/residuals.h"
@@ -18,108 +20,32 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr long kMostTrials = 100'000;
-constexpr double kRefitTolerance = 0.02;  // share of the threshold that ends an interval
-
-/// Presents an analysis that requests points in rounds to the scheduler: proposes the points of a
-/// round in their order.
-template <class Analysis>
-class InRounds : public Optimizer {
- public:
-  InRounds(const DesignSpace& space, Analysis& analysis) : space_(space), analysis_(analysis) {}
-
-  std::vector<DesignPoint> propose(int count) const override {
-    const auto& wanted = analysis_.wanted();
-    const auto first = wanted.begin() + std::ssize(seen_);
-    return {first, first + std::min<std::ptrdiff_t>(count, wanted.end() - first)};
-  }
-
-  void observe(const DesignPoint& point, const Result<Score>& outcome) override {
-    seen_.push_back(evaluated(point, outcome));
-    if (seen_.size() < analysis_.wanted().size() && !analysis_.is_enough(seen_.front())) return;
-    const auto round = std::move(seen_);
-    seen_ = {};
-    analysis_.observe(round);
-  }
-
-  bool converged() const override { return analysis_.wanted().empty(); }
-
- private:
-  Result<Evaluated> evaluated(const DesignPoint& point, const Result<Score>& outcome) const {
-    if (!outcome) return outcome.failure();
-    return Evaluated(to_vector(outcome->residuals), space_.unit_jacobian(point, *outcome));
-  }
-
-  const DesignSpace& space_;
-  Analysis& analysis_;
-  std::vector<Result<Evaluated>> seen_;  // results of this round
-};
-
-/// Returns the SI value of the variable at position u of its range.
+/// SI, where the variable stands at u of its range.
 double value_at(const DesignSpace& space, int variable, double u) {
   std::vector<double> all(space.size(), 0.5);
   all[variable] = u;
   return space.from_unit(all).values[variable];
 }
 
-/// Evaluates, or reads, until the analysis requests nothing more. Returns false if stopped.
-using Drive = std::function<bool(Optimizer&)>;
-
-IdentificationOptions options_for(const Study& study, Depth depth) {
-  constexpr double kLeastNoise = 1e-5;  // residuals are relative if no noise is stated
-  return {.confidence = {.sigma = residual_sigma(study),
-                         .least_noise = kLeastNoise,
-                         .traits = residual_traits(study)},
-          .profiles = depth == Depth::profiles,
-          .most_centers = depth == Depth::at_the_point ? 1 : IdentificationOptions{}.most_centers,
-          .free = study.free};
-}
-
-/// Leaves every experiment out in turn. Residuals that the identification does not use stay out.
-class UsedRows {
+/// Counts the trials of all rounds, and how many there will be.
+class Forecast {
  public:
-  UsedRows(CrossValidation& validation, const std::vector<Eigen::Index>& rows)
-      : validation_(validation), rows_(rows) {}
-
-  const std::vector<DesignPoint>& wanted() const { return validation_.wanted(); }
-  bool is_enough(const Result<Evaluated>&) const { return false; }
-  void observe(std::vector<Result<Evaluated>> evaluated) {
-    for (auto& one : evaluated) {
-      if (one) one = one->of(rows_);
-    }
-    validation_.observe(evaluated);
+  RunProgress of(RunProgress progress, double share) {
+    constexpr double kTellsSomething = 0.03;  // less of the work says little of the rest
+    known_ = progress.known;
+    const auto total = std::lround(static_cast<double>(known_) / std::max(share, kTellsSomething));
+    progress.known += before_;
+    progress.planned = share >= kTellsSomething ? before_ + total : 0;
+    return progress;
+  }
+  void round_done() {
+    before_ += known_;
+    known_ = 0;
   }
 
  private:
-  CrossValidation& validation_;
-  const std::vector<Eigen::Index>& rows_;
+  long before_ = 0, known_ = 0;
 };
-
-bool cross_validate(const Study& study, Identifiability& result, const Drive& drive) {
-  const Identification& identification = result.identification;
-  const auto rows = residual_rows(study);
-  std::vector<int> group;
-  for (Eigen::Index row : identification.residuals_used()) group.push_back(rows[row].experiment);
-  std::set<int> groups(group.begin(), group.end());
-  groups.erase(-1);  // removes the group of priors
-  if (groups.size() < 2) return true;
-  result.cross_validation.emplace(study.space,
-                                  identification.refitted(),
-                                  group,
-                                  kRefitTolerance * identification.confidence().threshold(),
-                                  study.free);
-  UsedRows used(*result.cross_validation, identification.residuals_used());
-  InRounds<UsedRows> rounds(study.space, used);
-  return drive(rounds);
-}
-
-/// Returns false if driving was stopped; `result` then holds what is complete.
-bool analyze(const Study& study, Identifiability& result, const Drive& drive) {
-  InRounds<Identification> rounds(study.space, result.identification);
-  if (!drive(rounds)) return false;
-  if (result.identification.profiles().empty()) return true;
-  return cross_validate(study, result, drive);
-}
 
 DesignPoint best_of(const Study& study, const Journal& journal, const DesignPoint& otherwise) {
   const auto best = best_trial(study, journal);
@@ -242,15 +168,25 @@ std::optional<Result<Identifiability>> identify(const Study& study,
                                                 Journal& journal,
                                                 const RunOptions& options) {
   RunOptions enough = options;
-  enough.max_steps = kMostTrials;
-  enough.on_failure.then = FailurePolicy::Then::proceed;  // a ladder ends where the model fails
+  enough.max_steps = kMostIdentificationTrials;
+  enough.on_failure.then = FailurePolicy::Then::proceed;  // a ladder ends where the model does
   const Objective residuals = residual_objective(study);
-  const auto run = [&](Optimizer& optimizer) {
-    return run_optimizer(optimizer, residuals, executor, &journal, enough).end == RunEnd::converged;
+  Forecast forecast;
+  const Drive run = [&](Optimizer& optimizer, RefitTrials* refits, const Share& share) {
+    TrialStore* store = refits ? static_cast<TrialStore*>(refits) : &journal;
+    const Objective objective = refits ? refits->objective() : residuals;
+    enough.on_progress = [&](const RunProgress& progress) {
+      if (options.on_progress) options.on_progress(forecast.of(progress, share()));
+    };
+    const bool converged =
+        run_optimizer(optimizer, objective, executor, store, enough).end == RunEnd::converged;
+    forecast.round_done();
+    return converged;
   };
+  const DesignPoint begin = begin_identification(study, journal, point, depth);
   Identifiability result{
-      point, Identification(study.space, point, options_for(study, depth)), std::nullopt};
-  if (!analyze(study, result, run)) return std::nullopt;
+      begin, Identification(study.space, begin, options_for(study, depth)), std::nullopt};
+  if (!analyze({study, journal, &journal, run}, result)) return std::nullopt;
   result.point = result.identification.center();
   result.best = best_of(study, journal, result.point);
   result.refined_shift = refined_shift(study, result.identification);
@@ -260,8 +196,13 @@ std::optional<Result<Identifiability>> identify(const Study& study,
   return answer;
 }
 
-std::optional<Identifiability> recorded_identifiability(const Study& study,
-                                                        const Journal& journal) {
+namespace {
+
+/// The best trial around which the derivatives are known: by its own slopes, or by its neighbors.
+/// `has_slopes` says which.
+std::optional<DesignPoint> best_with_derivatives(const Study& study,
+                                                 const Journal& journal,
+                                                 bool& has_slopes) {
   auto rated = rated_trials(study, journal);
   std::erase_if(rated, [&](const auto& trial) { return !keeps_held(study, trial.point); });
   std::stable_sort(
@@ -282,29 +223,35 @@ std::optional<Identifiability> recorded_identifiability(const Study& study,
   };
   const auto best = std::find_if(rated.begin(), rated.end(), has_neighbors);
   if (best == rated.end()) return std::nullopt;
+  has_slopes = sloping.contains(best->point.bits());
+  return best->point;
+}
 
-  const Objective residuals = residual_objective(study);
-  const auto read = [&](Optimizer& optimizer) {
-    return replay(optimizer, residuals, journal, kMostTrials).end == RunEnd::converged;
-  };
-  const auto read_from_best = [&](const IdentificationOptions& options) {
-    Identifiability result{
-        best->point, Identification(study.space, best->point, options), std::nullopt};
-    if (!analyze(study, result, read) && result.cross_validation &&
-        result.cross_validation->left_out().empty()) {
+}  // namespace
+
+std::optional<Identifiability> recorded_identifiability(const Study& study,
+                                                        const Journal& journal) {
+  bool has_slopes = false;
+  const auto best = best_with_derivatives(study, journal, has_slopes);
+  if (!best) return std::nullopt;
+  const auto read_from = [&](const DesignPoint& point, const IdentificationOptions& options) {
+    Identifiability result{point, Identification(study.space, point, options), std::nullopt};
+    if (!analyze({study, journal, nullptr, reading(study, journal)}, result) &&
+        result.cross_validation && result.cross_validation->left_out().empty()) {
       result.cross_validation.reset();
     }
     return result;
   };
   IdentificationOptions options = options_for(study, Depth::profiles);
-  Identifiability result = read_from_best(options);
+  Identifiability result =
+      read_from(identification_start(study, journal, *best, Depth::profiles), options);
   if (!result.identification.is_linearized()) {
-    options.most_centers = 1;  // slopes beside the better point are missing or not obtainable
-    result = read_from_best(options);
+    options.most_centers = 1;  // not known or not to be had beside the better point
+    result = read_from(*best, options);
   }
-  if (!result.identification.is_linearized() && sloping.contains(best->point.bits())) {
-    options.profiles = false;  // only the point's own slopes are known
-    result = read_from_best(options);
+  if (!result.identification.is_linearized() && has_slopes) {
+    options.profiles = false;  // its own slopes are all there is
+    result = read_from(*best, options);
   }
   if (!result.identification.is_linearized()) return std::nullopt;
   result.point = result.identification.center();

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "correlation/analysis/beyond_data.h"
 #include "correlation/analysis/doe_surface.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/search/study_method.h"
@@ -244,6 +245,10 @@ Result<StudyReport> study_report(const Study& study,
   if (what) bands = prediction_bands(study, *what, journal, {{best->point, *found.channels}});
   add_experiments(
       study, found, initial, bands, fits.empty() ? std::vector<OwnStage>{} : fits.back().own, page);
+  for (const std::string& words : faults_beyond_data(study, best->point))
+    page.remarks.push_back("Warning: " + words);
+  for (const std::string& words : untold_in_words(study))
+    page.remarks.push_back("Warning: " + words);
   const auto rated = rated_trials(study, journal);
   page.surfaces = doe_surfaces(study, rated, best->point);
   page.basins = basins_of(study, rated);

@@ -28,6 +28,13 @@ std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal)
   return rated;
 }
 
+bool is_better(const RatedTrial& a, const RatedTrial& b) {
+  const auto rank = [](const RatedTrial& trial) {
+    return std::pair(std::max(trial.violation, kFulfilled), trial.target);
+  };
+  return rank(a) < rank(b);
+}
+
 std::optional<RatedTrial> best_trial(const Study& study, const Journal& journal) {
   auto rated = rated_trials(study, journal);
   // A design of experiments may contain points that violate linear constraints.
@@ -35,11 +42,8 @@ std::optional<RatedTrial> best_trial(const Study& study, const Journal& journal)
     std::erase_if(rated, [&](const auto& trial) { return !study.space.contains(trial.point); });
   }
   std::erase_if(rated, [&](const auto& trial) { return !keeps_held(study, trial.point); });
-  const auto rank = [](const RatedTrial& trial) {
-    return std::pair(std::max(trial.violation, kFulfilled), trial.target);
-  };
   const auto least = std::min_element(
-      rated.begin(), rated.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+      rated.begin(), rated.end(), [](const auto& a, const auto& b) { return is_better(a, b); });
   if (least == rated.end()) return std::nullopt;
   return *least;
 }

@@ -18,8 +18,11 @@ struct RatedTrial {
   double violation = 0.0;  // violation of the constraints on channels
 };
 
-/// Returns every requested trial that succeeded, in the order they finished, with its target
-/// computed anew from the stored channels.
+/// Less violation beyond what counts as fulfilled, or else a smaller target.
+bool is_better(const RatedTrial& a, const RatedTrial& b);
+
+/// Every trial asked for that succeeded with its target, computed anew from the stored channels, in
+/// the order they finished.
 std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal);
 
 /// True if the variables that the last stage does not free have the values at which it holds them.

@@ -386,6 +386,8 @@ void Journal::mark(const std::string& kind, const std::string& text) {
 
 const std::vector<JournalMark>& Journal::marks() const { return impl_->marks; }
 
+const std::filesystem::path& Journal::file() const { return impl_->file; }
+
 long Journal::size() const { return static_cast<long>(impl_->tally.trials); }
 
 const StudyIdentity& Journal::identity() const { return impl_->identity; }

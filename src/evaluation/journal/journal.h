@@ -69,6 +69,7 @@ class Journal : public TrialStore {
   const std::vector<JournalMark>& marks() const;
 
   long size() const;
+  const std::filesystem::path& file() const;
 
   const StudyIdentity& identity() const;
 

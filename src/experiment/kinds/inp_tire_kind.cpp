@@ -68,6 +68,7 @@ class InpTireKind : public SpecimenKind {
   }
   void check(const Document& numbers) const override { inp_model(numbers); }
   std::string text(const Document& numbers) const override { return inp_text_of(numbers); }
+  std::string comment_mark() const override { return "**"; }
 
   std::string describe(const Document& numbers) const override {
     const InpModel model = inp_model(numbers);

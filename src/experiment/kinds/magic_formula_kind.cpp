@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "experiment/kinds/fitted_tir.h"
 #include "experiment/kinds/magic_formula_ranges.h"
 #include "experiment/kinds/rolling_specimen.h"
 #include "experiment/kinds/slip_plots.h"
@@ -112,6 +113,10 @@ class MagicFormulaKind : public SpecimenKind {
     return usual_range_of(path);
   }
   std::string text(const Document& numbers) const override { return tir_text_of(numbers); }
+  std::string annotated_text(const Document& numbers,
+                             const Provenance& provenance) const override {
+    return fitted_tir_text(numbers, provenance);
+  }
   std::vector<FaultBeyondData> faults_beyond_data(const Document& numbers,
                                                   const MeasuredAt& values_of) const override {
     return tire_faults(numbers, values_of);

@@ -88,7 +88,10 @@ constexpr NamedRange kRanges[] = {
     {"QSX1", -0.1, 0.1},
     {"QSX2", -20, 20},
     {"QSX3", -4, 4},
-    // Coefficients of My.
+    {"QSX10", -20, 20},
+    {"QSX13", -0.5, 0.5},
+    {"QSX14", -5, 5},
+    // My
     {"QSY1", 0, 0.05},
     {"QSY3", -0.05, 0.05},
     {"QSY4", -0.01, 0.01},

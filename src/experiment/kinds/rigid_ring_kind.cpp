@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rigid ring as a kind of specimen.
+#include <cmath>
+
 #include "experiment/kinds/rolling_specimen.h"
+#include "experiment/kinds/fitted_tir.h"
 #include "experiment/kinds/tir_numbers.h"
 #include "experiment/kinds/tire_sanity.h"
+#include "experiment/language/known_limits.h"
 #include "models/rigid_ring/rigid_ring_tire.h"
 
 namespace latsch::experiment {
 namespace {
 
-class RigidRingSpecimen : public RollingSpecimen {
+class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
  public:
   explicit RigidRingSpecimen(const Document& numbers)
       : parameters_(parameters_of(numbers)), file_(numbers.file()) {}
@@ -19,6 +23,14 @@ class RigidRingSpecimen : public RollingSpecimen {
     auto tire = rigid_ring::RigidRingTire::make(parameters_, settings);
     if (!tire) throw InputError({file_, 0}, "makes no rigid ring: " + tire.failure().reason);
     return std::move(*tire);
+  }
+  /// One pair of cams looks along one line of the road.
+  std::vector<std::string> limits_on(const Cleat& cleat) const override {
+    if (std::abs(cleat.angle) < kStraightCleat || parameters_.ELLIPS_NWIDTH >= 2.0) return {};
+    return {
+        "this rigid ring feels the road along one line (ELLIPS_NWIDTH is below 2): an oblique "
+        "cleat "
+        "is to it a straight one that is longer; more tracks feel the width"};
   }
 
  private:
@@ -50,6 +62,10 @@ class RigidRingKind : public SpecimenKind {
   }
   void check(const Document& numbers) const override { RigidRingSpecimen(numbers).tire({}); }
   std::string text(const Document& numbers) const override { return tir_text_of(numbers); }
+  std::string annotated_text(const Document& numbers,
+                             const Provenance& provenance) const override {
+    return fitted_tir_text(numbers, provenance);
+  }
   std::vector<FaultBeyondData> faults_beyond_data(const Document& numbers,
                                                   const MeasuredAt& values_of) const override {
     return tire_faults(numbers, values_of);

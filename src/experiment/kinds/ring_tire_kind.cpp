@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The flexible ring as a kind of specimen.
+#include <cmath>
+
 #include "experiment/kinds/rolling_scene.h"
 #include "experiment/kinds/rolling_specimen.h"
 #include "experiment/kinds/tir_numbers.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/rigs/vibration_rig.h"
 #include "models/ring_tire/description/ring_reader.h"
 #include "models/ring_tire/ring/ring_tire.h"
@@ -11,7 +14,7 @@
 namespace latsch::experiment {
 namespace {
 
-class RingSpecimen : public RollingSpecimen, public Vibrates {
+class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits {
  public:
   explicit RingSpecimen(const Document& numbers)
       : numbers_(numbers), parameters_(ring_tire::read_ring_tire(numbers.root())) {}
@@ -22,6 +25,16 @@ class RingSpecimen : public RollingSpecimen, public Vibrates {
   Result<Channels> vibrate(const ModalTest& test, const Asked&) override {
     ring_tire::RingTire tire(parameters_at(test.pressure));
     return experiment::run(tire, test);
+  }
+  /// A straight section stands on the highest point of what is below it (docs/ring_tire.md).
+  std::vector<std::string> limits_on(const Cleat& cleat) const override {
+    if (std::abs(cleat.angle) < kStraightCleat || parameters_.belt.bending_across > 0.0) return {};
+    return {
+        "the sections of this flexible ring stay straight across (belt.bending_across is 0), so an "
+        "oblique cleat lifts it over its whole width: the more oblique the cleat, the larger is "
+        "Fz, "
+        "while that of a finite-element tire falls (docs/ring_tire.md); belt.bending_across lets "
+        "the sections bend"};
   }
 
  private:

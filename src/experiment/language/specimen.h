@@ -24,6 +24,7 @@ struct StudyReport;
 namespace latsch::experiment {
 
 class Test;
+struct Provenance;
 
 class Specimen {
  public:
@@ -89,6 +90,11 @@ class SpecimenKind {
   virtual void check(const Document& numbers) const { build(numbers); }
   /// Returns the text of a file with these numbers.
   virtual std::string text(const Document& numbers) const;
+  /// The same file with the origin of its numbers in comments (provenance.h). It is read to the
+  /// same numbers.
+  virtual std::string annotated_text(const Document& numbers, const Provenance& provenance) const;
+  /// The characters that begin a comment line in its files.
+  virtual std::string comment_mark() const { return "#"; }
 
   /// True if its specimens know the slopes of their results in the number at this path.
   virtual bool knows_slopes_in(const std::string& /*path*/) const { return false; }

@@ -7,14 +7,15 @@
 //   to = "30 Hz"
 //   duration = "20 s"
 //   amplitude = "3 mm"                   # up to the frequency at which the plates move at
-//   velocity = "0.1 m/s"                 # this peak velocity, which holds above it
-//   posts = {from = "measurement.rig"}   # instead of the sweep: the recorded heights post_FL,
-//                                        # post_FR, post_RL, post_RR, evenly in time; or
+//   velocity = "0.03 m/s"                # this peak velocity, which holds above it
+//   posts = {from = "measurement.rig"}   # in the place of the sweep: the heights post_FL, post_FR,
+//                                        # post_RL, post_RR that were recorded, evenly in time; or
 //                                        # posts = "heights.csv", a table of them and time
 //   step = "0.2 ms"                      # of the simulation; default
-//   sample_step = "1 ms"                 # of the record, a multiple of step; default
-//   spectra = true                       # adds channels over frequency; with recorded posts
-//                                        # relative to the signal of `mode`; default false
+//   sample_step = "1 ms"                 # of the record, a multiple of it; default
+//   spectra = true                       # adds channels over frequency; in recorded posts to the
+//                                        # signal of the mode that is stated; default false. The
+//                                        # car runs a second time, with the posts upside down
 //   segment = "4 s"                      # of Welch's method for densities, and 1/segment the
 //                                        # distance of lines; default, or all of a shorter record
 //   band = ["0.5 Hz", "30 Hz"]           # the lines that are kept; those of the sweep unless
@@ -34,6 +35,8 @@
 #include "experiment/language/test.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/four_post_rig.h"
+#include "experiment/rigs/car/held_band.h"
+#include "experiment/rigs/car/post_notes.h"
 #include "experiment/rigs/car/post_spectra.h"
 #include "experiment/tests/films/car_film.h"
 #include "experiment/tests/four_post_pictures.h"
@@ -50,12 +53,20 @@ struct Frequencies {
   PostMode mode = PostMode::heave;
   PostSpectra settings;
   bool are_recorded = false;
+  std::string note = {};  // if the posts' record made the band narrower
 };
 
 class FourPost : public Test {
  public:
-  FourPost(FourPostTest test, Frequencies frequencies, std::string words)
-      : test_(std::move(test)), frequencies_(frequencies), words_(std::move(words)) {}
+  /// `sweep`: what the heights were made of; none: they were recorded.
+  FourPost(FourPostTest test,
+           Frequencies frequencies,
+           std::string words,
+           std::optional<PostSweep> sweep = std::nullopt)
+      : test_(std::move(test)),
+        frequencies_(std::move(frequencies)),
+        words_(std::move(words)),
+        sweep_(sweep) {}
 
   std::string in_words() const override { return words_; }
   std::vector<ChannelInfo> channels() const override {
@@ -75,19 +86,33 @@ class FourPost : public Test {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
     if (!frequencies_.are_recorded) return experiment::run(**car, test_);
-    const auto record = experiment::run(**car, until_it_rests());
-    if (!record) return record;
-    Channels all = as_posts_moved(*record);
-    const Channels more = over_frequency(*record);
+    const auto runs = run_both_ways(**car, test_);
+    if (!runs) return runs.failure();
+    Channels all = as_posts_moved(runs->up);
+    const Channels more = over_frequency(*runs);
     for (const Channel& channel : more.all()) all.add(channel);
     return all;
+  }
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    const auto record = run(specimen);
+    if (!record) return record.failure();
+    tell(*record);
+    std::vector<std::string> notes = notes_of_lift(*record, [&](double time) {
+      return sweep_ ? fmt::format("{:.3g} s ({:.3g} Hz)", time, frequency_at(*sweep_, time))
+                    : fmt::format("{:.3g} s", time);
+    });
+    if (!frequencies_.are_recorded) return notes;
+    if (!frequencies_.note.empty()) notes.push_back(frequencies_.note);
+    for (std::string& note : notes_of_coherence(*record)) notes.push_back(std::move(note));
+    return notes;
   }
   Result<Details> details(Specimen& specimen) const override {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
-    const auto record = experiment::run(**car, until_it_rests());
-    if (!record) return record.failure();
-    return four_post_details(as_posts_moved(*record), over_frequency(*record));
+    const auto runs = run_both_ways(**car, test_);
+    if (!runs) return runs.failure();
+    return four_post_details(as_posts_moved(runs->up), over_frequency(*runs));
   }
   bool has_film() const override { return true; }
   Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
@@ -101,13 +126,7 @@ class FourPost : public Test {
   }
 
  private:
-  /// Responses need a record that ends at rest (rigs/car/post_spectra.h).
-  FourPostTest until_it_rests() const {
-    FourPostTest test = test_;
-    test.still = 3.0;
-    return test;
-  }
-  /// Returns the record without the rest at its end.
+  /// Without the end in which the posts stand still.
   Channels as_posts_moved(const Channels& record) const {
     const auto count = static_cast<std::size_t>(
         std::lround((test_.times.back() - test_.times.front()) / test_.sample_step) + 1);
@@ -118,13 +137,14 @@ class FourPost : public Test {
     }
     return cut;
   }
-  Channels over_frequency(const Channels& record) const {
-    return spectra(record, frequencies_.mode, 1.0 / test_.sample_step, frequencies_.settings);
+  Channels over_frequency(const BothWays& runs) const {
+    return spectra(runs, frequencies_.mode, 1.0 / test_.sample_step, frequencies_.settings);
   }
 
   FourPostTest test_;
   Frequencies frequencies_;
   std::string words_;
+  std::optional<PostSweep> sweep_;
 };
 
 void read_steps(const Node& root, FourPostTest& test) {
@@ -198,7 +218,34 @@ void refuse_beyond(const Node& root,
         sweep->to));
 }
 
-/// `from` and `to` are the default band, Hz; `sweep` is what the posts follow, if they do.
+/// Recorded posts have to hold the band that is stated; a band that is not stated becomes theirs.
+void take_what_is_held(const Node& root, const FourPostTest& test, Frequencies& read) {
+  PostSpectra& band = read.settings;
+  const double line = 1.0 / band.segment;
+  const auto held = held_band(test, read.mode, 0.5 * line);
+  const std::string mode = kModes[static_cast<std::size_t>(read.mode)];
+  if (!held)
+    root.reject(root.has("mode") ? "mode" : "posts",
+                "the posts as recorded do not move in " + mode + ": expected another mode");
+  const std::string words =
+      fmt::format("the posts as recorded move in {} from {:.3g} to {:.3g} Hz alone",
+                  mode,
+                  held->from,
+                  held->to);
+  if (band.from >= held->from - line && band.to <= held->to + line) return;
+  if (root.has("band"))
+    root.reject("band",
+                fmt::format("is {:.4g} to {:.4g} Hz, but {}: expected a band inside of that",
+                            band.from,
+                            band.to,
+                            words));
+  band.from = std::max(band.from, held->from);
+  band.to = std::min(band.to, held->to);
+  read.note = fmt::format(
+      "{}: the channels over frequency go from {:.3g} to {:.3g} Hz", words, band.from, band.to);
+}
+
+/// `from` and `to`: of the band where nothing is said, Hz; with the sweep that the posts follow.
 Frequencies read_frequencies(const Node& root,
                              PostMode mode,
                              const FourPostTest& test,
@@ -223,7 +270,10 @@ Frequencies read_frequencies(const Node& root,
     settings.from = band[0];
     settings.to = band[1];
   }
-  if (read.are_recorded) refuse_beyond(root, test, sweep, settings);
+  if (read.are_recorded) {
+    refuse_beyond(root, test, sweep, settings);
+    if (!sweep) take_what_is_held(root, test, read);
+  }
   const double highest = 0.5 / test.sample_step;
   settings.to = std::min(settings.to, highest);
   if (std::floor(settings.to * settings.segment) < std::ceil(settings.from * settings.segment))
@@ -266,12 +316,16 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
                   mode,
                   sweep.from,
                   sweep.to,
-                  1e3 * sweep.amplitude));
+                  1e3 * sweep.amplitude),
+      sweep);
 }
 
 }  // namespace
 
-const TestKind kFourPost = {
-    "four_post", "stands on four posts that move it", {Drives::kName}, read_four_post};
+const TestKind kFourPost = {"four_post",
+                            "stands on four posts that move it",
+                            {Drives::kName},
+                            read_four_post,
+                            "sweeps begin below their band; responses of two runs"};
 
 }  // namespace latsch::experiment

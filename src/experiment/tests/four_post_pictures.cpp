@@ -66,7 +66,7 @@ const std::vector<PostFrame>& histories() {
   static const std::vector<PostFrame> all = {
       {"Posts", "post", "height [mm]", 1e3, "Upward."},
       {"Push-rods", "pushrod", "force [kN]", 1e-3, "Compression positive."},
-      {"Tires", "Fz", "force [kN]", 1e-3, "Of the tire on its hub, upward."},
+      {"Tires", "Fz", "force [kN]", 1e-3, "Of the road on the tire, upward."},
       {"Hubs", "hub", "acceleration [m/s²]", 1.0, "Of the wheel center, upward."},
       {"Springs", "spring", "extension [mm]", 1e3, "Of the spring units, against rest."},
   };
@@ -105,7 +105,7 @@ const std::vector<PostFrame>& over_frequency_frames() {
        "[1]",
        1.0,
        "1: all of the force follows from the mode's signal, by a linear law that the lines "
-       "resolve."},
+       "resolve. It falls where posts that move upside down do not turn the force around."},
   };
   return all;
 }

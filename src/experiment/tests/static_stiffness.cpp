@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/language/test.h"
 
 namespace latsch::experiment {
@@ -65,7 +66,14 @@ class StaticStiffnessTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
-  /// Only a standing tire has slopes, a rolling tire has none.
+  /// Tells what the tire's model does not describe on the cleat.
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    const auto notes = Test::run_in_blocks(specimen, tell);
+    if (!notes) return notes;
+    return limits_of(specimen, test_.cleat);
+  }
+  /// Of what stands; what rolls tells none.
   bool tells_slopes(const SpecimenKind& kind, const std::string&) const override {
     return has_slopes() && kind.has(StandsOnGround::kName);
   }

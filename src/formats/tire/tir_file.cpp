@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 
 #include "base/text.h"
@@ -95,21 +96,61 @@ std::string tir_text(const TirFile& tir, const Parameters& parameters) {
   return text + written(added, parameters, spelling);
 }
 
-std::string tir_text(const Parameters& parameters) {
+namespace {
+
+/// " $ remark" behind a value, and the end of the line.
+std::string behind(const TirRemarks& remarks, std::string_view key) {
+  const auto found = remarks.of_keys.find(key);
+  return found == remarks.of_keys.end() ? "\n" : "  $ " + found->second + "\n";
+}
+
+std::string head_of(std::string_view section, const TirRemarks& remarks) {
+  std::string text = fmt::format("[{}]\n", section);
+  const auto found = remarks.of_sections.find(section);
+  if (found != remarks.of_sections.end()) text += "$ " + found->second + "\n";
+  return text;
+}
+
+/// Parameters below the heads of their sections, in the order of the fields. MODEL is open already.
+std::string sections_of(const Parameters& p, const TirRemarks& remarks) {
+  std::string text;
+  std::string_view section = "MODEL", last_field_of = "MODEL";
+  for (const ParameterField& field : magic_formula::parameter_fields()) {
+    if (field.section != last_field_of && remarks.of_sections.contains(field.section)) {
+      section = field.section;
+      text += head_of(section, remarks);
+    }
+    last_field_of = field.section;
+    const double value = p.*field.member;
+    const bool is_needed = value != field.fallback || field.name == "NOMPRES" ||
+                           field.name == "INFLPRES" || field.name == "LONGVL" ||
+                           remarks.of_keys.contains(field.name);
+    if (!is_needed || !std::isfinite(value)) continue;
+    if (field.section != section) text += head_of(field.section, remarks);
+    section = field.section;
+    text += fmt::format(
+        "{:<24} = {}{}", field.name, Spelling{}.value(field, p), behind(remarks, field.name));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string tir_text(const Parameters& parameters, const TirRemarks& remarks) {
   std::string text = fmt::format(
-      "[MDI_HEADER]\nFILE_TYPE = 'tir'\nFILE_VERSION = 3.0\nFILE_FORMAT = 'ASCII'\n"
+      "[MDI_HEADER]\nFILE_TYPE = 'tir'\nFILE_VERSION = 3.0\nFILE_FORMAT = 'ASCII'\n{}"
       "[UNITS]\nLENGTH = 'meter'\nFORCE = 'newton'\nANGLE = 'radians'\nMASS = 'kg'\n"
       "TIME = 'second'\nPRESSURE = 'pascal'\n"
-      "[MODEL]\nFITTYP = {}\nTYRESIDE = '{}'\nUSE_MODE = {}\n",
+      "{}FITTYP = {}{}TYRESIDE = '{}'{}USE_MODE = {}{}",
+      remarks.header,
+      head_of("MODEL", remarks),
       fittyp_of(parameters.version),
+      behind(remarks, "FITTYP"),
       name_of(parameters.side),
-      parameters.use_mode);
-  std::vector<const ParameterField*> fields;
-  for (const ParameterField& field : magic_formula::parameter_fields())
-    if (parameters.*field.member != field.fallback || field.name == "NOMPRES" ||
-        field.name == "INFLPRES" || field.name == "LONGVL")
-      fields.push_back(&field);
-  text += written(fields, parameters, Spelling{}, "MODEL");
+      behind(remarks, "TYRESIDE"),
+      parameters.use_mode,
+      behind(remarks, "USE_MODE"));
+  text += sections_of(parameters, remarks);
   if (!parameters.curve_deflection.empty()) {
     text += "[DEFLECTION_LOAD_CURVE]\n{pen fz}\n";
     for (std::size_t i = 0; i < parameters.curve_deflection.size(); ++i)
@@ -118,6 +159,20 @@ std::string tir_text(const Parameters& parameters) {
                           format_number(parameters.curve_force[i]));
   }
   return text;
+}
+
+std::map<std::string, std::string, std::less<>> remarks_of(const TirFile& tir) {
+  std::map<std::string, std::string, std::less<>> remarks;
+  for (const TeimOrbitSection& section : tir.source.sections()) {
+    if (holds_no_parameters(section)) continue;
+    for (const TeimOrbitEntry& entry : section.entries()) {
+      const std::string name(parameter_of_key(entry.key));
+      const bool is_word = name == "FITTYP" || name == "TYRESIDE" || name == "USE_MODE";
+      if (is_word || magic_formula::find_parameter(name))
+        remarks.emplace(name, trimmed(entry.comment));
+    }
+  }
+  return remarks;
 }
 
 }  // namespace latsch::formats

@@ -54,7 +54,23 @@ TirFile parse_tir(std::string text, std::string file_name);
 /// missing keys are added at the end, every other byte stays.
 std::string tir_text(const TirFile& tir, const magic_formula::Parameters& parameters);
 
-/// Returns a new file, in SI; reading it gives the same parameters.
-std::string tir_text(const magic_formula::Parameters& parameters);
+/// Comments of a new file. No remark may hold the end of a line.
+struct TirRemarks {
+  /// Lines below [MDI_HEADER], each with its mark and its end.
+  std::string header;
+  /// Remarks behind the value of a parameter, FITTYP, TYRESIDE or USE_MODE, without a mark. A
+  /// parameter that has a remark is written even at its default.
+  std::map<std::string, std::string, std::less<>> of_keys;
+  /// Remarks below the head of a section, without a mark. A section that has one is written even if
+  /// it has no key.
+  std::map<std::string, std::string, std::less<>> of_sections;
+};
+
+/// A new file, in SI; reading it gives the same parameters.
+std::string tir_text(const magic_formula::Parameters& parameters, const TirRemarks& remarks = {});
+
+/// The remarks behind the values of a file, by parameter, FITTYP, TYRESIDE or USE_MODE, without
+/// their marks; every parameter that the file states has a place, which may be empty.
+std::map<std::string, std::string, std::less<>> remarks_of(const TirFile& tir);
 
 }  // namespace latsch::formats

@@ -89,8 +89,13 @@ constexpr Row kRows[] = {
     {"SSZ3", camber, 1},
     {"SSZ4", camber, 1},
     {"SSZ4", load, 1},
-    // Mx, My, friction as a function of speed
+    // Mx, My, friction over speed
+    // QSX10 stands beside QSX2 and QSX13 beside QSX3, which have the same form at one load
     {"QSX2", camber, 1},
+    {"QSX10", camber, 1},
+    {"QSX10", load, 1},
+    {"QSX13", load, 1},
+    {"QSX14", camber, 1, true},
     {"QSY3", speed, 1},
     {"QSY4", speed, 4},
     {"QSY5", camber, 1, true},

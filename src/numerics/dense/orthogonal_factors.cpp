@@ -15,6 +15,10 @@ Eigen::MatrixXd HouseholderQr::Q() const {
   return Eigen::householderSequence(reflections_, coefficients_);
 }
 
+Eigen::MatrixXd HouseholderQr::R() const {
+  return reflections_.topRows(reflections_.cols()).triangularView<Eigen::Upper>();
+}
+
 Eigen::VectorXd HouseholderQr::times_Q(const Eigen::VectorXd& b) const {
   return Eigen::householderSequence(reflections_, coefficients_) * b;
 }

@@ -14,6 +14,7 @@ class HouseholderQr {
   explicit HouseholderQr(const Eigen::MatrixXd& A);
 
   Eigen::MatrixXd Q() const;                                           // m x m
+  Eigen::MatrixXd R() const;                                           // n x n
   Eigen::VectorXd times_Q(const Eigen::VectorXd& b) const;             // Q b
   Eigen::VectorXd times_Q_transposed(const Eigen::VectorXd& b) const;  // Q' b
   Eigen::VectorXd solve_R(const Eigen::VectorXd& b) const;             // R^-1 (b_1 ... b_n)

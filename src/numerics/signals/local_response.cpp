@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "numerics/dense/orthogonal_factors.h"
@@ -27,12 +28,23 @@ struct Fitted {
   double coherence;
 };
 
-/// Fits the polynomial at lines `first` and up of the transforms. r are their frequencies relative
-/// to the wanted one.
+/// Sum of squares at `count` lines from `first` on.
+double power_of(const Spectrum& B, std::size_t first, Eigen::Index count) {
+  double power = 0.0;
+  if (B.empty()) return power;
+  for (Eigen::Index i = 0; i < count; ++i)
+    power += std::norm(B[first + static_cast<std::size_t>(i)]);
+  return power;
+}
+
+/// At lines `first` and up of transforms whose frequencies, relative to the one asked for, are r.
+/// The delay turns a response by `angle` at r = 1.
 Fitted fit(const Spectrum& U,
            const Spectrum& Y,
+           const Spectrum& B,
            std::size_t first,
            const std::vector<double>& r,
+           double angle,
            int order) {
   const auto m = static_cast<Eigen::Index>(r.size());
   const Eigen::Index n = order + 1;
@@ -41,9 +53,11 @@ Fitted fit(const Spectrum& U,
   Eigen::VectorXd b(2 * m);
   for (Eigen::Index i = 0; i < m; ++i) {
     const auto k = first + static_cast<std::size_t>(i);
+    const std::complex<double> turned =
+        std::polar(1.0, -angle * r[static_cast<std::size_t>(i)]) * U[k];
     double power = 1.0;
     for (Eigen::Index p = 0; p < n; ++p, power *= r[static_cast<std::size_t>(i)]) {
-      const std::complex<double> u = power * U[k];
+      const std::complex<double> u = power * turned;
       A(i, p) = A(m + i, n + p) = u.real();
       A(m + i, p) = u.imag();
       A(i, n + p) = -u.imag();
@@ -51,11 +65,12 @@ Fitted fit(const Spectrum& U,
     b[i] = Y[k].real();
     b[m + i] = Y[k].imag();
   }
-  const double size = b.squaredNorm();
+  const double size = b.squaredNorm(), beside = power_of(B, first, m);
   if (!(A.squaredNorm() > 0.0) || !(size > 0.0)) return {0.0, 0.0};
   const Eigen::VectorXd h = shortest_solution(A, b);
-  const double left = (b - A * h).squaredNorm() / static_cast<double>(m - n),
-               all = size / static_cast<double>(m);
+  const double left = (b - A * h).squaredNorm() / static_cast<double>(m - n) +
+                      beside / static_cast<double>(m),
+               all = (size + beside) / static_cast<double>(m);
   return {{h[0], h[n]}, std::clamp(1.0 - left / all, 0.0, 1.0)};
 }
 
@@ -65,10 +80,13 @@ LocalResponse local_response(std::span<const double> x,
                              std::span<const double> y,
                              double rate,
                              std::span<const double> frequencies,
-                             const LocalSettings& settings) {
+                             const LocalSettings& settings,
+                             std::span<const double> beside) {
   assert(x.size() == y.size() && x.size() > 1 && rate > 0.0);
+  assert(beside.empty() || beside.size() == x.size());
   const int length = fast_length(static_cast<int>(x.size()));
   const Spectrum U = transform_of_steps(x, length), Y = transform_of_steps(y, length);
+  const Spectrum B = beside.empty() ? Spectrum() : transform_of_steps(beside, length);
   const double spacing = rate / length;
   // Zeros behind the record move lines closer together but add no information.
   const double apart = rate / static_cast<double>(x.size());
@@ -83,7 +101,8 @@ LocalResponse local_response(std::span<const double> x,
     std::vector<double> r;
     for (long k = low; k <= high; ++k) r.push_back((static_cast<double>(k) * spacing - f) / width);
     assert(std::ssize(r) > settings.order + 1);
-    const Fitted fitted = fit(U, Y, static_cast<std::size_t>(low), r, settings.order);
+    const double angle = 2.0 * std::numbers::pi * width * settings.delay;
+    const Fitted fitted = fit(U, Y, B, static_cast<std::size_t>(low), r, angle, settings.order);
     found.response.push_back(fitted.response);
     found.coherence.push_back(fitted.coherence);
   }

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frequency response x -> y of a whole record, without window and averages. Around every
-// frequency a polynomial is fitted to the record's transforms at 2 n + 1 of its own lines [local
-// polynomial method of Schoukens and others; McKelvey, Guérin 2012, 16th IFAC Symposium on System
-// Identification, reviews it],
-//   Y(f_k) = (h_0 + h_1 r + ... + h_p r^p) U(f_k) + e_k,   r = (f_k - f) / width,   H(f) = h_0
-// U, Y are transforms of the differences from sample to sample. If a record begins and ends at
-// rest, with any mean, Y = H U holds exactly for them, and no term is needed for truncation by a
-// window. A record that ends in motion gives a distorted response, because its end is missing.
-//   γ² = 1 - (Σ|e|² / (2 n - p)) / (Σ|Y|² / (2 n + 1))       the share of y that follows x
+// The frequency response x -> y of a whole record without window and without averages: a polynomial
+// of the frequency beside every line, fitted to the record's transforms at 2 n + 1 of its own lines
+// [local polynomial method of Schoukens and others; McKelvey, Guérin 2012, 16th IFAC Symposium on
+// System Identification, reviews it],
+//   Y(f_k) = exp(-2πi (f_k - f) τ) (h_0 + h_1 r + ... + h_p r^p) U(f_k) + e_k,
+//   r = (f_k - f) / width,   H(f) = h_0
+// A response lasts from an instant on, not as long before it: the delay τ, in the middle of what
+// lasts, leaves the polynomial half of the turning.
+// U, Y: transforms of the differences from sample to sample. Of a record that begins and ends at
+// rest, wherever its mean is, these hold Y = H U exactly, whatever happens between, and no term is
+// needed for what windows cut off; a record that ends in motion is smeared by what is missing.
+//   γ² = 1 - (Σ|e|²/(2 n - p) + Σ|B|²/(2 n + 1)) / (Σ|Y|² + Σ|B|²) (2 n + 1)
+// B is the transform of a signal that is known not to follow x by a linear law, if there is one.
 #pragma once
 
 #include <complex>
@@ -20,6 +24,7 @@ struct LocalSettings {
   int lines = 5;       // n, lines to either side, at least
   double width = 0.0;  // Hz, to either side, at least
   int order = 4;       // p
+  double delay = 0.0;  // τ, s
 };
 
 struct LocalResponse {
@@ -27,12 +32,14 @@ struct LocalResponse {
   std::vector<double> coherence;               // γ², 0 if x or y is zero there
 };
 
-/// Takes two records of one length, sampled at `rate`, Hz. Frequencies are in Hz, below half of the
-/// rate. The record must have at least 2 n + 2 lines.
+/// Two records of one length, sampled at `rate`, Hz; frequencies in Hz, to below half of it. A
+/// record has at least 2 n + 2 lines in which it is not alone. `beside`: the signal of B, as long
+/// as the records, or empty.
 LocalResponse local_response(std::span<const double> x,
                              std::span<const double> y,
                              double rate,
                              std::span<const double> frequencies,
-                             const LocalSettings& settings = {});
+                             const LocalSettings& settings = {},
+                             std::span<const double> beside = {});
 
 }  // namespace latsch::numerics

@@ -85,6 +85,40 @@ TEST(LocalResponse, WhereARecordRestsDoesNotCount) {
   for (const std::complex<double>& h : found.response) EXPECT_LT(std::abs(h + 3.0), 1e-9);
 }
 
+// A body that swings for long: as high an order without a delay follows it less well.
+TEST(LocalResponse, ADelayFollowsWhatRingsLonger) {
+  const std::vector<double> x = sweep(), f = lines();
+  const double frequency = 1.25, zeta = 0.1;
+  const std::vector<double> y = oscillator(x, 2.0 * kPi * frequency, zeta);
+  const auto error_of = [&](const LocalSettings& settings) {
+    const LocalResponse found = local_response(x, y, kRate, f, settings);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      const double r = f[i] / frequency;
+      const std::complex<double> expected = 1.0 / std::complex<double>(1.0 - r * r, 2.0 * zeta * r);
+      worst = std::max(worst, std::abs(found.response[i] - expected) / std::abs(expected));
+    }
+    return worst;
+  };
+  const double at_once = error_of({.order = 6}), delayed = error_of({.order = 6, .delay = 0.8});
+  EXPECT_LT(delayed, 0.01);
+  EXPECT_LT(delayed, at_once);
+}
+
+// The square of a sweep is no linear answer to it. Narrow lines follow it all the same, unless it
+// is known beside the record.
+TEST(LocalResponse, WhatIsKnownNotToFollowLowersTheCoherence) {
+  const std::vector<double> x = sweep();
+  std::vector<double> squares(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) squares[i] = x[i] * x[i];
+  const LocalResponse found = local_response(x, x, kRate, lines(), {}, squares);
+  for (std::size_t i = 4; i < 60; ++i) {
+    EXPECT_LT(std::abs(found.response[i] - 1.0), 1e-9);
+    EXPECT_GT(found.coherence[i], 0.3);
+    EXPECT_LT(found.coherence[i], 0.95);
+  }
+}
+
 TEST(LocalResponse, CoherenceIsTheShareThatFollows) {
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;

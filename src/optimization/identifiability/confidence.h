@@ -55,7 +55,8 @@ struct Evaluated {
   }
 
   Eigen::VectorXd r;
-  Eigen::MatrixXd J;  // empty if not known
+  Eigen::MatrixXd J;        // empty: not known
+  bool is_reduced = false;  // the rows are those of reduced_rows.h
 };
 
 /// Residuals and their derivatives at a point of the unit cube.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/identifiability/cross_validation.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -11,8 +12,11 @@ namespace {
 
 constexpr int kEvaluationsOfARefit = 30;  // plus two for each variable
 
-double root_mean_square(const Eigen::VectorXd& r) {
-  return std::sqrt(r.squaredNorm() / static_cast<double>(r.size()));
+// What a fold usually takes: by slopes, and by corrections and a difference a variable.
+constexpr double kUsualEvaluations = 6.0, kUsualEvaluationsWithoutSlopes = 10.0;
+
+double root_mean_square(const Eigen::VectorXd& r, double values) {
+  return std::sqrt(r.squaredNorm() / values);
 }
 
 }  // namespace
@@ -21,7 +25,8 @@ CrossValidation::CrossValidation(const DesignSpace& space,
                                  const Linearization& best,
                                  const std::vector<int>& group,
                                  double tolerance,
-                                 std::vector<int> free)
+                                 std::vector<int> free,
+                                 const std::map<int, Eigen::Index>& values)
     : space_(space) {
   assert(std::ssize(group) == best.r.size());
   if (free.empty()) {
@@ -35,9 +40,12 @@ CrossValidation::CrossValidation(const DesignSpace& space,
       (group[row] == left ? out : rest).push_back(row);
     assert(!rest.empty());
     const Linearization without{best.u, best.r(rest), best.J(rest, Eigen::all), best.is_exact};
-    const double now = root_mean_square(best.r(out));
+    const auto known = values.find(left);
+    const auto count = static_cast<double>(known == values.end() ? std::ssize(out) : known->second);
+    const double now = root_mean_square(best.r(out), count);
     folds_.push_back({rest,
                       out,
+                      count,
                       BroydenFit(without,
                                  free,
                                  {.tolerance = tolerance,
@@ -59,9 +67,21 @@ void CrossValidation::observe(const std::vector<Result<Evaluated>>& evaluated) {
     fold.refit.observe(rest);
     if (!rest || fold.refit.best().u != u) continue;
     fold.result.u = u;
-    fold.result.predicted = root_mean_square(evaluated[k]->r(fold.out));
+    fold.result.predicted = root_mean_square(evaluated[k]->r(fold.out), fold.values);
   }
   ask();
+}
+
+double CrossValidation::share_done() const {
+  constexpr double kMostUnderWay = 0.9;  // of a fold that has not ended
+  double sum = 0.0;
+  for (const Fold& fold : folds_) {
+    const auto variables = static_cast<double>(space_.size());
+    const double usual =
+        fold.refit.best().is_exact ? kUsualEvaluations : kUsualEvaluationsWithoutSlopes + variables;
+    sum += fold.refit.wanted() ? std::min(kMostUnderWay, fold.refit.evaluations() / usual) : 1.0;
+  }
+  return sum / static_cast<double>(folds_.size());
 }
 
 void CrossValidation::ask() {

@@ -11,6 +11,7 @@
 // Ask and tell in rounds, as in Identification: the groups are evaluated side by side.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -28,24 +29,29 @@ struct LeftOut {
 
 class CrossValidation {
  public:
-  /// `group` is the group of every residual of the common fit `best`, or < 0 for residuals that are
-  /// never left out; there are at least two groups. `tolerance` is that of BroydenFitOptions.
-  /// `free` lists the variables that may move, ascending; empty means all.
+  /// `group` of every residual of the common fit `best`, < 0 for what is never left out; at least
+  /// two groups. `tolerance` as in BroydenFitOptions; `free`: the variables that may move,
+  /// ascending; empty: all. `values`: how many residuals each group has where the rows of `best`,
+  /// and of what is observed, are reduced (reduced_rows.h); empty: one a row.
   CrossValidation(const DesignSpace& space,
                   const Linearization& best,
                   const std::vector<int>& group,
                   double tolerance,
-                  std::vector<int> free = {});
+                  std::vector<int> free = {},
+                  const std::map<int, Eigen::Index>& values = {});
 
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
   void observe(const std::vector<Result<Evaluated>>& evaluated);
 
-  /// Returns one result for each group, in ascending order, when done.
+  /// The share of the evaluations that is done: a guess, by how many a fold usually takes.
+  double share_done() const;
+  /// One a group, in ascending order, when done.
   const std::vector<LeftOut>& left_out() const { return left_out_; }
 
  private:
   struct Fold {
     std::vector<Eigen::Index> rest, out;  // rows
+    double values;                        // residuals of the group
     BroydenFit refit;
     LeftOut result;
   };

@@ -127,7 +127,7 @@ void Identification::observe(const std::vector<Result<Evaluated>>& evaluated) {
 
 std::optional<Evaluated> Identification::used(const Result<Evaluated>& evaluated) const {
   if (!evaluated) return std::nullopt;
-  Evaluated rows = evaluated->of(rows_);
+  Evaluated rows = evaluated->is_reduced ? *evaluated : evaluated->of(rows_);
   for (int i = 0; rows.has_slopes() && i < space_.size(); ++i)
     if (!std::binary_search(free_.begin(), free_.end(), i)) rows.J.col(i).setZero();
   return rows.r.allFinite() ? std::optional(std::move(rows)) : std::nullopt;
@@ -345,6 +345,15 @@ void Identification::begin_profiles() {
     }
   }
   ask_branches();
+}
+
+double Identification::share_done() const {
+  double done = 0.0, left = 0.0;
+  for (const ProfileBranch& branch : branches_) {
+    done += static_cast<double>(branch.points().size());
+    left += branch.rungs_left();
+  }
+  return done > 0.0 ? done / (done + left) : 0.0;
 }
 
 void Identification::ask_branches() {

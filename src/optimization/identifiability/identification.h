@@ -82,7 +82,13 @@ class Identification {
   /// True if linearization and confidence exist: not before round 1 is done, nor while it is
   /// repeated at a better point.
   bool is_linearized() const { return at_.has_value(); }
-  /// Returns the linearization at the center.
+  /// Tells whether the points wanted are those of profiles. If refitted() is exact, what they tell
+  /// may come reduced: as reduced_rows() of one group, the residuals used.
+  bool is_profiling() const { return !branches_.empty() && !wanted_.empty(); }
+  /// The share of the rungs of all profiles that is done, by the lengths of those to come: rungs
+  /// that are halved or refitted from behind come on top.
+  double share_done() const;
+  /// At the center.
   const Linearization& linearization() const { return *at_; }
   const Confidence& confidence() const { return *confidence_; }
   /// Indices of the residuals used.

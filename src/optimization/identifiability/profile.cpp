@@ -241,9 +241,26 @@ void ProfileBranch::next_rung(const Linearization& from) {
   }
   if (direction_ * (end_ - at) <= 0.0) return;
   if (!points_.empty()) length_ = std::min(kLonger * length_, kLongestRung);
-  // A last step of less than half a step is joined to the one before.
-  const bool last = std::abs(end_ - at) < 1.5 * length_;
-  climb(from, last ? end_ : at + direction_ * length_);
+  climb(from, rung_after(at, length_));
+}
+
+/// A last rung of less than half a step joins the one before it.
+double ProfileBranch::rung_after(double at, double length) const {
+  const bool last = std::abs(end_ - at) < 1.5 * length;
+  return last ? end_ : at + direction_ * length;
+}
+
+int ProfileBranch::rungs_left() const {
+  if (!refit_) return 0;
+  if (failed_at_) return 1;
+  int rungs = 1;  // the one under way
+  double at = bracket_ || return_ ? last_.u[variable_] : to_, length = length_;
+  while (direction_ * (end_ - at) > 0.0) {
+    length = std::min(kLonger * length, kLongestRung);
+    at = rung_after(at, length);
+    ++rungs;
+  }
+  return rungs;
 }
 
 double ProfileBranch::tolerance(double S) const {

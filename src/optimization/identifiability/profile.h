@@ -62,8 +62,10 @@ class ProfileBranch {
 
   /// Returns the points from the best point outward, without the best point.
   const std::vector<ProfilePoint>& points() const { return points_; }
-  /// Returns the variable's value at the nearest rung where the model failed; nullopt if it did not
-  /// fail.
+  /// How many rungs the ladder has from the last one to its end, if none is halved, refitted from
+  /// behind or fails; 0 where it wants nothing.
+  int rungs_left() const;
+  /// The variable at the nearest rung where the model failed; nullopt where it did not.
   const std::optional<double>& failed_at() const { return failed_at_; }
 
  private:
@@ -80,6 +82,7 @@ class ProfileBranch {
   };
 
   void next_rung(const Linearization& from);
+  double rung_after(double at, double length) const;
   void climb(const Linearization& from, double to);
   void halve();
   void rung_reached(const Linearization& reached);

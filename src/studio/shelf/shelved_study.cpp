@@ -9,8 +9,10 @@
 #include "base/clock.h"
 #include "base/document_record.h"
 #include "base/error.h"
+#include "correlation/analysis/beyond_data.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/study/study_stages.h"
+#include "correlation/target/best_trial.h"
 #include "correlation/target/estimated_noise.h"
 
 namespace latsch::studio {
@@ -267,8 +269,11 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
                         fits.back().run.end != RunEnd::stopped;
       if (found.has_ended) {
         found.words = fits.back().run.ending;
-        found.spoiled =
-            correlation::spoiled_experiments(weighted, fits, Journal::read(whole->run.journal));
+        const Journal journal = Journal::read(whole->run.journal);
+        found.spoiled = correlation::spoiled_experiments(weighted, fits, journal);
+        if (const auto best = correlation::best_trial(weighted, journal))
+          for (std::string& words : correlation::faults_beyond_data(weighted, best->point))
+            found.spoiled.push_back(std::move(words));
       }
     }
   } catch (const std::exception&) {  // a missing or changed stage

@@ -60,9 +60,8 @@ class ShelvedStudy {
     /// Duration and number of rows since the present run was first seen.
     double run_seconds = 0.0;
     long run_trials = 0;
-    std::string ending;                // why the search ended; empty: it has not, or unknown
-    std::vector<std::string> spoiled;  // experiments that were better after an earlier stage, in
-                                       // words
+    std::string ending;                // why its search ended; empty: it has not, or unknown
+    std::vector<std::string> spoiled;  // what is wrong with the result, in words
   };
   template <class Look>
   auto look(Look&& look) const {

@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr int kStoppedOnRequest = 130;  // exit code of latsch after Ctrl-C or SIGTERM
 constexpr std::size_t kLogLines = 40;
 constexpr std::streamoff kLogTail = 16'384;  // bytes
 
@@ -95,6 +96,7 @@ void StudyRuns::reap() {
     int status = 0;
     if (process.exit_code || ::waitpid(process.id, &status, WNOHANG) != process.id) continue;
     process.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    process.was_stopped = process.was_stopped || process.exit_code == kStoppedOnRequest;
   }
 }
 

@@ -39,8 +39,8 @@ class StudyRuns {
     bool is_ours = false;  // started from this page
     bool is_alive = false;
     std::optional<int> exit_code;
-    bool was_stopped = false;      // stopped from this page: its exit code is no failure
-    RunVerb verb = RunVerb::run;   // valid for a run of this page
+    bool was_stopped = false;      // on request: its exit code is no failure
+    RunVerb verb = RunVerb::run;   // of one of ours
     std::vector<std::string> log;  // last lines
   };
   Run of(const ShelvedStudy& study);

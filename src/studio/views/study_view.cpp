@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/units.h"
+#include "correlation/analysis/beyond_data.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study_experiment.h"
@@ -111,6 +112,7 @@ Json warnings(const Study& study, const Sight& sight) {
       if (std::find(list.begin(), list.end(), Json(doubt.sentence)) == list.end())
         list.push_back(doubt.sentence);  // the page shows each sentence once
   for (const std::string& words : sight.spoiled) list.push_back(words);
+  for (const std::string& words : correlation::untold_in_words(study)) list.push_back(words);
   double largest = 0.0;
   for (const auto& experiment : study.experiments)
     if (experiment.fitted) largest = std::max(largest, experiment.objective.weight);

@@ -26,19 +26,34 @@ std::array<double, 4> signs_of(PostMode mode) {
   return {};
 }
 
+namespace {
+
+constexpr double kStart = 0.1, kStop = 0.05;  // shares of a sweep's duration
+
+/// Growth of the logarithm of the frequency, 1/s.
+double growth_of(const PostSweep& sweep) {
+  return std::log(sweep.to / sweep.from) / ((1.0 - kStart - kStop) * sweep.duration);
+}
+
+}  // namespace
+
+double frequency_at(const PostSweep& sweep, double time) {
+  return sweep.from * std::exp(growth_of(sweep) * (time - kStart * sweep.duration));
+}
+
 FourPostTest sweep_test(const PostSweep& sweep, double sample_step) {
   FourPostTest test;
   test.sample_step = sample_step;
-  const double grows = std::log(sweep.to / sweep.from) / sweep.duration;
-  constexpr double kFade = 0.05;  // share of the duration, at both ends
+  const double grows = growth_of(sweep);
+  const double first = frequency_at(sweep, 0.0);
   const long count = std::lround(sweep.duration / sample_step) + 1;
   const std::array<double, 4> sign = signs_of(sweep.mode);
   for (long i = 0; i < count; ++i) {
     const double t = static_cast<double>(i) * sample_step;
-    const double f = sweep.from * std::exp(grows * t);
-    const double phase = 2.0 * std::numbers::pi * (f - sweep.from) / grows;
+    const double f = frequency_at(sweep, t);
+    const double phase = 2.0 * std::numbers::pi * (f - first) / grows;
     const double fade =
-        std::clamp(std::min(t, sweep.duration - t) / (kFade * sweep.duration), 0.0, 1.0);
+        std::clamp(std::min(t / kStart, (sweep.duration - t) / kStop) / sweep.duration, 0.0, 1.0);
     const double amplitude =
         std::min(sweep.amplitude, sweep.velocity / (2.0 * std::numbers::pi * f));
     const double h = fade * fade * (3.0 - 2.0 * fade) * amplitude * std::sin(phase);
@@ -81,6 +96,20 @@ Result<Channels> run(car::Car& car, const FourPostTest& test, const CarWatcher& 
   const auto names = of_corners("post");
   for (std::size_t i = 0; i < 4; ++i) channels.add({names[i], "m", posts[i]});
   return channels;
+}
+
+Result<BothWays> run_both_ways(car::Car& car, const FourPostTest& test) {
+  FourPostTest way = test;
+  way.still = kStill;
+  const auto up = run(car, way);
+  if (!up) return up.failure();
+  for (std::vector<double>& heights : way.heights) {
+    const double start = heights.front();
+    for (double& height : heights) height = 2.0 * start - height;
+  }
+  const auto down = run(car, way);
+  if (!down) return Failure{"upside down " + down.failure().reason};
+  return BothWays{*up, *down};
 }
 
 }  // namespace latsch::experiment

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car on four posts: its tires stand on plates that actuators move up and down; the wheels do not
-// turn. The car is driven by the heights recorded in the laboratory, or by a sweep:
-//   h = A(t) sin φ(t),  φ' = 2π f(t), f rising by the same factor every second;
-//   A = v/(2π f), at most the amplitude: above the frequency at which both are equal the plates
-//   move at constant peak velocity.
+// A car on four posts: its tires stand on plates that actuators move up and down; wheels do not
+// turn. The same heights drive it as drove the car in the laboratory, or a sweep:
+//   h = A(t) sin φ(t),  φ' = 2π f(t), f rising by the same factor every second;  A = v/(2π f) up to
+//   the amplitude: above the frequency where both meet the plates move at one peak velocity.
+// The sweep begins below its lowest frequency and ends above its highest one: the plates take a
+// tenth of the duration to start and a twentieth to stop, and move fully from `from` to `to`. The
+// usual velocity keeps the tires of a light race car on their plates: at 0.1 m/s they leave them.
 #pragma once
 
 #include <array>
@@ -34,11 +36,22 @@ struct PostSweep {
   double from = 0.5, to = 30.0;  // Hz
   double duration = 20.0;        // s
   double amplitude = 3e-3;       // m
-  double velocity = 0.1;         // m/s
+  double velocity = 0.03;        // m/s
 };
 FourPostTest sweep_test(const PostSweep& sweep, double sample_step);
+/// The sweep's frequency at a time, Hz.
+double frequency_at(const PostSweep& sweep, double time);
+
+/// A run, and a second one in which the plates go down from where they start wherever they went up.
+/// Half the difference of both follows the plates by their odd powers alone.
+struct BothWays {
+  Channels up, down;
+};
 
 /// Records the channels of car_record.h and the heights of the posts, "post_FL" ...
 Result<Channels> run(car::Car& car, const FourPostTest& test, const CarWatcher& watch = {});
+/// Both runs end with kStill of posts that stand still, so that the car rests again.
+Result<BothWays> run_both_ways(car::Car& car, const FourPostTest& test);
+constexpr double kStill = 3.0;  // s; less cuts off what still rings, more costs time
 
 }  // namespace latsch::experiment

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "experiment/rigs/car/post_spectra.h"
@@ -45,24 +46,31 @@ class FourPostOfALinearCar : public testing::TestWithParam<PostMode> {
 // end with the record, so only those count whose segments agree, judged by the coherence of Welch's
 // method.
 TEST_P(FourPostOfALinearCar, ItsResponsesAreThoseOfTheLinearModel) {
-  // In pitch the body hardly rises: the geometric nonlinearity of 0.5 mm is above 1 % of its heave.
-  if (GetParam() == PostMode::pitch) GTEST_SKIP() << "judged at smaller amplitudes below";
-  FourPostTest test = sweep_test(
-      {.mode = GetParam(), .from = 0.5, .to = 40.0, .duration = 24.0, .amplitude = 5e-4}, 4e-4);
+  // In pitch the body hardly rises: what geometry owes to 0.03 m/s is above 1 % of that.
+  FourPostTest test = sweep_test({.mode = GetParam(),
+                                  .from = 0.5,
+                                  .to = 40.0,
+                                  .duration = 24.0,
+                                  .amplitude = 5e-4,
+                                  .velocity = GetParam() == PostMode::pitch ? 0.01 : 0.03},
+                                 4e-4);
   test.step = 2e-4;
-  const auto record = run(*car_, test);
-  ASSERT_TRUE(record) << record.failure().reason;
+  const auto runs = run_both_ways(*car_, test);
+  ASSERT_TRUE(runs) << runs.failure().reason;
+  const Channels& record = runs->up;
   const Channels measured =
-      spectra(*record, GetParam(), 2500.0, {.segment = 7.0, .from = 1.0, .to = 30.0});
+      spectra(*runs, GetParam(), 2500.0, {.segment = 7.0, .from = 1.0, .to = 30.0});
   const std::vector<double>& f = measured["frequency"];
   const std::array<double, 4> sign = signs_of(GetParam());
   long compared = 0;
   for (std::size_t k = 0; k < linear_.names.size(); ++k) {
     const std::string& sensor = linear_.names[k];
-    const std::vector<double> agreement =
-        coherence_of_segments((*record)["post_FL"], (*record)[sensor]);
+    const std::vector<double> agreement = coherence_of_segments(record["post_FL"], record[sensor]);
     for (std::size_t i = 0; i < f.size(); ++i) {
       const Eigen::VectorXcd H = linear_.response(f[i]) * Eigen::Vector4d(sign.data());
+      // In pitch the body's two halves nearly cancel each other: above 20 Hz what steps of time
+      // leave of each is more than 1 % of their sum.
+      if (GetParam() == PostMode::pitch && sensor == "body_z" && f[i] > 20.0) continue;
       if (!(measured["coherence_" + sensor][i] > 0.99)) continue;
       const std::complex<double> expected = H[static_cast<Eigen::Index>(k)],
                                  H1 = std::polar(measured["tf_" + sensor][i],
@@ -77,15 +85,11 @@ TEST_P(FourPostOfALinearCar, ItsResponsesAreThoseOfTheLinearModel) {
   EXPECT_GT(compared, 500);  // 204 lines and nine sensors were compared
 }
 
-// A sweep with default values, 0.5 to 30 Hz in 20 s with lines of 0.25 Hz, except its amplitude: at
-// 3 mm the tires of so light a car leave the plates, which no linear model represents. Regression:
-// the segments of Welch's method had errors above the response itself at 0.5 Hz.
+// A sweep as a file states it that states nothing: 0.5 to 30 Hz in 20 s, lines of 0.25 Hz.
 TEST_P(FourPostOfALinearCar, AtItsDefaultsItsResponsesAreRightFromTheLowestLineOn) {
-  FourPostTest test = sweep_test({.mode = GetParam(), .amplitude = 1e-4}, 1e-3);
-  test.still = 3.0;
-  const auto record = run(*car_, test);
-  ASSERT_TRUE(record) << record.failure().reason;
-  const Channels measured = spectra(*record, GetParam(), 1000.0, {.moving = 20.0});
+  const auto runs = run_both_ways(*car_, sweep_test({.mode = GetParam()}, 1e-3));
+  ASSERT_TRUE(runs) << runs.failure().reason;
+  const Channels measured = spectra(*runs, GetParam(), 1000.0, {.moving = 20.0});
   const std::vector<double>& f = measured["frequency"];
   ASSERT_EQ(f.front(), 0.5);
   const std::array<double, 4> sign = signs_of(GetParam());
@@ -96,12 +100,34 @@ TEST_P(FourPostOfALinearCar, AtItsDefaultsItsResponsesAreRightFromTheLowestLineO
       const std::complex<double> expected = H[static_cast<Eigen::Index>(k)],
                                  found = std::polar(measured["tf_" + sensor][i],
                                                     measured["phase_" + sensor][i]);
-      // In roll the body's center does not move up, by symmetry.
-      if (GetParam() == PostMode::roll && sensor == "body_z") continue;
+      // The body's center does not move up in roll, by symmetry: what it does is of even powers.
+      if (GetParam() == PostMode::roll && sensor == "body_z") {
+        EXPECT_LT(std::abs(found), 1e-6 * measured["tf_hub_FL"][i]) << f[i];
+        EXPECT_LT(measured["coherence_body_z"][i], 0.1) << f[i];
+        continue;
+      }
       EXPECT_LT(std::abs(found - expected), 0.02 * std::abs(expected)) << sensor << " " << f[i];
-      EXPECT_GT(measured["coherence_" + sensor][i], 0.99) << sensor << " " << f[i];
+      // The body hardly rises in pitch: bent laws are a tenth of what it does.
+      EXPECT_GT(measured["coherence_" + sensor][i], sensor == "body_z" ? 0.98 : 0.995)
+          << sensor << " " << f[i];
     }
   }
+}
+
+// At 0.1 m/s the tires of so light a car leave its plates in heave, which no linear law knows. It
+// is the rear wheels that resonate there, at 11 Hz: their response is off by a quarter.
+TEST(FourPost, WhereItsTiresLeaveThePlatesTheCoherenceFalls) {
+  const auto car = car::Car::make(car::race_car(false), car::spring_tires());
+  ASSERT_TRUE(car);
+  const auto runs = run_both_ways(**car, sweep_test({.velocity = 0.1}, 1e-3));
+  ASSERT_TRUE(runs) << runs.failure().reason;
+  const std::vector<double>& load = runs->up["Fz_RL"];
+  ASSERT_EQ(*std::min_element(load.begin(), load.end()), 0.0);
+  const Channels measured = spectra(*runs, PostMode::heave, 1000.0, {.moving = 20.0});
+  const std::vector<double>&f = measured["frequency"], &coherence = measured["coherence_hub_RL"];
+  const auto least = std::min_element(coherence.begin(), coherence.end());
+  EXPECT_LT(*least, 0.95);
+  EXPECT_NEAR(f[static_cast<std::size_t>(least - coherence.begin())], 11.5, 1.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes,

@@ -45,8 +45,23 @@ struct Response {
   std::vector<double> frequency, post, density, magnitude, phase, coherence;
 };
 
+/// A record of both runs in its parts: half the difference, and half the sum against its start.
+struct Parts {
+  std::vector<double> odd, even;
+};
+
+Parts parts_of(const std::vector<double>& up, const std::vector<double>& down) {
+  Parts parts;
+  for (std::size_t i = 0; i < up.size(); ++i) {
+    parts.odd.push_back(0.5 * (up[i] - down[i]));
+    parts.even.push_back(0.5 * (up[i] + down[i]));
+  }
+  return parts;
+}
+
 Response response_of(const std::vector<double>& u,
                      const std::vector<double>& y,
+                     const Parts& parts,
                      double rate,
                      const PostSpectra& settings) {
   const auto moving =
@@ -64,9 +79,18 @@ Response response_of(const std::vector<double>& u,
     kept.post.push_back(s.xx[i]);
     kept.density.push_back(s.yy[i]);
   }
-  constexpr double kHalfLine = 0.7;  // half width of the local fit over that of a line
-  const auto local =
-      numerics::local_response(u, y, rate, kept.frequency, {.width = kHalfLine / settings.segment});
+  constexpr double kHalfLine = 0.7;  // of a line's width, times the segment
+  // The response of a car lasts a second or two. A higher order follows longer ones and needs more
+  // lines than half of those that a line's width holds.
+  constexpr int kOrder = 6;
+  constexpr double kDelay = 0.8;  // s
+  const auto local = numerics::local_response(
+      u,
+      parts.odd,
+      rate,
+      kept.frequency,
+      {.width = kHalfLine / settings.segment, .order = kOrder, .delay = kDelay},
+      parts.even);
   for (const std::complex<double>& h : local.response) {
     kept.magnitude.push_back(std::abs(h));
     kept.phase.push_back(std::arg(h));
@@ -97,11 +121,12 @@ std::vector<std::pair<std::string, std::string>> spectra_channels() {
   return names;
 }
 
-Channels spectra(const Channels& record, PostMode mode, double rate, const PostSpectra& settings) {
-  const std::vector<double> u = mode_signal(record, mode);
+Channels spectra(const BothWays& runs, PostMode mode, double rate, const PostSpectra& settings) {
+  const std::vector<double> u = mode_signal(runs.up, mode);
   Channels channels;
   for (const std::string& sensor : spectra_sensors()) {
-    const Response response = response_of(u, record[sensor], rate, settings);
+    const std::vector<double>& y = runs.up[sensor];
+    const Response response = response_of(u, y, parts_of(y, runs.down[sensor]), rate, settings);
     if (channels.empty()) {
       channels.add({"frequency", "Hz", response.frequency});
       channels.add({"psd_post", "m^2/Hz", response.post});

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording of the four-post rig over frequency: spectral densities, and transfer functions from
-// the combined motion of the posts to every sensor. Densities are computed by Welch's method
-// (signals/welch.h: Hann window, mean of each segment removed, one-sided; segments overlap by seven
-// eighths, because a sweep passes a line within one or two of them). Transfer functions and
-// coherences use the whole record with local polynomials (numerics/signals/local_response.h):
-// segments would cut off the response to excitation before them, which at the low end of a sweep is
-// most of the response. So the record has to end at rest: the posts stand still after their motion
-// (FourPostTest::still).
+// what the posts do together to every sensor. Densities by Welch's method (signals/welch.h: Hann
+// window, mean of each segment removed, one-sided; segments overlap by seven eighths, as a sweep
+// passes a line within one or two of them). Transfer functions and coherences of the whole
+// record by local polynomials (numerics/signals/local_response.h): segments would cut off what
+// enters a line before them, which at the low end of a sweep is most of it. So the record has to
+// end at rest: the posts stand still behind what moves them (FourPostTest::still).
+// Two runs are needed, y+ and one with the posts upside down, y-. The response is that of
+// (y+ - y-)/2, which has no even powers of u: a sweep's second harmonic and the mean that a bent
+// law shifts reach other lines before or after the posts do, and where the response is small they
+// are larger than it. (y+ + y-)/2 follows no linear law and lowers the coherence.
 //   u = (±h_FL ± h_FR ± h_RL ± h_RR)/4      the mode's signal, m: in a sweep that of the post FL
 //   H                                       y by u; phase positive if y leads
 // Heave: ++++, pitch: ++--, roll: +-+-, warp: +--+. If posts also move otherwise, the response to
@@ -38,8 +41,8 @@ struct PostSpectra {
 std::vector<std::string> spectra_sensors();
 std::vector<std::pair<std::string, std::string>> spectra_channels();
 
-/// Computes the spectra of a recording of run(), at least as long as a segment, sampled at `rate`,
-/// Hz.
-Channels spectra(const Channels& record, PostMode mode, double rate, const PostSpectra& settings);
+/// Takes records no shorter than a segment, sampled at this rate, Hz. Densities are those of the
+/// run with the posts as they are.
+Channels spectra(const BothWays& runs, PostMode mode, double rate, const PostSpectra& settings);
 
 }  // namespace latsch::experiment

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""Tires on an oblique bar: what a model does not describe there is told beside the result, and a flexible ring whose
+sections bend loses the force that one with straight sections gains.
+
+    oblique_cleat_test.py PATH/TO/latsch
+"""
+import json
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from cli_testing import DONE, LATSCH
+
+STUDIES = pathlib.Path(__file__).resolve().parents[3] / "studies"
+STRAIGHT = STUDIES / "ring_tires" / "passenger_205_55R16.toml"
+RIGID = STUDIES / "tire_model_comparison" / "rigid_ring.tir"
+FE_TIRE = STUDIES / "tires" / "passenger_205_55R16.toml"
+LIMIT = "sections of this flexible ring stay straight across"
+
+
+def bar(degrees):
+    return ('{kind = "static_stiffness", deflections = ["25 mm"], '
+            f'cleat = {{height = "10 mm", length = "30 mm", angle = "{degrees} deg"}}}}')
+
+
+class OnAnObliqueBar(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_oblique_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def stands(self, tire, degrees, *more):
+        """Force in N, and what was warned of."""
+        run = subprocess.run([LATSCH, "test", str(tire), bar(degrees), "--json", *more], capture_output=True, text=True)
+        self.assertEqual(run.returncode, DONE, run.stdout + run.stderr)
+        answer = json.loads(run.stdout)
+        channels = {one["name"]: one["values"] for one in answer["result"]["channels"]}
+        return channels["force"][0], " ".join(map(str, answer["warnings"]))
+
+    def bending(self):
+        tire = self.folder / "bending.toml"
+        tire.write_text(STRAIGHT.read_text().replace('pressure_width = "80 mm"',
+                                                     'pressure_width = "80 mm"\nbending_across = "5 N m"'))
+        return tire
+
+    # The finite-element tire loses an eighth of its force if the bar turns from 45 degrees to along the road.
+    def test_sections_that_bend_lose_force_as_the_finite_element_tire_does(self):
+        def falls(tire):
+            return self.stands(tire, 90)[0] / self.stands(tire, 45)[0]
+        self.assertLess(falls(FE_TIRE), 0.92)
+        self.assertLess(falls(self.bending()), 0.95)
+        self.assertGreater(falls(STRAIGHT), 1.02)
+
+    def test_straight_sections_are_told_on_the_terminal_in_json_and_on_the_page(self):
+        self.assertIn(LIMIT, self.stands(STRAIGHT, 30)[1])
+        page = self.folder / "page.html"
+        run = subprocess.run([LATSCH, "test", str(STRAIGHT), bar(-30), "--html", str(page), "-o", str(self.folder / "out.csv")],
+                             capture_output=True, text=True)
+        self.assertEqual(run.returncode, DONE, run.stderr)
+        self.assertIn(LIMIT, run.stdout + run.stderr)
+        self.assertIn(LIMIT, page.read_text())
+
+    def test_a_straight_bar_and_sections_that_bend_are_told_nothing(self):
+        self.assertNotIn(LIMIT, self.stands(STRAIGHT, 0)[1])
+        self.assertNotIn(LIMIT, self.stands(self.bending(), 30)[1])
+
+    def test_a_rigid_ring_of_one_track_is_told(self):
+        tire = self.folder / "one.tir"
+        text = RIGID.read_text().splitlines()
+        text = [line for line in text if not line.startswith("ELLIPS_NWIDTH")]
+        at = next(i for i, line in enumerate(text) if line.startswith("ELLIPS_SHIFT"))
+        tire.write_text("\n".join(text[:at] + ["ELLIPS_NWIDTH            = 1"] + text[at:]) + "\n")
+        self.assertIn("feels the road along one line", self.stands(tire, 30, "--kind", "rigid_ring")[1])
+        self.assertNotIn("along one line", self.stands(RIGID, 30, "--kind", "rigid_ring")[1])
+
+    def test_a_drum_with_an_oblique_cleat_tells_it_too(self):
+        drum = ('{kind = "drum_cleat", speed = "20 km/h", load = "3 kN", drum_diameter = "2.5 m", duration = "0.1 s", '
+                'lead = "0.04 s", cleat = {height = "10 mm", length = "30 mm", angle = "30 deg"}}')
+        run = subprocess.run([LATSCH, "test", str(STRAIGHT), drum, "-o", str(self.folder / "out.csv")], capture_output=True, text=True)
+        self.assertEqual(run.returncode, DONE, run.stderr)
+        self.assertIn(LIMIT, run.stdout + run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Example 2. Reads a study file and fits it inside this process: the trials run on threads, the journal keeps every outcome,
+// and a second start goes on from the journal.
+//
+//   target_link_libraries(run PRIVATE latsch::correlation)
+//
+//   $ 2_run_a_study studies/compliance/study.toml /tmp/study.latsch
+//   The search ended at a minimum
+//   top = 8200 N/mm
+//
+// `latsch run` does the same with worker processes, which survive a model that crashes or hangs.
+#include <cstdio>
+#include <exception>
+
+#include "base/units.h"
+#include "correlation/search/study_fit.h"
+#include "correlation/study/study_stages.h"
+#include "correlation/target/study_trials.h"
+#include "evaluation/executors/thread_executor.h"
+#include "experiment/language.h"
+
+using namespace latsch;
+
+int main(int argc, char** argv) try {
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: 2_run_a_study STUDY.toml JOURNAL.latsch\n");
+    return 2;
+  }
+  const correlation::Study study = correlation::read_study(argv[1], experiment::language());
+  const correlation::Study stage = correlation::weighted_stage(study, 0, std::nullopt);
+  Journal journal = Journal::open(argv[2], correlation::identity(stage));
+  ThreadExecutor executor([&] { return correlation::evaluator(stage); }, 2);
+  const correlation::Fit fit = correlation::fit(stage, executor, journal, {});
+  const Step* best = fit.run.best();
+  if (!best) {
+    std::fprintf(stderr, "no trial succeeded\n");
+    return 1;
+  }
+  std::printf("The search ended %s\n", fit.run.ending.c_str());
+  for (int i = 0; i < stage.space.size(); ++i) {
+    const DesignVariable& variable = stage.space[i];
+    std::printf("%s = %s\n",
+                variable.name.c_str(),
+                format_quantity(best->point.values[static_cast<std::size_t>(i)], variable.unit, 4).c_str());
+  }
+  return 0;
+} catch (const std::exception& error) {  // a study file with a fault: file, line, what was expected
+  std::fprintf(stderr, "%s\n", error.what());
+  return 2;
+}

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/analysis/identification_rounds.h"
+
+#include <map>
+#include <set>
+#include <utility>
+
+#include "correlation/target/residuals.h"
+#include "optimization/problem/point_vector.h"
+
+namespace latsch::correlation {
+namespace {
+
+constexpr double kRefitTolerance = 0.02;  // share of the threshold that ends an interval
+
+/// An analysis that asks in rounds, as the scheduler knows it: the points of a round in their
+/// order.
+template <class Analysis>
+class InRounds : public Optimizer {
+ public:
+  /// Ends where the analysis wants nothing more, or where `ends` says so after a round. `reduced`:
+  /// scores are those of RefitTrials.
+  InRounds(
+      const DesignSpace& space,
+      Analysis& analysis,
+      bool reduced = false,
+      std::function<bool()> ends = [] { return false; })
+      : space_(space), analysis_(analysis), reduced_(reduced), ends_(std::move(ends)) {}
+
+  std::vector<DesignPoint> propose(int count) const override {
+    const auto& wanted = analysis_.wanted();
+    const auto first = wanted.begin() + std::ssize(seen_);
+    return {first, first + std::min<std::ptrdiff_t>(count, wanted.end() - first)};
+  }
+
+  void observe(const DesignPoint& point, const Result<Score>& outcome) override {
+    seen_.push_back(evaluated(point, outcome));
+    if (seen_.size() < analysis_.wanted().size() && !is_enough()) return;
+    const auto round = std::move(seen_);
+    seen_ = {};
+    analysis_.observe(round);
+  }
+
+  bool converged() const override {
+    return analysis_.wanted().empty() || (seen_.empty() && ends_());
+  }
+
+ private:
+  bool is_enough() const {
+    if constexpr (requires { analysis_.is_enough(seen_.front()); })
+      return analysis_.is_enough(seen_.front());
+    return false;
+  }
+
+  Result<Evaluated> evaluated(const DesignPoint& point, const Result<Score>& outcome) const {
+    if (!outcome) return outcome.failure();
+    Evaluated one(to_vector(outcome->residuals), space_.unit_jacobian(point, *outcome));
+    if (reduced_ && !one.has_slopes()) return Failure{"a derivative is not finite"};
+    one.is_reduced = reduced_;
+    return one;
+  }
+
+  const DesignSpace& space_;
+  Analysis& analysis_;
+  bool reduced_;
+  std::function<bool()> ends_;
+  std::vector<Result<Evaluated>> seen_;  // outcomes of this round
+};
+
+/// Leaves every experiment out in turn; the residuals not used by the identification stay out.
+class UsedRows {
+ public:
+  UsedRows(CrossValidation& validation, const std::vector<Eigen::Index>& rows)
+      : validation_(validation), rows_(rows) {}
+
+  const std::vector<DesignPoint>& wanted() const { return validation_.wanted(); }
+  void observe(std::vector<Result<Evaluated>> evaluated) {
+    for (auto& one : evaluated) {
+      if (one) one = one->of(rows_);
+    }
+    validation_.observe(evaluated);
+  }
+
+ private:
+  CrossValidation& validation_;
+  const std::vector<Eigen::Index>& rows_;
+};
+
+/// Leaves every experiment out in turn, by reduced rows.
+bool cross_validate_reduced(const IdentificationTrials& trials,
+                            Identifiability& result,
+                            const std::vector<int>& group,
+                            double tolerance) {
+  const Study& study = trials.study;
+  const Identification& identification = result.identification;
+  const std::vector<Eigen::Index>& used = identification.residuals_used();
+  std::map<int, std::size_t> place;
+  std::vector<int> names;
+  RowGroups rows, places;  // places among all residuals, and among those used
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    const auto [at, is_new] = place.emplace(group[k], rows.size());
+    if (is_new) {
+      rows.emplace_back();
+      places.emplace_back();
+      names.push_back(group[k]);
+    }
+    rows[at->second].push_back(used[k]);
+    places[at->second].push_back(static_cast<Eigen::Index>(k));
+  }
+  const Linearization& at = identification.refitted();
+  const Evaluated best = reduced_rows({at.r, at.J}, places);
+  std::vector<int> reduced_group;
+  for (const int g : groups_of_reduced_rows(places, at.J.cols()))
+    reduced_group.push_back(names[static_cast<std::size_t>(g)]);
+  std::map<int, Eigen::Index> values;
+  for (std::size_t g = 0; g < names.size(); ++g) values[names[g]] = std::ssize(places[g]);
+  result.cross_validation.emplace(study.space,
+                                  Linearization{at.u, best.r, best.J, true},
+                                  reduced_group,
+                                  tolerance,
+                                  study.free,
+                                  values);
+  CrossValidation& validation = *result.cross_validation;
+  RefitTrials refits = trials.refits(rows, at);
+  InRounds<CrossValidation> rounds(study.space, validation, /*reduced=*/true);
+  return trials.drive(rounds, &refits, [&] { return validation.share_done(); });
+}
+
+bool cross_validate(const IdentificationTrials& trials, Identifiability& result) {
+  const Study& study = trials.study;
+  const Identification& identification = result.identification;
+  const auto rows = residual_rows(study);
+  std::vector<int> group;
+  for (Eigen::Index row : identification.residuals_used()) group.push_back(rows[row].experiment);
+  std::set<int> groups(group.begin(), group.end());
+  groups.erase(-1);  // priors
+  if (groups.size() < 2) return true;
+  const double tolerance = kRefitTolerance * identification.confidence().threshold();
+  if (identification.refitted().is_exact)
+    return cross_validate_reduced(trials, result, group, tolerance);
+  result.cross_validation.emplace(
+      study.space, identification.refitted(), group, tolerance, study.free);
+  UsedRows used(*result.cross_validation, identification.residuals_used());
+  InRounds<UsedRows> rounds(study.space, used);
+  return trials.drive(rounds, nullptr, [&] { return result.cross_validation->share_done(); });
+}
+
+}  // namespace
+
+IdentificationOptions options_for(const Study& study, Depth depth) {
+  constexpr double kLeastNoise = 1e-5;  // residuals are relative where no noise is stated
+  return {.confidence = {.sigma = residual_sigma(study),
+                         .least_noise = kLeastNoise,
+                         .traits = residual_traits(study)},
+          .profiles = depth == Depth::profiles,
+          .most_centers = depth == Depth::at_the_point ? 1 : IdentificationOptions{}.most_centers,
+          .free = study.free};
+}
+
+RefitTrials IdentificationTrials::refits(const RowGroups& groups, const Linearization& at) const {
+  return RefitTrials(study, journal, groups, at, writable);
+}
+
+bool analyze(const IdentificationTrials& trials, Identifiability& result) {
+  Identification& identification = result.identification;
+  while (!identification.wanted().empty()) {
+    const bool profiling = identification.is_profiling();
+    const bool reduced = profiling && identification.refitted().is_exact;
+    std::optional<RefitTrials> refits;
+    if (reduced)
+      refits.emplace(trials.refits({identification.residuals_used()}, identification.refitted()));
+    const auto ends = [&] { return identification.is_profiling() != profiling; };
+    InRounds<Identification> rounds(trials.study.space, identification, reduced, ends);
+    const auto share = [&] { return profiling ? identification.share_done() : 0.0; };
+    if (!trials.drive(rounds, refits ? &*refits : nullptr, share)) return false;
+  }
+  if (identification.profiles().empty()) return true;
+  return cross_validate(trials, result);
+}
+
+Drive reading(const Study& study, const Journal& journal) {
+  return [&study, &journal](Optimizer& optimizer, RefitTrials* refits, const Share&) {
+    const TrialStore& store = refits ? static_cast<const TrialStore&>(*refits) : journal;
+    const Objective objective = refits ? refits->objective() : residual_objective(study);
+    return replay(optimizer, objective, store, kMostIdentificationTrials).end == RunEnd::converged;
+  };
+}
+
+}  // namespace latsch::correlation

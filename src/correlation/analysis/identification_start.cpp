@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "correlation/analysis/identification_start.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "correlation/analysis/identification_rounds.h"
+
+namespace latsch::correlation {
+namespace {
+
+std::string mark_of(Depth depth) {
+  return depth == Depth::profiles ? "identification" : "intervals";
+}
+
+/// Hexadecimal numbers keep every bit.
+std::string text_of_point(const DesignPoint& point) {
+  std::string text;
+  for (const double value : point.values) text += fmt::format("{:a} ", value);
+  return text;
+}
+
+std::optional<DesignPoint> marked_point(const Study& study, const Journal& journal, Depth depth) {
+  std::optional<DesignPoint> point;
+  for (const JournalMark& mark : journal.marks()) {
+    if (mark.kind != mark_of(depth)) continue;
+    std::istringstream words(mark.text);
+    point.emplace();
+    for (std::string word; words >> word;)
+      point->values.push_back(std::strtod(word.c_str(), nullptr));
+  }
+  if (point && (std::ssize(point->values) != study.space.size() || !study.space.contains(*point)))
+    return std::nullopt;
+  return point;
+}
+
+/// An optimizer that notes whether it has seen one point.
+class Watched : public Optimizer {
+ public:
+  Watched(Optimizer& optimizer, const DesignPoint& point, bool& seen)
+      : optimizer_(optimizer), point_(point), seen_(seen) {}
+  std::vector<DesignPoint> propose(int count) const override { return optimizer_.propose(count); }
+  void observe(const DesignPoint& point, const Result<Score>& outcome) override {
+    seen_ = seen_ || point == point_;
+    optimizer_.observe(point, outcome);
+  }
+  bool converged() const override { return optimizer_.converged(); }
+
+ private:
+  Optimizer& optimizer_;
+  const DesignPoint& point_;
+  bool& seen_;
+};
+
+/// Tells whether an identification from `start` has tried `point`, as far as the journal goes.
+bool comes_by(const Study& study,
+              const Journal& journal,
+              const DesignPoint& start,
+              const DesignPoint& point,
+              Depth depth) {
+  bool seen = false;
+  const Drive read = reading(study, journal);
+  const Drive drive = [&](Optimizer& optimizer, RefitTrials* refits, const Share& share) {
+    Watched watched(optimizer, point, seen);
+    return read(watched, refits, share) && !seen;
+  };
+  Identifiability result{
+      start, Identification(study.space, start, options_for(study, depth)), std::nullopt};
+  (void)analyze({study, journal, nullptr, drive}, result);
+  return seen;
+}
+
+}  // namespace
+
+bool has_begun(const Journal& journal, Depth depth) {
+  for (const JournalMark& mark : journal.marks())
+    if (mark.kind == mark_of(depth)) return true;
+  return false;
+}
+
+DesignPoint identification_start(const Study& study,
+                                 const Journal& journal,
+                                 const DesignPoint& best,
+                                 Depth depth) {
+  const auto marked = marked_point(study, journal, depth);
+  if (!marked || *marked == best) return best;
+  return comes_by(study, journal, *marked, best, depth) ? *marked : best;
+}
+
+DesignPoint begin_identification(const Study& study,
+                                 Journal& journal,
+                                 const DesignPoint& best,
+                                 Depth depth) {
+  if (depth == Depth::at_the_point) return best;
+  const DesignPoint start = identification_start(study, journal, best, depth);
+  if (marked_point(study, journal, depth) != start)
+    journal.mark(mark_of(depth), text_of_point(start));
+  return start;
+}
+
+}  // namespace latsch::correlation

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The model that a study has found, with the origin of its numbers, for a file that other people
+// read: data, target, errors of each experiment, and the interval of each fitted value.
+//
+// Errors of fitted experiments come from the journal. Held-out experiments are simulated once at
+// the point found. Intervals are those that the journal knows; nothing is computed for them.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/document.h"
+#include "correlation/study/study.h"
+#include "evaluation/journal/journal.h"
+#include "experiment/language/provenance.h"
+
+namespace latsch::correlation {
+
+/// Time and program, which the study does not know.
+struct ExportedBy {
+  std::string version;  // "0.1.0"
+  std::string date;     // "2026-03-01"
+};
+
+struct FittedModel {
+  Document numbers;
+  experiment::Provenance provenance;
+  bool is_fitted = false;  // false: no trial succeeded so far, the numbers are the initial values
+};
+
+/// Returns the model of the best trial in the journal of the study, or of the initial values if
+/// there is no journal. `at`: another point of the study, of which the journal need not know
+/// anything. InputError if the journal belongs to another study, or to this one before it was
+/// edited.
+FittedModel fitted_model(const Study& study,
+                         const ExportedBy& by,
+                         const std::optional<DesignPoint>& at = std::nullopt);
+
+/// The text of its file with the origins in comments. The study has a kind of model.
+std::string text_of(const Study& study, const FittedModel& model);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/kinds/fitted_tir.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "experiment/kinds/tir_numbers.h"
+#include "experiment/rigs/slip/condition_levels.h"
+#include "formats/tire/tir_file.h"
+
+namespace latsch::experiment {
+namespace {
+
+using formats::TirRemarks;
+using magic_formula::Parameters;
+
+/// An input of the tire with its limits in the file.
+struct Input {
+  const char *condition, *words, *section, *lower, *upper;
+  const char* unit;
+  double size;          // SI, of one unit
+  double least_spread;  // SI; a smaller spread is scatter about one value. 0: levels are counted
+};
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr Input kInputs[] = {
+    {"kappa", "longitudinal slip", "LONG_SLIP_RANGE", "KPUMIN", "KPUMAX", "", 1.0, 0.04},
+    {"alpha", "slip angle", "SLIP_ANGLE_RANGE", "ALPMIN", "ALPMAX", " deg", kDegree, kDegree},
+    {"gamma", "camber", "INCLINATION_ANGLE_RANGE", "CAMMIN", "CAMMAX", " deg", kDegree, 0.0},
+    {"Fz", "load", "VERTICAL_FORCE_RANGE", "FZMIN", "FZMAX", " N", 1.0, 0.0},
+    {"p", "pressure", "INFLATION_PRESSURE_RANGE", "PRESMIN", "PRESMAX", " kPa", 1e3, 0.0}};
+
+struct Extent {
+  double least, greatest;
+  bool varies;
+};
+
+std::size_t levels_of(const std::string& condition, const std::vector<double>& values) {
+  const auto levels = condition_levels([&](const std::string& channel) {
+    return channel == condition ? values : std::vector<double>{};
+  });
+  for (const auto one : {magic_formula::Condition::load,
+                         magic_formula::Condition::camber,
+                         magic_formula::Condition::pressure,
+                         magic_formula::Condition::speed})
+    if (magic_formula::channel_of(one) == condition)
+      return static_cast<std::size_t>(levels[static_cast<std::size_t>(one)].count);
+  return 0;
+}
+
+/// nullopt if no test of a fitted experiment states the condition.
+std::optional<Extent> extent_of(const Input& input, const MeasuredAt& measured_at) {
+  std::vector<double> values = measured_at(input.condition);
+  std::erase_if(values, [](double x) { return !std::isfinite(x); });
+  if (values.empty()) return std::nullopt;
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  const bool varies = input.least_spread > 0.0 ? *greatest - *least > input.least_spread
+                                               : levels_of(input.condition, values) > 1;
+  return Extent{*least, *greatest, varies};
+}
+
+std::string span_in_words(const Input& input, const Extent& extent) {
+  return fmt::format("{:.4g} to {:.4g}{}",
+                     extent.least / input.size + 0.0,
+                     extent.greatest / input.size + 0.0,
+                     input.unit);
+}
+
+/// Sets the limits of one input and says why.
+void limit(const Input& input, const MeasuredAt& measured_at, Parameters& p, TirRemarks& remarks) {
+  const auto extent = extent_of(input, measured_at);
+  if (!extent) {
+    remarks.of_sections[input.section] =
+        fmt::format("no range from the data: they do not state the {}", input.words);
+    return;
+  }
+  if (!extent->varies) {
+    remarks.of_sections[input.section] = fmt::format(
+        "no range from the data: they have one {}, {}; what depends on it is not "
+        "told by them",
+        input.words,
+        span_in_words(input, *extent));
+    return;
+  }
+  remarks.of_sections[input.section] = fmt::format(
+      "{} of the data: {}, without a margin", input.words, span_in_words(input, *extent));
+  double& lower = p.*magic_formula::find_parameter(input.lower)->member;
+  double& upper = p.*magic_formula::find_parameter(input.upper)->member;
+  // A load at or below zero is no load; a lower limit of 0 means none.
+  const double least =
+      input.condition == std::string("Fz") ? std::max(0.0, extent->least) : extent->least;
+  const auto take = [&](double& limit, double data, bool is_inside, const char* key) {
+    const bool is_kept = is_inside;
+    if (!is_kept) limit = data;
+    remarks.of_keys[key] = is_kept ? "limit of the model file, which held in the fit: the data go "
+                                     "beyond it"
+                                   : "from the data";
+  };
+  take(lower, least, lower > least, input.lower);
+  take(upper, extent->greatest, upper < extent->greatest, input.upper);
+}
+
+/// The speed has no range in a .tir: a remark says it.
+void remark_speed(const MeasuredAt& measured_at, TirRemarks& remarks) {
+  std::vector<double> values = measured_at("Vx");
+  std::erase_if(values, [](double x) { return !std::isfinite(x); });
+  if (values.empty()) return;
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  remarks.of_sections["MODEL"] = fmt::format(
+      "speeds of the data: {:.4g} to {:.4g} m/s; a .tir has no range of speed", *least, *greatest);
+}
+
+/// The origin of a value that the study has not fitted. `stated`: the remarks of the model file.
+std::string origin_of(const std::string& key,
+                      const std::map<std::string, std::string, std::less<>>& stated,
+                      const std::string& file) {
+  const auto found = stated.find(key);
+  if (found == stated.end()) return "assumed, default of Latsch";
+  if (found->second.starts_with("assumed")) return found->second;
+  return "kept from " + file + (found->second.empty() ? "" : ": " + found->second);
+}
+
+/// The words of the file that no parameter is, which the new file does not have.
+std::vector<std::string> lines_left_out(const formats::TirFile& tir, const std::string& file) {
+  std::vector<std::string> names;
+  for (const formats::TirKey& key : tir.keys)
+    if (key.remark == formats::kUnknownKey) names.push_back(key.key);
+  if (names.empty()) return {};
+  return {
+      fmt::format("Not carried over from {}, unknown to Latsch: {}", file, fmt::join(names, ", "))};
+}
+
+}  // namespace
+
+std::string fitted_tir_text(const Document& numbers, const Provenance& provenance) {
+  Parameters p = parameters_of(numbers);
+  TirRemarks remarks;
+  std::map<std::string, std::string, std::less<>> stated;
+  std::vector<std::string> header = provenance.header;
+  header.push_back(
+      "Behind each value: fitted (by this study), kept from the model file, or assumed. "
+      "A coefficient that is not listed is 0, a scaling factor 1: assumed.");
+  const std::string name = on_one_line(provenance.model_name);
+  try {
+    const formats::TirFile tir = formats::read_tir(provenance.model_file);
+    stated = formats::remarks_of(tir);
+    for (std::string& line : lines_left_out(tir, name)) header.push_back(std::move(line));
+  } catch (const InputError& error) {  // moved away since the study was read
+    header.push_back(std::string("The model file cannot be read any more: ") + error.what());
+  }
+  remarks.header = comment_lines(header, "$ ");
+  for (const char* word : {"FITTYP", "TYRESIDE", "USE_MODE"})
+    remarks.of_keys[word] = origin_of(word, stated, name);
+  for (const auto& field : magic_formula::parameter_fields()) {
+    const std::string key(field.name);
+    const auto fitted = provenance.origins.find(key);
+    const bool is_written = p.*field.member != field.fallback ||
+                            fitted != provenance.origins.end() || key == "NOMPRES" ||
+                            key == "INFLPRES" || key == "LONGVL";
+    if (!is_written) continue;
+    remarks.of_keys[key] = on_one_line(
+        fitted != provenance.origins.end() ? fitted->second : origin_of(key, stated, name));
+  }
+  if (provenance.measured_at && !provenance.measured_at("Fz").empty()) {
+    for (const Input& input : kInputs) limit(input, provenance.measured_at, p, remarks);
+    remark_speed(provenance.measured_at, remarks);
+  }
+  return formats::tir_text(p, remarks);
+}
+
+}  // namespace latsch::experiment

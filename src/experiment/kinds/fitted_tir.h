@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// A .tir that says of every value where it comes from, and limits its inputs to the data.
+//
+// Behind every value stands one of
+//   fitted -32.1 +- 0.4 (95 %)     by the study, as Provenance::origins has it
+//   kept from tire.tir             the study's model file states it; with the comment of that file
+//   assumed, ...                   the model file does not state it, or says itself that it assumes
+// The RANGE sections of slips, camber, load and pressure go from the least to the greatest value in
+// the tests of the fitted experiments, without a margin. A condition that the data do not vary gets
+// no range: a tire measured at one camber would otherwise be clamped to it. The limits of the model
+// file also hold in the fit, so the ranges never go beyond them. A .tir has no range of speed; the
+// speeds stand in a comment at LONGVL.
+#pragma once
+
+#include <string>
+
+#include "base/document.h"
+#include "experiment/language/provenance.h"
+
+namespace latsch::experiment {
+
+/// InputError if the numbers make no tire. Reading the text gives the numbers to the last bit, but
+/// for the ranges.
+std::string fitted_tir_text(const Document& numbers, const Provenance& provenance);
+
+}  // namespace latsch::experiment

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a model of a tire does not describe on an obstacle, told beside the result of a test.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiment/rigs/cleat.h"
+
+namespace latsch::experiment {
+
+/// A specimen that knows limits of its model.
+struct KnowsLimits {
+  virtual ~KnowsLimits() = default;
+  /// A sentence for every limit that counts on this cleat; empty: none does.
+  virtual std::vector<std::string> limits_on(const Cleat& cleat) const = 0;
+};
+
+/// Angles below do not count, rad: the width of a tire sees such a cleat as a straight one.
+constexpr double kStraightCleat = 0.02;
+
+/// Those of a specimen, if it knows any, on the cleat of a test, if there is one.
+template <class Specimen>
+std::vector<std::string> limits_of(Specimen& specimen, const std::optional<Cleat>& cleat) {
+  const auto* knows = specimen.template find<KnowsLimits>();
+  return knows && cleat ? knows->limits_on(*cleat) : std::vector<std::string>();
+}
+
+}  // namespace latsch::experiment
