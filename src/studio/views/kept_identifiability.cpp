@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "correlation/analysis/refit_trials.h"
 #include "correlation/target/predictions.h"
 
 namespace latsch::studio {
@@ -30,18 +31,31 @@ KeptIdentifiability computed(const std::string& id,
   return {study, std::make_shared<const correlation::Identifiability>(std::move(*what)), ""};
 }
 
-/// State of a study from which a result was computed.
+/// Changes when a journal grows.
+std::string state_of_journal(const std::string& journal) {
+  std::string state;
+  for (const char* of : {"", "-wal"}) {  // the log beside it
+    std::error_code none;
+    const auto size = std::filesystem::file_size(journal + of, none);
+    const auto written = std::filesystem::last_write_time(journal + of, none);
+    state += fmt::format("{} {} ", size, written.time_since_epoch().count());
+  }
+  return state;
+}
+
+/// What it was computed from.
 struct State {
   std::shared_ptr<const correlation::Study> study;
   int edition = 0;
   std::size_t rows = 0;
+  std::string refits;  // state of the trials of profiles, which stand beside the journal
   std::string error;
   bool is_running = false;
 
   /// A result needs the whole journal, so during a run the result of the first request stays valid.
   bool holds_for(const State& now) const {
     return study == now.study && edition == now.edition && error == now.error &&
-           (rows == now.rows || now.is_running);
+           ((rows == now.rows && refits == now.refits) || now.is_running);
   }
 };
 
@@ -69,26 +83,22 @@ std::string KeptIdentifiability::why_not_at(const DesignPoint& point) const {
 
 std::string state_of_predictions(const correlation::Study& study) {
   if (!correlation::has_predictions(study)) return "";
-  const std::string journal = correlation::with_predictions(study).run.journal.string();
-  std::string state;
-  for (const char* of : {"", "-wal"}) {  // also the log beside the journal
-    std::error_code none;
-    const auto size = std::filesystem::file_size(journal + of, none);
-    const auto written = std::filesystem::last_write_time(journal + of, none);
-    state += fmt::format("{} {} ", size, written.time_since_epoch().count());
-  }
-  return state;
+  return state_of_journal(correlation::with_predictions(study).run.journal.string());
 }
 
 KeptIdentifiability kept_identifiability(const ShelvedStudy& shelved) {
   const auto kept = kept_of(shelved.file());
   const std::lock_guard lock(kept->mutex);
   State now = shelved.look([](const ShelvedStudy::Sight& sight) {
-    return State{sight.study,
-                 sight.table ? sight.table->edition() : 0,
-                 sight.table ? sight.table->rows().size() : 0,
-                 sight.error,
-                 sight.state == StudyState::running};
+    return State{
+        sight.study,
+        sight.table ? sight.table->edition() : 0,
+        sight.table ? sight.table->rows().size() : 0,
+        sight.study
+            ? state_of_journal(correlation::RefitTrials::file(sight.study->run.journal).string())
+            : std::string(),
+        sight.error,
+        sight.state == StudyState::running};
   });
   if (kept->from && kept->from->holds_for(now)) return kept->result;
   kept->result = computed(shelved.id(), now.study, now.error);
