@@ -1,4 +1,4 @@
-# Where MPI is installed (Debian: libopenmpi-dev), the program also runs its trials on the ranks of an MPI job.
+# If MPI is installed (Debian: libopenmpi-dev), the program also runs its trials on the ranks of an MPI job.
 # Only the program and latsch::cli: whoever links the other libraries needs no MPI.
 set(MPI_CXX_SKIP_MPICXX ON)
 find_package(MPI COMPONENTS CXX QUIET)

@@ -81,7 +81,7 @@ const char* status_of(int exit_code) {
   }
 }
 
-/// What is printed past this file goes to standard error: it would spoil the JSON.
+/// Redirects other output to standard error, because it would spoil the JSON.
 void keep_standard_output() {
   std::fflush(stdout);
   console().answers = ::fdopen(::dup(STDOUT_FILENO), "w");

@@ -45,7 +45,7 @@ int close_console(int exit_code);
 /// one is wanted.
 void answer_stopped();
 
-/// Of this process nobody wants an answer: it works for another one.
+/// Silences this process: it works for another one, and nobody reads its answer.
 void be_silent();
 
 void say_text(std::string_view text);

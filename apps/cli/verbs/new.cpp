@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 struct NewOptions {
   std::string folder, tire = "passenger_205_55R16", size;
   bool coarse = false;
-  std::vector<std::string> recordings, columns, held_out;  // of a tire test
+  std::vector<std::string> recordings, columns, held_out;  // files of a tire test
   std::string axes, radius;
   std::string ring_data, known;  // a model, or kExample; a flexible ring
   bool suspension = false, car = false;

@@ -188,7 +188,7 @@ def _result(output, said):
         warnings.warn(warning["message"], stacklevel=4)
     if answer["exit_code"] == 0:
         return answer.get("result", {})
-    if answer["exit_code"] == _STOPPED:  # by somebody else: the page, a signal to the process
+    if answer["exit_code"] == _STOPPED:  # stopped from outside: by the page or a signal
         raise Failure("the run was stopped on request; run() or resume() goes on", "transient")
     error = answer.get("error", {"message": "latsch says no reason"})
     if answer["exit_code"] == 2:

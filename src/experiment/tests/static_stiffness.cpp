@@ -73,7 +73,7 @@ class StaticStiffnessTest : public Test {
     if (!notes) return notes;
     return limits_of(specimen, test_.cleat);
   }
-  /// Of what stands; what rolls tells none.
+  /// True for a tire that stands; a rolling tire has no slopes.
   bool tells_slopes(const SpecimenKind& kind, const std::string&) const override {
     return has_slopes() && kind.has(StandsOnGround::kName);
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kEvaluationsOfARefit = 30;  // plus two for each variable
 
-// What a fold usually takes: by slopes, and by corrections and a difference a variable.
+// Evaluations that a fold usually takes: with slopes; without, plus one for each variable.
 constexpr double kUsualEvaluations = 6.0, kUsualEvaluationsWithoutSlopes = 10.0;
 
 double root_mean_square(const Eigen::VectorXd& r, double values) {
@@ -73,7 +73,7 @@ void CrossValidation::observe(const std::vector<Result<Evaluated>>& evaluated) {
 }
 
 double CrossValidation::share_done() const {
-  constexpr double kMostUnderWay = 0.9;  // of a fold that has not ended
+  constexpr double kMostUnderWay = 0.9;  // largest share of a fold that has not ended
   double sum = 0.0;
   for (const Fold& fold : folds_) {
     const auto variables = static_cast<double>(space_.size());

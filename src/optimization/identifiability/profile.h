@@ -62,8 +62,8 @@ class ProfileBranch {
 
   /// Returns the points from the best point outward, without the best point.
   const std::vector<ProfilePoint>& points() const { return points_; }
-  /// How many rungs the ladder has from the last one to its end, if none is halved, refitted from
-  /// behind or fails; 0 where it wants nothing.
+  /// Returns the count of rungs from the last one to the end of the ladder, if none is halved,
+  /// refitted from behind or fails; 0 if the profile wants nothing.
   int rungs_left() const;
   /// The variable at the nearest rung where the model failed; nullopt where it did not.
   const std::optional<double>& failed_at() const { return failed_at_; }

@@ -61,7 +61,7 @@ class ShelvedStudy {
     double run_seconds = 0.0;
     long run_trials = 0;
     std::string ending;                // why its search ended; empty: it has not, or unknown
-    std::vector<std::string> spoiled;  // what is wrong with the result, in words
+    std::vector<std::string> spoiled;  // faults of the result, in words
   };
   template <class Look>
   auto look(Look&& look) const {

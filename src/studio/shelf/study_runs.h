@@ -40,7 +40,7 @@ class StudyRuns {
     bool is_alive = false;
     std::optional<int> exit_code;
     bool was_stopped = false;      // on request: its exit code is no failure
-    RunVerb verb = RunVerb::run;   // of one of ours
+    RunVerb verb = RunVerb::run;   // verb of a run that this server started
     std::vector<std::string> log;  // last lines
   };
   Run of(const ShelvedStudy& study);

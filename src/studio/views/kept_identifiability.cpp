@@ -43,7 +43,7 @@ std::string state_of_journal(const std::string& journal) {
   return state;
 }
 
-/// What it was computed from.
+/// The state that an answer was computed from.
 struct State {
   std::shared_ptr<const correlation::Study> study;
   int edition = 0;

@@ -79,7 +79,7 @@ Response response_of(const std::vector<double>& u,
     kept.post.push_back(s.xx[i]);
     kept.density.push_back(s.yy[i]);
   }
-  constexpr double kHalfLine = 0.7;  // of a line's width, times the segment
+  constexpr double kHalfLine = 0.7;  // share of a line's width, times the segment
   // The response of a car lasts a second or two. A higher order follows longer ones and needs more
   // lines than half of those that a line's width holds.
   constexpr int kOrder = 6;
