@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "correlation/laboratory/selection.h"
+#include "formats/tables/table_column.h"
 #include "measurement/axes.h"
 #include "measurement/channels.h"
 #include "measurement/ledger.h"
@@ -28,12 +29,13 @@ struct StatedColumn {
 
 struct LabRecord {
   std::vector<Channel> channels;
-  std::vector<Place> places;                    // place in the file of each sample
-  std::vector<double> numbers;                  // number of each sample, counted from 1 over all
-                                                // files
-  Place header;                                 // header of the first file
-  std::map<std::string, StatedColumn> written;  // the first file's column of each channel
-  std::map<std::string, std::string> left_out;  // columns that are no channels, with the reason
+  std::vector<Place> places;                            // of each sample
+  std::vector<double> numbers;                          // of each sample, from 1 over all files
+  Place header;                                         // of the first file
+  std::map<std::string, StatedColumn> written;          // how that has a channel
+  std::map<std::string, StatedColumn> stated;           // the table `columns` of the study
+  std::map<std::string, formats::TableColumn> sources;  // how its file states a channel
+  std::map<std::string, std::string> left_out;          // columns that are no channels, and why
   std::map<std::string, AxisFrame>
       turned_from;              // original frame of the channels that were turned
   std::vector<Ledger> ledgers;  // one for each file

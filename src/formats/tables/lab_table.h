@@ -38,11 +38,12 @@ namespace latsch::formats {
 struct LabTable {
   std::string file;
   Channels channels;
-  std::vector<std::string> units;    // units of the channels as the file or the caller states them
-  std::vector<TableColumn> columns;  // descriptions of the channels in the file
-  std::vector<int> lines;            // line of each sample; none for a MAT file
-  std::map<std::string, std::string> left_out;  // name -> reason
-  Place header;                                 // line of the names
+  std::vector<std::string> units;    // of the channels as the file or the caller states them
+  std::vector<TableColumn> columns;  // of the channels, as the file states them
+  std::vector<int> lines;            // of each sample; of a MAT file none
+  std::map<std::string, std::string> left_out;  // name -> why
+  std::vector<TableColumn> left_columns;        // of these, as the file states them
+  Place header;                                 // of the names
 
   /// Returns the place of a sample for messages: the line, or the file alone.
   Place place(std::size_t sample) const;

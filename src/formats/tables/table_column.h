@@ -12,15 +12,25 @@
 
 namespace latsch::formats {
 
-/// Description of a column, channel or vector in its file.
+/// Where a file states the unit of a column.
+enum class UnitPlace {
+  title,                 // "force [N]"
+  title_without_blanks,  // "force[N]": blanks stand between the columns
+  row_below,             // in a row of units below the row of names
+  field,                 // a field of its own, as in TYDEX
+  text_beside            // a text beside the numbers: `Fz.unit` of `Fz.data` in a MAT file
+};
+
+/// A column, channel or vector as its file states it.
 struct TableColumn {
   std::string name;          // without the unit
   std::string unit = {};     // text in the file; empty: none
   std::string title = {};    // the whole text of the name, "force [N]"
-  int line = 0;              // line of the name, from 1; 0: the file has no lines
-  int unit_line = 0;         // line of the unit
-  int place = 0;             // position among the columns, from 1
-  std::string assumed = {};  // for a unit with several meanings: the assumed one, in words
+  int line = 0;              // of the name, from 1; 0: the file has no lines
+  int unit_line = 0;         // of the unit
+  int place = 0;             // among the columns, from 1
+  std::string assumed = {};  // about a unit with several meanings, which one is taken
+  UnitPlace unit_place = UnitPlace::title;
 
   bool operator==(const TableColumn&) const = default;
 };
@@ -45,9 +55,12 @@ Unit unit_of_column(TableColumn& column, const std::string& expected, const Plac
 /// Returns the error message `column "FZ" has unknown unit "kgg"`; "" if the unit is right.
 std::string fault_of_unit(const TableColumn& column, const std::string& expected);
 
-/// Applies the unit that the caller states for a column: it must agree with that of the file, if
-/// any, else it becomes the column's. An empty text states nothing. Throws InputError at `place` if
-/// the two differ.
+/// How to write a unit for the column into its file: `"force [N]"`, `"N" below "force" in line 2`.
+std::string unit_in_file(const TableColumn& column, const std::string& unit);
+
+/// Takes the unit that somebody states for a column: it has to be that of the file where the file
+/// states one, else it becomes the column's. An empty text states nothing. Throws InputError at
+/// `place` where the two differ.
 void take_stated_unit(TableColumn& column, const std::string& stated, const Place& place);
 
 /// Returns `column "Fz" is missing, did you mean "FZ"? (columns: ...)`, also for several columns at
