@@ -62,7 +62,7 @@ bool write_all(int to, const char* bytes, std::size_t count) {
   return true;
 }
 
-/// How many bytes went from one file into another; -1 where one of them failed.
+/// Copies a file into another. Returns the count of bytes; -1 if reading or writing failed.
 off_t copy_all(int from, int to) {
   std::vector<char> block(kBlock);
   off_t copied = 0;

@@ -29,12 +29,12 @@ struct StatedColumn {
 
 struct LabRecord {
   std::vector<Channel> channels;
-  std::vector<Place> places;                            // of each sample
-  std::vector<double> numbers;                          // of each sample, from 1 over all files
-  Place header;                                         // of the first file
-  std::map<std::string, StatedColumn> written;          // how that has a channel
+  std::vector<Place> places;                            // one for each sample
+  std::vector<double> numbers;                          // one for each sample, from 1 over all files
+  Place header;                                         // the head of the first file
+  std::map<std::string, StatedColumn> written;          // a channel as the file has it
   std::map<std::string, StatedColumn> stated;           // the table `columns` of the study
-  std::map<std::string, formats::TableColumn> sources;  // how its file states a channel
+  std::map<std::string, formats::TableColumn> sources;  // a channel as its file states it
   std::map<std::string, std::string> left_out;          // columns that are no channels, and why
   std::map<std::string, AxisFrame>
       turned_from;              // original frame of the channels that were turned

@@ -68,9 +68,9 @@ class Measurement {
     std::vector<std::string> one_way;  // steps that cannot be undone: "low_pass", ...
     std::map<std::string, MeasurementNoise> noise;
     std::map<std::string, std::string> left_out;          // channels that are none, and why
-    std::map<std::string, StatedColumn> written;          // how the file has a channel
+    std::map<std::string, StatedColumn> written;          // a channel as the file has it
     std::map<std::string, StatedColumn> stated;           // the table `columns`
-    std::map<std::string, formats::TableColumn> sources;  // how its file states a channel
+    std::map<std::string, formats::TableColumn> sources;  // a channel as its file states it
     std::map<std::string, AxisFrame> turned_from;  // its frame there, where in_frame has turned it
     AxisConvention axes = AxisConvention::iso;
     std::shared_ptr<std::vector<Ledger>> ledgers;  // one for each file

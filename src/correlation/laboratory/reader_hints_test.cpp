@@ -57,7 +57,7 @@ class ReaderHints : public testing::Test {
     EXPECT_NE(begin, message.npos) << message;
     return begin == message.npos ? "" : message.substr(begin, message.find('}', begin) + 1 - begin);
   }
-  /// What stands between two texts.
+  /// Returns the text between two texts.
   static std::string between(const std::string& text,
                              const std::string& from,
                              const std::string& to) {

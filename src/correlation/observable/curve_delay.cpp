@@ -8,12 +8,12 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kWidest = 0.1;  // of the record, to each side
+constexpr double kWidest = 0.1;  // share of the record, to each side
 constexpr int kCoarsest = 20;    // steps of the grid at least
 constexpr int kFinest = 2000;    // and at most: finer than that costs time and finds nothing new
 constexpr int kMostStepsOfDelay = 30;  // Gauss-Newton steps; two or three are usual
-constexpr double kRoom = 1e-3;         // of a simulated step: less is rounding of the two time axes
-constexpr double kSettled = 1e-12;     // of the range: a step that small ends them
+constexpr double kRoom = 1e-3;         // share of a simulated step; less is rounding of time
+constexpr double kSettled = 1e-12;     // share of the range; a smaller step ends the search
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);

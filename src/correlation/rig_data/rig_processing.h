@@ -83,7 +83,7 @@ struct RigResults {
   std::vector<ProcessedRun> runs;
   std::optional<HammerResult> hammer;
   std::optional<CompensationResult> compensation;
-  std::vector<Ledger> ledgers = {};  // of every recording: what each column was taken for
+  std::vector<Ledger> ledgers = {};  // one for each recording: the meaning of each column
 };
 
 /// Throws InputError naming the recording and what to do.

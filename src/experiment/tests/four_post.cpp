@@ -152,7 +152,7 @@ class FourPost : public Test {
   FourPostTest test_;
   Frequencies frequencies_;
   std::string words_;
-  std::vector<Ledger> ledgers_;  // of a table of heights, without who uses it
+  std::vector<Ledger> ledgers_;  // the ledger of a table of heights, without users
 };
 
 void read_steps(const Node& root, FourPostTest& test) {
@@ -188,7 +188,7 @@ Ledger ledger_of_heights(const formats::CsvTable& table,
   return ledger;
 }
 
-/// Of a measurement of the study, or of a table beside the file.
+/// Reads the heights from a measurement of the study, or from a table beside the file.
 Channels heights_of(const Node& root, const TestSource& source, std::vector<Ledger>& ledgers) {
   std::vector<MeasuredCondition> conditions = {{.channel = "time", .unit = "s", .is_needed = true}};
   for (const std::string& name : of_corners("post"))

@@ -25,10 +25,10 @@ namespace latsch::formats {
 
 /// A file with data, and the options and modifiers that apply to it.
 struct ResolvedCrg {
-  std::string bytes;     // of the file with the data
-  OpenCrgHeader header;  // of the same, with the options and modifiers that count
+  std::string bytes;     // the file with the data
+  OpenCrgHeader header;  // its head, with the options and modifiers that apply
   std::vector<std::filesystem::path> files;  // all that were opened, the first one first
-  std::vector<Place> named_in;               // of each: file and line that name it
+  std::vector<Place> named_in;               // file and line that name each of them
 };
 
 /// Throws InputError: a file that does not exist or refers to itself, a variable that is not set,

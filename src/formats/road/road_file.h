@@ -44,10 +44,11 @@ struct RoadReference {
   std::filesystem::path file;
   Place named_in;
 };
-/// The same files in the same order.
+/// Returns the files that a road file refers to, in their order, with the places that name them.
 std::vector<RoadReference> references_of_road(const std::filesystem::path& file);
 
-/// By the ending of its name. Throws InputError naming file, line, what was found and expected.
+/// Reads a road file by the ending of its name. Throws InputError naming file, line, what was found
+/// and expected.
 RoadFile read_road_file(const std::filesystem::path& file);
 
 RoadFile read_rdf(const TeimOrbit& file);

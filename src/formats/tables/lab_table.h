@@ -38,12 +38,12 @@ namespace latsch::formats {
 struct LabTable {
   std::string file;
   Channels channels;
-  std::vector<std::string> units;    // of the channels as the file or the caller states them
-  std::vector<TableColumn> columns;  // of the channels, as the file states them
-  std::vector<int> lines;            // of each sample; of a MAT file none
+  std::vector<std::string> units;    // one for each channel, as the file or the caller states it
+  std::vector<TableColumn> columns;  // one for each channel, as the file states it
+  std::vector<int> lines;            // one for each sample; none for a MAT file
   std::map<std::string, std::string> left_out;  // name -> why
-  std::vector<TableColumn> left_columns;        // of these, as the file states them
-  Place header;                                 // of the names
+  std::vector<TableColumn> left_columns;        // the columns left out, as the file states them
+  Place header;                                 // line of the names
 
   /// Returns the place of a sample for messages: the line, or the file alone.
   Place place(std::size_t sample) const;

@@ -47,9 +47,9 @@ struct MatFile {
   /// or not the stated one, a name in `units` that is no vector, and where no vector is there.
   struct Named {
     Channels channels;
-    std::vector<TableColumn> columns;             // of each channel
+    std::vector<TableColumn> columns;             // one for each channel
     std::map<std::string, std::string> left_out;  // name -> why
-    std::vector<TableColumn> left_columns;        // of these
+    std::vector<TableColumn> left_columns;        // the columns left out
   };
   Named named_channels(const std::map<std::string, std::string>& units = {},
                        const ExpectedUnit& expected = {}) const;

@@ -23,13 +23,13 @@ namespace latsch::formats {
 Channels read_recording(const std::filesystem::path& file,
                         const std::map<std::string, std::string>& units = {});
 
-/// The same with what the file says of each channel. A column of an unknown unit is left out with
-/// the reason, unless `units` has its name.
+/// A recording with its columns as the file states them. A column of an unknown unit is left out
+/// with the reason, unless `units` has its name.
 struct Recording {
   Channels channels;
-  std::vector<TableColumn> columns;             // of the channels
+  std::vector<TableColumn> columns;             // one for each channel
   std::map<std::string, std::string> left_out;  // name -> why
-  int header_line = 0;                          // of the units; 0: the file has no lines
+  int header_line = 0;                          // line of the units; 0: the file has no lines
 };
 Recording read_whole_recording(const std::filesystem::path& file,
                                const std::map<std::string, std::string>& units = {});

@@ -12,7 +12,7 @@
 
 namespace latsch::formats {
 
-/// Where a file states the unit of a column.
+/// The place in which a file states the unit of a column.
 enum class UnitPlace {
   title,                 // "force [N]"
   title_without_blanks,  // "force[N]": blanks stand between the columns
@@ -26,8 +26,8 @@ struct TableColumn {
   std::string name;          // without the unit
   std::string unit = {};     // text in the file; empty: none
   std::string title = {};    // the whole text of the name, "force [N]"
-  int line = 0;              // of the name, from 1; 0: the file has no lines
-  int unit_line = 0;         // of the unit
+  int line = 0;              // line of the name, from 1; 0: the file has no lines
+  int unit_line = 0;         // line of the unit
   int place = 0;             // among the columns, from 1
   std::string assumed = {};  // about a unit with several meanings, which one is taken
   UnitPlace unit_place = UnitPlace::title;
@@ -55,7 +55,7 @@ Unit unit_of_column(TableColumn& column, const std::string& expected, const Plac
 /// Returns the error message `column "FZ" has unknown unit "kgg"`; "" if the unit is right.
 std::string fault_of_unit(const TableColumn& column, const std::string& expected);
 
-/// How to write a unit for the column into its file: `"force [N]"`, `"N" below "force" in line 2`.
+/// Returns how to write a unit for the column into its file: `"force [N]"`, `"N" below "force" in line 2`.
 std::string unit_in_file(const TableColumn& column, const std::string& unit);
 
 /// Takes the unit that somebody states for a column: it has to be that of the file where the file

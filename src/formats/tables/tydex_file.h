@@ -64,8 +64,8 @@ struct TydexFile {
   std::vector<Entry> constants;
   std::vector<Section> model;
   Channels channels;
-  std::vector<Description> descriptions;        // of each channel
-  std::vector<int> lines;                       // of each sample
+  std::vector<Description> descriptions;        // one for each channel
+  std::vector<int> lines;                       // one for each sample
   std::map<std::string, std::string> left_out;  // channels and constants of unknown units -> why
   std::map<std::string, std::pair<int, std::string>> left_units;  // their lines and units
 

@@ -33,7 +33,7 @@ fs::path settled(const fs::path& file) {
   return none ? file.lexically_normal() : path;
 }
 
-/// What a file of an ending is, where its ending says it.
+/// Returns the kind of file that an ending stands for; empty if it stands for none.
 std::string kind_by_ending(const std::string& ending) {
   static const std::map<std::string, std::string> kKinds = {{".bus", "bushing"},
                                                             {".inp", "finite-element deck"},

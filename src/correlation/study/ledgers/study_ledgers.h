@@ -11,10 +11,11 @@
 
 namespace latsch::correlation {
 
-/// Of files with measured numbers, in the order of the file: measurements, experiments, tests.
+/// Returns the ledgers of files with measured numbers, in the order of the study file: measurements,
+/// experiments, tests.
 std::vector<Ledger> ledgers_of(const Study& study);
 
-/// The same and behind them those of every other file that the study opens.
+/// Returns those ledgers and behind them the ledgers of every other file that the study opens.
 std::vector<Ledger> all_ledgers_of(const Study& study);
 
 /// Throws InputError for the first doubt that is an error, naming file, line and column.
