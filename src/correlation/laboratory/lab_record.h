@@ -30,7 +30,7 @@ struct StatedColumn {
 struct LabRecord {
   std::vector<Channel> channels;
   std::vector<Place> places;                            // one for each sample
-  std::vector<double> numbers;                          // one for each sample, from 1 over all files
+  std::vector<double> numbers;                          // their numbers, from 1 over all files
   Place header;                                         // the head of the first file
   std::map<std::string, StatedColumn> written;          // a channel as the file has it
   std::map<std::string, StatedColumn> stated;           // the table `columns` of the study

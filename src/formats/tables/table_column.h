@@ -55,7 +55,8 @@ Unit unit_of_column(TableColumn& column, const std::string& expected, const Plac
 /// Returns the error message `column "FZ" has unknown unit "kgg"`; "" if the unit is right.
 std::string fault_of_unit(const TableColumn& column, const std::string& expected);
 
-/// Returns how to write a unit for the column into its file: `"force [N]"`, `"N" below "force" in line 2`.
+/// Returns how to write a unit for the column into its file: `"force [N]"`,
+/// `"N" below "force" in line 2`.
 std::string unit_in_file(const TableColumn& column, const std::string& unit);
 
 /// Takes the unit that somebody states for a column: it has to be that of the file where the file

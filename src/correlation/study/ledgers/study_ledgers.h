@@ -11,8 +11,8 @@
 
 namespace latsch::correlation {
 
-/// Returns the ledgers of files with measured numbers, in the order of the study file: measurements,
-/// experiments, tests.
+/// Returns the ledgers of files with measured numbers, in the order of the study file:
+/// measurements, experiments, tests.
 std::vector<Ledger> ledgers_of(const Study& study);
 
 /// Returns those ledgers and behind them the ledgers of every other file that the study opens.
