@@ -40,10 +40,10 @@ PlotLine thinned(const PlotLine& line) {
   for (std::size_t s = 0; s < stretches; ++s) {
     const std::size_t first = s * count / stretches, end = (s + 1) * count / stretches;
     std::size_t low = first, high = first;
-    for (std::size_t k = first; k < end; ++k) {  // these comparisons pass over values that are not
-                                                 // numbers
-      if (!(line.y[low] <= line.y[k])) low = k;
-      if (!(line.y[high] >= line.y[k])) high = k;
+    for (std::size_t k = first; k < end; ++k) {  // a value that is no number is never chosen beside
+                                                 // one that is
+      if (std::isnan(line.y[low]) || line.y[k] < line.y[low]) low = k;
+      if (std::isnan(line.y[high]) || line.y[k] > line.y[high]) high = k;
     }
     for (const std::size_t k : {std::min(low, high), std::max(low, high)}) {
       thin.x.push_back(line.x[k]);

@@ -24,6 +24,17 @@ TEST(LinePlot, OfALongLineKeepsItsPeakAndStaysSmall) {
   EXPECT_NE(with, line_plot(plot));
 }
 
+TEST(LinePlot, OfALongLineKeepsItsPeakBesideAGap) {
+  for (const int gap : {54320, 54322}) {
+    LinePlot plot{"a peak", "t [s]", "F [N]", {{"force", {}, {}, 0, {}}}, false};
+    for (int i = 0; i < 100000; ++i) {
+      plot.lines[0].x.push_back(i);
+      plot.lines[0].y.push_back(i == 54321 ? 1000.0 : i == gap ? std::nan("") : 0.0);
+    }
+    EXPECT_NE(line_plot(plot).find(">1000<"), std::string::npos) << gap;
+  }
+}
+
 TEST(LinePlot, LeavesOutWhatIsNotFiniteOrHasNoLogarithm) {
   LinePlot plot{"gaps",
                 "f [Hz]",
