@@ -12,6 +12,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <ostream>
@@ -272,6 +273,54 @@ TEST(MappedFile, HoldsTheTextOfSmallAndLargeFiles) {
 TEST(MappedFile, AFileThatChangesWhileItIsReadIsRefused) {
   const ScratchFolder folder;
   write_text_file(folder / "file", std::string(32u << 20, 'x'));
+  std::atomic<bool> stop = false, wrote = false;
+  std::thread writer([&] {
+    std::ofstream out(folder / "file", std::ios::app);
+    while (!stop) {
+      out << "more\n" << std::flush;
+      wrote = true;
+    }
+  });
+  while (!wrote) std::this_thread::yield();
+  std::string found;
+  try {
+    MappedFile(folder / "file", 1u << 30);
+  } catch (const InputError& error) {
+    found = error.what();
+  }
+  stop = true;
+  writer.join();
+  EXPECT_NE(found.find("file: changed while it was read"), std::string::npos) << found;
+}
+
+// The system ends a program that reads a mapped page behind the end of its file.
+TEST(MappedFile, AFileThatIsCutAfterItWasOpenedKeepsItsText) {
+  const ScratchFolder folder;
+  const std::string text(65u << 20, 'x');
+  write_text_file(folder / "file", text);
+  const MappedFile mapped(folder / "file", 1u << 30);
+  std::filesystem::resize_file(folder / "file", 100);
+  EXPECT_TRUE(mapped.text() == text);
+  mapped.let_go(text.size());
+  EXPECT_TRUE(mapped.text() == text);
+}
+
+TEST(MappedFile, ALargeFileIsReadIntoMemoryIfThereIsNoTemporaryFolder) {
+  const ScratchFolder folder;
+  const std::string text(65u << 20, 'x');
+  write_text_file(folder / "file", text);
+  const char* before = std::getenv("TMPDIR");
+  const std::string kept = before ? before : "";
+  ::setenv("TMPDIR", (folder / "none").c_str(), 1);
+  const MappedFile mapped(folder / "file", 1u << 30);
+  before ? ::setenv("TMPDIR", kept.c_str(), 1) : ::unsetenv("TMPDIR");
+  std::filesystem::resize_file(folder / "file", 100);
+  EXPECT_TRUE(mapped.text() == text);
+}
+
+TEST(MappedFile, ALargeFileThatChangesWhileItIsReadIsRefused) {
+  const ScratchFolder folder;
+  write_text_file(folder / "file", std::string(128u << 20, 'x'));
   std::atomic<bool> stop = false, wrote = false;
   std::thread writer([&] {
     std::ofstream out(folder / "file", std::ios::app);

@@ -7,6 +7,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstdlib>
+#include <vector>
+
 #include "base/error.h"
 #include "base/file.h"
 
@@ -15,25 +19,91 @@ namespace latsch {
 namespace {
 
 constexpr std::size_t kInMemory = 64u << 20;  // bytes
+constexpr std::size_t kBlock = 1u << 20;      // bytes copied at once
 
 bool is_same(const struct stat& a, const struct stat& b) {
-  return a.st_ino == b.st_ino && a.st_size == b.st_size &&
-         a.st_mtim.tv_sec == b.st_mtim.tv_sec && a.st_mtim.tv_nsec == b.st_mtim.tv_nsec;
+  return a.st_ino == b.st_ino && a.st_size == b.st_size && a.st_mtim.tv_sec == b.st_mtim.tv_sec &&
+         a.st_mtim.tv_nsec == b.st_mtim.tv_nsec;
+}
+
+struct Closing {
+  int descriptor;
+  ~Closing() {
+    if (descriptor >= 0) ::close(descriptor);
+  }
+};
+
+[[noreturn]] void fail_changed(const std::filesystem::path& file) {
+  throw InputError({file.string(), 0},
+                   "changed while it was read: try again when whoever writes it is done");
+}
+
+/// A file without a name in the temporary folder; it vanishes when it is closed. -1: none.
+int nameless_file() {
+  std::error_code none;
+  const auto folder = std::filesystem::temp_directory_path(none);
+  if (none) return -1;
+  const int direct = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  if (direct >= 0) return direct;
+  std::string name = (folder / "latsch.XXXXXX").string();
+  const int named = ::mkostemp(name.data(), O_CLOEXEC);
+  if (named >= 0) ::unlink(name.c_str());
+  return named;
+}
+
+bool write_all(int to, const char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t written = ::write(to, bytes, count);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes += written;
+    count -= static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+/// How many bytes went from one file into another; -1 where one of them failed.
+off_t copy_all(int from, int to) {
+  std::vector<char> block(kBlock);
+  off_t copied = 0;
+  for (;;) {
+    const ssize_t read = ::read(from, block.data(), block.size());
+    if (read < 0 && errno == EINTR) continue;
+    if (read < 0) return -1;
+    if (read == 0) return copied;
+    if (!write_all(to, block.data(), static_cast<std::size_t>(read))) return -1;
+    copied += read;
+  }
+}
+
+/// The mapping of a copy; nullptr where there is no room for one. Throws if the file changes.
+void* map_copy(const std::filesystem::path& file, int descriptor, const struct stat& before) {
+  const int copy = nameless_file();
+  if (copy < 0) return nullptr;
+  const off_t copied = copy_all(descriptor, copy);
+  struct stat after {};
+  const bool is_there = ::stat(file.c_str(), &after) == 0;
+  const bool is_whole = is_there && is_same(before, after) && copied == before.st_size;
+  void* mapping = MAP_FAILED;
+  if (copied >= 0 && is_whole)
+    mapping = ::mmap(nullptr, static_cast<std::size_t>(copied), PROT_READ, MAP_PRIVATE, copy, 0);
+  ::close(copy);
+  if (copied >= 0 && !is_whole) fail_changed(file);
+  return mapping == MAP_FAILED ? nullptr : mapping;
 }
 
 }  // namespace
 
 std::string read_settled_file(const std::filesystem::path& file, std::size_t limit) {
-  struct stat before {}, after {};
+  struct stat before {
+  }, after{};
   const bool is_regular = ::stat(file.c_str(), &before) == 0 && S_ISREG(before.st_mode);
   std::string text = read_text_file(file, limit);
   if (!is_regular) return text;
   const bool is_there = ::stat(file.c_str(), &after) == 0;
   // Files of the system (/proc) have no size.
   const bool is_whole = before.st_size == 0 || static_cast<off_t>(text.size()) == before.st_size;
-  if (!is_there || !is_same(before, after) || !is_whole)
-    throw InputError({file.string(), 0},
-                     "changed while it was read: try again when whoever writes it is done");
+  if (!is_there || !is_same(before, after) || !is_whole) fail_changed(file);
   return text;
 }
 
@@ -41,22 +111,19 @@ MappedFile::MappedFile(std::string text) : text_(std::move(text)), view_(text_) 
 
 MappedFile::MappedFile(const std::filesystem::path& file, std::size_t limit) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  const Closing closing{descriptor};
   struct stat about {};
   const bool regular =
       descriptor >= 0 && ::fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode);
   const auto size = static_cast<std::size_t>(regular ? about.st_size : 0);
-  if (size > kInMemory && size <= limit) {
-    void* mapping = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
-    if (mapping != MAP_FAILED) {
-      mapping_ = mapping;
-      view_ = {static_cast<const char*>(mapping), size};
-      ::madvise(mapping, size, MADV_SEQUENTIAL);
-    }
-  }
-  if (descriptor >= 0) ::close(descriptor);
   if (size > limit)
     throw InputError({file.string(), 0}, fmt::format("is larger than {} bytes", limit));
-  if (mapping_) return;
+  if (size > kInMemory) mapping_ = map_copy(file, descriptor, about);
+  if (mapping_) {
+    view_ = {static_cast<const char*>(mapping_), size};
+    ::madvise(mapping_, size, MADV_SEQUENTIAL);
+    return;
+  }
   text_ = read_settled_file(file, limit);  // or it says why not
   view_ = text_;
 }

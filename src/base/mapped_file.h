@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A text file of any size as one text, without a copy in memory: its pages come from the disk where
-// they are read and can be let go behind.
+// A text file of any size as one text. A file of up to 64 MB is read into memory. A larger one is
+// copied into a nameless file of the temporary folder, which is mapped: its pages come from there
+// when they are read and can be let go afterwards. Nobody can cut that copy, so that a reader never
+// meets the end of a file that somebody else shortened (SIGBUS). A file that changes before it is
+// copied is refused. What is no regular file, or finds no room there, is read into memory.
 //
-// A file of up to 64 MB is read into memory, and one that changes meanwhile is refused. A larger
-// one must not be cut short while it is read: the system then ends the program. What cannot be
-// mapped (a pipe) is read into memory.
 #pragma once
 
 #include <cstddef>

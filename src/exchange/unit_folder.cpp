@@ -54,10 +54,10 @@ std::string hash_in_words(const UnitFiles& files) {
 void add_road(UnitFiles& files, const fs::path& road) {
   formats::read_road_file(road);  // refused here where it is none
   const fs::path folder = (road.parent_path() / ".").lexically_normal();
-  for (const fs::path& file : formats::files_of_road(road)) {
+  for (const auto& [file, named_in] : formats::references_of_road(road)) {
     const fs::path name = file.lexically_normal().lexically_relative(folder);
     if (name.empty() || *name.begin() == "..")
-      throw InputError({road.string(), 0},
+      throw InputError(named_in,
                        "refers to " + in_quotes(file.string()) +
                            ", which cannot travel with it: expected a file beside or below it");
     const auto same = [&](const auto& there) { return there.first == name.generic_string(); };

@@ -67,7 +67,8 @@ TEST(UnitFolder, RefusesARoadThatIncludesAFileFromElsewhere) {
     files_on(folder / "below/road.crg");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("road.crg: refers to"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("road.crg:2: refers to"), std::string::npos)
+        << error.what();
     EXPECT_NE(std::string(error.what()).find("../surface.crg"), std::string::npos) << error.what();
   }
 }

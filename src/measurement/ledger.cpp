@@ -30,6 +30,15 @@ std::string counted(const Ledger& ledger, LedgerState state, const char* words) 
   return fmt::format(", {} {} ({})", count, words, fmt::join(names, ", "));
 }
 
+/// Tables have columns; files of keys have keys.
+std::string word_for_rows(const std::string& file) {
+  for (const char* ending : {".toml", ".tir", ".TIR"})
+    if (file.ends_with(ending)) return "key";
+  for (const char* ending : {".rdf", ".crg", ".bus", ".inp"})
+    if (file.ends_with(ending)) return "statement";
+  return "column";
+}
+
 std::string factor_in_words(const LedgerRow& row) {
   std::string text = row.unit;
   if (row.factor != 1.0 || row.offset != 0.0)
@@ -91,8 +100,9 @@ std::string in_one_line(const Ledger& ledger, const std::string& what) {
     });
   };
   const auto written = std::ssize(ledger.rows) - count(LedgerState::assumed);
+  const std::string word = what == "column" ? word_for_rows(ledger.file) : what;
   std::string text = fmt::format(
-      "{} {}{}: {} used", written, what, written == 1 ? "" : "s", count(LedgerState::used));
+      "{} {}{}: {} used", written, word, written == 1 ? "" : "s", count(LedgerState::used));
   text += counted(ledger, LedgerState::not_used, "not used");
   text += counted(ledger, LedgerState::doubtful, "in doubt");
   if (const auto assumed = count(LedgerState::assumed); assumed > 0) {

@@ -25,7 +25,7 @@ std::size_t warn_of_doubts(const std::vector<Ledger>& ledgers) {
 std::size_t say_ledgers(const correlation::Study& study,
                         bool with_lines,
                         const std::string& title) {
-  const auto ledgers = correlation::ledgers_of(study);
+  const auto ledgers = correlation::all_ledgers_of(study);
   if (with_lines && !ledgers.empty() && !title.empty()) say("\n{}\n", title);
   for (const Ledger& ledger : ledgers) answer()["ledgers"].push_back(correlation::json_of(ledger));
   if (with_lines)

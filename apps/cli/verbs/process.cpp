@@ -10,10 +10,12 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "cli/console/console.h"
+#include "cli/console/ledgers.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/rig_data/rig_processing.h"
 #include "correlation/rig_data/rig_report.h"
 #include "correlation/rig_data/rig_tables.h"
+#include "correlation/study/ledgers/study_ledgers.h"
 
 namespace latsch::cli {
 namespace {
@@ -23,6 +25,11 @@ using correlation::RigFile;
 using correlation::RigResults;
 
 void print_passages(const RigResults& results) {
+  for (const Ledger& ledger : results.ledgers) {
+    answer()["ledgers"].push_back(correlation::json_of(ledger));
+    say("{}: {}\n", fs::path(ledger.file).filename().string(), in_one_line(ledger));
+  }
+  warn_of_doubts(results.ledgers);
   say("{:<18} {:>10} {:>12} {:>9} {:>9}\n", "run", "speed", "period ms", "passages", "left out");
   for (const auto& run : results.runs) {
     for (const auto& p : run.plateaus) {

@@ -11,6 +11,7 @@
 #include "cli/console/console.h"
 #include "cli/verbs/shown_page.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/study/ledgers/file_ledgers.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study.h"
 
@@ -59,7 +60,8 @@ bool is_recording(const std::string& file) {
   std::string ending = std::filesystem::path(file).extension().string();
   for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  const std::vector<std::string> endings = {".csv", ".txt", ".dat", ".mat", ".tdx", ".tydex", ".tda", ".tdb"};
+  const std::vector<std::string> endings = {
+      ".csv", ".txt", ".dat", ".mat", ".tdx", ".tydex", ".tda", ".tdb"};
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
@@ -101,6 +103,9 @@ int show(const std::string& file,
         file, axes.empty() ? std::nullopt : std::optional(axis_convention_of(axes)), shown);
   else
     name_users(file, language, shown);
+  if (shown.ledgers.empty() && !is_recording(file))
+    for (const Ledger& ledger : correlation::ledgers_of_file(file, "the model"))
+      show_ledger(ledger, true, shown);
   // First the page: `latsch show FILE --html PAGE | head` ends the program at the tenth line.
   if (!html.empty()) write_text_file(html, shown_page(file, shown));
   answer()["kind"] = shown.kind;

@@ -47,6 +47,8 @@ ShownFile show_tydex(const std::filesystem::path& path, AxisConvention axes) {
   ShownFile shown;
   shown.kind = "TYDEX 1.3";
   shown.facts = file.comments;
+  for (const auto& [name, why] : file.left_out)
+    shown.facts.push_back(name + " is left out: it " + why);
   shown.tables.push_back(entries_table("Header", file.header));
   shown.tables.push_back(entries_table("Constants", file.constants));
   for (const auto& section : file.model) {
@@ -109,7 +111,11 @@ ShownFile show_mat(const std::filesystem::path& path, AxisConvention axes) {
     vectors = vectors || variable.is_vector();
   }
   shown.tables.push_back(std::move(table));
-  if (vectors) show_channels(to_iso(file.channels(), axes), false, shown);
+  if (!vectors) return shown;
+  const auto named = file.named_channels();
+  for (const auto& [name, why] : named.left_out)
+    shown.facts.push_back(name + " is left out: it " + why);
+  show_channels(to_iso(named.channels, axes), false, shown);
   return shown;
 }
 
@@ -242,6 +248,7 @@ ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes) {
       {".tda", [&](const Path& path) { return show_tydex(path, axes); }},
       {".tdb", [&](const Path& path) { return show_tydex(path, axes); }},
       {".csv", [&](const Path& path) { return show_csv(path, axes); }},
+      {".txt", [&](const Path& path) { return show_csv(path, axes); }},
       {".mat", [&](const Path& path) { return show_mat(path, axes); }},
       {".dat", [&](const Path& path) { return show_dat(path, axes); }},
       {".tir", shown_tire},

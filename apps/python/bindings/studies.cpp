@@ -260,7 +260,7 @@ void bind_studies(py::module_& module) {
       .def_property_readonly("_ledger_json",
                              [](const Read& s) {
                                auto all = nlohmann::ordered_json::array();
-                               for (const Ledger& ledger : correlation::ledgers_of(*s.study))
+                               for (const Ledger& ledger : correlation::all_ledgers_of(*s.study))
                                  all.push_back(correlation::json_of(ledger));
                                return all.dump();
                              })

@@ -66,6 +66,7 @@ LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedC
     if (sign < 0.0)
       for (double& value : record.channels.back().values) value = -value;
     record.written[name] = {channel.name, table.units[k], sign};
+    if (k < table.columns.size()) record.sources[name] = table.columns[k];
   }
   const std::size_t samples = record.channels.empty() ? 0 : record.channels[0].values.size();
   for (std::size_t i = 0; i < samples; ++i) record.places.push_back(table.place(i));
@@ -171,6 +172,7 @@ LabRecord join_files(const std::vector<std::filesystem::path>& files,
   }
   for (std::size_t i = 0; i < record.samples(); ++i)
     record.numbers.push_back(static_cast<double>(i + 1));
+  record.stated = columns;
   return record;
 }
 

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "correlation/laboratory/selection.h"
+#include "formats/tables/table_column.h"
 #include "measurement/axes.h"
 #include "measurement/channels.h"
 #include "measurement/ledger.h"
@@ -27,11 +28,13 @@ struct StatedColumn {
 
 struct LabRecord {
   std::vector<Channel> channels;
-  std::vector<Place> places;                    // of each sample
-  std::vector<double> numbers;                  // of each sample, from 1 over all files
-  Place header;                                 // of the first file
-  std::map<std::string, StatedColumn> written;  // how that has a channel
-  std::map<std::string, std::string> left_out;  // columns that are no channels, and why
+  std::vector<Place> places;                            // of each sample
+  std::vector<double> numbers;                          // of each sample, from 1 over all files
+  Place header;                                         // of the first file
+  std::map<std::string, StatedColumn> written;          // how that has a channel
+  std::map<std::string, StatedColumn> stated;           // the table `columns` of the study
+  std::map<std::string, formats::TableColumn> sources;  // how its file states a channel
+  std::map<std::string, std::string> left_out;          // columns that are no channels, and why
   std::map<std::string, AxisFrame>
       turned_from;              // of channels that stand in another frame than there
   std::vector<Ledger> ledgers;  // of each file

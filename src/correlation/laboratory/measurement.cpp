@@ -9,11 +9,13 @@
 
 #include "base/text.h"
 #include "base/unit_reading.h"
+#include "correlation/laboratory/columns_hint.h"
 #include "correlation/laboratory/frame_conversion.h"
 #include "correlation/laboratory/lab_record.h"
 #include "correlation/laboratory/record_ledger.h"
 #include "measurement/meaning/channel_checks.h"
 #include "measurement/meaning/channel_words.h"
+#include "measurement/meaning/natural_unit.h"
 
 namespace latsch::correlation {
 namespace {
@@ -260,6 +262,8 @@ void take(LabRecord record, Measurement::Told& told) {
     told.ambiguous[channel] = ambiguity(record, channel);
   told.ledgers = std::make_shared<std::vector<Ledger>>(std::move(record.ledgers));
   told.written = std::move(record.written);
+  told.stated = std::move(record.stated);
+  told.sources = std::move(record.sources);
   told.turned_from = std::move(record.turned_from);
   told.places = std::move(record.places);
   told.numbers = std::move(record.numbers);
@@ -367,6 +371,46 @@ const MeasurementNoise* Measurement::noise(const std::string& channel) const {
   return found == told_.noise.end() ? nullptr : &found->second;
 }
 
+std::string Measurement::other_dimension(const std::string& found,
+                                         const std::string& wanted,
+                                         const std::string& unit) const {
+  const StatedColumn& column = told_.written.at(found);
+  const std::string key = key_for(wanted, column.column);
+  const std::string noun = words_for(Unit::of(unit)).noun;
+  const std::string table = "[measurement." + (told_.is_stated ? told_.name : "NAME") + "]";
+  if (column.unit.empty()) {
+    const std::string hint =
+        columns_hint(told_.stated, key, with_natural_unit(column, unit)) + " in " + table;
+    const auto source = told_.sources.find(found);
+    const bool in_file = !told_.is_stated && source != told_.sources.end();
+    return fmt::format(
+        "column {} has no unit, expected {}, such as {}{}",
+        in_quotes(column.column),
+        noun,
+        in_file ? formats::unit_in_file(source->second, natural_unit(unit)) + " in its file, or "
+                : "",
+        hint);
+  }
+  std::vector<std::string> others;
+  for (const Channel& other : told_.channels.all()) {
+    const StatedColumn& theirs = told_.written.at(other.name);
+    const bool fits = theirs.unit.empty() ? other.unit == "1" && !recognized(theirs.column)
+                                          : Unit::of(other.unit).same_dimension(Unit::of(unit));
+    if (fits) others.push_back(theirs.column);
+  }
+  std::string text = fmt::format("column {} is in {}, expected {}: correct the unit in its file",
+                                 in_quotes(column.column),
+                                 in_quotes(column.unit),
+                                 noun);
+  if (others.empty()) return text;
+  const auto first = std::find_if(told_.written.begin(), told_.written.end(), [&](auto& one) {
+    return one.second.column == others.front();
+  });
+  return text + ", or take another column, such as " +
+         columns_hint(told_.stated, key, with_natural_unit(first->second, unit)) + " in " + table +
+         (others.size() == 1 ? "" : " (columns that may be it: " + list_of(others) + ")");
+}
+
 const std::vector<double>& Measurement::values(const std::string& channel,
                                                const std::string& unit) const {
   const std::string of = told_.is_stated ? "measurement." + told_.name + ": " : "";
@@ -385,17 +429,8 @@ const std::vector<double>& Measurement::values(const std::string& channel,
   if (const auto both = told_.ambiguous.find(found.name); both != told_.ambiguous.end())
     throw InputError(told_.place, of + both->second);
   const Channel& values = *told_.channels.find(found.name);
-  const Unit expected = Unit::of(unit), has = Unit::of(values.unit);
-  if (!has.same_dimension(expected)) {
-    const std::string& column = written(channel).column;
-    const std::string with_unit = in_quotes(column + " [" + unit + "]");
-    throw InputError(
-        told_.place,
-        of + "column " + in_quotes(column) +
-            (has.dimensionless() ? " has no unit" : " is in " + in_quotes(values.unit)) +
-            ", expected " + words_for(expected).noun + ", such as " +
-            (told_.is_stated ? "columns = {" + found.name + " = " + with_unit + "}" : with_unit));
-  }
+  if (!Unit::of(values.unit).same_dimension(Unit::of(unit)))
+    throw InputError(told_.place, of + other_dimension(found.name, channel, unit));
   const auto is_gap = [](double value) { return std::isnan(value); };
   const auto gap = std::find_if(values.values.begin(), values.values.end(), is_gap);
   if (gap != values.values.end())
@@ -465,6 +500,15 @@ std::vector<std::string> unused_for(const Ledger& ledger, const std::string& uni
 
 }  // namespace
 
+std::string Measurement::hint_for(const std::string& channel,
+                                  const std::string& column,
+                                  const std::string& unit) const {
+  StatedColumn theirs{column, ""};
+  for (const auto& [ours, written] : told_.written)
+    if (written.column == column && written.unit.empty()) theirs = with_natural_unit(written, unit);
+  return columns_hint(told_.stated, key_for(channel, channel), theirs);
+}
+
 std::vector<Ledger> Measurement::ledgers() const {
   constexpr std::size_t kMostNamed = 6;
   std::vector<Ledger> ledgers = *told_.ledgers;
@@ -481,21 +525,19 @@ std::vector<Ledger> Measurement::ledgers() const {
     auto unused = unused_for(ledgers.front(), absent.unit);
     if (unused.empty()) continue;
     if (unused.size() > kMostNamed) unused.resize(kMostNamed);
-    const std::string& first = unused.front();
+    const std::string first = unused.front().substr(1, unused.front().size() - 2);
     ledgers.front().doubts.push_back(
-        {first.substr(1, first.size() - 2),
+        {first,
          fmt::format(
-             "{}: {} is {}: no column is called {}; not used: {}. Did you mean {}? Then say "
-             "columns = {{{} = {}}}{}",
+             "{}: {} is {}: no column is called {}; not used: {}. Did you mean {}? Then say {}{}",
              absent.by,
              absent.channel,
              instead,
              spellings_of(absent.channel),
              fmt::join(unused, ", "),
              unused.size() == 1 ? "it" : "one of them",
-             absent.channel,
-             in_quotes(first.substr(1, first.size() - 2)),
-             told_.is_stated ? "" : " in a [measurement.NAME]"),
+             hint_for(absent.channel, first, absent.unit),
+             told_.is_stated ? "" : " in a [measurement.NAME] of the file"),
          told_.place});
   }
   return ledgers;

@@ -66,8 +66,10 @@ class Measurement {
     std::vector<std::string> words;    // what was read and what each step left, a line each
     std::vector<std::string> one_way;  // steps that cannot be undone: "low_pass", ...
     std::map<std::string, MeasurementNoise> noise;
-    std::map<std::string, std::string> left_out;   // channels that are none, and why
-    std::map<std::string, StatedColumn> written;   // how the file has a channel
+    std::map<std::string, std::string> left_out;          // channels that are none, and why
+    std::map<std::string, StatedColumn> written;          // how the file has a channel
+    std::map<std::string, StatedColumn> stated;           // the table `columns`
+    std::map<std::string, formats::TableColumn> sources;  // how its file states a channel
     std::map<std::string, AxisFrame> turned_from;  // its frame there, where in_frame has turned it
     AxisConvention axes = AxisConvention::iso;
     std::shared_ptr<std::vector<Ledger>> ledgers;  // of each file
@@ -124,9 +126,18 @@ class Measurement {
   void note_absent(const Absent& absent) const;
   /// Columns that look like a channel of that unit and are taken for none: `Alhpa` for alpha.
   std::vector<std::string> columns_like(const std::string& channel, const std::string& unit) const;
+  /// `columns = {alpha = "Alhpa [deg]"}`: the whole table with which a column becomes a channel in
+  /// the SI unit `unit`. A unit stands there only if the file states none.
+  std::string hint_for(const std::string& channel,
+                       const std::string& column,
+                       const std::string& unit) const;
 
  private:
   NamedChannel named(const std::string& channel) const;
+  /// Says that a channel has no unit or one of another dimension, and the way out.
+  std::string other_dimension(const std::string& found,
+                              const std::string& wanted,
+                              const std::string& unit) const;
 
   Told told_;
   std::shared_ptr<std::vector<Absent>> absent_ = std::make_shared<std::vector<Absent>>();

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "correlation/laboratory/channel_names.h"
+#include "correlation/laboratory/columns_hint.h"
 #include "measurement/meaning/channel_checks.h"
 #include "measurement/meaning/channel_sense.h"
 #include "measurement/meaning/channel_words.h"
@@ -96,6 +97,15 @@ Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
     LedgerRow row;
     row.written = name;
     row.line = table.header.line;
+    const auto column = std::find_if(table.left_columns.begin(),
+                                     table.left_columns.end(),
+                                     [&](const auto& one) { return one.name == name; });
+    if (column != table.left_columns.end()) {
+      if (column->line > 0) row.line = column->line;
+      row.column = column->place;
+      row.unit_written = column->unit;
+    }
+    if (const auto known = recognized(name)) row.meaning = known->meaning->words;
     row.state = LedgerState::doubtful;
     row.remark = "left out: it " + why;
     ledger.rows.push_back(std::move(row));
@@ -146,14 +156,26 @@ std::string ambiguity(const LabRecord& record, const std::string& channel) {
   std::string named;
   for (const std::string& column : columns)
     named += (named.empty() ? "" : " and ") + in_quotes(column);
-  return fmt::format(
-      "columns {} both are {}; say which by columns = {{{} = {}}} of a "
-      "[measurement.NAME]",
-      named,
-      channel,
-      channel,
-      in_quotes(columns.front()));
+  return fmt::format("columns {} both are {}; say which by {} of a [measurement.NAME]",
+                     named,
+                     channel,
+                     columns_hint(record.stated, channel, {columns.front(), ""}));
 }
+
+namespace {
+
+/// The table `columns` with which a channel has the other sign.
+std::string turned(const LabRecord& record, const std::string& channel) {
+  StatedColumn column{channel, ""};
+  if (const auto written = record.written.find(channel); written != record.written.end())
+    column.column = written->second.column;
+  const auto stated = record.stated.find(channel);
+  if (stated != record.stated.end()) column = stated->second;
+  column.sign = -column.sign;
+  return columns_hint(record.stated, channel, column);
+}
+
+}  // namespace
 
 void check_channels(LabRecord& record, bool axes_are_stated, bool is_stated) {
   if (record.ledgers.empty()) return;
@@ -184,8 +206,7 @@ void check_channels(LabRecord& record, bool axes_are_stated, bool is_stated) {
     Ledger& ledger = file_of(place);
     std::string out = way_out;
     if (doubt.all_loads_negative && out.empty())
-      out = fmt::format(
-          "; turn the column by columns = {{{} = \"-{}\"}}{}", doubt.channel, column, where);
+      out = fmt::format("; turn the column by {}{}", turned(record, doubt.channel), where);
     ledger.doubts.push_back({column,
                              fmt::format("column {}{} {}{}",
                                          in_quotes(column),

@@ -78,12 +78,74 @@ ProcessedPlateau process_plateau(const RigFile& rig,
   return result;
 }
 
+/// The unit in which a channel is taken that states none; empty: as a plain number.
+std::string unit_without_statement(const RigFile& rig, const std::string& name) {
+  if (name == rig.time) return "s";
+  if (name == rig.speed) return "m/s";
+  return name == rig.force ? "N" : "";
+}
+
+/// A row for each column of a recording: time, speed or pulses, forces, and what nobody takes.
+Ledger ledger_of_recording(const RigFile& rig,
+                           const std::filesystem::path& file,
+                           const formats::Recording& recording,
+                           const std::vector<std::string>& needed,
+                           const std::string& by) {
+  Ledger ledger{file.string()};
+  for (std::size_t k = 0; k < recording.columns.size(); ++k) {
+    const formats::TableColumn& column = recording.columns[k];
+    LedgerRow row;
+    row.written = column.name;
+    row.line = column.line;
+    row.column = column.place;
+    row.unit_written = column.unit;
+    row.unit = recording.channels.all()[k].unit;
+    if (const auto unit = Unit::find(column.unit); unit && !column.unit.empty()) {
+      row.offset = unit->to_si(0.0L);
+      row.factor = unit->to_si(1.0L) - row.offset;
+    }
+    const bool is_time = column.name == rig.time;
+    if (is_time || std::find(needed.begin(), needed.end(), column.name) != needed.end()) {
+      row.taken_as = is_time ? "time" : column.name == rig.speed ? "speed" : column.name;
+      Ledger::use(row, by);
+      const std::string assumed = unit_without_statement(rig, column.name);
+      if (column.unit.empty() && !assumed.empty()) {
+        row.remark = "no unit: " + assumed + " is taken";
+        ledger.doubts.push_back(
+            {column.name,
+             fmt::format("column \"{0}\" has no unit and is taken in {1}; say its unit by "
+                         "units = {{\"{0}\" = \"{1}\"}} in [channels] of the rig file",
+                         column.name,
+                         assumed),
+             {file.string(), column.line}});
+      }
+    }
+    ledger.rows.push_back(std::move(row));
+  }
+  for (const auto& [name, why] : recording.left_out) {
+    LedgerRow row;
+    row.written = name;
+    row.line = recording.header_line;
+    row.state = LedgerState::doubtful;
+    row.remark = "left out: " + why;
+    ledger.rows.push_back(std::move(row));
+  }
+  return ledger;
+}
+
 /// The channels that are as long as the time, and those asked for. A MAT file may hold anything
 /// else.
 DrumRecord read_record(const RigFile& rig,
                        const std::filesystem::path& file,
-                       std::vector<std::string> needed) {
-  const Channels all = formats::read_recording(file, rig.units);
+                       const std::vector<std::string>& needed,
+                       const std::string& by,
+                       std::vector<Ledger>& ledgers) {
+  const formats::Recording recording = formats::read_whole_recording(file, rig.units);
+  ledgers.push_back(ledger_of_recording(rig, file, recording, needed, by));
+  for (const std::string& name : needed)
+    if (const auto why = recording.left_out.find(name); why != recording.left_out.end())
+      throw InputError({file.string(), recording.header_line}, why->second);
+  const Channels& all = recording.channels;
   const Channel* time = all.find(rig.time);
   Channels channels;
   for (const Channel& channel : all.all()) {
@@ -161,15 +223,19 @@ RigResults process(const RigFile& rig, const RigProgress& progress) {
   RigResults results;
   for (const RigRun& run : rig.runs) {
     progress(done++, total, "reading " + run.file.filename().string());
-    DrumRecord record = read_record(rig, run.file, needed);
+    DrumRecord record = read_record(rig, run.file, needed, "run " + run.name, results.ledgers);
     if (!rig.pulses.empty()) add_speed(rig, record);
     progress(done++, total, "passages of " + run.name);
     results.runs.push_back(process_run(rig, run.name, std::move(record)));
   }
   if (rig.hammer) {
     progress(done++, total, "hammer test");
-    results.hammer = process_hammer(
-        rig, read_record(rig, rig.hammer->file, {rig.hammer->input, rig.hammer->output}));
+    results.hammer = process_hammer(rig,
+                                    read_record(rig,
+                                                rig.hammer->file,
+                                                {rig.hammer->input, rig.hammer->output},
+                                                "hammer test",
+                                                results.ledgers));
   }
   if (rig.compensation) {
     progress(done++, total, "compensation");

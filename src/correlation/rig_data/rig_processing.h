@@ -10,6 +10,7 @@
 
 #include "correlation/rig_data/rig_file.h"
 #include "measurement/drum_record.h"
+#include "measurement/ledger.h"
 #include "measurement/rig_response_fit.h"
 
 namespace latsch::correlation {
@@ -81,6 +82,7 @@ struct RigResults {
   std::vector<ProcessedRun> runs;
   std::optional<HammerResult> hammer;
   std::optional<CompensationResult> compensation;
+  std::vector<Ledger> ledgers = {};  // of every recording: what each column was taken for
 };
 
 /// Throws InputError naming the recording and what to do.

@@ -210,7 +210,8 @@ TEST_F(MeasuredStudy, SaysWhatAStudyNamesThatIsNotThere) {
          "did you mean \"measurement.cornering\"?");
   expect("columns = {time = \"t_s [s]\"}",
          "columns = {time = \"t_s [s]\", Fz = \"SL\"}",
-         "column \"SL\" has no unit, expected a force, such as columns = {Fz = \"SL [N]\"}");
+         "column \"SL\" has no unit, expected a force, such as "
+         "columns = {Fz = \"SL [N]\", time = \"t_s [s]\"} in [measurement.cornering]");
   expect("columns = {time = \"t_s [s]\"}",
          "columns = {time = \"t_s [s]\", kappa = \"SL\"}",
          "record.csv:3: measurement.cornering: kappa is no finite number here, the first of 1 gaps "
@@ -357,7 +358,8 @@ TEST_F(MeasuredStudy, NeverLeavesOutASlipAngleSilently) {
   EXPECT_NE(found.find("unit"), std::string::npos) << found;
   edit_record("SA [deg]", "Alhpa [deg]");  // looks like it
   found = complaint([&] { read(); });
-  EXPECT_NE(found.find("columns = {alpha = \"Alhpa\"}"), std::string::npos) << found;
+  EXPECT_NE(found.find("columns = {alpha = \"Alhpa\", time = \"t_s [s]\"}"), std::string::npos)
+      << found;
   EXPECT_NE(found.find("without = [\"alpha\"]"), std::string::npos) << found;
   const std::string from = "{from = \"measurement.cornering\"}";
   EXPECT_EQ(

@@ -140,13 +140,14 @@ void take_absent(const Node& table,
     table.reject(
         "from",
         fmt::format("is {0}, whose column {1} looks like {2}, but is not called so, and {2} would "
-                    "be {3}. Put columns = {{{2} = {1}}} into [{4}], or without = [\"{2}\"] beside "
+                    "be {3}. Put {5} into [{4}], or without = [\"{2}\"] beside "
                     "from to leave it out",
                     in_quotes(table.text("from")),
                     in_quotes(alike.front()),
                     condition.channel,
                     condition.otherwise.empty() ? "left out" : "taken as " + condition.otherwise,
-                    table.text("from")));
+                    table.text("from"),
+                    measurement.hint_for(condition.channel, alike.front(), condition.unit)));
   measurement.note_absent({condition.channel, condition.unit, by, condition.otherwise});
 }
 

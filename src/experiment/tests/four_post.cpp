@@ -77,6 +77,14 @@ class FourPost : public Test {
     return channels;
   }
   std::vector<std::string> needs() const override { return kFourPost.needs; }
+  std::vector<Ledger> ledgers(const std::string& by) const override {
+    std::vector<Ledger> ledgers = ledgers_;
+    for (Ledger& ledger : ledgers)
+      for (LedgerRow& row : ledger.rows)
+        if (!row.taken_as.empty()) Ledger::use(row, by);
+    return ledgers;
+  }
+  void reads(std::vector<Ledger> ledgers) { ledgers_ = std::move(ledgers); }
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "time") return std::nullopt;
     return Reach{test_.times.front(), test_.times.back()};
@@ -144,6 +152,7 @@ class FourPost : public Test {
   Frequencies frequencies_;
   std::string words_;
   std::optional<PostSweep> sweep_;
+  std::vector<Ledger> ledgers_;  // of a table of heights, without who uses it
 };
 
 void read_steps(const Node& root, FourPostTest& test) {
@@ -154,8 +163,33 @@ void read_steps(const Node& root, FourPostTest& test) {
     root.reject("sample_step", "is no multiple of step");
 }
 
+/// The columns of a table and those of them that are `taken`.
+Ledger ledger_of_heights(const formats::CsvTable& table,
+                         const std::vector<MeasuredCondition>& taken) {
+  Ledger ledger{table.file()};
+  for (const formats::TableColumn& column : table.header()) {
+    LedgerRow row;
+    row.written = column.name;
+    row.line = column.line;
+    row.column = column.place;
+    row.unit_written = column.unit;
+    for (const MeasuredCondition& one : taken) {
+      if (column.name != one.channel) continue;
+      row.taken_as = one.channel;
+      row.unit = one.unit;
+      row.meaning = one.channel == "time" ? "time" : "height of a post, upward";
+      if (const auto unit = Unit::find(column.unit)) {
+        row.offset = unit->to_si(0.0L);
+        row.factor = unit->to_si(1.0L) - row.offset;
+      }
+    }
+    ledger.rows.push_back(std::move(row));
+  }
+  return ledger;
+}
+
 /// Of a measurement of the study, or of a table beside the file.
-Channels heights_of(const Node& root, const TestSource& source) {
+Channels heights_of(const Node& root, const TestSource& source, std::vector<Ledger>& ledgers) {
   std::vector<MeasuredCondition> conditions = {{.channel = "time", .unit = "s", .is_needed = true}};
   for (const std::string& name : of_corners("post"))
     conditions.push_back({.channel = name, .unit = "m", .is_needed = true});
@@ -165,11 +199,14 @@ Channels heights_of(const Node& root, const TestSource& source) {
   Channels channels;
   for (const MeasuredCondition& one : conditions)
     channels.add({one.channel, one.unit, table.numbers(one.channel, one.unit)});
+  ledgers.push_back(ledger_of_heights(table, conditions));
   return channels;
 }
 
-FourPostTest recorded_posts(const Node& root, const TestSource& source) {
-  const Channels channels = heights_of(root, source);
+FourPostTest recorded_posts(const Node& root,
+                            const TestSource& source,
+                            std::vector<Ledger>& ledgers) {
+  const Channels channels = heights_of(root, source, ledgers);
   FourPostTest test;
   test.times = channels["time"];
   for (std::size_t i = 0; i < 4; ++i) test.heights[i] = channels[of_corners("post")[i]];
@@ -287,14 +324,17 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
       static_cast<PostMode>(std::find(modes.begin(), modes.end(), mode) - modes.begin());
   if (root.has("posts")) {
     const FourPostTest steps = test;
-    test = recorded_posts(root, source);
+    std::vector<Ledger> ledgers;
+    test = recorded_posts(root, source, ledgers);
     test.step = steps.step;
     test.sample_step = steps.sample_step;
     const PostSpectra usual;
-    return std::make_unique<FourPost>(
+    auto recorded = std::make_unique<FourPost>(
         test,
         read_frequencies(root, which, test, usual.from, usual.to),
         fmt::format("four posts as recorded, {:.4g} s", test.times.back()));
+    recorded->reads(std::move(ledgers));
+    return recorded;
   }
   PostSweep sweep{.mode = which};
   sweep.from = root.quantity("from", "Hz", Range::positive(), sweep.from);

@@ -33,8 +33,10 @@ struct Gathered {
 
 class Resolving {
  public:
-  Gathered gather(const std::filesystem::path& file) {
+  /// `named_in`: file and line that refer to the file; nothing for the first one.
+  Gathered gather(const std::filesystem::path& file, const Place& named_in = {}) {
     files_.push_back(file);
+    named_in_.push_back(named_in);
     std::string bytes = read_text_file(file, kLargestCrg);
     OpenCrgHeader header = read_open_crg_header(bytes, file.string());
     Gathered result;
@@ -65,6 +67,7 @@ class Resolving {
   }
 
   const std::vector<std::filesystem::path>& files() const { return files_; }
+  const std::vector<Place>& named_in() const { return named_in_; }
 
  private:
   struct Reference {
@@ -90,7 +93,7 @@ class Resolving {
                        "refers to " + in_quotes(path.string()) +
                            ", which does not exist; a path ends with a line that ends in .crg, "
                            "and counts from the folder of the file that names it");
-    return gather(path);
+    return gather(path, place);
   }
 
   static std::vector<Reference> references_of(const OpenCrgHeader& header,
@@ -150,6 +153,7 @@ class Resolving {
   }
 
   std::vector<std::filesystem::path> files_;
+  std::vector<Place> named_in_;
   std::vector<std::filesystem::path> stack_;
 };
 
@@ -169,7 +173,8 @@ ResolvedCrg resolve_open_crg(const std::filesystem::path& file) {
                               "$$$$ and records behind it"
                             : "has no data, expected a line $$$$ and records behind it");
   }
-  ResolvedCrg result{std::move(all.bytes), std::move(*all.data), resolving.files()};
+  ResolvedCrg result{
+      std::move(all.bytes), std::move(*all.data), resolving.files(), resolving.named_in()};
   result.header.options = all.options ? all.options->values : OpenCrgHeader::Values{};
   result.header.modifiers = all.modifiers ? all.modifiers->values : OpenCrgHeader::Values{};
   result.header.warnings = std::move(all.warnings);

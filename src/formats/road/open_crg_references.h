@@ -28,6 +28,7 @@ struct ResolvedCrg {
   std::string bytes;     // of the file with the data
   OpenCrgHeader header;  // of the same, with the options and modifiers that count
   std::vector<std::filesystem::path> files;  // all that were opened, the first one first
+  std::vector<Place> named_in;               // of each: file and line that name it
 };
 
 /// Throws InputError: a file that is not there or refers to itself, a variable that is not set, no

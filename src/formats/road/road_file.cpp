@@ -47,8 +47,18 @@ std::string ending_of(const std::filesystem::path& file) {
 }  // namespace
 
 std::vector<std::filesystem::path> files_of_road(const std::filesystem::path& file) {
-  if (ending_of(file) != ".crg") return {file};
-  return resolve_open_crg(file).files;
+  std::vector<std::filesystem::path> files;
+  for (const RoadReference& reference : references_of_road(file)) files.push_back(reference.file);
+  return files;
+}
+
+std::vector<RoadReference> references_of_road(const std::filesystem::path& file) {
+  if (ending_of(file) != ".crg") return {{file, {}}};
+  const ResolvedCrg resolved = resolve_open_crg(file);
+  std::vector<RoadReference> references;
+  for (std::size_t i = 0; i < resolved.files.size(); ++i)
+    references.push_back({resolved.files[i], resolved.named_in[i]});
+  return references;
 }
 
 RoadFile read_road_file(const std::filesystem::path& file) {

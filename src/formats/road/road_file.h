@@ -38,6 +38,14 @@ struct RoadFile {
 /// A file that read_road_file() has read, and those it refers to.
 std::vector<std::filesystem::path> files_of_road(const std::filesystem::path& file);
 
+/// A file that a road opens, and the file and line that name it; the first file has no such place.
+struct RoadReference {
+  std::filesystem::path file;
+  Place named_in;
+};
+/// The same files in the same order.
+std::vector<RoadReference> references_of_road(const std::filesystem::path& file);
+
 /// By the ending of its name. Throws InputError naming file, line, what was found and expected.
 RoadFile read_road_file(const std::filesystem::path& file);
 

@@ -62,6 +62,7 @@ void take_units(const std::vector<std::string>& cells,
     const std::string_view unit = without_square_brackets(cells[i]);
     columns[i].unit = says_nothing(unit) ? "" : unit;
     columns[i].unit_line = line;
+    columns[i].unit_place = UnitPlace::row_below;
   }
 }
 
@@ -133,6 +134,8 @@ std::string wrong_number_of_fields(std::size_t found, const CsvHeader& header, c
                                   header.line);
   if (separator == ',' && found > expected && found <= 2 * expected)
     words += "; decimal commas need semicolons or tabs between the columns";
+  if (expected == 1 && found > 1)
+    words += fmt::format("; if line {} is a title, put # before it", header.line);
   return words;
 }
 

@@ -214,7 +214,7 @@ CsvTable::Gaps CsvTable::numbers_and_gaps(const std::vector<Wanted>& wanted) con
     }
   }
   for (std::size_t k = 0; k < wanted.size(); ++k)
-    if (!has_number[k]) gaps.texts[k].clear();
+    if (!has_number[k] && wanted[k].unit.empty()) gaps.texts[k].clear();
   return gaps;
 }
 

@@ -12,6 +12,7 @@
 #include <functional>
 
 #include "base/file.h"
+#include "base/scratch_folder_testing.h"
 
 namespace latsch::formats {
 namespace {
@@ -245,6 +246,21 @@ TEST(CsvTable, SaysWhyANumberIsNone) {
   EXPECT_EQ(table_complaint("F [N],b\n1,5,2\n", force),
             "t.csv:2: has 3 fields, expected 2 as in the header (line 1); decimal commas need "
             "semicolons or tabs between the columns");
+}
+
+// Rows are read a second time when their numbers are asked for.
+TEST(CsvTable, OfAFileThatIsCutMeanwhileKeepsItsRows) {
+  const ScratchFolder folder;
+  std::string text = "force [kN]\n";
+  constexpr int kRows = 9'000'000;
+  for (int i = 0; i < kRows; ++i) text += "1.000000\n";
+  ASSERT_GT(text.size(), 64u << 20);
+  write_text_file(folder / "large.csv", text);
+  const CsvTable table = CsvTable::read(folder / "large.csv");
+  std::filesystem::resize_file(folder / "large.csv", 20);
+  const auto force = table.numbers("force", "N");
+  ASSERT_EQ(force.size(), static_cast<std::size_t>(kRows));
+  EXPECT_EQ(force.back(), 1000.0);
 }
 
 }  // namespace

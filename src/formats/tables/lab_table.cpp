@@ -90,6 +90,7 @@ void add_columns(std::vector<LabColumn> columns,
       const std::size_t has = unit_fault.find(" has ");
       table.left_out[source.name] =
           has == unit_fault.npos ? column.fault : unit_fault.substr(has + 1);
+      table.left_columns.push_back(std::move(source));
       continue;
     }
     const Unit unit = unit_of_column(source, wanted, place);
@@ -104,7 +105,10 @@ void add_columns(std::vector<LabColumn> columns,
 }
 
 LabTable table_of(const std::filesystem::path& file) {
-  return {file.string(), {}, {}, {}, {}, {}, {file.string(), 0}};
+  LabTable table;
+  table.file = file.string();
+  table.header = {table.file, 0};
+  return table;
 }
 
 LabTable read_csv(const std::filesystem::path& file,
@@ -185,11 +189,14 @@ bool holds_units(const std::vector<std::string_view>& names,
          (2 * count_units(units) >= words || 2 * static_cast<std::size_t>(named) >= names.size());
 }
 
-std::vector<LabColumn> columns_named(const std::vector<std::string_view>& names, const Line& line) {
+std::vector<LabColumn> columns_named(const std::vector<std::string_view>& names,
+                                     const Line& line,
+                                     bool tabs) {
   std::vector<LabColumn> columns;
   for (const std::string_view name : names) {
     LabColumn column{column_of_title(name)};
     column.source.line = column.source.unit_line = line.number;
+    column.source.unit_place = tabs ? UnitPlace::title : UnitPlace::title_without_blanks;
     column.source.place = static_cast<int>(columns.size() + 1);
     columns.push_back(std::move(column));
   }
@@ -201,7 +208,8 @@ std::vector<LabColumn> header_of(const std::vector<Line>& before, bool tabs) {
   const Line& last = before.back();
   if (before.size() > 1) {
     const Line& names = before[before.size() - 2];
-    std::vector<LabColumn> columns = columns_named(fields_of(trimmed(names.text), tabs), names);
+    std::vector<LabColumn> columns =
+        columns_named(fields_of(trimmed(names.text), tabs), names, tabs);
     // The last channels may be plain numbers, whose units are blank.
     auto units = fields_of(last.text, tabs);
     while (tabs && units.size() < columns.size()) units.emplace_back();
@@ -210,11 +218,12 @@ std::vector<LabColumn> header_of(const std::vector<Line>& before, bool tabs) {
       for (std::size_t k = 0; k < units.size(); ++k) {
         columns[k].source.unit = units[k];
         columns[k].source.unit_line = last.number;
+        columns[k].source.unit_place = UnitPlace::row_below;
       }
       return columns;
     }
   }
-  return columns_named(fields_of(trimmed(last.text), tabs), last);
+  return columns_named(fields_of(trimmed(last.text), tabs), last, tabs);
 }
 
 /// "1" is also the unit of plain numbers, with other units behind it.
@@ -289,8 +298,11 @@ LabTable read_mat(const std::filesystem::path& file,
                   const Units& units,
                   const ExpectedUnit& expected) {
   LabTable table = table_of(file);
-  auto [channels, columns] = MatFile::read(file).named_channels(units, expected);
+  auto [channels, columns, left_out, left_columns] =
+      MatFile::read(file).named_channels(units, expected);
+  table.left_columns = std::move(left_columns);
   table.channels = std::move(channels);
+  table.left_out = std::move(left_out);
   for (const TableColumn& column : columns) table.units.push_back(column.unit);
   table.columns = std::move(columns);
   return table;
@@ -302,12 +314,23 @@ LabTable read_tydex(const std::filesystem::path& file,
   TydexFile tydex = TydexFile::read(file);
   LabTable table = table_of(file);
   table.lines = std::move(tydex.lines);
+  for (const auto& [name, why] : tydex.left_out) {
+    const auto& [line, unit] = tydex.left_units.at(name);
+    if (units.contains(name) || (expected && !expected(name).empty()))
+      throw InputError({table.file, line}, name + " " + why);
+    table.left_out[name] = why;
+    TableColumn source{.name = name, .unit = unit, .title = name};
+    source.line = source.unit_line = line;
+    source.unit_place = UnitPlace::field;
+    table.left_columns.push_back(std::move(source));
+  }
   std::vector<LabColumn> columns;
   const auto add =
       [&](const std::string& name, const std::string& unit, int line, std::vector<double> values) {
         TableColumn source{.name = name, .unit = unit, .title = name};
         source.line = source.unit_line = line;
         source.place = static_cast<int>(columns.size() + 1);
+        source.unit_place = UnitPlace::field;
         columns.push_back({std::move(source), std::move(values), true});
       };
   for (std::size_t k = 0; k < tydex.descriptions.size(); ++k) {

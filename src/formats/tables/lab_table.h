@@ -42,6 +42,7 @@ struct LabTable {
   std::vector<TableColumn> columns;  // of the channels, as the file states them
   std::vector<int> lines;            // of each sample; of a MAT file none
   std::map<std::string, std::string> left_out;  // name -> why
+  std::vector<TableColumn> left_columns;        // of these, as the file states them
   Place header;                                 // of the names
 
   /// Of a sample, for messages: the line, or the file alone.

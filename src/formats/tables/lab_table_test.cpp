@@ -223,5 +223,57 @@ TEST_F(LabTables, OfMatTakeTheUnitsListedBesideTheChannels) {
   EXPECT_EQ(table.place(1).line, 0);
 }
 
+// A column with a unit holds numbers: cells that are none are its fault, also if all of them are.
+TEST_F(LabTables, AColumnWithAUnitAndNoNumberIsLeftOutWithItsReason) {
+  for (const char* cell : {"\"4,000\"", "4'000", "0x10", "=A1", "4 000"}) {
+    SCOPED_TRACE(cell);
+    const LabTable table =
+        read("t.csv", "load 7 [N],SA [deg]\n" + std::string(cell) + ",1\n" + cell + ",2\n");
+    ASSERT_TRUE(table.left_out.contains("load 7"));
+    EXPECT_NE(table.left_out.at("load 7").find("in line 2"), std::string::npos);
+    ASSERT_EQ(table.left_columns.size(), 1u);
+    EXPECT_EQ(table.left_columns[0].unit, "N");
+  }
+  // A column of texts has no unit, and a column of gaps was not recorded.
+  EXPECT_TRUE(read("t.csv", "who,FZ [N],MX [N m]\nbob,1,\nann,2,\n").left_out.empty());
+}
+
+// 1 kgf = 9.80665 N [NIST SP 811, B.8]: a load "in kg" is the weight of that mass.
+TEST_F(LabTables, AMassInPlaceOfAForceIsProposedAsAWeight) {
+  const auto expected = [](const std::string& name) { return name == "FZ" ? "N" : "N m"; };
+  const auto complain = [&](const std::string& head) -> std::string {
+    write_text_file(folder_ / "t.csv", head + "\n1\n");
+    try {
+      read_lab_table(folder_ / "t.csv", {}, expected);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto proposed = [](const std::string& message) {
+    const std::size_t at = message.find("such as \"");
+    return at == message.npos ? message : message.substr(at + 9, message.rfind('"') - at - 9);
+  };
+  EXPECT_EQ(proposed(complain("FZ [kg]")), "FZ [kgf]");
+  EXPECT_EQ(proposed(complain("FZ [t]")), "FZ [tf]");
+  write_text_file(folder_ / "t.csv", "FZ [kgf]\n1\n");
+  EXPECT_NEAR(read_lab_table(folder_ / "t.csv", {}, expected).channels["FZ"][0], 9.80665, 1e-12);
+}
+
+TEST_F(LabTables, HabitsOfOtherProgramsAreReadOrRefusedInWords) {
+  EXPECT_EQ(read("sep.csv", "sep=;\nFZ [N];SA [deg]\n4,5;1\n").channels["FZ"][0], 4.5);
+  EXPECT_EQ(read("tab.csv", "\"sep=\t\"\r\nFZ [N]\tSA [deg]\r\n4,5\t1\r\n").channels["FZ"][0], 4.5);
+  const auto says = [&](const std::string& text, const std::string& words) {
+    const std::string found = complaint("t.csv", text);
+    EXPECT_NE(found.find(words), std::string::npos) << found;
+  };
+  says("FZ [N],SA [deg]\r4,1\r5,2\r", "carriage return alone");
+  says("Tire 4711\nFZ [N],SA [deg]\n4,1\n", "if line 1 is a title, put # before it");
+  EXPECT_EQ(read("t.csv", "# Tire 4711\nFZ [N],SA [deg]\n4,1\n").channels["FZ"][0], 4.0);
+  EXPECT_NE(read("t.csv", "x [N],SA [deg]\n\u22124,1\n3,1\n").left_out.at("x").find("minus"),
+            std::string::npos);
+  EXPECT_TRUE(std::isnan(read("t.csv", "FZ [N],SA [deg]\nn.a.,1\n4,1\n").channels["FZ"][0]));
+}
+
 }  // namespace
 }  // namespace latsch::formats

@@ -201,6 +201,7 @@ MatFile::Named MatFile::named_channels(const std::map<std::string, std::string>&
     const bool is_held = written.contains(holder) || units.contains(holder);
     TableColumn column{.name = is_held ? holder : variable.name, .title = variable.name};
     column.place = static_cast<int>(names.size() + 1);
+    column.unit_place = UnitPlace::text_beside;
     if (!names.insert(column.name).second)
       throw InputError({file, 0}, in_quotes(column.name) + " comes twice");
     if (names.size() > kMostVectors)
@@ -211,6 +212,14 @@ MatFile::Named MatFile::named_channels(const std::map<std::string, std::string>&
       take_stated_unit(column, unit->second, {file, 0});
     const std::string wanted =
         expected && !column.unit.empty() ? expected(column.name) : std::string();
+    const std::string fault = fault_of_unit(column, wanted);
+    const bool is_known =
+        units.contains(column.name) || (expected && !expected(column.name).empty());
+    if (!fault.empty() && !is_known) {
+      result.left_out[column.name] = fault.substr(fault.find(" has ") + 1);
+      result.left_columns.push_back(std::move(column));
+      continue;
+    }
     const Unit unit = unit_of_column(column, wanted, {file, 0});
     Channel channel{column.name, si_unit(unit.dimension()), {}};
     channel.values.reserve(variable.values.size());
@@ -227,6 +236,10 @@ MatFile::Named MatFile::named_channels(const std::map<std::string, std::string>&
                      "has no vector " + in_quotes(missing[0]) + did_you_mean(missing[0], there) +
                          " (vectors: " + list_of(there) + ")");
   if (!missing.empty()) throw InputError({file, 0}, missing_columns(missing, there));
+  if (result.channels.empty() && !result.left_out.empty())
+    throw InputError({file, 0},
+                     "column " + in_quotes(result.left_out.begin()->first) + " " +
+                         result.left_out.begin()->second + ", and no other vector is left");
   if (result.channels.empty()) throw InputError({file, 0}, "has no vector of numbers");
   return result;
 }

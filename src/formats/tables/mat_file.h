@@ -42,11 +42,14 @@ struct MatFile {
   /// (or units) of S.data (or value, values), which then is called S; or listed beside the names of
   /// all, channel.units{2} with channel.name{2}; or that of `units`, by name, where the file states
   /// none. Without any it is a plain number. `expected` says which unit a name has to have.
-  /// Throws InputError for a unit that is unknown, of another dimension or not the stated one, a
-  /// name in `units` that is no vector, and where no vector is there.
+  /// A vector with an unknown unit is left out with the reason, unless `units` or `expected` know
+  /// its name. Throws InputError for a unit of a known vector that is unknown, of another dimension
+  /// or not the stated one, a name in `units` that is no vector, and where no vector is there.
   struct Named {
     Channels channels;
-    std::vector<TableColumn> columns;  // of each channel
+    std::vector<TableColumn> columns;             // of each channel
+    std::map<std::string, std::string> left_out;  // name -> why
+    std::vector<TableColumn> left_columns;        // of these
   };
   Named named_channels(const std::map<std::string, std::string>& units = {},
                        const ExpectedUnit& expected = {}) const;

@@ -123,5 +123,44 @@ TEST_F(MatFiles, CutOffAnywhereAreRefused) {
   EXPECT_THROW(MatFile::parse(std::string(500, 'a'), "x.mat"), InputError);
 }
 
+MatFile with_unit(const std::string& name, const std::string& unit) {
+  MatFile file;
+  file.file = "t.mat";
+  file.variables.push_back({"FZ.data", {2, 1}, {1.0, 2.0}, "", false});
+  file.variables.push_back({"FZ.unit", {1, 1}, {}, "kN", true});
+  file.variables.push_back({name + ".data", {2, 1}, {3.0, 4.0}, "", false});
+  file.variables.push_back({name + ".unit", {1, 1}, {}, unit, true});
+  return file;
+}
+
+// An unknown unit is told at its vector, and the vectors beside it are read.
+TEST(MatUnits, AVectorOfAnUnknownUnitIsLeftOutWithItsReason) {
+  const auto named = with_unit("sensor_7", "grC").named_channels();
+  EXPECT_EQ(named.channels["FZ"], (std::vector<double>{1000.0, 2000.0}));
+  EXPECT_EQ(named.channels.find("sensor_7"), nullptr);
+  ASSERT_TRUE(named.left_out.contains("sensor_7"));
+  EXPECT_NE(named.left_out.at("sensor_7").find("unknown unit \"grC\""), std::string::npos)
+      << named.left_out.at("sensor_7");
+}
+
+TEST(MatUnits, AVectorThatIsNeededIsAnError) {
+  const auto complaint = [](const auto& read) -> std::string {
+    try {
+      read();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const MatFile file = with_unit("SA", "grC");
+  const auto expected = [](const std::string& name) { return name == "SA" ? "rad" : ""; };
+  EXPECT_NE(complaint([&] { file.named_channels({}, expected); }).find("\"SA\" has unknown unit"),
+            std::string::npos);
+  EXPECT_NE(complaint([&] {
+              file.named_channels({{"SA", ""}});
+            }).find("\"SA\" has unknown unit"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace latsch::formats

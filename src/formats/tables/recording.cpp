@@ -25,7 +25,8 @@ constexpr std::size_t kLargestRecording = std::size_t{2} << 30;  // bytes
 struct Column {
   TableColumn source;
   Unit read = Unit::of("1");
-  bool is_si = true;  // no conversion
+  bool is_si = true;       // no conversion
+  std::string fault = {};  // of its unit: the column is left out
   std::vector<double> values = {};
 };
 
@@ -37,6 +38,12 @@ std::vector<Column> columns_of(const CsvHeader& header,
   for (TableColumn source : header.columns) {
     const auto stated = units.find(source.name);
     if (stated != units.end()) take_stated_unit(source, stated->second, {file, source.unit_line});
+    const std::string fault = fault_of_unit(source, "");
+    if (!fault.empty() && stated == units.end()) {
+      columns.push_back({std::move(source)});
+      columns.back().fault = fault;
+      continue;
+    }
     const Unit unit = unit_of_column(source, "", {file, source.unit_line});
     const bool is_si = unit.to_si(0.0L) == 0.0 && unit.to_si(1.0L) == 1.0;
     columns.push_back({std::move(source), unit, is_si});
@@ -74,6 +81,7 @@ void take_row(const CsvFields::Row& row,
               DecimalMarks& marks,
               std::string& scratch) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (!columns[i].fault.empty()) continue;
     double value = number(row.cells[i], decimal_comma, scratch);
     if (!columns[i].is_si) value = columns[i].read.to_si(value);
     if (!std::isfinite(value)) no_number(columns[i], row.cells[i], {file, row.line});
@@ -82,9 +90,9 @@ void take_row(const CsvFields::Row& row,
   }
 }
 
-Channels parse(std::shared_ptr<const MappedFile> source,
-               const std::string& file,
-               const std::map<std::string, std::string>& units) {
+Recording parse(std::shared_ptr<const MappedFile> source,
+                const std::string& file,
+                const std::map<std::string, std::string>& units) {
   const std::size_t size = source->text().size();
   CsvFields fields(utf8_file(std::move(source), file), file);
   const bool decimal_comma = fields.separator() != ',';
@@ -100,24 +108,57 @@ Channels parse(std::shared_ptr<const MappedFile> source,
                        wrong_number_of_fields(row.cells.size(), header, fields.separator()));
     take_row(row, decimal_comma, file, columns, marks, scratch);
   }
-  Channels channels;
-  for (Column& column : columns)
-    channels.add({column.source.name, si_unit(column.read.dimension()), std::move(column.values)});
-  return channels;
+  Recording recording;
+  recording.header_line = header.columns.front().unit_line;
+  for (Column& column : columns) {
+    if (!column.fault.empty()) {
+      recording.left_out[column.source.name] = column.fault;
+      continue;
+    }
+    recording.channels.add(
+        {column.source.name, si_unit(column.read.dimension()), std::move(column.values)});
+    recording.columns.push_back(std::move(column.source));
+  }
+  return recording;
+}
+
+/// Throws for the first column that is left out.
+Channels whole(Recording recording, const std::string& file) {
+  if (!recording.left_out.empty())
+    throw InputError({file, recording.header_line}, recording.left_out.begin()->second);
+  return std::move(recording.channels);
 }
 
 }  // namespace
 
 Channels parse_recording(std::string text, const std::string& file) {
-  return parse(std::make_shared<const MappedFile>(std::move(text)), file, {});
+  return whole(parse(std::make_shared<const MappedFile>(std::move(text)), file, {}), file);
 }
 
 Channels read_recording(const std::filesystem::path& file,
                         const std::map<std::string, std::string>& units) {
+  return whole(read_whole_recording(file, units), file.string());
+}
+
+Recording read_whole_recording(const std::filesystem::path& file,
+                               const std::map<std::string, std::string>& units) {
   const std::string ending = lower(file.extension().string());
-  if (ending == ".tdx" || ending == ".tydex" || ending == ".tda" || ending == ".tdb")
-    return TydexFile::read(file).channels;
-  if (ending == ".mat") return MatFile::read(file).channels(units);
+  if (ending == ".tdx" || ending == ".tydex" || ending == ".tda" || ending == ".tdb") {
+    TydexFile tydex = TydexFile::read(file);
+    Recording recording{tydex.channels, {}, tydex.left_out};
+    for (std::size_t i = 0; i < tydex.descriptions.size(); ++i) {
+      TableColumn column{.name = tydex.channels.all()[i].name, .unit = tydex.descriptions[i].unit};
+      column.title = column.name;
+      column.line = column.unit_line = tydex.descriptions[i].line;
+      column.place = static_cast<int>(i + 1);
+      recording.columns.push_back(std::move(column));
+    }
+    return recording;
+  }
+  if (ending == ".mat") {
+    auto named = MatFile::read(file).named_channels(units);
+    return {std::move(named.channels), std::move(named.columns), std::move(named.left_out)};
+  }
   if (ending == ".csv" || ending == ".txt")
     return parse(std::make_shared<const MappedFile>(file, kLargestRecording), file.string(), units);
   throw InputError({file.string(), 0},

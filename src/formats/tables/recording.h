@@ -10,7 +10,9 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
+#include "formats/tables/table_column.h"
 #include "measurement/channels.h"
 
 namespace latsch::formats {
@@ -20,6 +22,17 @@ namespace latsch::formats {
 /// unknown unit, a name that comes twice, an ending it does not know, more than 2 GB.
 Channels read_recording(const std::filesystem::path& file,
                         const std::map<std::string, std::string>& units = {});
+
+/// The same with what the file says of each channel. A column of an unknown unit is left out with
+/// the reason, unless `units` has its name.
+struct Recording {
+  Channels channels;
+  std::vector<TableColumn> columns;             // of the channels
+  std::map<std::string, std::string> left_out;  // name -> why
+  int header_line = 0;                          // of the units; 0: the file has no lines
+};
+Recording read_whole_recording(const std::filesystem::path& file,
+                               const std::map<std::string, std::string>& units = {});
 
 /// Separated values out of a text.
 Channels parse_recording(std::string text, const std::string& file_name);

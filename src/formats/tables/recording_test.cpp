@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/file.h"
+#include "base/scratch_folder_testing.h"
 #include "base/spoiled_text_testing.h"
 #include "formats/tables/csv_table.h"
 
@@ -95,6 +97,18 @@ TEST(Recording, SpoiledOnesEndInFiniteNumbersOrAnInputError) {
   }
   EXPECT_GT(rejected, kMutations / 10);
   EXPECT_LT(rejected, kMutations);
+}
+
+// A column that nobody needs may be in a unit that nobody knows.
+TEST(Recording, LeavesOutAColumnOfAnUnknownUnitWithTheReason) {
+  const ScratchFolder folder;
+  write_text_file(folder / "r.csv", "time [s],Fz [kN],odd [grC]\n0,1,x\n1,2,y\n");
+  const auto recording = read_whole_recording(folder / "r.csv");
+  EXPECT_EQ(recording.channels["Fz"], (std::vector<double>{1000.0, 2000.0}));
+  EXPECT_EQ(recording.columns.size(), 2u);
+  ASSERT_TRUE(recording.left_out.contains("odd"));
+  EXPECT_NE(recording.left_out.at("odd").find("unknown unit \"grC\""), std::string::npos);
+  EXPECT_THROW(read_recording(folder / "r.csv"), InputError);
 }
 
 }  // namespace

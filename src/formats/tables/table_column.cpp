@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "base/unit_reading.h"
 #include "formats/text/letter_case.h"
+#include "measurement/meaning/natural_unit.h"
 
 namespace latsch::formats {
 namespace {
@@ -25,6 +26,20 @@ bool is_unit_in_round_brackets(std::string_view unit, std::string_view name) {
     return unit == "N" || unit == "m" || unit == "s" || unit == "g" || unit == "V";
   }
   return looks_like_unit(unit);
+}
+
+/// The unit that a message proposes in place of `written`. A mass where a force is expected is most
+/// likely the weight of that mass: "kgf" for "kg", "kgf m" for "kg m".
+std::string unit_to_propose(std::string_view written, const std::string& expected) {
+  using Pair = std::pair<std::string_view, std::string_view>;
+  for (const auto& [mass, force] :
+       {Pair{"kg", "kgf"}, Pair{"lbm", "lbf"}, Pair{"tonne", "tf"}, Pair{"t", "tf"}}) {
+    if (!written.starts_with(mass)) continue;
+    const std::string weight = std::string(force) + std::string(written.substr(mass.size()));
+    const auto unit = Unit::find(weight);
+    if (unit && unit->same_dimension(Unit::of(expected))) return weight;
+  }
+  return natural_unit(expected);
 }
 
 std::string called_column(const TableColumn& column) { return "column " + in_quotes(column.name); }
@@ -91,7 +106,27 @@ std::string fault_of_unit(const TableColumn& column, const std::string& expected
   return called_column(column) +
          (column.unit.empty() ? " has no unit" : " is in " + in_quotes(column.unit)) +
          ", expected " + words_for(wanted).noun + ", such as " +
-         in_quotes(column.name + " [" + expected + "]");
+         unit_in_file(column, unit_to_propose(column.unit, expected));
+}
+
+std::string unit_in_file(const TableColumn& column, const std::string& unit) {
+  switch (column.unit_place) {
+    case UnitPlace::title:
+      break;
+    case UnitPlace::title_without_blanks: {
+      std::string joined = unit;  // "N.m" for "N m"
+      std::replace(joined.begin(), joined.end(), ' ', '.');
+      return in_quotes(column.name + "[" + joined + "]");
+    }
+    case UnitPlace::row_below:
+      return fmt::format(
+          "{} below {} in line {}", in_quotes(unit), in_quotes(column.name), column.unit_line);
+    case UnitPlace::field:
+      return fmt::format("{} in the field of the unit", in_quotes(unit));
+    case UnitPlace::text_beside:
+      return fmt::format("a struct {0} with {0}.data and {0}.unit = '{1}'", column.name, unit);
+  }
+  return in_quotes(column.name + " [" + unit + "]");
 }
 
 void take_unit_of_name(TableColumn& column, const std::string& expected) {
@@ -160,6 +195,9 @@ std::string reason_of_no_number(std::string_view cell, std::string_view kind_of_
         ", a decimal comma, which is not read in {}: write a decimal point, or a .csv with "
         "semicolons or tabs between the columns",
         kind_of_file);
+  for (const char* minus : {"\u2212", "\u2013", "\u2010", "\u2011"})
+    if (cell.find(minus) != cell.npos)
+      return ", a typographic minus, expected the hyphen of the keyboard (-)";
   std::string digits;
   for (const char c : cell)
     if (c != ',' && c != '.' && c != '\'' && c != ' ') digits += c;
@@ -168,21 +206,10 @@ std::string reason_of_no_number(std::string_view cell, std::string_view kind_of_
 }
 
 bool is_gap_word(std::string_view cell) {
-  static constexpr std::array<std::string_view, 15> kWords = {"",
-                                                              "nan",
-                                                              "-nan",
-                                                              "n/a",
-                                                              "na",
-                                                              "#n/a",
-                                                              "null",
-                                                              "none",
-                                                              "-",
-                                                              "--",
-                                                              "---",
-                                                              "?",
-                                                              "*",
-                                                              "notavail",
-                                                              "missing"};
+  static constexpr std::array<std::string_view, 21> kWords = {
+      "n.a.", "#nv",  "1.#qnan", "-1.#ind", "1.#ind", "-1.#qnan", "",
+      "nan",  "-nan", "n/a",     "na",      "#n/a",   "null",     "none",
+      "-",    "--",   "---",     "?",       "*",      "notavail", "missing"};
   const std::string word = lower(trimmed(cell));
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }

@@ -12,6 +12,15 @@
 
 namespace latsch::formats {
 
+/// Where a file states the unit of a column.
+enum class UnitPlace {
+  title,                 // "force [N]"
+  title_without_blanks,  // "force[N]": blanks stand between the columns
+  row_below,             // in a row of units below the row of names
+  field,                 // a field of its own, as in TYDEX
+  text_beside            // a text beside the numbers: `Fz.unit` of `Fz.data` in a MAT file
+};
+
 /// A column, channel or vector as its file states it.
 struct TableColumn {
   std::string name;          // without the unit
@@ -21,6 +30,7 @@ struct TableColumn {
   int unit_line = 0;         // of the unit
   int place = 0;             // among the columns, from 1
   std::string assumed = {};  // about a unit with several meanings, which one is taken
+  UnitPlace unit_place = UnitPlace::title;
 
   bool operator==(const TableColumn&) const = default;
 };
@@ -45,6 +55,9 @@ Unit unit_of_column(TableColumn& column, const std::string& expected, const Plac
 /// `column "FZ" has unknown unit "kgg"`: the words of that error; empty where the unit is
 /// right.
 std::string fault_of_unit(const TableColumn& column, const std::string& expected);
+
+/// How to write a unit for the column into its file: `"force [N]"`, `"N" below "force" in line 2`.
+std::string unit_in_file(const TableColumn& column, const std::string& unit);
 
 /// Takes the unit that somebody states for a column: it has to be that of the file where the file
 /// states one, else it becomes the column's. An empty text states nothing. Throws InputError at

@@ -13,6 +13,7 @@
 #include "base/unit_reading.h"
 #include "formats/text/letter_case.h"
 #include "formats/text/text_encoding.h"
+#include "measurement/meaning/natural_unit.h"
 
 namespace latsch::formats {
 namespace {
@@ -175,11 +176,30 @@ class Reading {
     const TydexName* known = find_tydex_name(entry.name);
     if (number && std::isfinite(static_cast<double>(*number)) &&
         !(known && known->si_unit.empty())) {
+      if (const std::string fault = fault_of_own(entry.name, entry.unit); !fault.empty()) {
+        leave_out(entry, fault);
+        entries.push_back(std::move(entry));
+        return;
+      }
       const Unit unit = unit_of(entry.name, entry.unit, !entry.unit.empty());
       entry.number = unit.to_si(*number);
       entry.si_unit = si_unit(unit.dimension());
     }
     entries.push_back(std::move(entry));
+  }
+
+  void leave_out(const TydexFile::Entry& entry, const std::string& why) {
+    file_.left_out[entry.name] = why;
+    file_.left_units[entry.name] = {entry.line, entry.unit};
+  }
+
+  /// `has unknown unit "grC"` of a name of the laboratory's own, whose values nobody needs to
+  /// understand; empty where the unit is known or the name is one of TYDEX.
+  std::string fault_of_own(const std::string& name, const std::string& written) const {
+    const TydexName* known = find_tydex_name(name);
+    if (known && !known->si_unit.empty()) return "";
+    const UnitReading reading = reading_of_unit(written);
+    return reading.unit ? "" : "has " + reading.fault;
   }
 
   /// Throws for no unit and for one of the wrong dimension where the name tells it.
@@ -190,17 +210,18 @@ class Reading {
     const UnitReading reading =
         told ? reading_of_unit(written, expected) : reading_of_unit(written);
     if (!reading.unit)
-      fail(
-          line_,
-          name +
-              (told ? fmt::format(" ({}, such as \"{}\")", words_for(expected).noun, known->si_unit)
-                    : "") +
-              " has " + reading.fault);
+      fail(line_,
+           name +
+               (told ? fmt::format(" ({}, such as \"{}\")",
+                                   words_for(expected).noun,
+                                   natural_unit(known->si_unit))
+                     : "") +
+               " has " + reading.fault);
     if (!strict || !told || reading.unit->same_dimension(expected)) return *reading.unit;
     fail(line_,
          name + (written.empty() ? " has no unit" : " is in " + in_quotes(written)) +
              ", expected " + words_for(expected).noun + " (" + std::string(known->meaning) +
-             "), such as " + in_quotes(known->si_unit));
+             "), such as " + in_quotes(natural_unit(known->si_unit)));
   }
 
   void take_channel(std::string_view line) {
@@ -215,7 +236,9 @@ class Reading {
     if (!names_.insert(entry.name).second) fail(line_, "channel " + entry.name + " comes twice");
     if (raw_.size() == kMostChannels)
       fail(line_, fmt::format("more than {} channels", kMostChannels));
-    units_.push_back(unit_of(entry.name, about.unit, true));
+    const std::string fault = fault_of_own(entry.name, about.unit);
+    if (!fault.empty()) leave_out(entry, fault);
+    units_.push_back(fault.empty() ? unit_of(entry.name, about.unit, true) : Unit::of("1"));
     double* const values[] = {&about.factor, &about.measured_offset, &about.physical_offset};
     const auto words = words_of(entry.text);
     for (std::size_t i = 0; i < std::min<std::size_t>(3, words.size()); ++i) {
@@ -272,7 +295,17 @@ class Reading {
     if (seen_.contains("**MEASURDATA") && file_.lines.empty()) {
       fail(line_, "ends **MEASURDATA without a sample");
     }
-    for (Channel& channel : raw_) file_.channels.add(std::move(channel));
+    std::vector<TydexFile::Description> kept;
+    for (std::size_t i = 0; i < raw_.size(); ++i) {
+      if (file_.left_out.contains(raw_[i].name)) continue;
+      file_.channels.add(std::move(raw_[i]));
+      kept.push_back(std::move(file_.descriptions[i]));
+    }
+    if (kept.empty() && !raw_.empty())
+      fail(file_.descriptions.front().line,
+           raw_.front().name + " " + file_.left_out.at(raw_.front().name) +
+               ", and no other channel is left");
+    file_.descriptions = std::move(kept);
   }
 
   std::string_view text_;

@@ -23,9 +23,11 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -62,8 +64,10 @@ struct TydexFile {
   std::vector<Entry> constants;
   std::vector<Section> model;
   Channels channels;
-  std::vector<Description> descriptions;  // of each channel
-  std::vector<int> lines;                 // of each sample
+  std::vector<Description> descriptions;        // of each channel
+  std::vector<int> lines;                       // of each sample
+  std::map<std::string, std::string> left_out;  // channels and constants of unknown units -> why
+  std::map<std::string, std::pair<int, std::string>> left_units;  // their lines and units
 
   /// Throw InputError naming file, line, what was found and expected: also for a file without
   /// **HEADER or **END, which is a torso.

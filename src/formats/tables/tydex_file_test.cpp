@@ -212,5 +212,19 @@ TEST(TydexFile, ReadsTheCorneringTestsAsTheyAreNamed) {
   }
 }
 
+// The unit of a channel that the format does not know is nobody's concern but its own.
+TEST(TydexFile, LeavesOutAChannelOfItsOwnWhoseUnitIsUnknown) {
+  const std::string text =
+      kHead + "TREADDEP  Depth                         32nds     8\n" + kChannels +
+      "SENSOR_7  Something                     grC       1         0         0\n"
+      "**MEASURDATA\n0 0.5 1.0 7\n0.1 1.5 2.0 8\n**END\n";
+  const TydexFile file = TydexFile::parse(text, "rig.tdx");
+  ASSERT_EQ(file.channels.all().size(), 3u);
+  ASSERT_EQ(file.descriptions.size(), 3u);
+  EXPECT_EQ(file.channels["FZW"], (std::vector<double>{1000.0, 2000.0}));
+  ASSERT_TRUE(file.left_out.contains("SENSOR_7"));
+  EXPECT_NE(file.left_out.at("SENSOR_7").find("unknown unit \"grC\""), std::string::npos);
+}
+
 }  // namespace
 }  // namespace latsch::formats

@@ -14,12 +14,28 @@ namespace {
 constexpr std::size_t kMostFields = 10000;  // in a row
 constexpr std::size_t kKept = 32u << 20;    // bytes of a large file that stay in memory
 
+/// The separator that a line "sep=;" of a spreadsheet's file says; 0 where it is no such line.
+char separator_said_by(std::string_view line) {
+  line = line.substr(0, line.find('\n'));
+  while (!line.empty() && (line.back() == '\r' || line.back() == '"')) line.remove_suffix(1);
+  if (line.starts_with('"')) line.remove_prefix(1);
+  constexpr std::string_view kSays = "sep=";
+  if (line.size() != kSays.size() + 1 || !line.starts_with(kSays)) return 0;
+  const char says = line.back();
+  return says == ';' || says == ',' || says == '\t' ? says : '\0';
+}
+
 }  // namespace
 
 CsvFields::CsvFields(std::shared_ptr<const MappedFile> source, std::string file)
     : file_(std::move(file)), source_(std::move(source)), text_(source_->text()) {
   if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
-  if (skip_to_row()) separator_ = find_separator();
+  if (!skip_to_row()) return;
+  separator_ = find_separator();
+  const char says = separator_said_by(text_.substr(at_));
+  if (says == 0) return;
+  separator_ = says;
+  skip_line();
 }
 
 void CsvFields::skip_line() {

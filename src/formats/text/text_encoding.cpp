@@ -48,6 +48,10 @@ void expect_text(std::string_view bytes, const std::string& file) {
   const bool alternates = zero <= 1 && bytes.size() > 3 && bytes[zero + 2] == '\0';
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff") || alternates)
     throw InputError({file, 0}, "is UTF-16 text, expected UTF-8: save it as UTF-8");
+  if (bytes.find('\n') == bytes.npos && bytes.find('\r') < bytes.size() - 1)
+    throw InputError({file, 0},
+                     "has lines that end in a carriage return alone, as old Macintosh programs "
+                     "write them: save it with line feeds");
   if (zero == bytes.npos) return;
   const auto line = std::count(bytes.begin(), bytes.begin() + static_cast<long>(zero), '\n') + 1;
   throw InputError({file, static_cast<int>(line)},

@@ -230,7 +230,7 @@ Json study_view(const ShelvedStudy& shelved, StudyRuns& runs) {
     view["failures"] = failures(table);
     view["warnings"] = warnings(study, sight);
     view["ledgers"] = Json::array();
-    for (const Ledger& ledger : correlation::ledgers_of(study))
+    for (const Ledger& ledger : correlation::all_ledgers_of(study))
       view["ledgers"].push_back(correlation::json_of(ledger));
     return view;
   });

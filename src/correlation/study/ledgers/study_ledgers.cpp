@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/units.h"
+#include "correlation/study/ledgers/file_ledgers.h"
 #include "formats/tables/csv_table.h"
 
 namespace latsch::correlation {
@@ -54,6 +55,12 @@ std::vector<Ledger> ledgers_of(const Study& study) {
   }
   for (const StudyTest& test : study.tests)
     for (Ledger& ledger : test.test->ledgers(test.in_words())) all.push_back(std::move(ledger));
+  return all;
+}
+
+std::vector<Ledger> all_ledgers_of(const Study& study) {
+  std::vector<Ledger> all = ledgers_of(study);
+  for (Ledger& ledger : ledgers_of_opened_files(study, all)) all.push_back(std::move(ledger));
   return all;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ledgers of all files with measured numbers that a study reads: its [measurement.NAME], files
-// that experiments name, tables of its tests.
+// The ledgers of all files that a study reads: its [measurement.NAME], files that experiments name,
+// tables of its tests, and the model, the tests and the files that these name (file_ledgers.h).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,8 +11,11 @@
 
 namespace latsch::correlation {
 
-/// In the order of the file: measurements, experiments, tests.
+/// Of files with measured numbers, in the order of the file: measurements, experiments, tests.
 std::vector<Ledger> ledgers_of(const Study& study);
+
+/// The same and behind them those of every other file that the study opens.
+std::vector<Ledger> all_ledgers_of(const Study& study);
 
 /// Throws InputError for the first doubt that is an error, naming file, line and column.
 void refuse_doubtful(const std::vector<Ledger>& ledgers);

@@ -13,6 +13,7 @@
 #include "measurement/axes.h"
 #include "measurement/meaning/channel_checks.h"
 #include "measurement/meaning/channel_words.h"
+#include "measurement/meaning/natural_unit.h"
 #include "models/magic_formula/magic_formula_slopes.h"
 
 namespace latsch {
@@ -86,14 +87,17 @@ const StateColumn* state_of(const formats::CsvTable& table, const std::string& c
     if (fits || Unit::of(state.unit).dimensionless() || !written.empty()) return &state;
     throw InputError(
         table.header_place(),
-        fmt::format(
-            "column {0} has no unit, and {1} is {2}: write it as {3}, or call the column "
-            "{1}, which is in {4} where it has no unit",
-            in_quotes(column),
-            state.name,
-            words_for(Unit::of(state.unit)).noun,
-            in_quotes(column + " [" + (found->unit.empty() ? state.unit : found->unit) + "]"),
-            state.unit));
+        fmt::format("column {0} has no unit, and {1} is {2}: write it as {3}, or call the column "
+                    "{1}, which is in {4} where it has no unit",
+                    in_quotes(column),
+                    state.name,
+                    words_for(Unit::of(state.unit)).noun,
+                    formats::unit_in_file(
+                        *std::find_if(table.header().begin(),
+                                      table.header().end(),
+                                      [&](const auto& one) { return one.name == column; }),
+                        found->unit.empty() ? natural_unit(state.unit) : found->unit),
+                    state.unit));
   }
   return nullptr;
 }
