@@ -56,17 +56,17 @@ struct Fitted {
 
 Fitted fitted(const fs::path& file) {
   Fitted result{read_study(file, experiment::language()), {}, {}};
-  std::optional<DesignPoint> best;
+  std::optional<StageEnd> before;
   for (int k = 0; k < stage_count(result.study); ++k) {
-    const Study part = stage(result.study, k, best);
+    const Study part = weighted_stage(result.study, k, before);
     Journal journal = Journal::open(part.run.journal, identity(part));
     InlineExecutor executor(evaluator(part));
-    const long before = journal.size();
+    const long known = journal.size();
     const Fit fit = correlation::fit(part, executor, journal, {.max_steps = part.max_steps});
-    result.recordings.push_back(journal.size() - before);
-    best = fit.run.best()->point;
+    result.recordings.push_back(journal.size() - known);
+    result.point = fit.run.best()->point;
+    before = end_of_stage(result.study, k, result.point, journal, before);
   }
-  result.point = *best;
   return result;
 }
 
@@ -89,8 +89,8 @@ double relative_error(const Study& study, const std::string& name, const Channel
 /// Returns the study with the side force alone.
 std::string of_side_force(const std::string& study) {
   const std::string text =
-      std::regex_replace(study, std::regex("(experiment[.]Mz|stage[.]Mz|variable[.]Q).*\n"), "");
-  return std::regex_replace(text, std::regex(", \"(Q|PPZ)[A-Z0-9]+\""), "");
+      std::regex_replace(study, std::regex("(experiment[.]M|stage[.]M|variable[.]Q).*\n"), "");
+  return std::regex_replace(text, std::regex(", \"(Q|PPZ|PPM)[A-Z0-9]+\""), "");
 }
 
 /// Returns the study with those pressures fitted and the other ones predicted.

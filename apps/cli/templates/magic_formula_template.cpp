@@ -315,6 +315,8 @@ std::string tire_text(const TireTest& t,
   for (const auto& field : magic_formula::parameter_fields())
     if (p.*field.member != field.fallback)
       remarks.of_keys[std::string(field.name)] = "assumed by latsch new";
+  for (const char* word : {"FITTYP", "TYRESIDE", "USE_MODE"})
+    remarks.of_keys[word] = "assumed by latsch new";
   const auto seen = [&](const char* name, const char* how) { remarks.of_keys[name] = how; };
   seen("FNOMIN", "from the recordings: median load");
   if (t.has("p")) {

@@ -104,6 +104,17 @@ class Studies(unittest.TestCase):
         self.assertEqual(study.trials().channels, {})
         self.assertEqual(len(result["variables"]), len(study.variables))
 
+    def test_the_file_of_the_fitted_model_is_that_of_the_program(self):
+        study = self.compliance("fitted_text")
+        file = pathlib.Path(study.file)
+        self.assertIn("Not fitted: initial values", study.fitted_text("2026-01-01"))
+        study.run(1, progress=False)
+        exported = file.parent / "exported.toml"
+        subprocess.run([LATSCH, "export", str(file), "--model", str(exported), "--quiet"], check=True,
+                       env={**os.environ, "SOURCE_DATE_EPOCH": "1767225600"})
+        self.assertEqual(study.fitted_text("2026-01-01"), exported.read_text())
+        self.assertRegex(exported.read_text(), r"# Target: ")
+
     def test_slopes_of_a_score_are_the_limits_of_differences(self):
         study = self.compliance()
         x = study.space.initial
