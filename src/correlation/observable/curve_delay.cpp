@@ -11,7 +11,7 @@ namespace {
 constexpr double kWidest = 0.1;  // share of the record, to each side
 constexpr int kCoarsest = 20;    // steps of the grid at least
 constexpr int kFinest = 2000;    // and at most: finer than that costs time and finds nothing new
-constexpr int kMostStepsOfDelay = 30;  // Gauss-Newton steps; two or three are usual
+constexpr int kMostDelaySteps = 30;  // Gauss-Newton steps; two or three are usual
 constexpr double kRoom = 1e-3;         // share of a simulated step; less is rounding of time
 constexpr double kSettled = 1e-12;     // share of the range; a smaller step ends the search
 
@@ -61,7 +61,7 @@ FittedDelay fit_delay(const DelayRange& range,
   const double upper = std::min(range.upper, delay.value + width / steps);
   DelayedDifferences at = differences(delay.value);
   double sum = dot(at.d, at.d);
-  for (int k = 0; k < kMostStepsOfDelay; ++k) {
+  for (int k = 0; k < kMostDelaySteps; ++k) {
     delay.stiffness = dot(at.by_delay, at.by_delay);
     if (!(delay.stiffness > 0.0)) break;
     double step = -dot(at.by_delay, at.d) / delay.stiffness;

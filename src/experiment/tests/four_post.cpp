@@ -152,6 +152,7 @@ class FourPost : public Test {
   FourPostTest test_;
   Frequencies frequencies_;
   std::string words_;
+  std::optional<PostSweep> sweep_;
   std::vector<Ledger> ledgers_;  // the ledger of a table of heights, without users
 };
 
