@@ -62,8 +62,7 @@ constexpr const char* kMeasurement = "deflection [mm],force [N]\n5,900\n10,2000\
 
 fs::path write_tire_study(const fs::path& folder, const CoarseMesh& mesh, double step_tolerance) {
   const fs::path tire = fs::path(LATSCH_SOURCE_DIR) / "studies/tires/passenger_225_50R16.toml";
-  write_text_file(folder / "tire.toml",
-                  with_coarse_mesh(read_text_file(tire), mesh));
+  write_text_file(folder / "tire.toml", with_coarse_mesh(read_text_file(tire), mesh));
   write_text_file(folder / "stiffness.csv", kMeasurement);
   write_text_file(folder / "study.toml",
                   fmt::format("{}step_tolerance = {}\n", kStudy, step_tolerance));

@@ -343,9 +343,9 @@ int attack(const Options& options) {
   const auto lost = std::count_if(all.begin(), all.end(), [](double s) { return s >= 10.0; });
   const double p99 = quantile(all, 0.99);
   table.full_row(fmt::format("{} pings under attack, p99", all.size()),
-            fmt::format("{:.1f} ms", 1e3 * p99),
-            "< 100 ms",
-            p99 < kMostPing);
+                 fmt::format("{:.1f} ms", 1e3 * p99),
+                 "< 100 ms",
+                 p99 < kMostPing);
   table.row("pings that were not answered", std::to_string(lost), "0", lost == 0);
   const double grown = server.peak_memory() - before;
   table.row("memory grown",

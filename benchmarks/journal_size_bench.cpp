@@ -135,9 +135,9 @@ Cost report(Table& table, const char* what, const std::vector<Trial>& trials, do
                                  trials.size());
   if (reach > 0.0) {
     table.full_row(what,
-              value,
-              fmt::format("<= {:g}, every bit the same", reach),
-              cost.share <= reach && cost.is_same);
+                   value,
+                   fmt::format("<= {:g}, every bit the same", reach),
+                   cost.share <= reach && cost.is_same);
   } else {
     table.note(what, value);
   }

@@ -150,9 +150,9 @@ void compare(Table& table, const std::string& what, const std::function<Run()>& 
             "<= 1e-5",
             largest_difference(baseline.results, avx2.results) <= 1e-5);
   table.full_row(what + ", avx2 against baseline",
-            fmt::format("{:.2f} x the time", avx2.cost.ratio() / baseline.cost.ratio()),
-            "<= 0.9",
-            avx2.cost.ratio() <= 0.9 * baseline.cost.ratio());
+                 fmt::format("{:.2f} x the time", avx2.cost.ratio() / baseline.cost.ratio()),
+                 "<= 0.9",
+                 avx2.cost.ratio() <= 0.9 * baseline.cost.ratio());
   if (!has(KernelSet::avx512)) {
     table.note(what + ", avx2 against avx512", "no AVX-512 here");
     return;
@@ -161,9 +161,9 @@ void compare(Table& table, const std::string& what, const std::function<Run()>& 
   const bool same = same_bits(avx2.results, avx512.results);
   table.row(what + ", avx2 against avx512, bits", same ? "the same" : "others", "the same", same);
   table.full_row(what + ", avx2 against avx512",
-            fmt::format("{:.2f} x the time", avx2.cost.ratio() / avx512.cost.ratio()),
-            "<= 2.2",
-            avx2.cost.ratio() <= 2.2 * avx512.cost.ratio());
+                 fmt::format("{:.2f} x the time", avx2.cost.ratio() / avx512.cost.ratio()),
+                 "<= 2.2",
+                 avx2.cost.ratio() <= 2.2 * avx512.cost.ratio());
 }
 
 int bench(const Options& options) {
@@ -174,7 +174,8 @@ int bench(const Options& options) {
     const Beside fused = beside(Yardstick::multiply_add, rounds, [] {});
     table.note(fmt::format("a multiply-add of one lane, {}", name(set)), as_time(fused.yardstick));
   }
-  table.note("a byte from array to array", as_time(beside(Yardstick::byte, options.size(5, 1), [] {}).yardstick));
+  table.note("a byte from array to array",
+             as_time(beside(Yardstick::byte, options.size(5, 1), [] {}).yardstick));
   compare(table, "Magic Formula, one state", [&] { return one_by_one(rounds); });
   compare(table, "Magic Formula, of many at once", [&] { return many_at_once(rounds); });
   compare(table, "ring over a cleat, a step and its share of settling", [&] {
@@ -185,6 +186,4 @@ int bench(const Options& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return latsch::benchmarks::run_benchmark(argc, argv, {}, bench);
-}
+int main(int argc, char** argv) { return latsch::benchmarks::run_benchmark(argc, argv, {}, bench); }

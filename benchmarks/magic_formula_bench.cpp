@@ -75,9 +75,9 @@ constexpr double kAtanThere = 9.5e-9;
 
 void row(benchmarks::Table& table, const std::string& what, const Beside& cost, double reach) {
   table.full_row(what,
-            in_units(cost, Yardstick::atan),
-            fmt::format("<= {:.3g} atan ({})", reach / kAtanThere, benchmarks::as_time(reach)),
-            cost.ratio() <= reach / kAtanThere);
+                 in_units(cost, Yardstick::atan),
+                 fmt::format("<= {:.3g} atan ({})", reach / kAtanThere, benchmarks::as_time(reach)),
+                 cost.ratio() <= reach / kAtanThere);
 }
 
 void speed(const benchmarks::Options& options, benchmarks::Table& table) {
@@ -103,7 +103,9 @@ void speed(const benchmarks::Options& options, benchmarks::Table& table) {
                          }).per(static_cast<double>(many));
   row(table, "of 10^6 states at once, forces and moments, one core", columns, 0.15e-6);
   std::vector<SteadyState> results(many);
-  const Beside all = beside(Yardstick::atan, 5, [&] { tire.evaluate(states, results); }).per(static_cast<double>(many));
+  const Beside all = beside(Yardstick::atan, 5, [&] {
+                       tire.evaluate(states, results);
+                     }).per(static_cast<double>(many));
   row(table, "of 10^6 states at once, everything, one core", all, 0.2e-6);
   table.note("sum of side forces, so that nothing is left out", fmt::format("{:.3f} N", sum));
 }
@@ -181,6 +183,4 @@ int bench(const benchmarks::Options& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return latsch::benchmarks::run_benchmark(argc, argv, {}, bench);
-}
+int main(int argc, char** argv) { return latsch::benchmarks::run_benchmark(argc, argv, {}, bench); }

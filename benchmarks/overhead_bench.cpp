@@ -110,19 +110,19 @@ int run(const Options& options) {
   const int passes = options.size(5, 1);
   const double in_process = quickest(passes, time_in_process);
   table.full_row("search and scheduler in this process, an evaluation",
-            fmt::format("{:.1f} us", 1e6 * in_process),
-            "< 50 us",
-            in_process < 50e-6);
+                 fmt::format("{:.1f} us", 1e6 * in_process),
+                 "< 50 us",
+                 in_process < 50e-6);
   const double external = quickest(passes, time_with_journal);
   table.full_row("evaluation in a worker, committed to the journal",
-            fmt::format("{:.2f} ms", 1e3 * external),
-            "< 3 ms",
-            external < 3e-3);
+                 fmt::format("{:.2f} ms", 1e3 * external),
+                 "< 3 ms",
+                 external < 3e-3);
   const double step = quickest(passes, time_of_a_step_with_journal);
   table.full_row("step of a search in a worker, on the disk before the next",
-            fmt::format("{:.2f} ms", 1e3 * step),
-            "< 3 ms",
-            step < 3e-3);
+                 fmt::format("{:.2f} ms", 1e3 * step),
+                 "< 3 ms",
+                 step < 3e-3);
   table.note("of this, to the worker and back",
              fmt::format("{:.1f} us", 1e6 * quickest(passes, time_of_a_round_trip)));
   return table.exit_code();

@@ -75,9 +75,9 @@ int bench(const benchmarks::Options& options) {
     int steps = 0;
     const double step = a_step(gss, 1, options.size(3000, 100), steps);
     table.full_row(fmt::format("GSS, {} variables, a step", n),
-              fmt::format("{:.2f} ms, {} steps", 1e3 * step, steps),
-              "<= 10 ms",
-              step <= 10e-3);
+                   fmt::format("{:.2f} ms, {} steps", 1e3 * step, steps),
+                   "<= 10 ms",
+                   step <= 10e-3);
   }
   const int kMany = options.size(20'000, 1'000), kFew = 200;
   const DesignSpace space = cube(6);
@@ -99,6 +99,4 @@ int bench(const benchmarks::Options& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return latsch::benchmarks::run_benchmark(argc, argv, {}, bench);
-}
+int main(int argc, char** argv) { return latsch::benchmarks::run_benchmark(argc, argv, {}, bench); }

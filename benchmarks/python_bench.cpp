@@ -148,7 +148,8 @@ int bench(const benchmarks::Options& options) {
   compare(table, Method::levenberg_marquardt, 4);
   if (!options.is_smoke()) compare(table, Method::levenberg_marquardt, 12);
   const double import = import_seconds(options.size(5, 1));
-  table.full_row("import latsch", fmt::format("{:.3f} s", import), "<= 0.2 s", import <= kMostImport);
+  table.full_row(
+      "import latsch", fmt::format("{:.3f} s", import), "<= 0.2 s", import <= kMostImport);
   return table.exit_code();
 }
 

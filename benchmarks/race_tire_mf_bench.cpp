@@ -169,7 +169,9 @@ int bench(const benchmarks::Options& options) {
   table.note("lines of TOML written",
              fmt::format("{}", std::count(study.begin(), study.end(), '\n')));
   study = std::regex_replace(  // all of the run; in a smoke run every hundredth sample
-      study, std::regex(", every = \\d+"), options.size("", ", every = 100"));
+      study,
+      std::regex(", every = \\d+"),
+      options.size("", ", every = 100"));
   write_text_file(folder / "study.toml", study);
   const Fitted found = fitted(folder / "study.toml");
   long total = 0;
@@ -180,9 +182,9 @@ int bench(const benchmarks::Options& options) {
   }
   table.note("recordings of all stages", fmt::format("{}", total));
   table.full_row("recordings with slopes in the joint stage",
-            fmt::format("{}", found.recordings.back()),
-            "<= 15",
-            found.recordings.back() <= 15);
+                 fmt::format("{}", found.recordings.back()),
+                 "<= 15",
+                 found.recordings.back() <= 15);
   const auto trial = evaluator(found.study)(found.point);
   table.row("stages fitted, one after the other",
             fmt::format("{}", found.recordings.size()),
@@ -192,13 +194,13 @@ int bench(const benchmarks::Options& options) {
   const double Fy = relative_error(found.study, "Fy", *trial),
                Mz = relative_error(found.study, "Mz", *trial);
   table.full_row("Fy over the whole run, RMS error",
-            fmt::format("{:.3f} %", 100 * Fy),
-            "<= 4.0 %",
-            Fy <= 0.04);
+                 fmt::format("{:.3f} %", 100 * Fy),
+                 "<= 4.0 %",
+                 Fy <= 0.04);
   table.full_row("Mz over the whole run, RMS error",
-            fmt::format("{:.2f} %", 100 * Mz),
-            "<= 19 % (published set)",
-            Mz <= 0.19);
+                 fmt::format("{:.2f} %", 100 * Mz),
+                 "<= 19 % (published set)",
+                 Mz <= 0.19);
   table.note("CPU time of all stages",
              fmt::format("{:.1f} s", double(std::clock() - begin) / CLOCKS_PER_SEC));
   if (!options.is_smoke()) {
@@ -210,6 +212,4 @@ int bench(const benchmarks::Options& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return latsch::benchmarks::run_benchmark(argc, argv, {}, bench);
-}
+int main(int argc, char** argv) { return latsch::benchmarks::run_benchmark(argc, argv, {}, bench); }

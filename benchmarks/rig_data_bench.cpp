@@ -286,9 +286,9 @@ void process_ten_minutes(Table& table, double hold) {
   table.note("  reading the file", fmt::format("{:.2f} s", reading));
   table.note("  processing, tables, page", fmt::format("{:.2f} s", processing));
   table.full_row("ten minutes, ten channels, 2 kHz, file to page (CPU, best of 3)",
-            fmt::format("{:.2f} s", reading + processing),
-            "<= 5 s",
-            reading + processing <= 5.0);
+                 fmt::format("{:.2f} s", reading + processing),
+                 "<= 5 s",
+                 reading + processing <= 5.0);
 }
 
 }  // namespace

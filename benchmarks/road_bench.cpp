@@ -167,12 +167,13 @@ int road_bench(const Options& options) {
   const auto compare = [&](const std::string& what, double small, double large) {
     table.note(what + ", small", nanoseconds(small));
     table.full_row(what + ", a hundred times the data",
-              fmt::format("{} = {:.2f} times", nanoseconds(large), large / small),
-              "<= 2 times",
-              large <= 2.0 * small);
+                   fmt::format("{} = {:.2f} times", nanoseconds(large), large / small),
+                   "<= 2 times",
+                   large <= 2.0 * small);
   };
   const TriangleRoad few = triangles(500), many = triangles(options.size(50000, 5000));
-  compare("10,000 triangles", cost(few, ahead(40.0)), cost(many, ahead(options.size(4000.0, 400.0))));
+  compare(
+      "10,000 triangles", cost(few, ahead(40.0)), cost(many, ahead(options.size(4000.0, 400.0))));
   const auto round = [](int rows) {
     return [=](double part) {
       const double radius = 0.1 * rows / (2.0 * std::numbers::pi), angle = 6.0 * part;
@@ -180,7 +181,9 @@ int road_bench(const Options& options) {
     };
   };
   const CrgRoad lap = track(1000), circuit = track(options.size(100000, 10000));
-  compare("OpenCRG of 1,000 rows", cost(lap, round(1000)), cost(circuit, round(options.size(100000, 10000))));
+  compare("OpenCRG of 1,000 rows",
+          cost(lap, round(1000)),
+          cost(circuit, round(options.size(100000, 10000))));
   return table.exit_code();
 }
 

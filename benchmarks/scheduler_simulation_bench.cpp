@@ -83,13 +83,12 @@ double time_with_stalls(const SearchProblem& problem,
 
 void stalls(Table& table, const SearchProblem& problem, int searches) {
   for (const int workers : {2, 4, 8}) {
-    const double share =
-        time_with_stalls(problem, workers, true, searches) /
-        time_with_stalls(problem, workers, false, searches);
+    const double share = time_with_stalls(problem, workers, true, searches) /
+                         time_with_stalls(problem, workers, false, searches);
     table.full_row(fmt::format("{} workers, 5 % stalls: time with unwanted ones stopped", workers),
-              fmt::format("{:.0f} %", 100.0 * share),
-              "< 100 %",
-              share < 1.0);
+                   fmt::format("{:.0f} %", 100.0 * share),
+                   "< 100 %",
+                   share < 1.0);
   }
 }
 

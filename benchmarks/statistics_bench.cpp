@@ -135,9 +135,9 @@ void coverage_rows(Table& table, bool noise_is_known, int sets) {
   const auto row = [&](const std::string& what, int hits) {
     const double share = static_cast<double>(hits) / sets;
     table.full_row(fmt::format("{}, {}", what, noise),
-              fmt::format("{:.1f} %", 100 * share),
-              "93 - 97 %",
-              0.93 <= share && share <= 0.97);
+                   fmt::format("{:.1f} %", 100 * share),
+                   "93 - 97 %",
+                   0.93 <= share && share <= 0.97);
   };
   for (int i = 0; i < 3; ++i) {
     row(fmt::format("linear interval of {} holds the truth", space[i].name), coverage.linear[i]);
@@ -247,9 +247,9 @@ void noise_rows(Table& table, const Curve& curve, const Noise& noise, int sets) 
     ok = ok && 0.93 <= share && share <= 0.97;
   }
   table.full_row(fmt::format("{}, {} noise: intervals hold the truth", curve.name, noise.name),
-            shares + " %",
-            "93 - 97 %",
-            ok);
+                 shares + " %",
+                 "93 - 97 %",
+                 ok);
 }
 
 constexpr int kMostEvaluations = 200;
@@ -336,9 +336,9 @@ void twin_row(Table& table, int twins) {
   };
   const int least = *std::min_element(held.begin(), held.end());
   table.full_row("twin of a Magic Formula tire with 2 % of noise: of 100 intervals hold the truth",
-            counts(held),
-            ">= 90",
-            least >= 90);
+                 counts(held),
+                 ">= 90",
+                 least >= 90);
   // PCY1 and PEY1 have similar effects on the curve: only the profile shows how far both may change
   // together.
   table.note("  the linear intervals of the same fits", counts(held_by_linear));

@@ -133,9 +133,9 @@ int run(const Options& options) {
 
   const auto milliseconds = [&](const char* what, const char* name, double most) {
     table.full_row(what,
-              fmt::format("{:.0f} ms", at.at(name)),
-              fmt::format("< {:g} ms", most),
-              at.at(name) < most);
+                   fmt::format("{:.0f} ms", at.at(name)),
+                   fmt::format("< {:g} ms", most),
+                   at.at(name) < most);
   };
   const auto none = [&](const char* what, const char* name) {
     table.row(what, fmt::format("{:g}", at.at(name)), "0", at.at(name) == 0.0);

@@ -26,10 +26,10 @@ namespace {
 // On 15 columns tire A has a second minimum of 0.08 % (docs/notebook/tire_fits.md).
 constexpr CoarseMesh kMesh{.meridional = 20, .sectors = 30};
 constexpr int kStarts = 20;
-constexpr int kGssStarts = 3;  // the first of them
+constexpr int kGssStarts = 3;          // the first of them
 constexpr int kMostEvaluations = 300;  // for each start
-constexpr int kReach = 60;        // evaluations without a Jacobian
-constexpr double kTarget = 5e-3;  // value of the target function
+constexpr int kReach = 60;             // evaluations without a Jacobian
+constexpr double kTarget = 5e-3;       // value of the target function
 constexpr double kModulusError = 0.01;
 
 /// Number of starts, and largest number of evaluations for each.
@@ -78,9 +78,9 @@ struct Solved {
 };
 
 Solved solve(const correlation::Study& study,
-                         const Evaluator& trial,
-                         Optimizer& optimizer,
-                         int most) {
+             const Evaluator& trial,
+             Optimizer& optimizer,
+             int most) {
   const Objective objective = correlation::objective(study);
   Solved solved;
   for (int k = 1; k <= most && !optimizer.converged(); ++k) {
@@ -107,11 +107,10 @@ std::string text(const correlation::Study& study, const Solved& solved) {
   std::string text = fmt::format("not solved, least target {:.3g} %", 100.0 * solved.least);
   for (int i = 0; i < study.space.size() && !solved.best.values.empty(); ++i) {
     const DesignVariable& variable = study.space[i];
-    text += fmt::format(", {} {}",
-                        variable.name,
-                        format_quantity(solved.best.values[static_cast<std::size_t>(i)],
-                                        variable.unit,
-                                        4));
+    text += fmt::format(
+        ", {} {}",
+        variable.name,
+        format_quantity(solved.best.values[static_cast<std::size_t>(i)], variable.unit, 4));
   }
   text += "; it ended " + solved.ending;
   if (solved.failed > 0)
@@ -131,11 +130,7 @@ Tries try_all(const correlation::Study& study,
     const auto optimizer = start_at(started_at_random(study, start));
     const Solved solved = solve(study, trial, *optimizer, effort.evaluations);
     if (solved.evaluations) tries.evaluations.push_back(*solved.evaluations);
-    fmt::print(stderr,
-               "  {}, start {}: {}\n",
-               what,
-               start + 1,
-               text(study, solved));
+    fmt::print(stderr, "  {}, start {}: {}\n", what, start + 1, text(study, solved));
   }
   return tries;
 }
@@ -170,9 +165,9 @@ void by_residuals(Table& table, const Twins& tires, const Effort& effort) {
     const Tries residual =
         tries_of(Method::residual_trust_region, tire + ", residual trust region", study, effort);
     table.full_row(what(tire, study) + ": residual trust region",
-              text(residual),
-              fmt::format("{} of {}, <= {}", effort.starts, effort.starts, kReach),
-              residual.solved() == effort.starts && residual.most() <= kReach);
+                   text(residual),
+                   fmt::format("{} of {}, <= {}", effort.starts, effort.starts, kReach),
+                   residual.solved() == effort.starts && residual.most() <= kReach);
   }
 }
 
@@ -192,7 +187,7 @@ int run(const Options& options) {
   }
   Table table("tire_fits", options);
   Twins tires{{"tire B", fresh_twin("tire_b_twin", kMesh)},
-                    {"tire A", fresh_twin("tire_a_twin", kMesh)}};
+              {"tire A", fresh_twin("tire_a_twin", kMesh)}};
   for (const auto& [tire, study] : tires) {
     const auto truth = correlation::simulate_all(study, true_point(study));
     const double target = truth ? correlation::objective(study)(*truth)->value : 1.0;
@@ -204,9 +199,10 @@ int run(const Options& options) {
   if (options.is_smoke()) tires.pop_back();
   // The methods are compared without the slopes that the studies' own search uses.
   for (auto& [tire, study] : tires) study.asks_slopes = false;
-  if (half != "gss") by_residuals(table, tires, options.size(Effort{kStarts, kMostEvaluations}, Effort{1, 8}));
-  if (half != "residuals") by_directions(
-        table, tires, options.size(Effort{kGssStarts, kMostEvaluations}, Effort{1, 4}));
+  if (half != "gss")
+    by_residuals(table, tires, options.size(Effort{kStarts, kMostEvaluations}, Effort{1, 8}));
+  if (half != "residuals")
+    by_directions(table, tires, options.size(Effort{kGssStarts, kMostEvaluations}, Effort{1, 4}));
   if (half == "gss") return 0;  // figures for comparison, without requirement
   return table.exit_code();
 }

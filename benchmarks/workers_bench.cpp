@@ -37,8 +37,9 @@ double trials_a_second(const correlation::Study& study, int workers, const Optio
       {.arguments = {program().string(), "worker", std::filesystem::absolute(study.file).string()},
        .workers = workers,
        .timeout = study.run.timeout});
-  const SamplingPlan plan = full_factorial(study.space.tightened(study.space.initial(), 0.2),
-                                           std::vector<int>(study.space.size(), options.size(2, 1)));
+  const SamplingPlan plan =
+      full_factorial(study.space.tightened(study.space.initial(), 0.2),
+                     std::vector<int>(study.space.size(), options.size(2, 1)));
   warm_up(executor, study.space.initial());
   const auto start = std::chrono::steady_clock::now();
   (void)run_doe(plan, executor, journal);
@@ -58,9 +59,9 @@ int run(const Options& options) {
   }
   table.note("one worker", fmt::format("{:.3f} trials/s", one));
   table.full_row("two workers against one",
-            fmt::format("{:.3f} trials/s, {:.2f} x", two, two / one),
-            fmt::format(">= {} x", kReach),
-            two >= kReach * one);
+                 fmt::format("{:.3f} trials/s, {:.2f} x", two, two / one),
+                 fmt::format(">= {} x", kReach),
+                 two >= kReach * one);
   table.note("cores of this machine", fmt::format("{}", std::thread::hardware_concurrency()));
   return table.exit_code();
 }

@@ -9,9 +9,9 @@
 //   k = 0.503, identifiable
 #include <cstdio>
 
+#include "optimization/design/sobol.h"
 #include "optimization/identifiability/identification.h"
 #include "optimization/trust_region/residual_trust_region.h"
-#include "optimization/design/sobol.h"
 
 using namespace latsch;
 
@@ -21,8 +21,9 @@ Eigen::VectorXd residuals(const DesignPoint& p) {  // measured - computed, divid
 }
 
 int main() {
-  const DesignSpace space({{.name = "A", .lower = 0.1, .upper = 10, .initial = 1},
-                           {.name = "k", .lower = 0.01, .upper = 5, .initial = 1, .scale = Scale::logarithmic}});
+  const DesignSpace space(
+      {{.name = "A", .lower = 0.1, .upper = 10, .initial = 1},
+       {.name = "k", .lower = 0.01, .upper = 5, .initial = 1, .scale = Scale::logarithmic}});
   ResidualTrustRegion optimizer(space);
   DesignPoint best;
   double least = 1e300;
@@ -31,8 +32,8 @@ int main() {
     if (r.squaredNorm() < least) least = r.squaredNorm(), best = p;
     optimizer.observe(p, Score{r.squaredNorm(), {r.begin(), r.end()}});
   };
-  for (const DesignPoint& p : sobol(space, 16).points) evaluate(p);    // a first look everywhere
-  while (!optimizer.converged()) evaluate(optimizer.propose(1)[0]);    // propose(8) for 8 workers
+  for (const DesignPoint& p : sobol(space, 16).points) evaluate(p);  // a first look everywhere
+  while (!optimizer.converged()) evaluate(optimizer.propose(1)[0]);  // propose(8) for 8 workers
 
   Identification what(space, best, {.confidence = {.sigma = 1.0}});
   while (!what.wanted().empty()) {
@@ -41,5 +42,8 @@ int main() {
     what.observe(outcomes);
   }
   for (const Profile& p : what.profiles())
-    std::printf("%s = %.3f, %s\n", space[p.variable].name.c_str(), best.values[p.variable], in_words(p).c_str());
+    std::printf("%s = %.3f, %s\n",
+                space[p.variable].name.c_str(),
+                best.values[p.variable],
+                in_words(p).c_str());
 }

@@ -39,9 +39,10 @@ int main(int argc, char** argv) try {
   std::printf("The search ended %s\n", fit.run.ending.c_str());
   for (int i = 0; i < stage.space.size(); ++i) {
     const DesignVariable& variable = stage.space[i];
-    std::printf("%s = %s\n",
-                variable.name.c_str(),
-                format_quantity(best->point.values[static_cast<std::size_t>(i)], variable.unit, 4).c_str());
+    std::printf(
+        "%s = %s\n",
+        variable.name.c_str(),
+        format_quantity(best->point.values[static_cast<std::size_t>(i)], variable.unit, 4).c_str());
   }
   return 0;
 } catch (const std::exception& error) {  // a study file with a fault: file, line, what was expected

@@ -41,9 +41,11 @@ struct SpringKind : SpecimenKind {
   std::vector<std::string> abilities() const override { return {Spring::kName}; }
   bool recognizes(const std::filesystem::path&) const override { return false; }
   Document read(const std::filesystem::path& file) const override { return Document::read(file); }
-  std::unique_ptr<Specimen> build(const Document& numbers, std::unique_ptr<Specimen>) const override {
-    return std::make_unique<Spring>(numbers.root().quantity("stiffness", "N/m", Range::positive()),
-                                    numbers.root().quantity("damping", "N s/m", Range::not_negative()));
+  std::unique_ptr<Specimen> build(const Document& numbers,
+                                  std::unique_ptr<Specimen>) const override {
+    return std::make_unique<Spring>(
+        numbers.root().quantity("stiffness", "N/m", Range::positive()),
+        numbers.root().quantity("damping", "N s/m", Range::not_negative()));
   }
 };
 

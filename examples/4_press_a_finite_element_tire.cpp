@@ -28,7 +28,9 @@ int main(int argc, char** argv) try {
     return 1;
   }
   std::printf("inflated at %.2f bar: radius %.1f mm, section width %.1f mm\n",
-              description.pressure / 1e5, inflated->radius * 1e3, inflated->width * 1e3);
+              description.pressure / 1e5,
+              inflated->radius * 1e3,
+              inflated->width * 1e3);
   const auto states = tire.press(*inflated, fe_tire::Ground{}, {0.005, 0.010, 0.020});
   if (!states) {
     std::fprintf(stderr, "%s\n", states.failure().reason.c_str());
@@ -36,15 +38,19 @@ int main(int argc, char** argv) try {
   }
   for (const fe_tire::TireState& state : *states) {
     const fe_tire::Standing standing = tire.stand(state);
-    std::printf("%4.0f mm: %6.0f N, footprint %.0f x %.0f mm\n", standing.deflection * 1e3, standing.force.z(),
-                standing.patch.length * 1e3, standing.patch.width * 1e3);
+    std::printf("%4.0f mm: %6.0f N, footprint %.0f x %.0f mm\n",
+                standing.deflection * 1e3,
+                standing.force.z(),
+                standing.patch.length * 1e3,
+                standing.patch.width * 1e3);
   }
   const auto modes = tire.modes(states->back(), 6);
   if (!modes) {
     std::fprintf(stderr, "%s\n", modes.failure().reason.c_str());
     return 1;
   }
-  for (const fe_tire::Mode& mode : *modes) std::printf("%6.1f Hz  %s\n", mode.frequency, mode.label().c_str());
+  for (const fe_tire::Mode& mode : *modes)
+    std::printf("%6.1f Hz  %s\n", mode.frequency, mode.label().c_str());
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

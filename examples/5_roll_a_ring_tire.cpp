@@ -28,7 +28,8 @@ int main(int argc, char** argv) try {
   constexpr double kDeflection = 0.02;  // m, of the standing tire
   constexpr double kStep = 0.5e-3;      // s, of the simulation
   // A cleat 15 mm high and 30 mm long lies across the road, half a meter ahead of the wheel's start.
-  const road::ProfileRoad road({.along = road::cleat_profile(0.015, 0.03, 0.0), .origin = {0.5, 0.0}});
+  const road::ProfileRoad road(
+      {.along = road::cleat_profile(0.015, 0.03, 0.0), .origin = {0.5, 0.0}});
 
   WheelMotion motion;
   motion.center.z() = tire.free_radius() - kDeflection;

@@ -26,7 +26,8 @@ int main(int argc, char** argv) try {
   // The identity makes the journal refuse a study whose model or tests have changed since.
   const Journal journal = Journal::read(argv[2], correlation::identity(study));
   const Objective objective = correlation::objective(study);
-  for (const DesignVariable& variable : study.space.variables()) std::printf("%s,", variable.name.c_str());
+  for (const DesignVariable& variable : study.space.variables())
+    std::printf("%s,", variable.name.c_str());
   std::printf("target\n");
   journal.for_each([&](const Trial& trial) {
     for (const double value : trial.point.values) std::printf("%.9g,", value);
@@ -35,7 +36,8 @@ int main(int argc, char** argv) try {
       return;
     }
     const Result<Score> score = objective(trial.point, *trial.outcome.result);
-    score ? std::printf("%.9g\n", score->value) : std::printf("not compared: %s\n", score.failure().reason.c_str());
+    score ? std::printf("%.9g\n", score->value)
+          : std::printf("not compared: %s\n", score.failure().reason.c_str());
   });
   return 0;
 } catch (const std::exception& error) {

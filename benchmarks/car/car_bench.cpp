@@ -216,10 +216,11 @@ void energy_rows(Table& table, double duration) {
   for (const bool locked : {true, false})
     for (const double step : {kStep, 5e-5}) {
       const double change = energy_change(locked, step, duration);
-      const std::string what = fmt::format("energy without damping, {}, over {} s in steps of {} ms",
-                                           locked ? "locked" : "springs",
-                                           duration,
-                                           1e3 * step);
+      const std::string what =
+          fmt::format("energy without damping, {}, over {} s in steps of {} ms",
+                      locked ? "locked" : "springs",
+                      duration,
+                      1e3 * step);
       const std::string value = fmt::format("{:.1e} of that of the motion", change);
       if (step == kStep)
         table.note(what, value);
@@ -294,6 +295,4 @@ int bench(const benchmarks::Options& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return latsch::benchmarks::run_benchmark(argc, argv, {}, bench);
-}
+int main(int argc, char** argv) { return latsch::benchmarks::run_benchmark(argc, argv, {}, bench); }

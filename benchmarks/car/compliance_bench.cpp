@@ -148,14 +148,14 @@ void add_fits(const std::vector<FittedCar>& cars, benchmarks::Table& table) {
             ">= 95 %",
             close >= 0.95 * static_cast<double>(count));
   table.full_row("CPU of a fit with its journal, the median car",
-            fmt::format("{:.3f} s, {:.0f} trials", time, median(steps)),
-            "< 0.2 s",
-            time < 0.2);
+                 fmt::format("{:.3f} s, {:.0f} trials", time, median(steps)),
+                 "< 0.2 s",
+                 time < 0.2);
   const auto slow = std::count_if(times.begin(), times.end(), [](double t) { return t >= 0.2; });
   table.full_row("cars fitted within 0.2 s of CPU",
-            fmt::format("{} of {}, slowest {:.2f} s", count - slow, count, slowest),
-            "all",
-            slow == 0);
+                 fmt::format("{} of {}, slowest {:.2f} s", count - slow, count, slowest),
+                 "all",
+                 slow == 0);
   table.note("wall time of the median car", fmt::format("{:.3f} s", median(wall_times)));
 }
 
@@ -163,13 +163,13 @@ void add_coverage(const std::vector<FittedCar>& cars, benchmarks::Table& table) 
   const Coverage measured = coverage_of(cars, &FittedCar::measured);
   const Coverage held_out = coverage_of(cars, &FittedCar::held_out);
   table.full_row(fmt::format("KPIs of {} cars inside their 90 % band (one KPI)", cars.size()),
-            measured.text(),
-            "90 +- 3 %",
-            measured.holds());
+                 measured.text(),
+                 "90 +- 3 %",
+                 measured.holds());
   table.full_row("a held-out load case inside its 90 % band (one output)",
-            held_out.text(),
-            "90 +- 3 %",
-            held_out.holds());
+                 held_out.text(),
+                 "90 +- 3 %",
+                 held_out.holds());
 }
 
 /// Result of a search of the study at `file`, judged by the cost of `by`.

@@ -53,9 +53,9 @@ void kinematics(latsch::benchmarks::Table& table, int rounds) {
   });
   const double curve = curves.time / kCurves;
   table.full_row("rigid links: a travel curve of 100 points, all outputs",
-            fmt::format("{:.3f} ms", 1e3 * curve),
-            "< 1.5 ms",
-            curve < 1.5e-3 && std::isfinite(sum));
+                 fmt::format("{:.3f} ms", 1e3 * curve),
+                 "< 1.5 ms",
+                 curve < 1.5e-3 && std::isfinite(sum));
   table.note("points a second", fmt::format("{:.0f}", kPoints / curve));
 }
 
@@ -77,9 +77,9 @@ int kc(const latsch::benchmarks::Options& options) {
   });
   const double rate = static_cast<double>(loads.size()) / nonlinear.time;
   table.full_row("nonlinear statics of a corner from rest, load cases a second",
-            fmt::format("{:.0f}", rate),
-            ">= 50000",
-            rate >= 50000.0 && failed == 0);
+                 fmt::format("{:.0f}", rate),
+                 ">= 50000",
+                 rate >= 50000.0 && failed == 0);
   table.row("what is left of forces and moments",
             fmt::format("{:.1e} N, N m, none failed", left),
             "<= 1e-6",
@@ -98,15 +98,13 @@ int kc(const latsch::benchmarks::Options& options) {
   });
   const double matrices = kMatrices / linear.time;
   table.full_row("6 x 6 compliance matrices a second",
-            fmt::format("{:.0f}", matrices),
-            ">= 200000",
-            matrices >= 200000.0 && std::isfinite(sum));
+                 fmt::format("{:.0f}", matrices),
+                 ">= 200000",
+                 matrices >= 200000.0 && std::isfinite(sum));
   kinematics(table, rounds);
   return table.exit_code();
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return latsch::benchmarks::run_benchmark(argc, argv, {}, kc);
-}
+int main(int argc, char** argv) { return latsch::benchmarks::run_benchmark(argc, argv, {}, kc); }

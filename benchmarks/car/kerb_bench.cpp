@@ -146,14 +146,15 @@ void aero_forces(Table& table, int draws) {
         square += std::pow(downforce[k] / test.downforce[k] - 1.0, 2) / (3.0 * draws);
       left += rest.norm() / draws;
     }
-    table.full_row(fmt::format("aero forces, push-rods with {:.0f} % noise a sample at 1 kHz, {:g} Hz, "
-                          "{:g} s without kerb: rms error",
-                          100.0 * noise,
-                          kEdge,
-                          kStretch),
-              fmt::format("{:.2f} %", 100.0 * std::sqrt(square)),
-              "<= 1 %",
-              square <= 1e-4);
+    table.full_row(
+        fmt::format("aero forces, push-rods with {:.0f} % noise a sample at 1 kHz, {:g} Hz, "
+                    "{:g} s without kerb: rms error",
+                    100.0 * noise,
+                    kEdge,
+                    kStretch),
+        fmt::format("{:.2f} %", 100.0 * std::sqrt(square)),
+        "<= 1 %",
+        square <= 1e-4);
     table.note("  of the four push-rods no loaders reach", fmt::format("{:.1f} N", left));
   }
 }
@@ -206,6 +207,4 @@ int kerb(const benchmarks::Options& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return latsch::benchmarks::run_benchmark(argc, argv, {}, kerb);
-}
+int main(int argc, char** argv) { return latsch::benchmarks::run_benchmark(argc, argv, {}, kerb); }

@@ -191,17 +191,17 @@ void race(Table& table,
              fmt::format("{:.2f} s", prepared - start));
   const double ratio = theirs / (finished - start);
   table.full_row(name + ": CPU ratio, preparation included",
-            fmt::format("{:.1f}", ratio),
-            fmt::format(">= {:.0f}", kRatio),
-            ratio >= kRatio);
+                 fmt::format("{:.1f}", ratio),
+                 fmt::format(">= {:.0f}", kRatio),
+                 ratio >= kRatio);
   if (options.is_smoke()) return;
   const double as_shipped = seconds_as_shipped(shipped_tire(file), loaded_modes);
   table.note(name + ": CPU of our trial, shipped element with rebars, median of seven",
              fmt::format("{:.2f} s", as_shipped));
   table.full_row(name + ": CPU ratio, shipped element with rebars",
-            fmt::format("{:.1f}", theirs / as_shipped),
-            fmt::format(">= {:.0f}", kRatio),
-            theirs >= kRatio * as_shipped);
+                 fmt::format("{:.1f}", theirs / as_shipped),
+                 fmt::format(">= {:.0f}", kRatio),
+                 theirs >= kRatio * as_shipped);
 }
 
 /// Compares rows that meet on plies and end at tied corners, which are equations between nodes in

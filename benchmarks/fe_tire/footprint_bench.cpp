@@ -158,9 +158,9 @@ void compare_friction(const std::string& name, const Options& options, Table& ta
     errors_of_few.add(few[i] / judge[i] - 1.0);
   }
   table.full_row(name + ": Fz on friction 0.8, every 2.5 mm to 10 mm, against steps of a tenth",
-            fmt::format("{} %, at most {:.2f} %", errors.text, 100.0 * errors.worst),
-            fmt::format("<= {:.1f} %", 100.0 * kReach),
-            errors.worst <= kReach);
+                 fmt::format("{} %, at most {:.2f} %", errors.text, 100.0 * errors.worst),
+                 fmt::format("<= {:.1f} %", 100.0 * kReach),
+                 errors.worst <= kReach);
   table.note(
       name + ": the same asked for every 0.83 mm",
       fmt::format("{} %, at most {:.2f} %", errors_of_few.text, 100.0 * errors_of_few.worst));

@@ -47,7 +47,7 @@ constexpr double kLevel = 1e-4;  // level of the target: 1 % of error, root mean
 constexpr double kSame = 0.02;   // relative distance up to which two fits end at one point
 constexpr double kExcluded = 0.99,
                  // Confidence levels that distinguish a single point from a valley.
-                 kNotExcluded = 0.95;
+    kNotExcluded = 0.95;
 // Factor between the lengths of intervals without and with modes.
 constexpr double kWider = 4.0;
 constexpr double kFall = 2.0;  // factor of tire A's error [Hempel & Oertel 2016: 15 to 7.4 %]
@@ -389,18 +389,15 @@ void smoke(const Studies& studies, Table& table) {
     table.row(what,
               fmt::format("target {:.3g}", answer.at("target").get<double>()),
               "a number",
-              std::isfinite(answer.at("target").get<double>()) &&
-                  !values_of(answer).empty());
+              std::isfinite(answer.at("target").get<double>()) && !values_of(answer).empty());
   };
   row("started at a corner", studies.started_at(modes, "corner", kCorners.front()));
   row("the carcass held, with modes", studies.held_at(300.0, true));
   row("the carcass held, force alone", studies.held_at(300.0, false));
   const std::string refined = studies.on_refined_mesh("foreign_truth/shipped_element.toml",
                                                       "foreign_truth/shipped_tire.toml");
-  table.row("on its refined mesh",
-            refined,
-            "is in order",
-            studies.ask("check", refined).is_object());
+  table.row(
+      "on its refined mesh", refined, "is in order", studies.ask("check", refined).is_object());
 }
 
 }  // namespace

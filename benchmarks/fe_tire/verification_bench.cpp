@@ -45,8 +45,8 @@ using namespace fe_tire;
 
 // Error of the default element with 1.5 times the paper's unknowns.
 constexpr double kReach = 0.01;
-constexpr double kTravel = 0.025;      // m, for the tires as shipped
-constexpr double kRaceTravel = 0.015;  // m
+constexpr double kTravel = 0.025;         // m, for the tires as shipped
+constexpr double kRaceTravel = 0.015;     // m
 constexpr double kSmearedTravel = 0.010;  // m
 constexpr double kSizesTravel = 0.022;    // m
 constexpr double kLimitsAgree = 0.003;
@@ -85,19 +85,21 @@ void compare_modes(const std::string& name,
   FeTire tire(description);
   const Inflated inflated = value_of(tire.inflate(description.pressure));
   std::vector<Mode> by_harmonics, by_ring;
-  const auto [fast, full] =
-      times_of(runs, [&] { by_harmonics = value_of(tire.modes(inflated, kModes)); },
-               [&] { by_ring = value_of(tire.modes_full(inflated, kModes)); });
+  const auto [fast, full] = times_of(
+      runs,
+      [&] { by_harmonics = value_of(tire.modes(inflated, kModes)); },
+      [&] { by_ring = value_of(tire.modes_full(inflated, kModes)); });
   double difference = 0.0;
   for (int k = 0; k < kModes; ++k) {
     difference =
         std::max(difference, std::abs(by_harmonics[k].frequency / by_ring[k].frequency - 1.0));
   }
-  table.full_row(fmt::format("{}: {} modes by harmonics against the full eigen-solve", name, kModes),
-            fmt::format(
-                "{:.0f} x faster ({:.1f} ms, {:.0f} ms CPU)", full / fast, 1e3 * fast, 1e3 * full),
-            fmt::format(">= {:.0f} x", kFullRatio),
-            full >= kFullRatio * fast);
+  table.full_row(
+      fmt::format("{}: {} modes by harmonics against the full eigen-solve", name, kModes),
+      fmt::format(
+          "{:.0f} x faster ({:.1f} ms, {:.0f} ms CPU)", full / fast, 1e3 * fast, 1e3 * full),
+      fmt::format(">= {:.0f} x", kFullRatio),
+      full >= kFullRatio * fast);
   table.row(fmt::format("{}: their frequencies against the full eigen-solve", name),
             fmt::format("{:.1e}", difference),
             "<= 1e-6",
@@ -291,7 +293,8 @@ TireDescription smeared(TireDescription tire, const TireDescription& as, int unk
 /// Compares modes by harmonics with the full solve on a coarse tire, and studies its meshes.
 int smoke(const Options& options) {
   Table table("verification", options);
-  const TireDescription tire = coarse_tire("passenger_225_50R16", {.meridional = 13, .sectors = 12});
+  const TireDescription tire =
+      coarse_tire("passenger_225_50R16", {.meridional = 13, .sectors = 12});
   compare_modes("coarse tire B", tire, table, 1);
   const Judged judged = judge({.name = "coarse tire B", .tire = [tire] { return tire; }});
   table.row("coarse tire B: finer meshes",

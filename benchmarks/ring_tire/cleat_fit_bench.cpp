@@ -303,9 +303,9 @@ void say_reached(benchmarks::Table& table,
                  const Fit::Errors& floor) {
   const auto row = [&](const std::string& what, double value, double most) {
     table.full_row(specimen.name + ": " + what,
-              fmt::format("{:.2f}", value),
-              fmt::format("<= {}", most),
-              value <= most);
+                   fmt::format("{:.2f}", value),
+                   fmt::format("<= {}", most),
+                   value <= most);
   };
   if (specimen.friction.force > 0.0)
     return row("held out over fitted", errors.held_out / errors.fitted, kMissingLaw);
@@ -341,8 +341,8 @@ void fit_specimen(const Specimen& specimen,
   // Both forces and the prior are in units of their noise, as in a study with stated noise.
   const double m = static_cast<double>(fit.residuals());
   ResidualTrustRegion method(space, {.noise_alone = m + 2.0 * std::sqrt(2.0 * m)});
-  const DesignPoint found = fit.run(
-      method, options.size(kMostEvaluations, 4), space.initial(), Compared::times);
+  const DesignPoint found =
+      fit.run(method, options.size(kMostEvaluations, 4), space.initial(), Compared::times);
   const int evaluations = fit.evaluations();
   const auto errors = fit.errors(found);
   for (std::size_t i = 0; i < truth.values.size(); ++i)
@@ -352,9 +352,9 @@ void fit_specimen(const Specimen& specimen,
   table.note("worst held out", fmt::format("{:.3f}: {}", errors.worst, errors.worst_case));
   say_reached(table, specimen, errors, floor);
   table.full_row(specimen.name + ": evaluations, residual method",
-            fmt::format("{}{}", evaluations, method.converged() ? "" : ", not at its end"),
-            fmt::format("<= {}", kMostEvaluations),
-            method.converged());
+                 fmt::format("{}{}", evaluations, method.converged() ? "" : ", not at its end"),
+                 fmt::format("<= {}", kMostEvaluations),
+                 method.converged());
   if (genetic <= 0) return;
   const int generations = std::max(1, genetic / kPopulation - 1);
   Genetic algorithm(space, {.population = kPopulation, .generations = generations});

@@ -137,11 +137,11 @@ int bench(const benchmarks::Options& options) {
     }
     const double ratio = least / truth->value;
     table.full_row(fmt::format("from {:.2f} MN/m^2, {:.0f} N s/m^2: target over the truth's",
-                          1e-6 * stiffness,
-                          damping),
-              fmt::format("{:.3f} in {} trials", ratio, trials),
-              "<= 1.1",
-              ratio <= 1.1);
+                               1e-6 * stiffness,
+                               damping),
+                   fmt::format("{:.3f} in {} trials", ratio, trials),
+                   "<= 1.1",
+                   ratio <= 1.1);
     table.note("  found",
                fmt::format("{:.4f} MN/m^2, {:.1f} N s/m^2", 1e-6 * best.values[0], best.values[1]));
     table.note("  ended", method->ending());
@@ -151,6 +151,4 @@ int bench(const benchmarks::Options& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return latsch::benchmarks::run_benchmark(argc, argv, {}, bench);
-}
+int main(int argc, char** argv) { return latsch::benchmarks::run_benchmark(argc, argv, {}, bench); }

@@ -111,13 +111,15 @@ void kerb_rows(Table& table, const RingRounds& rounds) {
   for (const auto& [height, speed, what] : {Case{-0.025, kSpeed, "60 m/s over a kerb 25 mm deep"},
                                             {0.025, 40.0, "40 m/s over one 25 mm high"}}) {
     const road::ProfileRoad road = kerb(height);
-    const auto refined = roll(ring_of(320, 20, 10), {.tolerance = 1e-2}, road, speed, 2.5e-5, rounds.duration);
+    const auto refined =
+        roll(ring_of(320, 20, 10), {.tolerance = 1e-2}, road, speed, 2.5e-5, rounds.duration);
     const auto coarse = roll(ring_of(80, 50, 10), {}, road, speed, 5e-4, rounds.duration);
     auto ring = roll(small_ring(), {}, road, speed, kStep, rounds.duration);
     if (!refined || !coarse || !ring)
       return table.row("ring over a kerb", "no state", "runs", false);
     for (int round = 1; round < rounds.count; ++round)
-      ring->time = std::min(ring->time, roll(small_ring(), {}, road, speed, kStep, rounds.duration)->time);
+      ring->time =
+          std::min(ring->time, roll(small_ring(), {}, road, speed, kStep, rounds.duration)->time);
     const std::string name = fmt::format("48 segments x 8 blocks x 6 lines, 0.2 ms, {}", what);
     const std::string time = fmt::format("{:.3f} x real time", ring->time);
     if (speed == kSpeed)
@@ -128,9 +130,9 @@ void kerb_rows(Table& table, const RingRounds& rounds) {
     const double of_Fx = Fx / rms(coarse->Fx, refined->Fx),
                  of_Fz = Fz / rms(coarse->Fz, refined->Fz);
     table.full_row("off the refined solution (rms): Fx, Fz, of those of 80 x 50 x 10 at 0.5 ms",
-              fmt::format("{:.0f}, {:.0f} N, {:.2f}, {:.2f}", Fx, Fz, of_Fx, of_Fz),
-              "<= 1",
-              of_Fx <= 1.0 && of_Fz <= 1.0);
+                   fmt::format("{:.0f}, {:.0f} N, {:.2f}, {:.2f}", Fx, Fz, of_Fx, of_Fz),
+                   "<= 1",
+                   of_Fx <= 1.0 && of_Fz <= 1.0);
   }
 }
 
@@ -160,9 +162,9 @@ void car_row(Table& table, const RingRounds& rounds) {
     least = std::min(least, (cpu_time() - start) / rounds.duration);
   }
   table.full_row("four rings at 5 kHz and 60 m/s, two over the kerb, two beside it, one core",
-            fmt::format("real time x {:.2f}", 1.0 / least),
-            ">= 1.5",
-            1.0 / least >= 1.5);
+                 fmt::format("real time x {:.2f}", 1.0 / least),
+                 ">= 1.5",
+                 1.0 / least >= 1.5);
 }
 
 namespace {
@@ -281,10 +283,10 @@ void free_wheel_rows(Table& table, const RingRounds& rounds) {
   for (const Told told : {Told::height, Told::nothing}) {
     const double ratio = least[static_cast<int>(told)] / least[0];
     table.full_row(told == Told::height ? "a step with a free wheel, over that kerb"
-                                   : "the same with a free axle of 300 kg as well",
-              fmt::format("{:.3f} x one whose motion is told", ratio),
-              "<= 1.15",
-              ratio <= 1.15);
+                                        : "the same with a free axle of 300 kg as well",
+                   fmt::format("{:.3f} x one whose motion is told", ratio),
+                   "<= 1.15",
+                   ratio <= 1.15);
   }
 }
 
@@ -324,9 +326,9 @@ void drum_row(Table& table, const RingRounds& rounds) {
     on_flat = std::min(on_flat, b->time);
   }
   table.full_row("drum in place of a flat road, 100 x 12 x 10, 0.2 ms",
-            fmt::format("{:.2f} x the time", on_drum / on_flat),
-            "<= 1.2",
-            on_drum <= 1.2 * on_flat);
+                 fmt::format("{:.2f} x the time", on_drum / on_flat),
+                 "<= 1.2",
+                 on_drum <= 1.2 * on_flat);
 }
 
 }  // namespace latsch::benchmarks

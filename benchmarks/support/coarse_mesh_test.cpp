@@ -18,7 +18,8 @@ TEST(CoarseMesh, IsThatOfEveryShippedTireAndNothingElseChanges) {
     const std::string text = read_text_file(file.path());
     const auto as_shipped = fe_tire::read_tire(Document::parse(text, "shipped").root());
     auto coarse = fe_tire::read_tire(
-        Document::parse(with_coarse_mesh(text, {.meridional = 14, .sectors = 20}), "coarse").root());
+        Document::parse(with_coarse_mesh(text, {.meridional = 14, .sectors = 20}), "coarse")
+            .root());
     EXPECT_EQ(coarse.section.meridional, 14) << file;
     EXPECT_EQ(coarse.section.sectors, 20) << file;
     EXPECT_EQ(coarse.section.rows(), as_shipped.section.rows()) << file;
@@ -29,9 +30,8 @@ TEST(CoarseMesh, IsThatOfEveryShippedTireAndNothingElseChanges) {
 }
 
 TEST(CoarseMesh, IsRefusedWhereTheFileKeepsAnother) {
-  const std::string tire =
-      read_text_file(std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires" /
-                     "passenger_225_50R16.toml");
+  const std::string tire = read_text_file(std::filesystem::path(LATSCH_SOURCE_DIR) /
+                                          "studies/tires" / "passenger_225_50R16.toml");
   std::string without = tire;
   without.replace(without.find("[mesh]"), 6, "[mesk]");
   EXPECT_ANY_THROW(with_coarse_mesh(without));

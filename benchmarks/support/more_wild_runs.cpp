@@ -187,9 +187,9 @@ void note(Table& table, const std::string& solver, const Profile& profile) {
 void reach(Table& table, const std::string& what, double share, double at_least) {
   // Shares and their required values have three digits.
   table.full_row(what,
-            fmt::format("{:.3f}", share),
-            fmt::format(">= {:.3f}", at_least),
-            std::round(1e3 * share) >= std::round(1e3 * at_least));
+                 fmt::format("{:.3f}", share),
+                 fmt::format(">= {:.3f}", at_least),
+                 std::round(1e3 * share) >= std::round(1e3 * at_least));
 }
 
 }  // namespace latsch::benchmarks

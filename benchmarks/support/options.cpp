@@ -25,12 +25,12 @@ Number parsed(const std::string& program, std::string_view name, const std::stri
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc{} && end == text.data() + text.size()) return number;
-  throw InputError(fmt::format(
-      "{}: {} is \"{}\", expected a {}",
-      program,
-      name,
-      text,
-      std::is_integral_v<Number> ? "whole number of at least 0" : "number"));
+  throw InputError(
+      fmt::format("{}: {} is \"{}\", expected a {}",
+                  program,
+                  name,
+                  text,
+                  std::is_integral_v<Number> ? "whole number of at least 0" : "number"));
 }
 
 }  // namespace
@@ -52,8 +52,7 @@ Options::Options(std::string program,
       option = place;
     }
     if (option == known_.end()) {
-      throw InputError(
-          fmt::format("{}: \"{}\" is not known\n{}", program_, argument, usage()));
+      throw InputError(fmt::format("{}: \"{}\" is not known\n{}", program_, argument, usage()));
     }
     if (stands_alone(*option)) {
       given_[option->name] = argument;
@@ -91,8 +90,7 @@ double Options::number(std::string_view name, double fallback) const {
 std::string Options::usage() const {
   std::string line = "usage: " + program_, each;
   for (const Option& option : known_) {
-    const std::string name =
-        option.value.empty() ? option.name : option.name + " " + option.value;
+    const std::string name = option.value.empty() ? option.name : option.name + " " + option.value;
     line += " [" + name + "]";
     each += fmt::format("  {:22} {}\n", name, option.help);
   }

@@ -62,9 +62,12 @@ TEST(RunBenchmark, SaysInWordsWhatStoppedItAndEndsWith2) {
   char* good[] = {program, smoke};
   char* bad[] = {program, wrong};
   testing::internal::CaptureStderr();
-  EXPECT_EQ(run_benchmark(2, good, {}, [](const Options&) -> int {
-              throw std::runtime_error("study.toml:3: no variable");
-            }),
+  EXPECT_EQ(run_benchmark(2,
+                          good,
+                          {},
+                          [](const Options&) -> int {
+                            throw std::runtime_error("study.toml:3: no variable");
+                          }),
             2);
   EXPECT_EQ(run_benchmark(2, bad, {}, [](const Options&) { return 0; }), 2);
   const std::string said = testing::internal::GetCapturedStderr();

@@ -43,8 +43,9 @@ std::vector<OuterFace> outer_faces(const fe_tire::Mesh& mesh) {
   std::vector<OuterFace> faces;
   for (const auto& [key, face] : seen)
     if (face.first == 1) faces.push_back(face.second);
-  std::stable_sort(
-      faces.begin(), faces.end(), [](const OuterFace& a, const OuterFace& b) { return a.region < b.region; });
+  std::stable_sort(faces.begin(), faces.end(), [](const OuterFace& a, const OuterFace& b) {
+    return a.region < b.region;
+  });
   return faces;
 }
 

@@ -287,8 +287,7 @@ std::vector<GridMinimum> local_minima(const Eigen::MatrixXd& target) {
       bool least = true;
       for (int a = std::max(0, i - 1); a <= std::min(nx - 1, i + 1) && least; ++a) {
         for (int b = std::max(0, j - 1); b <= std::min(ny - 1, j + 1) && least; ++b) {
-          const bool before =
-              a < i || (a == i && b < j);  // the first of equal neighbors counts
+          const bool before = a < i || (a == i && b < j);  // the first of equal neighbors counts
           least = !(target(a, b) < target(i, j)) && !(before && target(a, b) == target(i, j));
         }
       }

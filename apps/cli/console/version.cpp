@@ -77,7 +77,8 @@ std::string version_text() {
       zlibVersion(),
       openblas_get_config(),
       kMpi ? "yes" : "no",
-      !studio::web_assets().empty() ? "latsch serve shows it" : "none: latsch serve answers programs alone");
+      !studio::web_assets().empty() ? "latsch serve shows it"
+                                    : "none: latsch serve answers programs alone");
 }
 
 }  // namespace latsch::cli

@@ -256,12 +256,11 @@ void print_numbers(const Document& numbers, const std::string& file) {
 std::string verdict() {
   const int count = warnings();
   if (count == 0) return "Everything is in order.";
-  return fmt::format(
-      "Nothing is refused, but there {} {} {}: read {} first.",
-      count == 1 ? "is" : "are",
-      count,
-      count == 1 ? "warning" : "warnings",
-      count == 1 ? "it" : "them");
+  return fmt::format("Nothing is refused, but there {} {} {}: read {} first.",
+                     count == 1 ? "is" : "are",
+                     count,
+                     count == 1 ? "warning" : "warnings",
+                     count == 1 ? "it" : "them");
 }
 
 /// A model alone, in a file of another program: what it is, what was assumed for it, the numbers a

@@ -18,14 +18,14 @@ struct Reading {
                                      // suitable
 };
 constexpr std::array<Reading, 9> kReadings = {{{"m", "mm", 1e3, 0.0, 1.0},
-                                                {"rad", "deg", kDeg},
-                                                {"N", "kN", 1e-3, 1e3},
-                                                {"m/N", "mm/kN", 1e6},
-                                                {"rad/N", "deg/kN", 1e3 * kDeg},
-                                                {"rad/(N m)", "deg/(kN m)", 1e3 * kDeg},
-                                                {"rad/m", "deg/m", kDeg},
-                                                {"N/m", "N/mm", 1e-3, 1e3},
-                                                {"m^2", "cm^2", 1e4, 0.0, 1.0}}};
+                                               {"rad", "deg", kDeg},
+                                               {"N", "kN", 1e-3, 1e3},
+                                               {"m/N", "mm/kN", 1e6},
+                                               {"rad/N", "deg/kN", 1e3 * kDeg},
+                                               {"rad/(N m)", "deg/(kN m)", 1e3 * kDeg},
+                                               {"rad/m", "deg/m", kDeg},
+                                               {"N/m", "N/mm", 1e-3, 1e3},
+                                               {"m^2", "cm^2", 1e4, 0.0, 1.0}}};
 
 }  // namespace
 

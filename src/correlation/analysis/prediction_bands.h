@@ -34,8 +34,7 @@ struct ExperimentBand {
                                      // estimated
   int inside = 0, compared = 0;      // number of measured values inside band and noise, and number
                                      // compared
-  std::vector<std::string>
-      remarks;  // reasons why the band is wide, one-sided or not known
+  std::vector<std::string> remarks;  // reasons why the band is wide, one-sided or not known
 
   std::optional<DelayBand> delay = {};
 

@@ -36,9 +36,8 @@ struct LabRecord {
   std::map<std::string, StatedColumn> stated;           // the table `columns` of the study
   std::map<std::string, formats::TableColumn> sources;  // a channel as its file states it
   std::map<std::string, std::string> left_out;          // columns that are no channels, and why
-  std::map<std::string, AxisFrame>
-      turned_from;              // original frame of the channels that were turned
-  std::vector<Ledger> ledgers;  // one for each file
+  std::map<std::string, AxisFrame> turned_from;  // original frame of the channels that were turned
+  std::vector<Ledger> ledgers;                   // one for each file
   std::map<std::string, std::vector<std::string>> ambiguous;  // further columns that claim a
                                                               // channel
 

@@ -12,8 +12,8 @@ constexpr double kWidest = 0.1;  // share of the record, to each side
 constexpr int kCoarsest = 20;    // steps of the grid at least
 constexpr int kFinest = 2000;    // and at most: finer than that costs time and finds nothing new
 constexpr int kMostDelaySteps = 30;  // Gauss-Newton steps; two or three are usual
-constexpr double kRoom = 1e-3;         // share of a simulated step; less is rounding of time
-constexpr double kSettled = 1e-12;     // share of the range; a smaller step ends the search
+constexpr double kRoom = 1e-3;       // share of a simulated step; less is rounding of time
+constexpr double kSettled = 1e-12;   // share of the range; a smaller step ends the search
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);

@@ -46,9 +46,9 @@ struct ObjectiveSettings {
 
 /// One experiment's part of the target.
 struct Comparison {
-  double value = 0.0;       // T_e = mean |d|^k
-  double mean_error = 0.0;  // mean |dF| or mean |df|, independent of `compared` and exponent
-  double largest_error = 0.0;       // the largest |dF| or |df|
+  double value = 0.0;          // T_e = mean |d|^k
+  double mean_error = 0.0;     // mean |dF| or mean |df|, independent of `compared` and exponent
+  double largest_error = 0.0;  // the largest |dF| or |df|
   std::vector<double> differences;  // d, signed, as compared
   std::vector<double> errors;       // signed dF_j or df_i as in (1), (2), one for each measured
                                     // value; missing_mode if a mode is missing
@@ -63,9 +63,9 @@ struct Comparison {
 /// Simulated counterparts of the measured values, with their slopes as in Channel::slopes.
 struct SimulatedValues {
   std::vector<double> values, slopes = {};
-  std::vector<int> missing = {};  // modes that were not simulated; their value is 0
+  std::vector<int> missing = {};                 // modes that were not simulated; their value is 0
   std::vector<ComparedFrequency> compared = {};  // for modes, as in a Comparison
-  std::vector<int> mixed = {};  // modes whose partner has another name: take_mixed()
+  std::vector<int> mixed = {};            // modes whose partner has another name: take_mixed()
   std::optional<FittedDelay> delay = {};  // for a curve whose delay is fitted
 };
 

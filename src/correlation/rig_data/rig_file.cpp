@@ -19,8 +19,9 @@ void read_channels(const Node& table, RigFile& rig) {
   rig.pulses = table.text("pulses", "");
   if (!rig.pulses.empty() && table.has("speed"))
     table.reject("pulses", "stands beside speed, expected one of them");
-  if (!rig.pulses.empty()) rig.speed = "speed of " + rig.pulses;  // a name that differs from the
-                                                                  // file's own speed
+  if (!rig.pulses.empty())
+    rig.speed = "speed of " + rig.pulses;  // a name that differs from the
+                                           // file's own speed
   rig.force = table.text("force");
   if (table.has("also")) rig.also = table.texts("also");
   const auto units = table.find_table("units");

@@ -186,7 +186,7 @@ TEST(ProcessExecutor, GivesBackChannelsAndTimes) {
 
 TEST(ProcessExecutor, EveryFaultIsAFailureWithItsReason) {
   ProcessOptions options = worker_options(1);
-#if !defined(__SANITIZE_ADDRESS__)  // the sanitizer's shadow memory needs terabytes of address
+#if !defined(__SANITIZE_ADDRESS__)  // the sanitizer's shadow memory needs terabytes of address \
                                     // space
   options.memory_limit = 1e9;
 #endif
@@ -326,7 +326,7 @@ TEST(ProcessExecutor, WorkersThatAreAlwaysKilledWhileTheyStartEndTheRun) {
     FAIL() << "no error";
   } catch (const InputError& error) {
     expect_in_output(error.what(),
-                    "(Killed) before it was ready, 20 times in a row; is there too little memory");
+                     "(Killed) before it was ready, 20 times in a row; is there too little memory");
   }
 }
 

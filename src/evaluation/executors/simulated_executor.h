@@ -15,8 +15,7 @@ struct SimulatedOptions {
   std::uint64_t seed = 0;
   double shortest = 0.5;  // s, shortest time of a trial
   double longest = 1.5;   // s, longest time; times are uniform between
-  double failures =
-      0.0;  // share of the points that fail, independent of the number of workers
+  double failures = 0.0;  // share of the points that fail, independent of the number of workers
 };
 
 class SimulatedExecutor : public Executor {

@@ -194,8 +194,9 @@ class Examination {
     std::vector<std::int64_t> useless;
     for (const auto& [number, row] : rows_) {
       auto trial = decoder.decode(row);
-      if (!trial && report_.format == 0) trial = row.decode();  // the journal may have an older
-                                                                // format
+      if (!trial && report_.format == 0)
+        trial = row.decode();  // the journal may have an older
+                               // format
       if (trial) {
         report_.rows.push_back(unpacked(row, *trial));
       } else {

@@ -169,8 +169,9 @@ std::optional<JournalHolder> journal_holder(const std::filesystem::path& journal
   const auto named = named_in(words);
   if (!named) return std::nullopt;
   if (named->host != host_name()) return JournalHolder{words, std::nullopt};
-  if (!holds(named->process, file.st_ino)) return std::nullopt;  // the name was left behind by a
-                                                                 // killed process
+  if (!holds(named->process, file.st_ino))
+    return std::nullopt;  // the name was left behind by a
+                          // killed process
   return JournalHolder{words, named->process};
 }
 

@@ -70,8 +70,9 @@ std::optional<std::string> shared_file_system(const std::filesystem::path& file)
   const auto target = std::filesystem::weakly_canonical(file, none);
   const auto folder = (none ? std::filesystem::absolute(file) : target).parent_path();
   struct statfs info {};
-  if (::statfs(folder.c_str(), &info) != 0) return std::nullopt;  // opening the journal reports the
-                                                                  // reason
+  if (::statfs(folder.c_str(), &info) != 0)
+    return std::nullopt;  // opening the journal reports the
+                          // reason
   return shared_file_system(static_cast<unsigned long>(info.f_type));
 }
 

@@ -331,8 +331,9 @@ void Dispatcher::take_committed() {
   for (const Trial& trial : commits_.take()) {
     known_.add(trial);
     const auto* outcome = known_.find(trial.point);
-    if (trial.outcome.result && outcome && !*outcome) ++progress_.failed;  // the trial has no
-                                                                           // target
+    if (trial.outcome.result && outcome && !*outcome)
+      ++progress_.failed;  // the trial has no
+                           // target
     committing_.erase(trial.point.bits());
   }
 }

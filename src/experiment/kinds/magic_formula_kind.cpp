@@ -113,8 +113,7 @@ class MagicFormulaKind : public SpecimenKind {
     return usual_range_of(path);
   }
   std::string text(const Document& numbers) const override { return tir_text_of(numbers); }
-  std::string annotated_text(const Document& numbers,
-                             const Provenance& provenance) const override {
+  std::string annotated_text(const Document& numbers, const Provenance& provenance) const override {
     return fitted_tir_text(numbers, provenance);
   }
   std::vector<FaultBeyondData> faults_beyond_data(const Document& numbers,

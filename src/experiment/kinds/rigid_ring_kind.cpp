@@ -2,8 +2,8 @@
 // The rigid ring as a kind of specimen.
 #include <cmath>
 
-#include "experiment/kinds/rolling_specimen.h"
 #include "experiment/kinds/fitted_tir.h"
+#include "experiment/kinds/rolling_specimen.h"
 #include "experiment/kinds/tir_numbers.h"
 #include "experiment/kinds/tire_sanity.h"
 #include "experiment/language/known_limits.h"
@@ -62,8 +62,7 @@ class RigidRingKind : public SpecimenKind {
   }
   void check(const Document& numbers) const override { RigidRingSpecimen(numbers).tire({}); }
   std::string text(const Document& numbers) const override { return tir_text_of(numbers); }
-  std::string annotated_text(const Document& numbers,
-                             const Provenance& provenance) const override {
+  std::string annotated_text(const Document& numbers, const Provenance& provenance) const override {
     return fitted_tir_text(numbers, provenance);
   }
   std::vector<FaultBeyondData> faults_beyond_data(const Document& numbers,

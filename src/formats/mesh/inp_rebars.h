@@ -12,8 +12,8 @@
 #include <functional>
 #include <vector>
 
-#include "formats/mesh/hexahedron.h"
 #include "formats/deck/inp_deck.h"
+#include "formats/mesh/hexahedron.h"
 #include "models/fe_tire/element/mesh.h"
 
 namespace latsch::formats {

@@ -25,8 +25,8 @@ namespace latsch::formats {
 
 /// A file with data, and the options and modifiers that apply to it.
 struct ResolvedCrg {
-  std::string bytes;     // the file with the data
-  OpenCrgHeader header;  // its head, with the options and modifiers that apply
+  std::string bytes;                         // the file with the data
+  OpenCrgHeader header;                      // its head, with the options and modifiers that apply
   std::vector<std::filesystem::path> files;  // all that were opened, the first one first
   std::vector<Place> named_in;               // file and line that name each of them
 };

@@ -140,8 +140,7 @@ TEST(ChannelChecks, CountGapsAndTellANegativeLoad) {
   EXPECT_EQ(doubts[0].channel, "load");
   ASSERT_EQ(gaps.size(), 1u);
   EXPECT_EQ(gaps[0].channel, "length");
-  EXPECT_NE(gaps[0].sentence.find("empty in 1 of 3 samples, first in sample 2"),
-            std::string::npos);
+  EXPECT_NE(gaps[0].sentence.find("empty in 1 of 3 samples, first in sample 2"), std::string::npos);
 }
 
 }  // namespace

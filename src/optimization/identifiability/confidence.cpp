@@ -230,7 +230,8 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   const Eigen::MatrixXd inverse = inverse_normal_matrix(J_free);
   const Estimates estimates = estimates_of(J_free);
   Eigen::VectorXd left = -inverse * gradient(free);  // way to the least S
-  if (!estimates.flat.empty()) left = estimates.V * estimates.answer(at.r);  // 0 there
+  if (!estimates.flat.empty())
+    left = estimates.V * estimates.answer(at.r);  // 0 there
                                                   // directions
   c.left_to_gain = free.empty() ? 0.0 : std::max(0.0, -gradient(free).dot(left));
   c.free = free_directions(at, free, estimates, noise, c);

@@ -35,9 +35,8 @@ struct DesignVariable {
   double upper = 1.0;
   double initial = 0.5;
   Scale scale = Scale::linear;
-  std::string unit =
-      "1";           // unit in which a person reads the values; the values above are in SI
-  Place place = {};  // place in the study that declares it
+  std::string unit = "1";  // unit in which a person reads the values; the values above are in SI
+  Place place = {};        // place in the study that declares it
   std::optional<Prior> prior = {};
   std::vector<Follower> followers = {};
 };

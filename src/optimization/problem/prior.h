@@ -19,9 +19,7 @@ struct Prior {
   double residual(double x) const {
     return of_logarithm ? std::log(x / value) / std::log1p(sigma) : (x - value) / sigma;
   }
-  double slope(double x) const {
-    return 1.0 / (of_logarithm ? x * std::log1p(sigma) : sigma);
-  }
+  double slope(double x) const { return 1.0 / (of_logarithm ? x * std::log1p(sigma) : sigma); }
   bool operator==(const Prior&) const = default;
 };
 

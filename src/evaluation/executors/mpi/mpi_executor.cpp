@@ -284,8 +284,9 @@ std::optional<Trial> MpiExecutor::receive() {
     rank.heard = now();
     if ((message->tag != kOutcome && message->tag != kBegun) || rank.lost) continue;
     const auto answer = take_number(message->bytes);
-    if (!answer || !rank.point || answer->number != rank.trial) continue;  // the trial was
-                                                                           // withdrawn
+    if (!answer || !rank.point || answer->number != rank.trial)
+      continue;  // the trial was
+                 // withdrawn
     rank.begun = true;
     if (message->tag == kBegun) continue;
     auto outcome = decode_outcome(answer->rest);
