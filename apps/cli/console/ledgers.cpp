@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console/ledgers.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -8,6 +9,19 @@
 #include "correlation/study/ledgers/study_ledgers.h"
 
 namespace latsch::cli {
+namespace {
+
+/// The name of a file; with its folders if another file has the same name.
+std::string name_among(const Ledger& ledger, const std::vector<Ledger>& all) {
+  const std::filesystem::path file = ledger.file;
+  const auto same = std::count_if(all.begin(), all.end(), [&](const Ledger& other) {
+    return std::filesystem::path(other.file).filename() == file.filename() &&
+           other.file != ledger.file;
+  });
+  return same == 0 ? file.filename().string() : file.string();
+}
+
+}  // namespace
 
 std::size_t warn_of_doubts(const std::vector<Ledger>& ledgers) {
   correlation::refuse_doubtful(ledgers);
@@ -30,9 +44,7 @@ std::size_t say_ledgers(const correlation::Study& study,
   for (const Ledger& ledger : ledgers) answer()["ledgers"].push_back(correlation::json_of(ledger));
   if (with_lines)
     for (const Ledger& ledger : ledgers)
-      say("  {}: {}\n",
-          std::filesystem::path(ledger.file).filename().string(),
-          in_one_line(ledger));
+      say("  {}: {}\n", name_among(ledger, ledgers), in_one_line(ledger));
   return warn_of_doubts(ledgers);
 }
 

@@ -192,5 +192,24 @@ class AxesOfARig(unittest.TestCase):
             self.assertLess(json.loads(done.stdout)["result"]["target"], 1e-9, axes)
 
 
+    def test_two_files_of_one_name_are_told_apart(self):
+        for folder, load in (("a", 4000), ("b", 2000)):
+            (self.folder / folder).mkdir()
+            (self.folder / folder / "x.csv").write_text(GOOD.replace("400", str(load)[:3]))
+        text = STUDY.format(file="a/x.csv", more="") + STUDY.split("vary")[1].split("\n", 1)[1].format(
+            file="b/x.csv", more="").replace("[measurement.m]", "[measurement.n]").replace(
+                "[test.steady]", "[test.slow]").replace("measurement.m", "measurement.n").replace(
+                    "[experiment.fy]", "[experiment.low]").replace("steady/Fy", "slow/Fy").replace(
+                        'measurement = "m"', 'measurement = "n"')
+        study = self.folder / "study.toml"
+        study.write_text(text)
+        said = self.latsch("check", study)
+        self.assertIn("a/x.csv: 6 columns", said)
+        self.assertIn("b/x.csv: 6 columns", said)
+        files = [ledger["file"] for ledger in json.loads(self.latsch("check", study, "--json"))["result"]["ledgers"]]
+        self.assertEqual(sum(file.endswith("a/x.csv") for file in files), 1)
+        self.assertEqual(sum(file.endswith("b/x.csv") for file in files), 1)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -33,7 +33,7 @@ std::string name_in_study(const Study& study, const fs::path& file) {
 }
 
 /// SI.
-double value_at(const DesignSpace& space, int variable, double u) {
+double fitted_value_at(const DesignSpace& space, int variable, double u) {
   std::vector<double> all(static_cast<std::size_t>(space.size()), 0.5);
   all[static_cast<std::size_t>(variable)] = u;
   return space.from_unit(all).values[static_cast<std::size_t>(variable)];
@@ -59,8 +59,8 @@ std::string with_interval(const Study& study,
   const DesignVariable& v = study.space[variable];
   const Unit unit = Unit::of(v.unit);
   const double value = unit.from_si(point.values[static_cast<std::size_t>(variable)]);
-  const double below = value - unit.from_si(value_at(study.space, variable, interval.lower)),
-               above = unit.from_si(value_at(study.space, variable, interval.upper)) - value;
+  const double below = value - unit.from_si(fitted_value_at(study.space, variable, interval.lower)),
+               above = unit.from_si(fitted_value_at(study.space, variable, interval.upper)) - value;
   const double half = 0.5 * (below + above);
   constexpr double kSkew = 0.05;  // share of the half width; a smaller one is told as +-
   const std::string number = format_known(value, half);
