@@ -157,6 +157,24 @@ class Ledger(unittest.TestCase):
         self.assertIn('"SA" and "alpha"', text)
         self.latsch("check", self.study(GOOD.replace("IA [deg]", "alpha [deg]"), 'columns = {alpha = "SA"}'))
 
+    def test_two_files_of_one_name_are_told_apart(self):
+        for folder, load in (("a", 4000), ("b", 2000)):
+            (self.folder / folder).mkdir()
+            (self.folder / folder / "x.csv").write_text(GOOD.replace("400", str(load)[:3]))
+        text = STUDY.format(file="a/x.csv", more="") + STUDY.split("vary")[1].split("\n", 1)[1].format(
+            file="b/x.csv", more="").replace("[measurement.m]", "[measurement.n]").replace(
+                "[test.steady]", "[test.slow]").replace("measurement.m", "measurement.n").replace(
+                    "[experiment.fy]", "[experiment.low]").replace("steady/Fy", "slow/Fy").replace(
+                        'measurement = "m"', 'measurement = "n"')
+        study = self.folder / "study.toml"
+        study.write_text(text)
+        said = self.latsch("check", study)
+        self.assertIn("a/x.csv: 6 columns", said)
+        self.assertIn("b/x.csv: 6 columns", said)
+        files = [ledger["file"] for ledger in json.loads(self.latsch("check", study, "--json"))["result"]["ledgers"]]
+        self.assertEqual(sum(file.endswith("a/x.csv") for file in files), 1)
+        self.assertEqual(sum(file.endswith("b/x.csv") for file in files), 1)
+
 
 class AxesOfARig(unittest.TestCase):
     """A table of a K&C rig, written in the signs of a convention, is the model's own again when its axes are stated."""
@@ -190,25 +208,6 @@ class AxesOfARig(unittest.TestCase):
             done = run("simulate", folder / "axes_study.toml", "--json")
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertLess(json.loads(done.stdout)["result"]["target"], 1e-9, axes)
-
-
-    def test_two_files_of_one_name_are_told_apart(self):
-        for folder, load in (("a", 4000), ("b", 2000)):
-            (self.folder / folder).mkdir()
-            (self.folder / folder / "x.csv").write_text(GOOD.replace("400", str(load)[:3]))
-        text = STUDY.format(file="a/x.csv", more="") + STUDY.split("vary")[1].split("\n", 1)[1].format(
-            file="b/x.csv", more="").replace("[measurement.m]", "[measurement.n]").replace(
-                "[test.steady]", "[test.slow]").replace("measurement.m", "measurement.n").replace(
-                    "[experiment.fy]", "[experiment.low]").replace("steady/Fy", "slow/Fy").replace(
-                        'measurement = "m"', 'measurement = "n"')
-        study = self.folder / "study.toml"
-        study.write_text(text)
-        said = self.latsch("check", study)
-        self.assertIn("a/x.csv: 6 columns", said)
-        self.assertIn("b/x.csv: 6 columns", said)
-        files = [ledger["file"] for ledger in json.loads(self.latsch("check", study, "--json"))["result"]["ledgers"]]
-        self.assertEqual(sum(file.endswith("a/x.csv") for file in files), 1)
-        self.assertEqual(sum(file.endswith("b/x.csv") for file in files), 1)
 
 
 if __name__ == "__main__":
