@@ -36,6 +36,7 @@ PlotLine thinned(const PlotLine& line) {
   const std::size_t count = std::min(line.x.size(), line.y.size());
   if (count <= kLineCorners) return line;
   PlotLine thin{line.name, {}, {}, line.color, {}, line.are_dots};
+  thin.is_dashed = line.is_dashed;
   const std::size_t stretches = kLineCorners / 2;
   for (std::size_t s = 0; s < stretches; ++s) {
     const std::size_t first = s * count / stretches, end = (s + 1) * count / stretches;
@@ -68,6 +69,11 @@ void gather(const std::vector<double>& from, std::vector<double>& all) {
       from.begin(), from.end(), std::back_inserter(all), [](double v) { return std::isfinite(v); });
 }
 
+/// Ends of the frame, pixels.
+struct Frame {
+  double left, right, top, bottom;
+};
+
 void draw_spread(Svg& svg, const Axis& x, const Axis& y, const PlotLine& line) {
   if (line.spread.empty() && line.lower.empty()) return;
   const bool is_even = line.lower.empty();
@@ -81,6 +87,26 @@ void draw_spread(Svg& svg, const Axis& x, const Axis& y, const PlotLine& line) {
                          y.at(is_even ? line.y[k] - line.spread[k] : line.lower[k]));
   }
   svg.polygon(outline, fmt::format("fill=\"{}\" fill-opacity=\"0.25\"", category(line.color)));
+}
+
+/// Shades the part of the frame that lies outside of the data.
+void shade_outside(Svg& svg,
+                   const Axis& x,
+                   const std::optional<std::pair<double, double>>& data,
+                   const Frame& frame) {
+  if (!data) return;
+  const auto shade = [&](double from, double to) {
+    if (to > from)
+      svg.rectangle({from, frame.top},
+                    to - from,
+                    frame.bottom - frame.top,
+                    "fill=\"#8a8a8a\" fill-opacity=\"0.16\" class=\"outside\"",
+                    "outside of the data");
+  };
+  const auto inside = [&](double at) { return std::clamp(at, frame.left, frame.right); };
+  if (!(data->second > data->first)) return shade(frame.left, frame.right);
+  shade(frame.left, inside(x.at(data->first)));
+  shade(inside(x.at(data->second)), frame.right);
 }
 
 }  // namespace
@@ -110,11 +136,14 @@ std::string line_plot(const LinePlot& plot) {
   const Axis y = plot.logarithmic_y ? Axis::logarithmic_around(ys, bottom, top)
                                     : Axis::around(ys, bottom, top);
   Svg svg(plot.width, plot.height + more, plot.description);
+  shade_outside(svg, x, plot.data, {kLeft, plot.width - kRight, top, bottom});
   draw_frame(svg, x, y, plot.x_title, plot.y_title);
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const PlotLine& line = lines[k];
     draw_spread(svg, x, y, line);
-    const auto stroke = fmt::format("stroke=\"{}\" stroke-width=\"1.6\"", category(line.color));
+    const auto stroke = fmt::format("stroke=\"{}\" stroke-width=\"1.6\"{}",
+                                    category(line.color),
+                                    line.is_dashed ? " stroke-dasharray=\"6 4\"" : "");
     const auto points = points_of(x, y, line.x, line.y);
     if (line.are_dots) {
       const auto fill = fmt::format("fill=\"{}\"", category(line.color));

@@ -2,7 +2,9 @@
 // Lines y(x) in one frame, as SVG text: time series, spectra, responses.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace latsch::report {
@@ -15,6 +17,7 @@ struct PlotLine {
   std::vector<double> spread;                  // half width of a band around y; may be empty
   bool are_dots = false;                       // draws dots that are not joined
   std::vector<double> lower = {}, upper = {};  // band limits, alternative to `spread`; may be empty
+  bool is_dashed = false;
 };
 
 struct LinePlot {
@@ -23,6 +26,9 @@ struct LinePlot {
   std::vector<PlotLine> lines;
   bool logarithmic_y = false;  // omits values that are not positive
   double width = 520.0, height = 300.0;
+  /// The ends of the data along x; the rest is shaded. Equal ends: all is shaded.
+  /// nullopt: nothing is.
+  std::optional<std::pair<double, double>> data = {};
 };
 
 std::string line_plot(const LinePlot& plot);

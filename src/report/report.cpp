@@ -248,7 +248,12 @@ std::string slip_chapter(const StudyReport& report) {
   if (report.slip_plots.empty()) return "";
   std::string html =
       "<p class=\"lead\">The tire found, from its nominal state: load, camber and pressure varied "
-      "each alone.</p><div class=\"figures\">";
+      "each alone.";
+  if (report.fitted_by)
+    html +=
+        " Shaded: slips outside of the fitted data. Dashed, <em>assumed</em>: neither the data nor "
+        "the model's file tell it.";
+  html += "</p><div class=\"figures\">";
   for (const LinePlot& plot : report.slip_plots)
     html += figure(plot.description, "", line_plot(plot), "");
   return html + "</div>";

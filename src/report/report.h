@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -222,6 +223,13 @@ struct CheckRow {
   bool accepted = false;
 };
 
+/// What a model was fitted by, so that a page tells it from what is assumed or extrapolated.
+struct FittedBy {
+  std::vector<std::string> paths;  // of the numbers that were varied
+  /// The values (SI) of a condition, "alpha", in the tests of the fitted experiments.
+  std::function<std::vector<double>(const std::string&)> measured_at;
+};
+
 struct StudyReport {
   std::string title;
   std::string study_file, model_file;  // file names for a command line; may be empty
@@ -248,6 +256,7 @@ struct StudyReport {
   std::optional<Basins> basins;
   std::vector<EffectRow> effects;
   std::optional<Identifiability> identifiability;
+  std::optional<FittedBy> fitted_by;
   std::optional<RunFacts> run;
   bool is_of_design = false;  // true if the found point is the best trial of a design, no fit
   std::vector<DiscretizationError> discretization;

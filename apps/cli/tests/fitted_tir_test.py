@@ -129,6 +129,20 @@ class FittedTir(unittest.TestCase):
         self.assertRegex(text, r"\$ +Fy: RMS error .* record.csv")
         self.assertRegex(text, r"Held out, not fitted:\n\$ +Fy_97: RMS error ")
 
+    def test_the_report_tells_assumed_curves_and_what_lies_outside(self):
+        assumed = {k: f"{v} $ assumed by hand" for k, v in (("PCX1", 1.5), ("PDX1", 1.2), ("PKX1", 20.0))}
+        folder = self.study("drawn", self.tire(**assumed))
+        self.latsch("run", folder / "study.toml")
+        page = (folder / "study.html").read_text()
+        figures = {text.split("</")[0]: text for text in re.split(r"<figure[^>]*>", page)}
+        of = {name: next(t for t in figures.values() if name in t) for name in
+              ("Fx over kappa, by load", "Fy over alpha, by load", "Mz over alpha, by load")}
+        self.assertIn("stroke-dasharray", of["Fx over kappa, by load"])
+        self.assertIn("N, assumed", of["Fx over kappa, by load"])
+        for known in ("Fy over alpha, by load", "Mz over alpha, by load"):  # fitted, and kept from tire.tir
+            self.assertNotIn(", assumed", of[known])
+            self.assertIn('class="outside"', of[known])
+
     def test_ranges_are_those_of_the_fitted_samples(self):
         folder = self.study("ranges", self.tire())
         self.latsch("run", folder / "study.toml")

@@ -23,17 +23,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kAtBound = 1e-6;  // share of the range; a value nearer to a bound stands at it
-constexpr int kDigits = 6;         // digits of a value without a known uncertainty
+constexpr double kNearestToBound =
+    1e-6;  // share of the range; a value nearer to a bound stands at it
+constexpr int kDigitsWithoutInterval = 6;  // digits of a value without a known uncertainty
 
-std::string name_in_study(const Study& study, const fs::path& file) {
+std::string file_as_named(const Study& study, const fs::path& file) {
   const fs::path folder = study.file.parent_path();
   const fs::path name = file.lexically_proximate(folder);
   return name.empty() ? file.string() : name.string();
 }
 
 /// SI.
-double fitted_value_at(const DesignSpace& space, int variable, double u) {
+double value_in_si(const DesignSpace& space, int variable, double u) {
   std::vector<double> all(static_cast<std::size_t>(space.size()), 0.5);
   all[static_cast<std::size_t>(variable)] = u;
   return space.from_unit(all).values[static_cast<std::size_t>(variable)];
@@ -43,10 +44,10 @@ double fitted_value_at(const DesignSpace& space, int variable, double u) {
 std::string behind_number(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
 
 /// "; at its bound 0.5", or "".
-std::string bound_in_words(const DesignSpace& space, const DesignPoint& point, int variable) {
+std::string at_bound_in_words(const DesignSpace& space, const DesignPoint& point, int variable) {
   const auto i = static_cast<std::size_t>(variable);
   const double u = space.to_unit(point)[i];
-  if (u > kAtBound && u < 1.0 - kAtBound) return "";
+  if (u > kNearestToBound && u < 1.0 - kNearestToBound) return "";
   const DesignVariable& v = space[variable];
   return "; at its bound " + format_quantity(u < 0.5 ? v.lower : v.upper, v.unit, 5);
 }
@@ -59,8 +60,8 @@ std::string with_interval(const Study& study,
   const DesignVariable& v = study.space[variable];
   const Unit unit = Unit::of(v.unit);
   const double value = unit.from_si(point.values[static_cast<std::size_t>(variable)]);
-  const double below = value - unit.from_si(fitted_value_at(study.space, variable, interval.lower)),
-               above = unit.from_si(fitted_value_at(study.space, variable, interval.upper)) - value;
+  const double below = value - unit.from_si(value_in_si(study.space, variable, interval.lower)),
+               above = unit.from_si(value_in_si(study.space, variable, interval.upper)) - value;
   const double half = 0.5 * (below + above);
   constexpr double kSkew = 0.05;  // share of the half width; a smaller one is told as +-
   const std::string number = format_known(value, half);
@@ -91,9 +92,9 @@ std::string origin_of_variable(const Study& weighted,
                                const std::vector<UntoldCoefficient>& untold,
                                int variable) {
   const DesignVariable& v = weighted.space[variable];
-  const std::string value =
-      format_quantity(point.values[static_cast<std::size_t>(variable)], v.unit, kDigits);
-  const std::string bound = bound_in_words(weighted.space, point, variable);
+  const std::string value = format_quantity(
+      point.values[static_cast<std::size_t>(variable)], v.unit, kDigitsWithoutInterval);
+  const std::string bound = at_bound_in_words(weighted.space, point, variable);
   for (const UntoldCoefficient& one : untold)
     if (one.variable == v.name)
       return "assumed: it was free, but the data do not tell it, " + one.reason + bound;
@@ -135,20 +136,20 @@ std::string origin_of_variable(const Study& weighted,
 }
 
 /// "cornering.dat, drive.dat"
-std::string files_in_words(const Study& study, const StudyExperiment& experiment) {
+std::string data_files_in_words(const Study& study, const StudyExperiment& experiment) {
   std::vector<std::string> names;
   const auto& read = experiment.measurement ? experiment.measurement : experiment.read_from;
   if (read)
-    for (const fs::path& file : read->files()) names.push_back(name_in_study(study, file));
+    for (const fs::path& file : read->files()) names.push_back(file_as_named(study, file));
   if (names.empty() && !experiment.measurement_file.empty())
-    names.push_back(name_in_study(study, experiment.measurement_file));
+    names.push_back(file_as_named(study, experiment.measurement_file));
   return names.empty() ? "the study itself" : fmt::format("{}", fmt::join(names, ", "));
 }
 
 /// "Fy: RMS error 2.1 % of 2053 N; cornering/Fy from a.dat, 1800 values"
-std::string line_of(const Study& study,
-                    const StudyExperiment& experiment,
-                    const Result<Channels>& recording) {
+std::string error_line(const Study& study,
+                       const StudyExperiment& experiment,
+                       const Result<Channels>& recording) {
   std::string error;
   if (!recording) {
     error = "error not known, " + recording.failure().reason;
@@ -166,15 +167,15 @@ std::string line_of(const Study& study,
                      error,
                      experiment.values(),
                      experiment.observable->compared(experiment.objective),
-                     files_in_words(study, experiment));
+                     data_files_in_words(study, experiment));
 }
 
 /// The lines about the whole fit, which begin the file.
-std::vector<std::string> header_of(const Study& weighted,
-                                   const DesignPoint& point,
-                                   const Channels& recorded,
-                                   const std::optional<double>& target,
-                                   const ExportedBy& by) {
+std::vector<std::string> fit_header(const Study& weighted,
+                                    const DesignPoint& point,
+                                    const Channels& recorded,
+                                    const std::optional<double>& target,
+                                    const ExportedBy& by) {
   const std::string date = by.date.empty() ? "" : " on " + by.date;
   std::vector<std::string> lines = {
       fmt::format("{} by Latsch {}{}",
@@ -182,7 +183,7 @@ std::vector<std::string> header_of(const Study& weighted,
                   by.version,
                   date),
       fmt::format("Study: {} ({})", weighted.title, weighted.file.filename().string()),
-      fmt::format("Model file: {}", name_in_study(weighted, weighted.model_file))};
+      fmt::format("Model file: {}", file_as_named(weighted, weighted.model_file))};
   if (!target) return lines;
   lines.push_back(fmt::format("Target: {:.4g} %, {}",
                               100.0 * *target,
@@ -198,7 +199,7 @@ std::vector<std::string> header_of(const Study& weighted,
       if (experiment.fitted != fitted) continue;
       if (is_first) lines.emplace_back(fitted ? "Fitted experiments:" : "Held out, not fitted:");
       is_first = false;
-      lines.push_back(line_of(weighted, experiment, all));
+      lines.push_back(error_line(weighted, experiment, all));
     }
   }
   if (!holds_out) lines.emplace_back("Held out: nothing, so no error of a prediction is known");
@@ -206,9 +207,9 @@ std::vector<std::string> header_of(const Study& weighted,
 }
 
 /// The origins of the numbers that variables and ties move, by path.
-std::map<std::string, std::string> origins_of(const Study& weighted,
-                                              const DesignPoint& point,
-                                              const Journal& journal) {
+std::map<std::string, std::string> origins_of_variables(const Study& weighted,
+                                                        const DesignPoint& point,
+                                                        const Journal& journal) {
   const auto what = recorded_identifiability(weighted, journal);
   const auto untold = untold_coefficients(weighted);
   std::map<std::string, std::string> origins;
@@ -237,7 +238,7 @@ FittedModel fitted_model(const Study& study,
                          const std::optional<DesignPoint>& wanted) {
   FittedModel model{at(study.model, study.space, wanted.value_or(study.space.initial())), {}};
   experiment::Provenance& provenance = model.provenance;
-  provenance.model_name = name_in_study(study, study.model_file);
+  provenance.model_name = file_as_named(study, study.model_file);
   provenance.model_file = study.model_file;
   std::optional<Journal> journal;
   if (fs::exists(study.run.journal))
@@ -251,7 +252,7 @@ FittedModel fitted_model(const Study& study,
   if (!best || (wanted && *wanted != best->point)) {
     const std::string words = wanted ? "a point of the study that was asked for, not its best"
                                      : "initial value of the study, not fitted";
-    provenance.header = header_of(weighted, study.space.initial(), {}, std::nullopt, by);
+    provenance.header = fit_header(weighted, study.space.initial(), {}, std::nullopt, by);
     provenance.origins = same_origin(study.space, "assumed: " + words);
     if (!best) provenance.measured_at = nullptr;
     return model;
@@ -259,8 +260,8 @@ FittedModel fitted_model(const Study& study,
   model.is_fitted = true;
   model.numbers = at(study.model, study.space, best->point);
   provenance.header =
-      header_of(weighted, best->point, recording_at(best->point, *journal), best->target, by);
-  provenance.origins = origins_of(weighted, best->point, *journal);
+      fit_header(weighted, best->point, recording_at(best->point, *journal), best->target, by);
+  provenance.origins = origins_of_variables(weighted, best->point, *journal);
   return model;
 }
 

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "correlation/analysis/beyond_data.h"
+#include "correlation/analysis/coefficient_levels.h"
 #include "correlation/analysis/doe_surface.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/search/study_method.h"
@@ -142,6 +143,19 @@ void add_variables(const Study& study,
   }
 }
 
+report::FittedBy fitted_by(const Study& study) {
+  report::FittedBy by;
+  std::vector<std::string> untold;
+  for (const UntoldCoefficient& one : untold_coefficients(study)) untold.push_back(one.variable);
+  for (const DesignVariable& v : study.space.variables())
+    if (std::find(untold.begin(), untold.end(), v.name) == untold.end())
+      by.paths.insert(by.paths.end(), v.paths.begin(), v.paths.end());
+  by.measured_at = [study](const std::string& condition) {
+    return driven_at(study, condition, /*fitted_only=*/true);
+  };
+  return by;
+}
+
 /// Returns for example "; stage fine, after coarse (40 steps, target 3.2 %)".
 std::string stages_before(const Study& study, const std::vector<Fit>& fits) {
   if (study.stages.empty()) return "";
@@ -227,6 +241,7 @@ Result<StudyReport> study_report(const Study& study,
       "error|^exponent";
   const auto what = recorded_identifiability(study, journal);
   add_variables(study, best->point, what, page);
+  page.fitted_by = fitted_by(study);
   if (const experiment::SpecimenKind* kind = study.specimens->kind())
     kind->draw(at(study.model, study.space, best->point), tests_shown(study), thoroughness, page);
   Simulated initial = start.get();

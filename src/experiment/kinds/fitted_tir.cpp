@@ -22,27 +22,34 @@ using formats::TirRemarks;
 using magic_formula::Parameters;
 
 /// An input of the tire with its limits in the file.
-struct Input {
+struct LimitedInput {
   const char *condition, *words, *section, *lower, *upper;
   const char* unit;
   double size;          // SI, of one unit
   double least_spread;  // SI; a smaller spread is scatter about one value. 0: levels are counted
 };
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr Input kInputs[] = {
+constexpr double kRadPerDegree = std::numbers::pi / 180.0;
+constexpr LimitedInput kInputs[] = {
     {"kappa", "longitudinal slip", "LONG_SLIP_RANGE", "KPUMIN", "KPUMAX", "", 1.0, 0.04},
-    {"alpha", "slip angle", "SLIP_ANGLE_RANGE", "ALPMIN", "ALPMAX", " deg", kDegree, kDegree},
-    {"gamma", "camber", "INCLINATION_ANGLE_RANGE", "CAMMIN", "CAMMAX", " deg", kDegree, 0.0},
+    {"alpha",
+     "slip angle",
+     "SLIP_ANGLE_RANGE",
+     "ALPMIN",
+     "ALPMAX",
+     " deg",
+     kRadPerDegree,
+     kRadPerDegree},
+    {"gamma", "camber", "INCLINATION_ANGLE_RANGE", "CAMMIN", "CAMMAX", " deg", kRadPerDegree, 0.0},
     {"Fz", "load", "VERTICAL_FORCE_RANGE", "FZMIN", "FZMAX", " N", 1.0, 0.0},
     {"p", "pressure", "INFLATION_PRESSURE_RANGE", "PRESMIN", "PRESMAX", " kPa", 1e3, 0.0}};
 
-struct Extent {
+struct MeasuredExtent {
   double least, greatest;
   bool varies;
 };
 
-std::size_t levels_of(const std::string& condition, const std::vector<double>& values) {
+std::size_t level_count_of(const std::string& condition, const std::vector<double>& values) {
   const auto levels = condition_levels([&](const std::string& channel) {
     return channel == condition ? values : std::vector<double>{};
   });
@@ -56,17 +63,18 @@ std::size_t levels_of(const std::string& condition, const std::vector<double>& v
 }
 
 /// nullopt if no test of a fitted experiment states the condition.
-std::optional<Extent> extent_of(const Input& input, const MeasuredAt& measured_at) {
+std::optional<MeasuredExtent> measured_extent_of(const LimitedInput& input,
+                                                 const MeasuredAt& measured_at) {
   std::vector<double> values = measured_at(input.condition);
   std::erase_if(values, [](double x) { return !std::isfinite(x); });
   if (values.empty()) return std::nullopt;
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
   const bool varies = input.least_spread > 0.0 ? *greatest - *least > input.least_spread
-                                               : levels_of(input.condition, values) > 1;
-  return Extent{*least, *greatest, varies};
+                                               : level_count_of(input.condition, values) > 1;
+  return MeasuredExtent{*least, *greatest, varies};
 }
 
-std::string span_in_words(const Input& input, const Extent& extent) {
+std::string span_in_words(const LimitedInput& input, const MeasuredExtent& extent) {
   return fmt::format("{:.4g} to {:.4g}{}",
                      extent.least / input.size + 0.0,
                      extent.greatest / input.size + 0.0,
@@ -74,8 +82,11 @@ std::string span_in_words(const Input& input, const Extent& extent) {
 }
 
 /// Sets the limits of one input and says why.
-void limit(const Input& input, const MeasuredAt& measured_at, Parameters& p, TirRemarks& remarks) {
-  const auto extent = extent_of(input, measured_at);
+void limit_input(const LimitedInput& input,
+                 const MeasuredAt& measured_at,
+                 Parameters& p,
+                 TirRemarks& remarks) {
+  const auto extent = measured_extent_of(input, measured_at);
   if (!extent) {
     remarks.of_sections[input.section] =
         fmt::format("no range from the data: they do not state the {}", input.words);
@@ -139,6 +150,17 @@ std::vector<std::string> lines_left_out(const formats::TirFile& tir, const std::
 
 }  // namespace
 
+std::set<std::string> known_coefficients(const std::filesystem::path& model_file,
+                                         const std::vector<std::string>& fitted) {
+  std::set<std::string> known(fitted.begin(), fitted.end());
+  try {
+    for (const auto& [key, remark] : formats::remarks_of(formats::read_tir(model_file)))
+      if (!remark.starts_with("assumed")) known.insert(key);
+  } catch (const InputError&) {  // moved away since the study was read
+  }
+  return known;
+}
+
 std::string fitted_tir_text(const Document& numbers, const Provenance& provenance) {
   Parameters p = parameters_of(numbers);
   TirRemarks remarks;
@@ -169,7 +191,8 @@ std::string fitted_tir_text(const Document& numbers, const Provenance& provenanc
         fitted != provenance.origins.end() ? fitted->second : origin_of(key, stated, name));
   }
   if (provenance.measured_at && !provenance.measured_at("Fz").empty()) {
-    for (const Input& input : kInputs) limit(input, provenance.measured_at, p, remarks);
+    for (const LimitedInput& input : kInputs)
+      limit_input(input, provenance.measured_at, p, remarks);
     remark_speed(provenance.measured_at, remarks);
   }
   return formats::tir_text(p, remarks);

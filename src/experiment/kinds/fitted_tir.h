@@ -12,7 +12,10 @@
 // speeds stand in a comment at LONGVL.
 #pragma once
 
+#include <filesystem>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "base/document.h"
 #include "experiment/language/provenance.h"
@@ -22,5 +25,11 @@ namespace latsch::experiment {
 /// InputError if the numbers make no tire. Reading the text gives the numbers to the last bit, but
 /// for the ranges.
 std::string fitted_tir_text(const Document& numbers, const Provenance& provenance);
+
+/// The coefficients that are known: those among `fitted`, and those that the model file states
+/// without saying that it assumes them. The others are assumed. A file that cannot be read any more
+/// states none.
+std::set<std::string> known_coefficients(const std::filesystem::path& model_file,
+                                         const std::vector<std::string>& fitted);
 
 }  // namespace latsch::experiment

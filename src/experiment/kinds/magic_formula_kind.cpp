@@ -124,7 +124,14 @@ class MagicFormulaKind : public SpecimenKind {
             const std::vector<const Test*>&,
             Thoroughness,
             report::StudyReport& page) const override {
-    page.slip_plots = slip_plots(MagicFormula(parameters_of(numbers)));
+    const MagicFormula tire(parameters_of(numbers));
+    if (!page.fitted_by) {
+      page.slip_plots = slip_plots(tire);
+      return;
+    }
+    const SlipKnowledge knowledge{known_coefficients(numbers.file(), page.fitted_by->paths),
+                                  page.fitted_by->measured_at};
+    page.slip_plots = slip_plots(tire, &knowledge);
   }
 };
 

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
+#include <string_view>
 
+#include "models/magic_formula/coefficient_conditions.h"
 #include "report/html_text.h"
 
 namespace latsch::experiment {
@@ -26,7 +29,7 @@ constexpr double kNothing = 1e-6;  // share of the nominal load, in N and N m; a
                                    // counts as none
 
 /// A condition besides the slips, with its name in the legend.
-struct Condition {
+struct Varied {
   std::string name;
   State state;
 };
@@ -34,16 +37,16 @@ struct Condition {
 /// Returns point i of an even grid from -1 to 1.
 double swept(int i) { return 2.0 * i / (kPoints - 1) - 1.0; }
 
-PlotLine line(const Condition& condition, int color) { return {condition.name, {}, {}, color, {}}; }
+PlotLine line(const Varied& condition, int color) { return {condition.name, {}, {}, color, {}}; }
 
 LinePlot over_alpha(const MagicFormula& tire,
                     const std::string& description,
                     const std::string& y_title,
                     double SteadyState::*answer,
-                    const std::vector<Condition>& conditions) {
+                    const std::vector<Varied>& conditions) {
   LinePlot plot{description, "alpha [deg]", y_title, {}};
   int color = 0;
-  for (const Condition& condition : conditions) {
+  for (const Varied& condition : conditions) {
     plot.lines.push_back(line(condition, color++));
     State state = condition.state;
     for (int i = 0; i < kPoints; ++i) {
@@ -57,10 +60,10 @@ LinePlot over_alpha(const MagicFormula& tire,
 
 LinePlot over_kappa(const MagicFormula& tire,
                     const std::string& description,
-                    const std::vector<Condition>& conditions) {
+                    const std::vector<Varied>& conditions) {
   LinePlot plot{description, "kappa", "Fx [N]", {}};
   int color = 0;
-  for (const Condition& condition : conditions) {
+  for (const Varied& condition : conditions) {
     plot.lines.push_back(line(condition, color++));
     State state = condition.state;
     for (int i = 0; i < kPoints; ++i) {
@@ -89,11 +92,11 @@ LinePlot combined(const MagicFormula& tire, const State& nominal) {
   return plot;
 }
 
-std::vector<Condition> varied(const State& nominal,
-                              const std::vector<double>& values,
-                              double State::*member,
-                              const std::function<std::string(double)>& name) {
-  std::vector<Condition> conditions;
+std::vector<Varied> varied(const State& nominal,
+                           const std::vector<double>& values,
+                           double State::*member,
+                           const std::function<std::string(double)>& name) {
+  std::vector<Varied> conditions;
   for (const double value : values) {
     conditions.push_back({name(value), nominal});
     conditions.back().state.*member = value;
@@ -104,6 +107,74 @@ std::vector<Condition> varied(const State& nominal,
 bool exceeds(const std::vector<double>& values, double limit) {
   return std::any_of(
       values.begin(), values.end(), [&](double value) { return std::abs(value) > limit; });
+}
+
+/// A plot with what it takes to judge its lines.
+struct JudgedPlot {
+  LinePlot plot;
+  const char* slip;  // channel of the abscissa
+  double unit;       // SI, of one unit of the abscissa; 0: no slip
+  char force;        // 'X', 'Y', 'Z' or 'R', see is_of()
+  std::optional<magic_formula::Condition> varied;
+  std::vector<double> values;  // SI, of what is varied, a line each
+  double nominal = 0.0;
+};
+
+/// True for the coefficients of Fx ('X'), Fy ('Y'), Mz ('Z') or of combined slip ('R'). Those of Mx
+/// and My begin with QS.
+bool is_of(char force, const std::string& name) {
+  if (force == 'R') return name.size() > 3 && name[0] == 'R';
+  if (name.size() < 4 || name[2] != force) return false;
+  return name[0] == 'P' || (force == 'Z' && name[0] == 'Q');
+}
+
+/// True if a coefficient of a force is known, or of those of a condition alone if one is given.
+bool knows(const SlipKnowledge& knowledge,
+           char force,
+           const std::optional<magic_formula::Condition>& condition) {
+  return std::any_of(
+      knowledge.coefficients.begin(), knowledge.coefficients.end(), [&](const std::string& name) {
+        if (!is_of(force, name)) return false;
+        if (!condition) return true;
+        const auto all = magic_formula::conditions_of(name);
+        return std::any_of(
+            all.begin(), all.end(), [&](const auto& one) { return one.condition == *condition; });
+      });
+}
+
+/// Least and greatest; nullopt if there is none.
+std::optional<std::pair<double, double>> ends_of_values(std::vector<double> values) {
+  std::erase_if(values, [](double x) { return !std::isfinite(x); });
+  if (values.empty()) return std::nullopt;
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  return std::pair{*least, *greatest};
+}
+
+/// Shades, dashes and names by what the fit knows.
+LinePlot told_by_knowledge(JudgedPlot one, const SlipKnowledge& knowledge) {
+  LinePlot& plot = one.plot;
+  if (one.unit > 0.0 && !knowledge.measured_at("Fz").empty()) {
+    const auto slips = ends_of_values(knowledge.measured_at(one.slip));
+    plot.data =
+        slips ? std::pair{slips->first / one.unit, slips->second / one.unit} : std::pair{0.0, 0.0};
+  }
+  const bool has_force = knows(knowledge, one.force, std::nullopt);
+  const bool has_condition = !one.varied || knows(knowledge, one.force, one.varied);
+  const auto reached =
+      one.varied ? ends_of_values(knowledge.measured_at(magic_formula::channel_of(*one.varied)))
+                 : std::nullopt;
+  constexpr double kEnd = 1e-3;  // share of a value by which it may lie beyond the data
+  for (std::size_t k = 0; k < plot.lines.size(); ++k) {
+    report::PlotLine& line = plot.lines[k];
+    const double value = k < one.values.size() ? one.values[k] : one.nominal;
+    line.is_dashed = !has_force || (!has_condition && value != one.nominal);
+    if (line.is_dashed)
+      line.name += ", assumed";
+    else if (reached && (value < reached->first - kEnd * std::abs(value) ||
+                         value > reached->second + kEnd * std::abs(value)))
+      line.name += ", outside";
+  }
+  return plot;
 }
 
 /// True if the tire has this force at all and the varied quantity changes it: a file need not have
@@ -126,33 +197,67 @@ bool tells_something(const LinePlot& plot, double FNOMIN) {
 
 }  // namespace
 
-std::vector<LinePlot> slip_plots(const MagicFormula& tire) {
+std::vector<LinePlot> slip_plots(const MagicFormula& tire, const SlipKnowledge* knowledge) {
+  using magic_formula::Condition;
   const auto& p = tire.parameters();
   if (!(p.FNOMIN > 0.0)) return {};
   const State nominal{p.FNOMIN, 0.0, 0.0, 0.0, 0.0, p.LONGVL, p.INFLPRES};
+  const std::vector<double> at_loads{0.5 * p.FNOMIN, p.FNOMIN, 1.5 * p.FNOMIN},
+      at_cambers{-4.0 * kDegree, 0.0, 4.0 * kDegree},
+      at_pressures{0.8 * nominal.p, nominal.p, 1.2 * nominal.p};
   const auto loads =
-      varied(nominal, {0.5 * p.FNOMIN, p.FNOMIN, 1.5 * p.FNOMIN}, &State::Fz, [](double Fz) {
-        return fmt::format("{:.0f} N", Fz);
-      });
-  const auto cambers =
-      varied(nominal, {-4.0 * kDegree, 0.0, 4.0 * kDegree}, &State::gamma, [](double gamma) {
-        return report::fixed(gamma / kDegree, 0) + " deg";
-      });
-  std::vector<LinePlot> plots{
-      over_alpha(tire, "Fy over alpha, by load", "Fy [N]", &SteadyState::Fy, loads),
-      over_alpha(tire, "Mz over alpha, by load", "Mz [N m]", &SteadyState::Mz, loads),
-      over_kappa(tire, "Fx over kappa, by load", loads),
-      combined(tire, nominal),
-      over_alpha(tire, "Fy over alpha, by camber", "Fy [N]", &SteadyState::Fy, cambers),
-      over_alpha(tire, "Mz over alpha, by camber", "Mz [N m]", &SteadyState::Mz, cambers)};
-  const auto pressures =
-      varied(nominal, {0.8 * nominal.p, nominal.p, 1.2 * nominal.p}, &State::p, [](double at) {
-        return fmt::format("{:.2f} bar", at / kBar);
-      });
-  plots.push_back(
-      over_alpha(tire, "Fy over alpha, by pressure", "Fy [N]", &SteadyState::Fy, pressures));
-  plots.push_back(over_kappa(tire, "Fx over kappa, by pressure", pressures));
-  std::erase_if(plots, [&](const LinePlot& plot) { return !tells_something(plot, p.FNOMIN); });
+      varied(nominal, at_loads, &State::Fz, [](double Fz) { return fmt::format("{:.0f} N", Fz); });
+  const auto cambers = varied(nominal, at_cambers, &State::gamma, [](double gamma) {
+    return report::fixed(gamma / kDegree, 0) + " deg";
+  });
+  const auto pressures = varied(nominal, at_pressures, &State::p, [](double at) {
+    return fmt::format("{:.2f} bar", at / kBar);
+  });
+  std::vector<JudgedPlot> all;
+  const auto add = [&](LinePlot plot,
+                       bool is_alpha,
+                       char force,
+                       Condition condition,
+                       const std::vector<double>& values,
+                       double usual) {
+    all.push_back({std::move(plot),
+                   is_alpha ? "alpha" : "kappa",
+                   is_alpha ? kDegree : 1.0,
+                   force,
+                   condition,
+                   values,
+                   usual});
+  };
+  const auto Fy = [&](const char* by, const std::vector<Varied>& of) {
+    return over_alpha(tire, std::string("Fy over alpha, by ") + by, "Fy [N]", &SteadyState::Fy, of);
+  };
+  const auto Mz = [&](const char* by, const std::vector<Varied>& of) {
+    return over_alpha(
+        tire, std::string("Mz over alpha, by ") + by, "Mz [N m]", &SteadyState::Mz, of);
+  };
+  add(Fy("load", loads), true, 'Y', Condition::load, at_loads, p.FNOMIN);
+  add(Mz("load", loads), true, 'Z', Condition::load, at_loads, p.FNOMIN);
+  add(over_kappa(tire, "Fx over kappa, by load", loads),
+      false,
+      'X',
+      Condition::load,
+      at_loads,
+      p.FNOMIN);
+  all.push_back({combined(tire, nominal), "kappa", 0.0, 'R', std::nullopt, {}, 0.0});
+  add(Fy("camber", cambers), true, 'Y', Condition::camber, at_cambers, 0.0);
+  add(Mz("camber", cambers), true, 'Z', Condition::camber, at_cambers, 0.0);
+  add(Fy("pressure", pressures), true, 'Y', Condition::pressure, at_pressures, nominal.p);
+  add(over_kappa(tire, "Fx over kappa, by pressure", pressures),
+      false,
+      'X',
+      Condition::pressure,
+      at_pressures,
+      nominal.p);
+  std::vector<LinePlot> plots;
+  for (JudgedPlot& one : all)
+    if (tells_something(one.plot, p.FNOMIN))
+      plots.push_back(knowledge ? told_by_knowledge(std::move(one), *knowledge)
+                                : std::move(one.plot));
   return plots;
 }
 

@@ -3,6 +3,9 @@
 // each varied alone from the nominal state; then both forces together.
 #pragma once
 
+#include <functional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "models/magic_formula/magic_formula.h"
@@ -10,8 +13,19 @@
 
 namespace latsch::experiment {
 
+/// The knowledge of a fit about a tire.
+struct SlipKnowledge {
+  std::set<std::string> coefficients;  // fitted or kept from a file; others are assumed
+  /// The values (SI) of a condition in the fitted tests; none if they do not state it.
+  std::function<std::vector<double>(const std::string&)> measured_at;
+};
+
 /// Returns Fy and Mz over side slip, Fx over longitudinal slip, Fy over Fx. Returns none for a tire
 /// without nominal load; leaves out the curves by pressure if the tire does not depend on it.
-std::vector<report::LinePlot> slip_plots(const magic_formula::MagicFormula& tire);
+/// With knowledge, slips outside of the data are shaded, lines of assumed coefficients are dashed
+/// and named "assumed", and a load, camber or pressure that the data do not reach is named
+/// "outside".
+std::vector<report::LinePlot> slip_plots(const magic_formula::MagicFormula& tire,
+                                         const SlipKnowledge* knowledge = nullptr);
 
 }  // namespace latsch::experiment

@@ -37,6 +37,44 @@ TEST(SlipPlots, ShowNoForceThatTheTireDoesNotHave) {
   EXPECT_THAT(braking, Not(Contains(HasSubstr("Fy over alpha"))));
 }
 
+// A force whose coefficients nobody fitted or stated is named assumed, and slips beyond the data
+// are shaded.
+TEST(SlipPlots, TellAssumedFromKnownAndDataFromBeyond) {
+  const ScratchFolder folder;
+  std::ofstream(folder / "tire.tir") << experiment::sparse_tir(std::string(experiment::kSideForce) +
+                                                               experiment::kLongitudinalForce);
+  const magic_formula::MagicFormula tire(
+      experiment::parameters_of(experiment::read_tir_numbers(folder / "tire.tir")));
+  const double load = tire.parameters().FNOMIN;
+  const SlipKnowledge knowledge{{"PDY1", "PDY2", "QSX1"}, [&](const std::string& condition) {
+                                  if (condition == "Fz") return std::vector{0.9 * load, 2.0 * load};
+                                  if (condition == "alpha") return std::vector{-0.1, 0.2};
+                                  return std::vector<double>{};
+                                }};
+  int seen = 0;
+  for (const auto& plot : slip_plots(tire, &knowledge)) {
+    if (plot.description == "Fy over alpha, by load") {
+      ++seen;
+      ASSERT_TRUE(plot.data);
+      EXPECT_NEAR(plot.data->first, -0.1 * 180.0 / 3.14159265358979, 1e-9);
+      EXPECT_NEAR(plot.data->second, 0.2 * 180.0 / 3.14159265358979, 1e-9);
+      EXPECT_FALSE(plot.lines[0].is_dashed);
+      EXPECT_TRUE(plot.lines[0].name.ends_with(", outside")) << plot.lines[0].name;
+      EXPECT_FALSE(plot.lines[1].name.ends_with(", outside")) << plot.lines[1].name;
+    } else if (plot.description == "Fx over kappa, by load") {  // QSX1 is of Mx
+      ++seen;
+      ASSERT_TRUE(plot.data);
+      EXPECT_EQ(plot.data->first, plot.data->second);  // no slip was measured: all is shaded
+      for (const auto& line : plot.lines) {
+        EXPECT_TRUE(line.is_dashed);
+        EXPECT_TRUE(line.name.ends_with(", assumed")) << line.name;
+      }
+    }
+  }
+  EXPECT_EQ(seen, 2);
+  for (const auto& plot : slip_plots(tire)) EXPECT_FALSE(plot.data);
+}
+
 // Three coinciding lines would wrongly suggest that the effect of camber is known.
 TEST(SlipPlots, ShowNothingVariedThatChangesNothing) {
   using testing::Contains;
