@@ -223,9 +223,9 @@ struct CheckRow {
   bool accepted = false;
 };
 
-/// What a model was fitted by, so that a page tells it from what is assumed or extrapolated.
+/// The data a model was fitted to, so that a page marks assumed and extrapolated curves.
 struct FittedBy {
-  std::vector<std::string> paths;  // of the numbers that were varied
+  std::vector<std::string> paths;  // paths of the numbers that were varied
   /// The values (SI) of a condition, "alpha", in the tests of the fitted experiments.
   std::function<std::vector<double>(const std::string&)> measured_at;
 };

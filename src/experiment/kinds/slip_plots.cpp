@@ -159,7 +159,9 @@ LinePlot told_by_knowledge(JudgedPlot one, const SlipKnowledge& knowledge) {
         slips ? std::pair{slips->first / one.unit, slips->second / one.unit} : std::pair{0.0, 0.0};
   }
   const bool has_force = knows(knowledge, one.force, std::nullopt);
-  const bool has_condition = !one.varied || knows(knowledge, one.force, one.varied);
+  // Forces grow with the load by themselves; camber and pressure act by their coefficients alone.
+  const bool has_condition = !one.varied || *one.varied == magic_formula::Condition::load ||
+                             knows(knowledge, one.force, one.varied);
   const auto reached =
       one.varied ? ends_of_values(knowledge.measured_at(magic_formula::channel_of(*one.varied)))
                  : std::nullopt;
