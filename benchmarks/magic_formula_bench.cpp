@@ -44,7 +44,7 @@ void agreement(benchmarks::Table& table) {
     const auto tire = verification::sample_tire(version);
     const std::string what = fmt::format("{} against MFeval", name);
     if (!tire) {
-      table.note(what, "the sample tires are not beside the source tree");
+      table.skip(what, "the sample tires are not beside the source tree");
       continue;
     }
     verification::Disagreement worst;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <regex>
@@ -38,13 +39,21 @@ Channels recorded(const std::vector<MeasuredCondition>& conditions, double scale
     const std::string& name = condition.channel;
     const bool is_of_one_wheel = name.ends_with("_L") || name.ends_with("_R");
     if (is_of_one_wheel && !condition.is_needed) continue;  // the rig has loaded one wheel only
+    // Posts move each by itself, so that they move in every mode and at all frequencies.
+    const bool is_post = name.starts_with("post_");
+    unsigned drawn = static_cast<unsigned>(std::hash<std::string>()(name));
+    const auto change = [&](int i) {
+      if (!is_post) return 0.001 * (i % 3);
+      drawn = drawn * 1664525u + 1013904223u;
+      return static_cast<double>(drawn >> 16) / 65536.0;
+    };
     std::vector<double> values;
     for (int i = 0; i < samples; ++i)
       values.push_back(condition.channel == "time" ? 0.01 * i * scale
                        : condition.channel == "mode"
                            ? 1.0
                            : (usual.contains(condition.unit) ? usual.at(condition.unit) : 1.0) *
-                                 scale * (1.0 + 0.001 * (i % 3)));
+                                 scale * (1.0 + change(i)));
     channels.add({condition.channel, condition.unit, std::move(values)});
   }
   return channels;

@@ -21,6 +21,24 @@ struct SampleFile {
   std::string name, text, other;
 };
 
+/// Four posts that move in every mode at all frequencies up to 50 Hz: heights drawn for each of
+/// them. `last`: mm, added to the last height.
+inline std::string heights_of_posts(double last) {
+  std::string text = "time [s],post_FL [mm],post_FR [mm],post_RL [mm],post_RR [mm]\n";
+  constexpr int kSamples = 401;
+  unsigned drawn = 1;
+  for (int i = 0; i < kSamples; ++i) {
+    text += std::to_string(0.01 * i);
+    for (int post = 0; post < 4; ++post) {
+      drawn = drawn * 1664525u + 1013904223u;
+      const double height = static_cast<double>(drawn >> 16) / 65536.0;
+      text += "," + std::to_string(height + (i + 1 == kSamples && post == 3 ? last : 0.0));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 inline const std::vector<SampleFile>& sample_files() {
   static const std::string crg =
       "$ROAD_CRG\nreference_line_increment = 1\n$\n$KD_DEFINITION\n#:LRFI\n"
@@ -30,11 +48,7 @@ inline const std::vector<SampleFile>& sample_files() {
       {"states.csv",
        "time [s],Fz [N],alpha [deg]\n0,4000,5\n0.1,4000,-4\n",
        "time [s],Fz [N],alpha [deg]\n0,4000,5\n0.1,4000,-4.1\n"},
-      {"heights.csv",
-       "time [s],post_FL [mm],post_FR [mm],post_RL [mm],post_RR [mm]\n"
-       "0,0,0,0,0\n0.5,1,1,1,1\n1,0,0,0,0\n1.5,1,1,1,1\n2,0,0,0,0\n",
-       "time [s],post_FL [mm],post_FR [mm],post_RL [mm],post_RR [mm]\n"
-       "0,0,0,0,0\n0.5,1,1,1,1\n1,0,0,0,0\n1.5,1,1,1,2\n2,0,0,0,0\n"},
+      {"heights.csv", heights_of_posts(0.0), heights_of_posts(0.1)},
       {"surface.crg", crg + "2000000\n", crg + "3000000\n"},
       {"track.crg", "$ROAD_CRG_FILE\n surface.crg\n$\n", ""},
       {"track.rdf",

@@ -87,7 +87,10 @@ class Deck(Coarse):
         found = self.folder / "found.inp"
         self.latsch("export", study, "--model", found)
         before, after = self.deck.read_text().splitlines(), found.read_text().splitlines()
-        self.assertEqual(len(before), len(after))
+        # The file that was written begins with comments on the fit it comes from.
+        self.assertGreater(len(after), len(before))
+        self.assertTrue(all(line.startswith("**") for line in after[:len(after) - len(before)]), after[:20])
+        after = after[len(after) - len(before):]
         changed = [(a, b) for a, b in zip(before, after) if a != b]
         self.assertEqual(len(changed), 1, changed)  # all but C10 are unchanged
         (a, b), = changed
