@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same bits with 1, 2, 4 workers and after 100 x kill -9; no trial lost or repeated (F1).
+// Same bits with 1, 2, 4 workers and after 100 x kill -9; no trial lost or repeated (F1).
 //
 // Two studies are fitted by the program itself: by one, two and four workers without a disturbance,
 // then killed at random moments and resumed until they end. One has a coarse tire with trials of

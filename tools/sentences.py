@@ -101,6 +101,8 @@ def main():
         if chosen and not any(path == one or one in path.parents for one in chosen):
             continue
         for line, block in blocks_of(path):
+            if "SPDX" in block[0]:  # the head of a file begins behind its license
+                line, block = line + 1, block[1:]
             text = " ".join(part.strip() for part in block).strip()
             if not re.search(r"[A-Za-z]", text) or NO_SENTENCE.match(text):
                 continue

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same components for a report in one file: report.js and report.css, which need no other files.
+// Builds the page's components for a report in one file: report.js and report.css, which need no other files.
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { defineConfig } from 'vite';
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a tire test is held out of the fit and predicted: whole recordings, or samples by a
-// condition. `latsch new --hold-out run_12.dat`, `--hold-out "p = 90 kPa .. 104 kPa"`.
+// The part of a tire test that is held out of the fit and predicted: whole recordings, or samples
+// selected by a condition.
+// `latsch new --hold-out run_12.dat`, `--hold-out "p = 90 kPa .. 104 kPa"`.
 //
 // Coefficients are freed by what the fitted samples vary, not by what the record holds: a third
 // pressure that is held out tells the fit nothing of a quadratic term.

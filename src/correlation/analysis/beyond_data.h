@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a study's tire does beyond the data, and which free coefficients the data do not tell, in
+// Faults of a study's tire beyond the data, and which free coefficients the data do not tell, in
 // words for terminal, page and report. The lattice and its rows are those of
 // models/magic_formula/sanity.h, the levels those of coefficient_levels.h.
 #pragma once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a model of a tire does not describe on an obstacle, told beside the result of a test.
+// Limits of a tire model on an obstacle, told beside the result of a test.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is to be minded of a four-post run, a sentence each: tires that left their posts, lines at
+// Warnings about a four-post run, a sentence each: tires that left their posts, lines at
 // which the coherence is low.
 #pragma once
 
