@@ -34,9 +34,9 @@ using namespace latsch::correlation;
 
 constexpr const char* kRecord =
     LATSCH_SOURCE_DIR "/../shared/data/measured/ttc_hoosier_43075_cornering_10Hz.csv";
-constexpr double kWorse = 1.05;     // times the error of the own stage
+constexpr double kWorse = 1.05;     // largest ratio to the error of the own stage
 constexpr double kMostFy = 0.05;    // share of the peak at the predicted pressure
-constexpr double kMostMz = 0.0754;  // share of the peak there
+constexpr double kMostMz = 0.0754;  // share of the peak at the predicted pressure
 constexpr const char* kChannels[] = {"Fy", "Mz", "Mx"};
 
 void write_study(const fs::path& folder) {
@@ -52,7 +52,7 @@ void write_study(const fs::path& folder) {
   if (std::system(command.c_str()) != 0) throw std::runtime_error("latsch new failed");
 }
 
-/// The study with an experiment that compares one pressure alone, by channel.
+/// Adds to the study an experiment for each channel that compares a single pressure.
 std::string with_pressure(std::string study, const std::string& name, const std::string& window) {
   std::smatch found;
   std::regex_search(
@@ -73,7 +73,7 @@ std::string with_pressure(std::string study, const std::string& name, const std:
   return study.insert(study.find("stage."), lines);
 }
 
-using Errors = std::map<std::string, double>;  // keys are experiments, values shares of the peak
+using Errors = std::map<std::string, double>;  // errors as shares of the peak, by experiment
 
 Errors errors_at(const Study& study, const DesignPoint& point) {
   const auto trial = simulate_all(study, point);
@@ -85,7 +85,7 @@ Errors errors_at(const Study& study, const DesignPoint& point) {
 }
 
 struct Fitted {
-  std::map<std::string, Errors> own;  // errors at the end of the stage that has the channel best
+  std::map<std::string, Errors> own;  // errors at the end of each channel's own stage
   Errors errors;
   DesignPoint point;
 };

@@ -33,7 +33,7 @@ constexpr const char* kMore =
     "vary = [\"PHY2\", \"PVY2\", \"PVY3\", \"PKY3\", \"PKY7\", \"PVY4\", \"PPY5\", \"QHZ1\", "
     "\"QBZ2\"]\n";
 
-/// Writes the study with every so many-th state, whole or without the further coefficients.
+/// Writes the study with every n-th state (`every`), with or without the nine further coefficients.
 void write_study(const fs::path& folder, long every, bool is_whole) {
   const fs::path from = fs::path(LATSCH_SOURCE_DIR) / "studies" / "race_tire_mf";
   fs::create_directories(folder);
@@ -42,7 +42,7 @@ void write_study(const fs::path& folder, long every, bool is_whole) {
                   (is_whole ? kMore : "") + read_text_file(from / "study.toml"));
   std::istringstream all(read_text_file(from / "cornering.csv"));
   std::ofstream some(folder / "cornering.csv");
-  long row = -1;  // the line of names is none
+  long row = -1;  // the header line is not counted
   for (std::string line; std::getline(all, line);)
     if (line.starts_with('#') || row++ % every == 0 || row == 0) some << line << '\n';
 }
@@ -51,7 +51,7 @@ std::string program() {
   return (fs::read_symlink("/proc/self/exe").parent_path() / "latsch").string();
 }
 
-/// Runs a verb to its end and keeps what it says, in JSON and beside it.
+/// Result of a verb: its JSON answer, its progress output, its duration.
 struct Done {
   nlohmann::json answer;
   std::string progress;
@@ -80,7 +80,7 @@ double megabytes(const fs::path& folder) {
   return 1e-6 * bytes;
 }
 
-/// Reads the journal and the file beside it; no trial while a file is not there.
+/// Reads the journal and the file of the refits; a missing file has no trials.
 std::vector<Trial> all_trials(const fs::path& folder) {
   std::vector<Trial> all;
   for (const fs::path& file :
@@ -92,14 +92,14 @@ std::vector<Trial> all_trials(const fs::path& folder) {
   return all;
 }
 
-/// Returns the bits of a trial without what it took.
+/// Returns the bits of a trial's point and outcome, without its times.
 std::string bits_of(const Trial& trial) {
   std::string bits = trial.point.bits();
   return trial.outcome.result ? bits + encode(*trial.outcome.result)
                               : bits + trial.outcome.result.failure().reason;
 }
 
-/// Kills the identification once so many refits are kept.
+/// Kills the identification when this number of refits is stored.
 void kill_at(const fs::path& folder, long refits, int workers) {
   const pid_t child = start_latsch("identify", folder / "study.toml", workers);
   const fs::path file = correlation::RefitTrials::file(folder / "study.latsch");
@@ -140,7 +140,7 @@ int bench(const Options& options) {
   long lost = 0, repeated = 0;
   bool is_same = true;
   for (const int workers : {1, 2}) {
-    if (options.is_smoke() && workers == 1) continue;  // the reference is of one worker
+    if (options.is_smoke() && workers == 1) continue;  // the reference run had one worker
     const fs::path killed = scratch / fmt::format("killed_{}", workers);
     fs::copy(fitted, killed);
     std::set<std::string> kept;

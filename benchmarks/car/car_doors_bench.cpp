@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks of a car: rest under downforce, rigid joints, drag, mirrored tires, four posts.
 //
-// The checks are: rest under downforce of several weights, rigid joints, balance with drag, tires
-// of both sides, and transfer functions of four posts at their defaults.
+// Downforce is 1 to 5 times the weight, and the transfer functions of the four posts are those of a
+// test with default settings.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>

@@ -21,7 +21,8 @@ using Kind = DocumentValue::Kind;
 /// because a journal keeps the text of every identity; a larger limit makes journals longer.
 constexpr std::size_t kLongest = 2000;  // characters
 
-/// Returns a value of the file as it counts: numbers in SI, independent of how they are written.
+/// Returns a value of the file in canonical form: numbers in SI, independent of how they are
+/// written.
 std::string canonical(const DocumentTree& tree, const DocumentChanges& changes, int index) {
   const DocumentValue& value = tree.value(index);
   if (value.number)
@@ -128,7 +129,7 @@ std::string fingerprint_of_file(const std::filesystem::path& file) {
   if (file.extension() == ".toml") {
     try {
       return fingerprint(canonical_text(Document::read(file)));
-    } catch (const InputError&) {  // the file has the name of a document but is none
+    } catch (const InputError&) {  // named like a document, but cannot be read as one
     }
   }
   return fingerprint(MappedFile(file, kLargest).text());

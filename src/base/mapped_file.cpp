@@ -124,7 +124,7 @@ MappedFile::MappedFile(const std::filesystem::path& file, std::size_t limit) {
     ::madvise(mapping_, size, MADV_SEQUENTIAL);
     return;
   }
-  text_ = read_settled_file(file, limit);  // or it says why not
+  text_ = read_settled_file(file, limit);  // throws if the file cannot be read
   view_ = text_;
 }
 

@@ -3,7 +3,8 @@
 // copied into a nameless file of the temporary folder, which is mapped: its pages come from there
 // when they are read and can be let go afterwards. Nobody can cut that copy, so that a reader never
 // meets the end of a file that somebody else shortened (SIGBUS). A file that changes before it is
-// copied is refused. What is no regular file, or finds no room there, is read into memory.
+// copied is refused. Anything that is not a regular file, or does not fit there, is read into
+// memory.
 //
 #pragma once
 

@@ -11,7 +11,7 @@
 namespace latsch::cli {
 namespace {
 
-/// The name of a file; with its folders if another file has the same name.
+/// Returns the name of a file, with its folders if another file has the same name.
 std::string name_among(const Ledger& ledger, const std::vector<Ledger>& all) {
   const std::filesystem::path file = ledger.file;
   const auto same = std::count_if(all.begin(), all.end(), [&](const Ledger& other) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The date that an exported file states. It is the one thing in such a file that differs from one
-// export to the next; SOURCE_DATE_EPOCH (seconds since 1970, as reproducible-builds.org defines it)
-// sets it, and then the same study gives the same bytes.
+// The date that an exported file states. Nothing else in such a file differs from one export to the
+// next; SOURCE_DATE_EPOCH (seconds since 1970, as reproducible-builds.org defines it) sets it, and
+// then the same study gives the same bytes.
 #pragma once
 
 #include <functional>
@@ -9,10 +9,10 @@
 
 namespace latsch::cli {
 
-/// Seconds since 1970-01-01 UTC.
+/// Returns seconds since 1970-01-01 UTC.
 using Calendar = std::function<double()>;
-/// SOURCE_DATE_EPOCH if it is set, else the clock of the system. InputError if SOURCE_DATE_EPOCH is
-/// no number of seconds.
+/// Returns SOURCE_DATE_EPOCH if it is set, else the time of the system clock. Throws InputError if
+/// SOURCE_DATE_EPOCH is no number of seconds.
 Calendar calendar_of_system();
 
 /// "2026-03-01", in UTC.

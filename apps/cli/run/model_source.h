@@ -18,12 +18,12 @@ struct ModelSource {
 /// True if a file is a study, with a model or an outside program; otherwise it is a model.
 bool is_study(const std::string& file);
 
-/// A study with a model. InputError for a study of an outside program.
+/// Returns a study that has a model. Throws InputError for a study of an outside program.
 correlation::Study study_with_model(const std::string& file, const experiment::Language& language);
 
-/// A model's file as it is; of a study its model at the best point of the journal, or at the
-/// initial values. `kind`: as what the file is read; empty: as it says. InputError for a study of
-/// an outside program.
+/// Returns the model of a file: a model's file as it is; a study's model at the best point of its
+/// journal, or at the initial values. `kind`: kind as which the file is read; empty: the kind it
+/// states. Throws InputError for a study of an outside program.
 ModelSource model_source(const std::string& file,
                          const experiment::Language& language,
                          const std::string& kind = "");

@@ -9,13 +9,15 @@
 namespace latsch::cli {
 namespace {
 
-// Upper bound of QCZ1, the shape factor of the trail: cos(C pi/2) is the least share of its peak
-// that the trail ends at, -0.31 for 1.2. Larger: the moment beyond the data turns further.
+// Upper bound of QCZ1, the shape factor of the trail: far from zero slip the trail tends to at
+// least cos(C pi/2) of its peak, -0.31 for 1.2. A larger bound lets the aligning moment change its
+// sign further beyond the data.
 constexpr double kMostQCZ1 = 1.2;
 
-/// The stages of all coefficients that the forces of a test could tell, whatever its conditions.
-/// Without what E owes to the side of the slip (PEY3, PEY4, QEZ4, QEZ5): where the formula cuts E
-/// off at 1 nothing tells it, and a search goes on along it for long.
+/// Returns the stages of all coefficients that the forces of a test could determine, whatever its
+/// conditions. The coefficients by which E depends on the sign of the slip (PEY3, PEY4, QEZ4, QEZ5)
+/// are left out: where the formula limits E to 1 they have no effect, and a search moves along them
+/// for long.
 std::vector<Stage> every_stage_of(const TireTest& t) {
   std::vector<Stage> stages;
   if (t.cornering) {
@@ -61,9 +63,9 @@ std::vector<Stage> every_stage_of(const TireTest& t) {
                       {"QBZ4", "QBZ5", "QDZ3", "QDZ8", "QHZ3", "QDZ9", "QHZ4", "PPZ1", "PPZ2"}});
   }
   if (t.has("Mx")) {
-    // Camber has a term over the load (QSX10 beside QSX2), the side force an arm of its own
-    // (QSX13, QSX14 beside QSX3). Without them Mx of a race tire has an RMS error of 7.1 % of its
-    // peak at two fitted pressures, with them 3.8 %.
+    // The effect of camber has a term over the load (QSX10 beside QSX2), the side force an arm of
+    // its own (QSX13, QSX14 beside QSX3). Without them Mx of a race tire has an RMS error of 7.1 %
+    // of its peak at two fitted pressures, with them 3.8 %.
     stages.push_back({"Mx", {"Mx"}, {"QSX1", "QSX2", "QSX10"}});
     if (t.cornering)
       for (const char* sheared : {"QSX3", "QSX13", "QSX14"})
@@ -73,7 +75,7 @@ std::vector<Stage> every_stage_of(const TireTest& t) {
   return stages;
 }
 
-/// Bounds narrower than the usual range, for tires that stay tires beyond the data.
+/// Bounds narrower than the usual range, which keep a tire plausible beyond the data.
 struct Bounds {
   std::string_view coefficient;
   double lower, upper, initial;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages of a Magic Formula study: which coefficients a tire test tells, and in which order.
+// The stages of a Magic Formula study: the coefficients that a tire test determines, and their
+// order.
 #pragma once
 
 #include <string>
@@ -11,14 +12,14 @@
 
 namespace latsch::cli {
 
-/// Coefficients that a stage frees, where the test tells them.
+/// Coefficients that a stage frees if the test determines them.
 struct Stage {
   const char* name;
   std::vector<std::string> experiments, coefficients;
 };
 
-/// The coefficients that are freed, and those that are not by their reason: "of order 2 in the
-/// pressure, of which there are 2 levels: 69, 83 kPa".
+/// The freed coefficients, and the others by the reason: "of order 2 in the pressure, of which
+/// there are 2 levels: 69, 83 kPa".
 struct Freed {
   std::vector<Stage> stages;
   std::vector<std::pair<std::string, std::vector<std::string>>> left_out;
@@ -26,14 +27,15 @@ struct Freed {
   std::vector<std::string> in_words() const;
 };
 
-/// A coefficient of a condition is freed where the recordings hold more distinct levels of it than
-/// the order of its polynomial.
+/// A coefficient of a condition is freed if the recordings contain more distinct levels of the
+/// condition than the order of its polynomial.
 Freed stages_of(const TireTest& t);
 
 /// True if the study bounds a coefficient more narrowly than its usual range.
 bool is_bounded(std::string_view coefficient);
 
-/// [variable.NAME] of those among the coefficients, a line each, with a comment.
+/// Returns [variable.NAME] of the bounded ones among the coefficients, one line each, with a
+/// comment.
 std::string bounded_variables(const std::vector<std::string>& coefficients);
 
 }  // namespace latsch::cli

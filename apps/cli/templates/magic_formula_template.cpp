@@ -23,7 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 using correlation::Measurement;
 
-constexpr std::size_t kMostSamples = 2000;  // more tell little of a sweep: neighbors share noise
+constexpr std::size_t kMostSamples = 2000;  // more add little, because neighboring samples share
+                                            // noise
 
 void check(const Measurement& measured, const TireTest& test) {
   for (const char* needed : {"Fz", "alpha"}) {
@@ -94,7 +95,7 @@ std::string quoted(const std::vector<std::string>& names) {
   return fmt::format("[\"{}\"]", fmt::join(names, "\", \""));
 }
 
-/// Keys of a measurement of some recordings.
+/// Returns the keys of a measurement that consists of some recordings.
 std::string measurement_keys(const TireTestFiles& test,
                              const std::vector<fs::path>& of,
                              std::size_t every) {
@@ -128,13 +129,13 @@ Measurement read_some(const TireTestFiles& test,
   return correlation::read_measurement(document.root().table("measurement").table("all"), "");
 }
 
-/// The samples that a study fits or predicts: recordings, and windows in them.
+/// Samples that a study fits or predicts: recordings, and windows in them.
 struct Samples {
   std::vector<fs::path> files;
   Select select;
 };
 
-/// With the axes that the sign of Fz tells, where nobody has said them.
+/// Returns the test with axes chosen by the sign of Fz, if the user has not stated them.
 TireTestFiles with_axes(const TireTestFiles& test) {
   if (!test.axes.empty()) return test;
   const Measurement measured = read_some(test, test.files, {});
@@ -144,7 +145,7 @@ TireTestFiles with_axes(const TireTestFiles& test) {
   return sae;
 }
 
-/// The fitted samples, and those that are held out; those have no file if nothing is.
+/// Returns the fitted samples and the held-out ones, which have no file if nothing is held out.
 std::pair<Samples, Samples> parted(const TireTestFiles& test) {
   Samples fitted{test.files, {}}, held;
   const HeldOut& out = test.held_out;
@@ -203,7 +204,8 @@ std::vector<Compared> compared_in(const TireTest& t) {
   return all;
 }
 
-/// Selects the samples that belong to a set: all, or by the slip where a test has both sets.
+/// Selects the samples that belong to a set: all, or those with suitable slip if the test has both
+/// sets.
 Select select_of(const TireTest& t, const std::string& set, Select select) {
   if (!(t.cornering && t.driving)) return select;
   if (select.contains("kappa"))
@@ -216,7 +218,7 @@ Select select_of(const TireTest& t, const std::string& set, Select select) {
   return select;
 }
 
-/// True if samples that are held out have any of a set.
+/// True if the held-out samples contain any of a set.
 bool has_samples(const TireTest& t, const TireTest& held, const std::string& set) {
   if (set == "cornering" ? !t.cornering : !t.driving) return false;
   if (!(t.cornering && t.driving)) return true;
@@ -243,13 +245,13 @@ std::string set_lines(const TireTest& t,
       t.lags ? "slip_history" : "steady_states");
 }
 
-/// Names of files from the folder of the study.
+/// Returns file names relative to the folder of the study.
 std::vector<fs::path> seen_from(const fs::path& folder, std::vector<fs::path> files) {
   for (fs::path& file : files) file = fs::proximate(fs::absolute(file), fs::absolute(folder));
   return files;
 }
 
-/// The samples that are held out, with their experiments.
+/// Returns the measurements of the held-out samples, with their experiments.
 std::string held_out_lines(const TireTest& t,
                            const TireTestFiles& test,
                            const Samples& held,

@@ -15,8 +15,8 @@
 // Recordings or samples that are held out (held_out.h) are experiments with use = "predict"; levels
 // are counted and the start is taken from the fitted samples alone.
 //
-// The usual ranges of three coefficients reach to tires that misbehave beyond the data, so the
-// study bounds them further (kBounds): PDY2 and PDX2 do not exceed 0, so friction falls with load;
+// The usual ranges of three coefficients include tires that behave implausibly beyond the data, so
+// the study narrows them (kBounds): PDY2 and PDX2 do not exceed 0, so friction falls with load;
 // QCZ1 keeps the trail from turning back far beyond 0.
 //
 // Every experiment has noise = "own_stage", so that the last stage weighs it by the error that its
@@ -29,9 +29,9 @@
 // loaded radius.
 //
 // C, D and B keep their signs by the ranges of their coefficients; the formula itself limits E to
-// 1, which keeps the curve sane. Linear constraints E <= 1 at the ends of the load, for PEY1 and
-// PEY2, QEZ1 and QEZ2, are not written, because they multiply the number of trials without a better
-// fit.
+// 1, which keeps the curve plausible. Linear constraints E <= 1 at the ends of the load, for PEY1
+// and PEY2, QEZ1 and QEZ2, are not written, because they multiply the number of trials without a
+// better fit.
 //
 // In a sweep of some degrees a second forces lag by the relaxation length: the result is a loop
 // that no coefficient of the steady state reproduces. If a recording shows one (recorded_lag.h),

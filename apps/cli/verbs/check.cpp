@@ -252,7 +252,7 @@ void print_numbers(const Document& numbers, const std::string& file) {
   if (shortened) say("  {:<40} each by itself: latsch show {}\n", "", file);
 }
 
-/// The last word of a check. A file with warnings is accepted, but it is not called in order.
+/// Prints the final sentence of a check. A file with warnings is accepted, but not called correct.
 std::string verdict() {
   const int count = warnings();
   if (count == 0) return "Everything is in order.";
@@ -288,8 +288,8 @@ void check_model(const std::string& file, const experiment::Language& language) 
       std::filesystem::path(file).filename().string());
 }
 
-/// True if a file is a model of some kind: a car, a suspension, a tire; any other file is read as a
-/// study and refused as one.
+/// True if a file is a model of some kind: a car, a suspension, a tire. Any other file is read as a
+/// study, with the error messages of a study.
 bool is_model(const std::string& file, const experiment::Language& language) {
   if (!experiment::is_document(file)) return true;
   if (is_study(file)) return false;
@@ -300,8 +300,8 @@ bool is_model(const std::string& file, const experiment::Language& language) {
   });
 }
 
-/// Warns of the tire beyond the data and of coefficients that the data do not tell. Judges the best
-/// trial if there is one, else the initial values, which are no result.
+/// Warns of faults of the tire beyond the data and of coefficients that the data do not determine.
+/// Judges the best trial if there is one, else the initial values, which are no result.
 void warn_tire(const Study& study) {
   std::optional<DesignPoint> best;
   if (std::filesystem::exists(study.run.journal)) {

@@ -65,8 +65,8 @@ void add_modes(std::vector<formats::VtuField>& fields, const std::vector<fe_tire
   }
 }
 
-/// Writes the patch beside the tire's file, if that is a regular file: there is no place beside a
-/// device.
+/// Writes the patch beside the tire's file, if that is a regular file; beside a device nothing can
+/// be written.
 void write_patch(const fs::path& tire, const fe_tire::Standing& standing) {
   if (fs::exists(tire) && !fs::is_regular_file(tire)) return;
   const fs::path patch = fs::path(tire).replace_extension(".patch.vtu");
@@ -124,7 +124,8 @@ void write_model(const ExportOptions& options, const std::string& text) {
   say_written(options.model);
 }
 
-/// A model's file as it is read; of a study the model found, with the origin of its numbers.
+/// Returns a model's file as it is read or, for a study, the identified model with the origin of
+/// its numbers.
 std::string model_text(const std::string& file, const experiment::Language& language) {
   if (!is_study(file)) {
     const ModelSource source = model_source(file, language);

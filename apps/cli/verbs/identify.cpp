@@ -49,9 +49,9 @@ void say_interrupted(const Journal& journal) {
                                 correlation::RefitTrials::file(journal.file()).string()));
 }
 
-/// Ranks experiments that are only predicted so far by what they would tell if they were measured.
-/// Returns false if that was interrupted. It takes one trial for each variable, on workers of this
-/// machine, also below mpirun.
+/// Ranks experiments that are only predicted so far by the information they would give if they were
+/// measured. Returns false if that was interrupted. It takes one trial for each variable, on
+/// workers of this machine, also below mpirun.
 bool rank_predictions(const Study& study, const correlation::Identifiability& what) {
   if (!correlation::has_predictions(study)) return true;
   const auto points = correlation::prediction_points(study, what);

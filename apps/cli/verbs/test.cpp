@@ -136,7 +136,7 @@ void append(const Channels& block, Json& all) {
     for (const Json& value : more[i]["values"]) all[i]["values"].push_back(value);
 }
 
-/// The block behind those there are.
+/// Appends a block of samples to the channels in `all`.
 void append(const Channels& block, Channels& all) {
   Channels longer;
   for (const Channel& channel : block.all()) {
@@ -148,7 +148,7 @@ void append(const Channels& block, Channels& all) {
   all = std::move(longer);
 }
 
-/// A test that did not succeed, on its way out of a file that is then not written.
+/// Carries the failure of a test out of the writing of a file, which is then not created.
 struct Unsuccessful {
   Failure failure;
 };

@@ -75,7 +75,7 @@ inline constexpr Row kWords[] = {
     {"fps", "ft/s"}, {"ips", "in/s"}, {"knot", "knot"}, {"knots", "knot"}, {"kts", "knot"},
     {"gn", "9.80665 m/s^2"}, {"gee", "9.80665 m/s^2"}, {"milli_gn", "9.80665e-3 m/s^2"},
     {"standard_gravity", "9.80665 m/s^2"},
-    // Pressure, over that of the air around: "psig" is "psi".
+    // Pressure relative to that of the air: "psig" is "psi".
     {"Pa", "Pa"}, {"pascal", "Pa"}, {"hPa", "hPa"}, {"kPa", "kPa"}, {"kilopascal", "kPa"},
     {"kpascal", "kPa"}, {"megapascal", "MPa"}, {"mpascal", "MPa"}, {"GPa", "GPa"},
     {"gigapascal", "GPa"}, {"bar", "bar"}, {"bars", "bar"}, {"mbar", "mbar"},
@@ -137,7 +137,7 @@ struct Ambiguous {
   std::string_view written;
   std::string_view meanings[2];
   bool any_case, only_by_dimension;
-  std::string_view way_out;  // to follow the text in a message
+  std::string_view way_out;  // advice that follows the text in a message
 };
 inline constexpr Ambiguous kAmbiguousWords[] = {
     {"lb", {"lbf", "lbm"}, true, false, "which may be a force or a mass: write \"lbf\" or \"lbm\""},

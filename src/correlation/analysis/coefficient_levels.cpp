@@ -36,8 +36,8 @@ std::vector<double> driven_at(const Study& study, const std::string& condition, 
 
 namespace {
 
-/// Why the fitted experiments of one stage, or of a study without stages, cannot tell the
-/// coefficients of a variable; "" if they can.
+/// Returns, for every variable, why the fitted experiments of one stage cannot determine its
+/// coefficients; "" if they can. `part` may also be a study without stages.
 std::vector<std::string> reasons_in(const Study& part) {
   std::vector<std::string> reasons(static_cast<std::size_t>(part.space.size()));
   if (driven_at(part, "Fz", /*fitted_only=*/true).empty()) return reasons;

@@ -16,16 +16,17 @@ std::vector<double> driven_at(const Study& study, const std::string& condition, 
 
 struct UntoldCoefficient {
   std::string variable;
-  std::string reason;      // "PPY4 is of order 2 in the pressure, of which there are 2 levels: ..."
+  std::string reason;      // for example "PPY4 is of order 2 in the pressure, of which there are 2
+                           // levels: ..."
   std::string stage = {};  // the stage that frees it; empty: no stages
 };
 
-/// In the order of the variables. Levels are those of the experiments that are fitted together: of
-/// a study with stages those of each stage that names the variable in `free`, and of the stages
-/// that free everything only if no stage names it. A coefficient that several stages cannot tell
-/// is listed once, with the last of them; one that the last stage which names it tells is not
-/// listed. Empty if no variable is a coefficient of the Magic Formula, or no fitted test states
-/// the loads at which the tire rolls.
+/// Returns the coefficients in the order of the variables. Levels are counted over the
+/// experiments of one stage, because these are fitted together. The stages that name the
+/// variable in `free` count; if there are none, those that free every variable. A coefficient
+/// is listed, once, if the last of these stages cannot determine it. Empty if no variable is a
+/// coefficient of the Magic Formula, or no fitted test states the loads at which the tire
+/// rolls.
 std::vector<UntoldCoefficient> untold_coefficients(const Study& study);
 
 }  // namespace latsch::correlation

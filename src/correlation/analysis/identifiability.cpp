@@ -20,7 +20,7 @@
 namespace latsch::correlation {
 namespace {
 
-/// SI, where the variable stands at u of its range.
+/// Returns the value, SI, of a variable at u in the unit cube.
 double value_at(const DesignSpace& space, int variable, double u) {
   std::vector<double> all(space.size(), 0.5);
   all[variable] = u;
@@ -31,7 +31,8 @@ double value_at(const DesignSpace& space, int variable, double u) {
 class Forecast {
  public:
   RunProgress of(RunProgress progress, double share) {
-    constexpr double kTellsSomething = 0.03;  // less of the work says little of the rest
+    constexpr double kTellsSomething = 0.03;  // below this share of the work done, no forecast is
+                                              // made
     known_ = progress.known;
     const auto total = std::lround(static_cast<double>(known_) / std::max(share, kTellsSomething));
     progress.known += before_;
@@ -169,7 +170,8 @@ std::optional<Result<Identifiability>> identify(const Study& study,
                                                 const RunOptions& options) {
   RunOptions enough = options;
   enough.max_steps = kMostIdentificationTrials;
-  enough.on_failure.then = FailurePolicy::Then::proceed;  // a ladder ends where the model does
+  enough.on_failure.then = FailurePolicy::Then::proceed;  // a trial may fail at the end of a
+                                                          // profile
   const Objective residuals = residual_objective(study);
   Forecast forecast;
   const Drive run = [&](Optimizer& optimizer, RefitTrials* refits, const Share& share) {
@@ -246,11 +248,11 @@ std::optional<Identifiability> recorded_identifiability(const Study& study,
   Identifiability result =
       read_from(identification_start(study, journal, *best, Depth::profiles), options);
   if (!result.identification.is_linearized()) {
-    options.most_centers = 1;  // not known or not to be had beside the better point
+    options.most_centers = 1;  // other centers are unknown or cannot be had at the better point
     result = read_from(*best, options);
   }
   if (!result.identification.is_linearized() && has_slopes) {
-    options.profiles = false;  // its own slopes are all there is
+    options.profiles = false;  // the only derivatives are the slopes of the trial itself
     result = read_from(*best, options);
   }
   if (!result.identification.is_linearized()) return std::nullopt;
@@ -275,7 +277,7 @@ std::string shift_text(const Study& study, const Identifiability& what, int vari
 }
 
 std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction) {
-  constexpr double kShare = 0.3;  // least component of the unit vector that counts as taking part
+  constexpr double kShare = 0.3;  // least component, of a unit vector, of a variable that is named
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);
   std::string text;
@@ -328,7 +330,7 @@ namespace {
 /// Returns the closed end of a half-open interval. Its digits cannot follow from the interval's
 /// width, which is infinite.
 std::string limit_text(const DesignSpace& space, int variable, double value) {
-  constexpr double kKnown = 0.03;  // share of the value that counts as known
+  constexpr double kKnown = 0.03;  // assumed relative uncertainty, which sets the number of digits
   const std::string& unit = space[variable].unit;
   const double shown = Unit::of(unit).from_si(value);
   return format_known(shown, kKnown * std::abs(shown)) + (unit == "1" ? "" : " " + unit);

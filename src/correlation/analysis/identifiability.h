@@ -45,7 +45,8 @@ std::optional<Interval> interval_of(const Study& study,
                                     int variable);
 
 /// Returns warnings, one sentence each: residuals larger than their stated noise, noise that
-/// neighbors share, rough derivatives, a search that ended early, refits that did not converge.
+/// neighboring values share, rough derivatives, a search that ended early, refits that did not
+/// converge.
 std::vector<std::string> remarks(const Study& study, const Identifiability& what);
 
 /// Runs the missing trials. Returns nullopt if a stop was requested, a Failure if the model fails

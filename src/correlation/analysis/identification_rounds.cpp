@@ -13,12 +13,12 @@ namespace {
 
 constexpr double kRefitTolerance = 0.02;  // share of the threshold that ends an interval
 
-/// An analysis that asks in rounds, as the scheduler knows it: the points of a round in their
-/// order.
+/// Presents an analysis to the scheduler as an optimizer whose points of one round are proposed
+/// together, in their order.
 template <class Analysis>
 class InRounds : public Optimizer {
  public:
-  /// Ends where the analysis wants nothing more, or where `ends` says so after a round. `reduced`:
+  /// Ends if the analysis needs no more points, or if `ends` returns true after a round. `reduced`:
   /// scores are those of RefitTrials.
   InRounds(
       const DesignSpace& space,
@@ -67,7 +67,8 @@ class InRounds : public Optimizer {
   std::vector<Result<Evaluated>> seen_;  // outcomes of this round
 };
 
-/// Leaves every experiment out in turn; the residuals not used by the identification stay out.
+/// Leaves out every experiment in turn; residuals that the identification does not use are never
+/// used.
 class UsedRows {
  public:
   UsedRows(CrossValidation& validation, const std::vector<Eigen::Index>& rows)
@@ -86,7 +87,7 @@ class UsedRows {
   const std::vector<Eigen::Index>& rows_;
 };
 
-/// Leaves every experiment out in turn, by reduced rows.
+/// Leaves out every experiment in turn, in terms of reduced rows.
 bool cross_validate_reduced(const IdentificationTrials& trials,
                             Identifiability& result,
                             const std::vector<int>& group,
@@ -96,7 +97,7 @@ bool cross_validate_reduced(const IdentificationTrials& trials,
   const std::vector<Eigen::Index>& used = identification.residuals_used();
   std::map<int, std::size_t> place;
   std::vector<int> names;
-  RowGroups rows, places;  // places among all residuals, and among those used
+  RowGroups rows, places;  // indices among all residuals and among the used ones
   for (std::size_t k = 0; k < group.size(); ++k) {
     const auto [at, is_new] = place.emplace(group[k], rows.size());
     if (is_new) {
@@ -148,7 +149,7 @@ bool cross_validate(const IdentificationTrials& trials, Identifiability& result)
 }  // namespace
 
 IdentificationOptions options_for(const Study& study, Depth depth) {
-  constexpr double kLeastNoise = 1e-5;  // residuals are relative where no noise is stated
+  constexpr double kLeastNoise = 1e-5;  // residuals are relative if no noise is stated
   return {.confidence = {.sigma = residual_sigma(study),
                          .least_noise = kLeastNoise,
                          .traits = residual_traits(study)},

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// An identification of a study, from its first round to its last: which trials each round needs,
-// where they are kept, and in what form.
+// Runs an identification of a study from its first round to its last: determines which trials each
+// round needs, and in which journal and form they are stored.
 //
 // Rounds that take derivatives and refit all variables keep whole recordings in the journal of the
-// study. Profiles and the cross-validation keep their trials reduced (refit_trials.h) where the
-// recordings bring slopes, and in the journal of the study where they do not.
+// study. Profiles and the cross-validation store reduced trials (refit_trials.h) if recordings
+// contain slopes, and whole trials in the journal of the study otherwise.
 #pragma once
 
 #include <functional>
@@ -15,24 +15,24 @@
 
 namespace latsch::correlation {
 
-inline constexpr long kMostIdentificationTrials = 100'000;  // one optimizer has no more
+inline constexpr long kMostIdentificationTrials = 100'000;  // limit on the trials of one optimizer
 
-/// Returns the share of the trials of one optimizer that is done, from 0 to 1; 0 if nobody knows.
+/// Returns the share of the trials of one optimizer that is done, from 0 to 1; 0 if unknown.
 using Share = std::function<double()>;
 
-/// Evaluates, or reads, until the optimizer wants nothing more; false where that was stopped.
-/// `refits`: keeps and scores the trials if they are reduced; nullptr: the journal of the study
-/// keeps them.
+/// Evaluates trials, or reads them, until the optimizer proposes none; returns false if it was
+/// stopped. `refits` stores and scores reduced trials; nullptr: whole trials are stored in the
+/// journal of the study.
 using Drive = std::function<bool(Optimizer&, RefitTrials* refits, const Share& share)>;
 
-/// Reads what is known already.
+/// Returns a drive that only reads trials that are already stored.
 Drive reading(const Study& study, const Journal& journal);
 
-/// The trials of one identification.
+/// The trials of one identification and the means to run them.
 struct IdentificationTrials {
   const Study& study;
   const Journal& journal;
-  Journal* writable;  // `journal` again; nullptr if no trial may be added
+  Journal* writable;  // `journal` if trials may be added to it, else nullptr
   Drive drive;
 
   RefitTrials refits(const RowGroups& groups, const Linearization& at) const;
@@ -40,7 +40,8 @@ struct IdentificationTrials {
 
 IdentificationOptions options_for(const Study& study, Depth depth);
 
-/// Drives all rounds. False where driving was stopped; `result` then holds what is complete.
+/// Drives all rounds. Returns false if driving was stopped; `result` then contains the completed
+/// parts.
 bool analyze(const IdentificationTrials& trials, Identifiability& result);
 
 }  // namespace latsch::correlation

@@ -38,7 +38,7 @@ std::optional<DesignPoint> marked_point(const Study& study, const Journal& journ
   return point;
 }
 
-/// An optimizer that notes whether it has seen one point.
+/// An optimizer that records whether it has observed a given point.
 class Watched : public Optimizer {
  public:
   Watched(Optimizer& optimizer, const DesignPoint& point, bool& seen)
@@ -56,7 +56,8 @@ class Watched : public Optimizer {
   bool& seen_;
 };
 
-/// Tells whether an identification from `start` has tried `point`, as far as the journal goes.
+/// Returns true if an identification from `start` has evaluated `point`, as far as the journal
+/// shows.
 bool comes_by(const Study& study,
               const Journal& journal,
               const DesignPoint& start,

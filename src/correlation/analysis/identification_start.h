@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The point at which an identification begins, so that one that was interrupted goes on.
+// Finds the point at which an identification begins, so that an interrupted identification
+// continues.
 //
 // An identification begins at the best trial of a journal and may find a better one. If it were
 // begun there after an interruption, it would want other trials than those it had run. So a mark in
@@ -12,17 +13,18 @@
 
 namespace latsch::correlation {
 
-/// Tells whether the journal knows where an identification of that depth began.
+/// True if the journal contains the mark of an identification of that depth.
 bool has_begun(const Journal& journal, Depth depth);
 
-/// Returns where an identification begins, `best` being the best trial: there, or at the mark if it
-/// holds.
+/// Returns the point at which an identification begins: `best`, the best trial, or the marked point
+/// if the mark is valid.
 DesignPoint identification_start(const Study& study,
                                  const Journal& journal,
                                  const DesignPoint& best,
                                  Depth depth);
 
-/// Returns the same point and marks it. Returns `best` for Depth::at_the_point, without a mark.
+/// Returns the point of identification_start() and marks it. Returns `best`, without a mark, for
+/// Depth::at_the_point.
 DesignPoint begin_identification(const Study& study,
                                  Journal& journal,
                                  const DesignPoint& best,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ranks possible measurements by how much each would tell about the variables: applies
+// Ranks possible measurements by the information that each would add about the variables: applies
 // d_optimality.h to the experiments of a study.
 //
 // There are two kinds of candidates. Repeating a measured value costs no simulation, because its

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measured values that the model misses at the point found. To first order, from the derivatives
-// computed for the intervals, this file determines the variable that would mend each value most
-// easily and the other value that would suffer for it.
+// computed for the intervals, this file determines the variable that would correct each value with
+// the smallest change, and the other value whose error would grow most.
 //
 // A value is missed if its error exceeds three times its stated noise, or 1 % if none is stated.
-// Experiments of more than twenty values are left out, because no single one of these is worth
-// mending. Experiments with a robust loss are left out, because a value far off may not come from
-// the tire.
+// Experiments of more than twenty values are left out, because no single one of these matters.
+// Experiments with a robust loss are left out, because a value far off may not come from the
+// tire.
 #pragma once
 
 #include <optional>
@@ -28,9 +28,9 @@ struct MissedValue {
   std::optional<int> variable = {};  // index of the variable that moves the value most; empty if
                                      // none moves it
   double effect = 0.0;               // change of the error over that variable's whole range
-  bool within_bounds = true;         // true if the variable alone can mend the value inside its
+  bool within_bounds = true;         // true if the variable alone can correct the value inside its
                                      // bounds
-  std::optional<Error> payer = {};  // the other fitted value that would suffer most, with its error
+  std::optional<Error> payer = {};  // the other fitted value whose error grows most, with its error
                                     // after the change
 
   std::string in_words(const DesignSpace& space) const;

@@ -4,8 +4,8 @@
 // The parts T_a and T_b of the target (objective.h) are computed for every trial in the journal
 // from its channels. A trial belongs to the front if no other trial is as good in both parts and
 // better in one. On the front, one experiment improves only at the cost of the other. The best
-// trial lies on it whatever the weights. The front of the trials is an upper bound of what the
-// model can do, because a search goes where its weights send it.
+// trial lies on the front for any weights. The front of the trials is an upper bound of the errors
+// that the model can reach, because a search explores only the part that its weights favor.
 #pragma once
 
 #include <string>

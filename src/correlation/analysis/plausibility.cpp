@@ -26,7 +26,7 @@ struct UsualRange {
   const char* words;
   const char* unit;
   double least, from, to, most;
-  std::vector<const char*> taken_for;  // units that are easily mixed up
+  std::vector<const char*> taken_for;  // two units that are often confused
   bool zero_allowed = false;
 };
 
@@ -70,8 +70,8 @@ Seen judged(const UsualRange& range, double si) {
   return value < range.from || value > range.to ? Seen::unusual : Seen::usual;
 }
 
-/// Returns "; 240 kPa would be usual": the written number with another unit of those easily mixed
-/// up.
+/// Returns "; 240 kPa would be usual": the number as written, with the unit that is often confused
+/// with its own.
 std::string may_be_meant(const UsualRange& range, const std::string& written) {
   const auto quantity = parse_quantity(written);
   if (!quantity) return "";

@@ -71,7 +71,7 @@ Errors errors_of(const Study& study,
     if (!slopes.empty()) slopes.insert(slopes.end(), delay->slopes.begin(), delay->slopes.end());
   }
   Errors errors{to_vector(comparison.errors), {}, comparison.delay};
-  // Slopes of the root of a force are not those of the force.
+  // the observable compares roots of forces, whose slopes are not recorded
   if (experiment.objective.compared != Compared::force) return errors;
   Score score;
   score.residuals = comparison.errors;
@@ -317,7 +317,7 @@ std::string widest_text(const StudyExperiment& experiment, const ExperimentBand&
   if (!widest) return "";
   const size_t k = *widest;
   const std::string unit = experiment.observable->shown_unit();
-  const auto read_in = Unit::find(unit);  // levels have no such unit
+  const auto read_in = Unit::find(unit);  // a level in dB has no unit to convert
   // A difference converts without the unit's offset.
   const double times = read_in && unit != experiment.observable->unit()
                            ? read_in->from_si(1.0) - read_in->from_si(0.0)

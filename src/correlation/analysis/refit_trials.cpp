@@ -40,7 +40,8 @@ std::unique_ptr<Journal> opened(const Journal& journal, bool writes) {
     return kept->identity() == identity ? std::move(kept) : nullptr;
   }
   if (std::filesystem::exists(file) && Journal::read(file).identity() != identity) {
-    for (const char* part : {"", "-wal", "-shm", "-journal"})  // SQLite's, after a kill
+    for (const char* part : {"", "-wal", "-shm", "-journal"})  // files that SQLite leaves after a
+                                                               // kill
       std::filesystem::remove(file.string() + part);
   }
   return std::make_unique<Journal>(Journal::open(file, identity));
@@ -113,7 +114,8 @@ std::vector<double> RefitTrials::packed(const Evaluated& rows) const {
   return numbers;
 }
 
-/// nullopt where they are not those of such rows: of a trial that is of no use.
+/// Returns the reduced rows that the numbers encode; nullopt if their count is wrong, as for a
+/// trial that a refit cannot use.
 std::optional<Evaluated> RefitTrials::unpacked(const std::vector<double>& numbers) const {
   if (numbers.size() != packed_size()) return std::nullopt;
   const auto rows = std::ssize(groups_of_reduced_rows(groups_, variables_));
@@ -125,7 +127,7 @@ std::optional<Evaluated> RefitTrials::unpacked(const std::vector<double>& number
   return all;
 }
 
-/// A recording, and what is kept of it, give the same bits.
+/// A full recording and its reduced form give the same bits.
 Result<Score> RefitTrials::reduced(const DesignPoint& point, const Channels& channels) const {
   if (const Channel* kept = channels.find(name_)) {
     const auto rows = unpacked(kept->values);
@@ -163,7 +165,7 @@ void RefitTrials::append(std::span<const Trial> trials) {
   for (Trial& trial : small) {
     if (!trial.outcome.result) continue;
     const Result<Score> score = reduced(trial.point, *trial.outcome.result);
-    Channel channel{name_, "1", {}};  // empty where the trial is of no use to a refit
+    Channel channel{name_, "1", {}};  // stays empty if a refit cannot use the trial
     if (score) {
       const Eigen::Map<const RowMajor> J(
           score->jacobian.data(), std::ssize(score->residuals), variables_);

@@ -7,12 +7,12 @@
 // So these trials are kept reduced, in a journal of their own beside that of the study,
 // JOURNAL.refits: an interrupted identification goes on with it, and a report reads it.
 //
-// A trial whose target is less than that of all before it is a result: it goes whole into the
-// journal of the study, where every reader looks for the best trial.
+// A trial with a smaller target than all earlier ones is a result: it is stored whole in the
+// journal of the study, in which every reader searches for the best trial.
 //
 // The file is a cache. It may be deleted at any time; latsch identify then runs these trials again.
-// A channel in it belongs to the residuals, their derivatives and the groups at one point, which
-// its name holds as a hash. Trials of other ones, of changed weights for example, are not read.
+// The name of a channel contains a hash of the residuals, derivatives and groups at the point where
+// the refits begin. Trials with another hash, for example after a change of weights, are not read.
 #pragma once
 
 #include <filesystem>
@@ -33,18 +33,18 @@ namespace latsch::correlation {
 
 class RefitTrials : public TrialStore {
  public:
-  /// The trials of `journal`, which belongs to the study, are known, too. `groups`: the residuals
-  /// that are used; `at`: where the refits begin, in the rows used. `better`: the same journal, for
-  /// trials better than its best one; the file is then created, and one of another study is
-  /// replaced. nullptr: nothing is written, and the file is read where it is there.
+  /// The trials of `journal`, which belongs to the study, are known, too. `groups`: the used
+  /// residuals; `at`: start of the refits, with the used rows alone. `better`: the same journal, to
+  /// which trials better than its best one are added; the file is then created, or replaced if it
+  /// belongs to another study. nullptr: the file is only read, if it exists.
   RefitTrials(const Study& study,
               const Journal& journal,
               RowGroups groups,
               const Linearization& at,
               Journal* better);
 
-  /// The reduced residuals with their derivatives by the values of the variables. A trial that
-  /// brings no derivatives is a Failure.
+  /// Returns the reduced residuals and their derivatives by the variables' values. Returns a
+  /// Failure for a trial without derivatives.
   Objective objective() const;
 
   void append(std::span<const Trial> trials) override;
@@ -67,7 +67,7 @@ class RefitTrials : public TrialStore {
   Eigen::Index variables_;
   std::string name_;  // name of the channel that holds the reduced residuals
   std::optional<RatedTrial> best_;
-  std::unique_ptr<Journal> kept_;  // nullptr: none to read
+  std::unique_ptr<Journal> kept_;  // nullptr: there is no file to read
 };
 
 /// Returns how many trials are kept beside the journal.

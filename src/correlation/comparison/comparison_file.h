@@ -4,7 +4,7 @@
 //   title = "Three tire models over the same cleats"
 //   channels = ["Fx", "Fz"]              # hub forces that are compared
 //   band = ["8 Hz", "200 Hz"]            # of spectra and levels
-//   agreement = 3                        # dB: how far a band may be off to count as followed
+//   agreement = 3                        # dB: largest error of a reproduced band
 //
 //   [specimen]                           # a tire in the place of a measured one
 //   kind = "ring_tire"                   # experiment/language.h
@@ -18,7 +18,7 @@
 //   file = "slow.toml"                   # experiment/rigs/drum_rig.h
 //   measurement = "slow_measured.csv"    # time and the channels, in the frame of the test
 //                                        # (experiment/rigs/hub_frame.h); not beside [specimen]
-//   fitted = true                        # the tires were fitted to it: only told; default false
+//   fitted = true                        # the tires were fitted to it; a remark, default false
 //
 //   [tire.rigid_ring]                    # as many as there are
 //   title = "Rigid ring"

@@ -174,7 +174,7 @@ void move_typed(const Uncertainty& number, double spreads, Document& numbers) {
 /// A model with moved numbers.
 struct MovedModel {
   Document numbers;
-  double count = 1.0;  // one over the deviations moved, as bounds may not allow one
+  double count = 1.0;  // factor to a full deviation: bounds may allow only a part of one
 };
 
 /// Moves a model by up to one deviation along a direction of a fit, to the side with more room.
@@ -183,7 +183,7 @@ MovedModel moved_along(const FitSource& source,
                        Eigen::Index axis,
                        const Document& numbers) {
   const auto u = source.study->space.to_unit(fit.point);
-  const auto room = [&](double side) {  // in deviations, one at most
+  const auto room = [&](double side) {  // available part of a deviation, at most 1
     double least = 1.0;
     for (std::size_t i = 0; i < u.size(); ++i) {
       const double step = side * fit.axes(static_cast<Eigen::Index>(i), axis);
@@ -329,8 +329,7 @@ void add_bands(const ModelComparisonFile& file,
 /// True if a measured line lies in the band widened by noise.
 bool holds(
     double measured, double S, double lower, double upper, const LineNoise& noise, double z) {
-  const double M = S + noise.density, share = S / M;  // share of a change of ln S that appears in
-                                                      // ln M
+  const double M = S + noise.density, share = S / M;  // ratio of d ln M to d ln S
   const double off = std::log(measured / M);
   const double down = std::hypot(share * std::log(S / lower), noise.log_quantile(S, -z));
   const double up = std::hypot(share * std::log(upper / S), noise.log_quantile(S, z));

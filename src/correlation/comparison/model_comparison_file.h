@@ -5,7 +5,7 @@
 //   title = "A car on a kerb"
 //   channels = ["pushrod_FL", "pushrod_RL"]   # over an even "time", whose spectra are compared
 //   told = ["unreachable", "area_mean_FL"]    # means over the record of channels, in a table
-//   from = "0 s"                         # what of a record counts; all unless given
+//   from = "0 s"                         # part of a record that is compared; all unless given
 //   segment = "0.25 s"                   # of the spectra, one Hann window each
 //   normalize = "150 Hz"                 # frequencies also over this one; not unless given
 //
@@ -18,7 +18,7 @@
 //   kind = "car"
 //   file = "track.toml"
 //   recorded = ["speed", "line"]         # channels beside those compared
-//   low_pass = "10 Hz"                   # of what models take as {from = "measurement.reference"}
+//   low_pass = "10 Hz"                   # of what models read as {from = "measurement.reference"}
 //   seed = 15
 //   [reference.noise]                    # standard deviation of every sample, in SI or with unit
 //   pushrod_FL = "30 N"
@@ -38,17 +38,17 @@
 //   title = "Baseline"
 //   fits = ["tire", "front"]             # where its numbers come from; none unless given
 //
-//   [fit.front]                          # a study that latsch run has ended: the models stand at
-//   study = "fits/front.toml"            # its best point, and their bands hold what it leaves open
-//   at = ["front_suspension"]            # where its model stands in those compared; it is them
+//   [fit.front]                          # a study that latsch run has completed: the models get
+//   study = "fits/front.toml"            # its best point, and their bands its uncertainty
+//   at = ["front_suspension"]            # path of its model in those compared; the whole model
 //                                        # unless given (fit_posterior.h)
 //
 //   [factorial]                          # two factors of two levels: 00, 01, 10, 11
 //   factors = ["tire", "compliance"]
 //   models = ["baseline", "mf_compliant", "ring_rigid", "proposed"]
 //
-//   [uncertainty.dampers]                # numbers of the models that no fit has told, by hand
-//   paths = ["front.spring.stiffness"]   # a model without one of them: without it
+//   [uncertainty.dampers]                # numbers of the models that no fit has determined
+//   paths = ["front.spring.stiffness"]   # numbers that a model lacks are skipped
 //   spread = 0.2                         # standard deviation of the logarithm
 //   source = "assumed"
 //

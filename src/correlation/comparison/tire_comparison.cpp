@@ -162,7 +162,7 @@ std::vector<double> level_errors(const TireComparison& all, std::size_t tire, st
   return errors;
 }
 
-/// Returns the longest row of bands within the agreement.
+/// Returns the longest sequence of adjacent bands within the agreement.
 FrequencyBand followed(const std::vector<double>& errors,
                        const std::vector<FrequencyBand>& bands,
                        double agreement) {

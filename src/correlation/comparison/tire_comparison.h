@@ -5,8 +5,8 @@
 //   PSD error    RMS(S_sim - S_mea) / RMS(S_mea) over the lines of the band [thesis K, 3.3]
 //   level error  L_sim - L_mea in third-octave bands, dB; root mean square over the tests
 //
-// A tire follows a channel over the longest row of bands whose level error over all tests stays
-// within the agreement asked for. Spectra use the whole record with one Hann window
+// A tire reproduces a channel over the longest sequence of adjacent bands whose level error over
+// all tests is within the stated agreement. Spectra use the whole record with one Hann window
 // (numerics/signals/welch.h, the scipy convention). If the specimen's noise, 2 sigma^2/rate, has
 // more than a quarter of the measured power in a band of a test, the band is left out, because it
 // does not show the tire. The noise of recordings is not known.
@@ -65,8 +65,8 @@ Channels measure(const Specimen& specimen, const ComparisonTest& test, std::size
 TireComparison compare_tires(const ComparisonFile& file,
                              const std::function<void(const std::string&)>& tell = {});
 
-/// Returns one sentence for each tire: up to which frequency it follows which channel, its error,
-/// its speed.
+/// Returns one sentence for each tire: the channels it reproduces and up to which frequency, its
+/// error, its speed.
 std::vector<std::string> verdicts(const ComparisonFile& file, const TireComparison& comparison);
 
 }  // namespace latsch::correlation

@@ -18,7 +18,7 @@ bool same(std::string_view a, std::string_view b) {
   });
 }
 
-/// Returns "FyW" for "FYW"; empty for a name of no force or moment.
+/// Returns "FyW" for "FYW"; empty if the name is not that of a force or moment.
 std::string force_or_moment(const std::string& name) {
   std::string upper = name;
   for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));

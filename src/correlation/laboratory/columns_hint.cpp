@@ -10,14 +10,15 @@
 namespace latsch::correlation {
 namespace {
 
-/// A string of TOML, whole; with single quotes if it holds a quote or a backslash itself.
+/// Returns a string of TOML with its quotes: single ones if it contains a quote or a backslash.
 std::string toml_text(const std::string& text) {
   const bool is_literal = text.find_first_of("\"\\") != text.npos;
   const char* quote = is_literal ? "'" : "\"";
   return quote + text + quote;
 }
 
-/// A key of TOML: letters, digits, "_" and "-" stand as they are, anything else in quotes.
+/// Returns a key of TOML: as it is if it has only letters, digits, "_" and "-", otherwise in
+/// quotes.
 std::string toml_key(const std::string& key) {
   const bool is_bare = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
     return (c < 0x80 && std::isalnum(c)) || c == '_' || c == '-';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table `columns` that a message proposes. A person copies it as it stands, so it holds all
-// that the study states already, the key is the channel that the study takes, and the unit is the
+// Builds the table `columns` that a message proposes. A person can copy it unchanged: it contains
+// everything the study already states, its key is the channel the study uses, and its unit is the
 // one in which people write that channel.
 #pragma once
 
@@ -11,18 +11,18 @@
 
 namespace latsch::correlation {
 
-/// `columns = {alpha = "SA [deg]", time = "t_s [s]"}`: the columns that are stated, with this one
-/// added or in the place of the one that `channel` was.
+/// `columns = {alpha = "SA [deg]", time = "t_s [s]"}`: the stated columns with this one added, or
+/// in place of the former column of `channel`.
 std::string columns_hint(std::map<std::string, StatedColumn> stated,
                          const std::string& channel,
                          StatedColumn column);
 
-/// The key of `columns` for a channel that somebody takes and a column that is found for it: the
-/// name of the vocabulary, with the frame or wheel of the column where its name says one.
+/// Returns the key of `columns` for a channel that is needed and the column found for it: the name
+/// in the vocabulary, with the frame or wheel that the column's name states, if any.
 std::string key_for(const std::string& channel, const std::string& column);
 
-/// The column with the unit to propose: none where the file or the study states one, else that in
-/// which people write the SI unit `unit`.
+/// Returns the column with the unit to propose: none if the file or the study states one, otherwise
+/// the unit in which people write the SI unit `unit`.
 StatedColumn with_natural_unit(StatedColumn column, const std::string& unit);
 
 }  // namespace latsch::correlation

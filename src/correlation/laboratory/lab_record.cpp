@@ -19,8 +19,8 @@
 namespace latsch::correlation {
 namespace {
 
-/// Splits the unit from names such as "SA_deg" or "P_kPa", for columns without a unit, if it has
-/// the dimension of the rest of the name.
+/// Moves a unit in a name, such as "SA_deg" or "P_kPa", to the unit of a column that states none,
+/// if the unit suits the quantity that the rest of the name means.
 void take_units_of_names(formats::LabTable& table) {
   Channels read;
   for (std::size_t k = 0; k < table.channels.all().size(); ++k) {

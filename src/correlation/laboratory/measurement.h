@@ -67,11 +67,12 @@ class Measurement {
     std::vector<std::string> words;    // samples read and result of each step, a line each
     std::vector<std::string> one_way;  // steps that cannot be undone: "low_pass", ...
     std::map<std::string, MeasurementNoise> noise;
-    std::map<std::string, std::string> left_out;          // channels that are none, and why
+    std::map<std::string, std::string> left_out;          // columns that are no channels, and why
     std::map<std::string, StatedColumn> written;          // a channel as the file has it
     std::map<std::string, StatedColumn> stated;           // the table `columns`
     std::map<std::string, formats::TableColumn> sources;  // a channel as its file states it
-    std::map<std::string, AxisFrame> turned_from;  // its frame there, where in_frame has turned it
+    std::map<std::string, AxisFrame> turned_from;  // the original frame of each channel that
+                                                   // in_frame has turned
     AxisConvention axes = AxisConvention::iso;
     std::shared_ptr<std::vector<Ledger>> ledgers;  // one for each file
     std::map<std::string, std::string> ambiguous;  // channels that two columns claim, in words
@@ -131,8 +132,8 @@ class Measurement {
   /// Returns columns that look like a channel of that unit but were not recognized: `Alhpa` for
   /// alpha.
   std::vector<std::string> columns_like(const std::string& channel, const std::string& unit) const;
-  /// `columns = {alpha = "Alhpa [deg]"}`: the whole table with which a column becomes a channel in
-  /// the SI unit `unit`. A unit stands there only if the file states none.
+  /// `columns = {alpha = "Alhpa [deg]"}`: the whole table that makes a column a channel in the SI
+  /// unit `unit`. It contains the unit only if the file states none.
   std::string hint_for(const std::string& channel,
                        const std::string& column,
                        const std::string& unit) const;

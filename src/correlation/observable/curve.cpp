@@ -171,7 +171,7 @@ namespace {
 /// Returns a measured abscissa, moved to the end of the simulated ones if it lies beyond by
 /// rounding only: a sum of time steps is not the decimal number of a file.
 double reached(double at, const std::vector<double>& x) {
-  constexpr double kRounding = 1e-9;  // share of the way from end to end
+  constexpr double kRounding = 1e-9;  // share of the interval from end to end
   const double end = std::clamp(at, x.front(), x.back());
   return std::abs(at - end) <= kRounding * (x.back() - x.front()) ? end : at;
 }
@@ -402,7 +402,7 @@ void draw_around_samples(const report::Band& band,
                          const std::vector<double>& computed,
                          report::MeasuredCurve& picture) {
   std::map<double, std::pair<double, double>>
-      beside;  // ends relative to the curve; at equal x the wider band
+      beside;  // band ends minus the curve; the wider band if x repeats
   for (std::size_t k = 0; k < x.size(); ++k) {
     const double lower = band.lower[k] - computed[k], upper = band.upper[k] - computed[k];
     if (!std::isfinite(lower) || !std::isfinite(upper)) continue;

@@ -7,13 +7,13 @@
 //   y = "response/z"
 //   measurement = "step.csv"           # columns time and z, as the channels are called; or the
 //                                      # name of a [measurement.NAME]
-//   frame = "W"                        # of a measured force or moment; a column may say it itself
+//   frame = "W"                        # of a measured force or moment; a column may state its own
 //                                      # ("FyW"). Another frame than the test's
 //                                      # (rigs/hub_frame.h) is refused; in_frame of a
 //                                      # [measurement.NAME] turns it. Default: the test's
 //   scale = "10 mm"                    # an error of 100 %; the largest |y| unless given
-//   compare = "values"                 # or "about_mean", "psd", "band_levels", "path": what of it
-//                                      # is compared, see curve_comparison.h
+//   compare = "values"                 # or "about_mean", "psd", "band_levels", "path": the kind of
+//                                      # comparison, see curve_comparison.h
 //   nuisance = {delay = "free"}        # the delay of the recording behind the simulation is fitted
 //                                      # at every trial (curve_delay.h); default: none
 //

@@ -8,9 +8,9 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kWidest = 0.1;  // share of the record, to each side
+constexpr double kWidest = 0.1;  // share of the record, before and behind
 constexpr int kCoarsest = 20;    // steps of the grid at least
-constexpr int kFinest = 2000;    // and at most: finer than that costs time and finds nothing new
+constexpr int kFinest = 2000;    // greatest number; a finer grid costs time without finding more
 constexpr int kMostDelaySteps = 30;  // Gauss-Newton steps; two or three are usual
 constexpr double kRoom = 1e-3;       // share of a simulated step; less is rounding of time
 constexpr double kSettled = 1e-12;   // share of the range; a smaller step ends the search

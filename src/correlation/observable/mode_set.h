@@ -11,7 +11,7 @@ namespace latsch::correlation {
 class ModeSet : public Observable {
  public:
   /// `test` records modes as experiment/rigs/mode_record.h says. For a twin, `count` is the number
-  /// of modes that the laboratory would measure, `points` the places (m, wheel frame).
+  /// of modes that the laboratory would measure, `points` the sensors (m, wheel frame).
   ModeSet(std::string test,
           std::vector<ModeRecord> measured,
           std::size_t count = 0,

@@ -25,7 +25,7 @@ struct NaturalAbscissa {
   std::vector<std::size_t> order;
   struct Group {
     std::string name;       // for example "Fz 1050 N, gamma 0 deg"; empty: there is one group
-    std::size_t from, end;  // places in `order`
+    std::size_t from, end;  // indices into `order`
   };
   std::vector<Group> groups;
 };

@@ -44,7 +44,7 @@ struct ObjectiveSettings {
   PairingSettings pairing;              // used by modal experiments
 };
 
-/// One experiment's part of the target.
+/// The part of one experiment in the target.
 struct Comparison {
   double value = 0.0;          // T_e = mean |d|^k
   double mean_error = 0.0;     // mean |dF| or mean |df|, independent of `compared` and exponent

@@ -57,7 +57,7 @@ struct ComparedValues {
   std::string kind;        // "load_deflection", "modes", "curve", "values": the name in a study
   std::string compared;    // "force", "PSD of response/z"
   std::string over = "";   // for example "over response/time"; empty: the conditions of the test
-                           // say all
+                           // suffice
   std::string whole = "";  // an error of 100 % if it is equal for all values: "10 mm"; otherwise
                            // empty
   std::string error_name = "d";        // symbol of one error: "dF", "df"
@@ -66,7 +66,7 @@ struct ComparedValues {
   bool is_sweep = true;                // true if neighboring values can share noise
   bool passes_slopes = false;          // true if slopes of the channels become slopes of its
                                        // differences
-  std::string unit = "1";              // SI unit of the values and of an absolute noise
+  std::string unit = "1";              // SI unit of the values and of a noise stated as a quantity
   std::string shown = "";              // unit a person reads; empty: `unit`
   /// Measured values in `unit`, and the size of an error of 100 % for each. The simulated value is
   /// measured - error scale (Comparison::errors).

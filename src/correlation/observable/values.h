@@ -6,7 +6,7 @@
 //   kind = "values"
 //   channel = "standing/vertical"      # TEST/CHANNEL; of a simulator OUTPUT/QUANTITY
 //   value = "220 N/mm"                 # as measured
-//   of = "largest"                     # where the channel has several: or smallest, mean, first,
+//   of = "largest"                     # if the channel has several: or smallest, mean, first,
 //                                      # last
 //   scale = "10 N/mm"                  # an error of 100 %; the measured value unless given
 //

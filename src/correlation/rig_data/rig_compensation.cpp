@@ -91,7 +91,8 @@ std::vector<RimPair> averages(const std::vector<FitPassages>& cases,
 }
 
 RigResponse start_of(const RigFile& rig, const std::optional<HammerResult>& hammer) {
-  // A start by hand is the rig's response, whether or not a hammer test refines it.
+  // A response stated by hand is used as the rig's response, with or without a hammer test to
+  // refine it.
   const RigResponse of_rig = hammer ? hammer->fit.response : *rig.compensation->start;
   const auto back = inverse(of_rig);
   if (!back) {

@@ -6,7 +6,7 @@
 //   time = "time"                        # names as in the files
 //   speed = "speed"                      # of the drum's surface; or pulses = "tooth", of a toothed
 //                                        # wheel on its shaft: pulse_speed.h
-//   force = "Fz"                         # gives period and alignment, is compensated
+//   force = "Fz"                         # gives period and alignment; the filter is applied to it
 //   also = ["Fx"]                        # averaged too; none unless given
 //   [channels.units]                     # of files that have none (MAT)
 //   Fz = "N"
@@ -26,7 +26,7 @@
 //   [run.c_dummy]
 //   file = "c_dummy.csv"
 //
-// Optional, what the rig adds (3-3) and the filter that takes it away:
+// Optional: the response that the rig adds (3-3) and the filter that removes it:
 //
 //   [hammer]
 //   file = "hammer.csv"
@@ -44,7 +44,7 @@
 //   real = "c_real"
 //   speed = "60 km/h"
 //
-// A rig of which everything is known instead of recordings: [truth], see synthetic_files.h.
+// Simulated recordings of a known rig, in place of measured ones: [truth], see synthetic_files.h.
 #pragma once
 
 #include <filesystem>

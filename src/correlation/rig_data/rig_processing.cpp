@@ -78,14 +78,14 @@ ProcessedPlateau process_plateau(const RigFile& rig,
   return result;
 }
 
-/// The unit in which a channel is taken that states none; empty: as a plain number.
+/// Returns the unit assumed for a channel that states none; empty: a plain number.
 std::string unit_without_statement(const RigFile& rig, const std::string& name) {
   if (name == rig.time) return "s";
   if (name == rig.speed) return "m/s";
   return name == rig.force ? "N" : "";
 }
 
-/// A row for each column of a recording: time, speed or pulses, forces, and what nobody takes.
+/// Returns a row for each column of a recording: time, speed or pulses, forces, and unused columns.
 Ledger ledger_of_recording(const RigFile& rig,
                            const std::filesystem::path& file,
                            const formats::Recording& recording,
@@ -133,8 +133,8 @@ Ledger ledger_of_recording(const RigFile& rig,
   return ledger;
 }
 
-/// The channels that are as long as the time, and those asked for. A MAT file may hold anything
-/// else.
+/// Returns the channels that are as long as the time, and the requested ones. A MAT file may
+/// contain others.
 DrumRecord read_record(const RigFile& rig,
                        const std::filesystem::path& file,
                        const std::vector<std::string>& needed,

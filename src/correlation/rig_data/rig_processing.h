@@ -89,7 +89,7 @@ struct RigResults {
 /// Throws InputError naming the recording and what to do.
 RigResults process(const RigFile& rig, const RigProgress& progress);
 
-/// Processes one recording. Its channels may have any origin.
+/// Processes one recording. The channels need not come from a file.
 ProcessedRun process_run(const RigFile& rig, const std::string& name, DrumRecord record);
 
 /// Returns the density with the segment length of the rig file's convention, at most the length of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the stage of a study that has followed an experiment best, and whether the result is worse.
+// Finds the stage of a study that has fitted an experiment best, and whether the result is worse.
 //
 // A stage that fits one experiment leaves an error e_0 in the experiment's own measure, the mean
 // |d|^k to the power 1/k (an RMS for k = 2). A later stage that fits other experiments, too, may

@@ -36,8 +36,9 @@ struct Known {
 };
 
 /// Returns the last outcome of every point inside the bounds, in an order independent of the
-/// journal's. Only trials up to `at_start` count, if the marks up to there say that they were
-/// requested, because a continued search requests further points that were not known at its start.
+/// journal's. Only trials before `at_start` count, and only if the marks before it show that they
+/// were requested, because a continued search requests further points that were not known at its
+/// start.
 std::vector<Known> known_points(const Study& study,
                                 const Journal& journal,
                                 const KnownAtStart& at_start) {

@@ -6,8 +6,8 @@
 //   coefficients = [1, -2]             # 1 each unless given
 //   upper = "0 GPa"                    # and lower; or equal = "..." in the place of both
 //
-// Every optimizer keeps to the linear constraints. A design of experiments samples the whole bounds
-// and ignores them.
+// Every optimizer satisfies the linear constraints. A design of experiments samples the whole
+// bounds and ignores them.
 #pragma once
 
 #include <vector>

@@ -10,20 +10,20 @@
 //   intervals = true                   # after a fit: confidence intervals, two to six trials a
 //                                      # variable
 //   journal = "study.latsch"           # beside the study
-//   stragglers = true                  # what runs long is started twice or stopped, where a worker
-//                                      # is idle or a point that is wanted waits; docs/trials.md
+//   stragglers = true                  # a trial that runs long is started twice, or stopped, if a
+//                                      # worker is idle or a requested point waits; docs/trials.md
 //   straggler_factor = 3               # so many times longer than the median
-//   look_ahead = 4                     # points proposed ahead for every worker of several, where
-//                                      # that is not slower than the trials themselves
+//   look_ahead = 4                     # points proposed ahead for each of several workers, if
+//                                      # proposing them is not slower than the trials
 //
 // Other values of on_failure are:
 //   on_failure = "abort"               # the run ends
 //   on_failure = "retry"               # once more, `retries` times, then as "proceed"
 //   retries = 1
-//   on_failure = "recover"             # the optimizer is told a target of `penalty` in its place,
+//   on_failure = "recover"             # the optimizer observes a target of `penalty` instead,
 //   penalty = "100 %"                  # with residuals that have this as their sum of squares
 //   on_failure = "continuation"        # approached from the nearest point that succeeded, halving
-//   halvings = 4                       # the way so often; see evaluation/schedule/failure_answer.h
+//   halvings = 4                       # the step so often (evaluation/schedule/failure_answer.h)
 //
 // The journal and the report show the trial as failed in any case. A design of experiments has no
 // optimizer, so "recover" and "continuation" act there as "proceed". A trial whose worker was

@@ -113,7 +113,7 @@ std::optional<std::string> reason_against(const SpecimenKind& kind,
 
 namespace {
 
-/// Returns the conditions that a table leaves out by without = ["kappa"].
+/// Returns the conditions that a table excludes by without = ["kappa"].
 std::vector<std::string> left_out_of(const Node& table,
                                      const std::vector<experiment::MeasuredCondition>& conditions) {
   if (!table.has("without")) return {};

@@ -14,10 +14,10 @@
 //   [test.slow]
 //   file = "slow.toml"               # a file with a kind of test
 //
-//   [test.steady]                    # or what would stand in it
+//   [test.steady]                    # or the content of such a file
 //   kind = "steady_states"
-//   states = {from = "measurement.cornering"}  # numbers as they were measured; of a key that
-//                                              # takes one channel also of another: channel =
+//   states = {from = "measurement.cornering"}  # numbers as they were measured; for a key that
+//                                              # needs one channel also of another: channel =
 //                                              # "drum_speed"
 //
 //   [experiment.slow_Fz]             # observable/curve.h

@@ -137,8 +137,8 @@ std::vector<StudyExperiment> read_experiments(const Node& root,
 
 constexpr std::size_t kLargestMeasurement = std::size_t{2} << 30;
 
-/// A misspelled table makes another table missing. Reports the first unknown table that resembles
-/// a known one.
+/// If a table's name is misspelled, another table seems to be missing. Reports the first unknown
+/// table that resembles a known one.
 void reject_unknown_table(const std::filesystem::path& file) {
   static const std::vector<std::string> kTables{"model",
                                                 "simulator",
@@ -190,7 +190,7 @@ std::string search_key(const Study& study) {
   return fmt::format("{:016x}", state);
 }
 
-/// Checks everything that would make every trial fail.
+/// Rejects everything that would make every trial fail.
 void check_reach(const Node& root,
                  const std::vector<StudyTest>& tests,
                  const StudyExperiment& experiment,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One experiment of a study: a test, the measurement, and the way the recording is compared with
-// it.
+// One experiment of a study: a test, the measurement, and the method of their
+// comparison.
 //
 // A test is stated in its experiment, or by itself as [test.NAME] (specimens.h) for several
 // experiments; then test = "NAME" replaces the keys of the test.
@@ -14,8 +14,8 @@
 //   compare = "force"                  # or "root_force", see objective.h
 //   exponent = 1
 //   weight = 1
-//   noise = "1 %"                      # of a measured value, where known: weights the fit, tells
-//                                      # it when to end, and gives the intervals; also "20 N",
+//   noise = "1 %"                      # of a measured value, if known: weights the fit, determines
+//                                      # its end and the intervals; also "20 N",
 //                                      # "estimated" by the fit, "own_stage", which is the error
 //                                      # an earlier stage left, and loss: measurement_noise.h
 //   use = "fit"                        # or "predict": compared in the report, not fitted
@@ -72,7 +72,7 @@ struct StudyExperiment {
 
   /// Returns the number of measured values compared.
   size_t values() const { return observable->values(); }
-  /// Returns the place of the measured values in words: "measurement cornering", "stiffness.csv",
+  /// Returns the source of the measured values in words: "measurement cornering", "stiffness.csv",
   /// "the study".
   std::string measured_in() const;
 };

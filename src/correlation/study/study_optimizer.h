@@ -8,9 +8,9 @@
 //                                 # residuals, gss, gss_nlc, nelder_mead, genetic, ensemble
 //   step_tolerance = 0.001        # of the range of a variable, as initial_step = 0.1;
 //                                 # levenberg_marquardt 0.000001 and 0.5
-//   progress_tolerance = 0.001    # levenberg_marquardt: what three steps have to gain together, of
-//                                 # the target, where the slopes promise little more; that of one
-//                                 # measured value unless given
+//   progress_tolerance = 0.001    # levenberg_marquardt: least gain of three steps together,
+//                                 # as a share of the target, if the slopes promise little more;
+//                                 # that of one measured value unless given
 //   outstanding = 1               # points decided on at once: gss, gss_nlc, residual_trust_region
 //   max_steps = 1000              # outcomes the optimizer may observe
 //   contraction = 0.25            # gss; gss_nlc 0.5
@@ -18,9 +18,9 @@
 //   penalty = "l2_squared"        # gss_nlc; or l1, l2, linf, l1_smoothed, l2_smoothed,
 //                                 # linf_smoothed: optimization/direct_search/penalty.h
 //   penalty_parameter = 1         # gss_nlc: rho at first
-//   restarts = 4                  # residual_trust_region: begins again so often where more is left
-//                                 # than stated noise makes or, where none is, than a thousandth
-//                                 # of the first target: out of local minima, or where variables
+//   restarts = 4                  # residual_trust_region: most restarts, if the error exceeds
+//                                 # the stated noise or, if none is stated, a thousandth
+//                                 # of the first target: to leave local minima, or if variables
 //                                 # may be lost (lost_variables.h)
 //   difference = 0.0001           # sqp: step of differences, of the range
 //   population = 40               # genetic

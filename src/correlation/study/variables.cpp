@@ -142,7 +142,7 @@ DesignVariable* find_variable(std::vector<DesignVariable>& variables, const std:
   return nullptr;
 }
 
-/// Returns the variable at the end of the chain, and the product of the factors on the way.
+/// Returns the variable at the end of the chain, and the product of the factors along the chain.
 std::pair<DesignVariable*, double> leader(const Tie& tie,
                                           const std::vector<Tie>& ties,
                                           std::vector<DesignVariable>& variables) {

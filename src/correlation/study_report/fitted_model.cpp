@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kNearestToBound =
-    1e-6;  // share of the range; a value nearer to a bound stands at it
+    1e-6;  // share of the range; a value nearer to a bound counts as at the bound
 constexpr int kDigitsWithoutInterval = 6;  // digits of a value without a known uncertainty
 
 std::string file_as_named(const Study& study, const fs::path& file) {
@@ -40,10 +40,10 @@ double value_in_si(const DesignSpace& space, int variable, double u) {
   return space.from_unit(all).values[static_cast<std::size_t>(variable)];
 }
 
-/// " N/mm", "" for numbers without unit.
+/// Returns " N/mm"; "" for numbers without a unit.
 std::string behind_number(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
 
-/// "; at its bound 0.5", or "".
+/// Returns "; at its bound 0.5", or "".
 std::string at_bound_in_words(const DesignSpace& space, const DesignPoint& point, int variable) {
   const auto i = static_cast<std::size_t>(variable);
   const double u = space.to_unit(point)[i];
@@ -52,7 +52,7 @@ std::string at_bound_in_words(const DesignSpace& space, const DesignPoint& point
   return "; at its bound " + format_quantity(u < 0.5 ? v.lower : v.upper, v.unit, 5);
 }
 
-/// "-32.1 +- 0.4 (95 %)", "-32.1 +0.5 -0.3 (95 %)" if both ends lie inside the bounds.
+/// Returns "-32.1 +- 0.4 (95 %)", "-32.1 +0.5 -0.3 (95 %)" if both ends lie inside the bounds.
 std::string with_interval(const Study& study,
                           const DesignPoint& point,
                           int variable,
@@ -63,7 +63,7 @@ std::string with_interval(const Study& study,
   const double below = value - unit.from_si(value_in_si(study.space, variable, interval.lower)),
                above = unit.from_si(value_in_si(study.space, variable, interval.upper)) - value;
   const double half = 0.5 * (below + above);
-  constexpr double kSkew = 0.05;  // share of the half width; a smaller one is told as +-
+  constexpr double kSkew = 0.05;  // share of the half width; a smaller asymmetry is written as +-
   const std::string number = format_known(value, half);
   if (std::abs(above - below) <= kSkew * half)
     return fmt::format("{} +- {}{} (95 %)", number, format_number(half, 2), behind_number(v.unit));
@@ -74,7 +74,7 @@ std::string with_interval(const Study& study,
                      behind_number(v.unit));
 }
 
-/// The stages that move a variable: indices into study.stages.
+/// Returns the stages that move a variable, as indices into study.stages.
 std::vector<std::size_t> stages_that_move(const Study& study, int variable) {
   std::vector<std::size_t> all;
   for (std::size_t k = 0; k < study.stages.size(); ++k) {
@@ -85,7 +85,7 @@ std::vector<std::size_t> stages_that_move(const Study& study, int variable) {
   return all;
 }
 
-/// The origin of the value of one variable, in words.
+/// Returns the origin of the value of one variable, in words.
 std::string origin_of_variable(const Study& weighted,
                                const DesignPoint& point,
                                const std::optional<Identifiability>& what,
@@ -170,7 +170,7 @@ std::string error_line(const Study& study,
                      data_files_in_words(study, experiment));
 }
 
-/// The lines about the whole fit, which begin the file.
+/// Returns the lines about the whole fit, which begin the file.
 std::vector<std::string> fit_header(const Study& weighted,
                                     const DesignPoint& point,
                                     const Channels& recorded,
@@ -206,7 +206,7 @@ std::vector<std::string> fit_header(const Study& weighted,
   return lines;
 }
 
-/// The origins of the numbers that variables and ties move, by path.
+/// Returns the origins of the numbers that variables and ties move, by path.
 std::map<std::string, std::string> origins_of_variables(const Study& weighted,
                                                         const DesignPoint& point,
                                                         const Journal& journal) {

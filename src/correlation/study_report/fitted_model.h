@@ -16,7 +16,7 @@
 
 namespace latsch::correlation {
 
-/// Time and program, which the study does not know.
+/// Time and version of the program, which a study does not know.
 struct ExportedBy {
   std::string version;  // "0.1.0"
   std::string date;     // "2026-03-01"
@@ -25,18 +25,20 @@ struct ExportedBy {
 struct FittedModel {
   Document numbers;
   experiment::Provenance provenance;
-  bool is_fitted = false;  // false: no trial succeeded so far, the numbers are the initial values
+  bool is_fitted = false;  // false: no trial has succeeded yet, so the numbers are the initial
+                           // values
 };
 
 /// Returns the model of the best trial in the journal of the study, or of the initial values if
 /// there is no journal. `at`: another point of the study, of which the journal need not know
-/// anything. InputError if the journal belongs to another study, or to this one before it was
-/// edited.
+/// anything. Throws InputError if the journal belongs to another study, or to this one before it
+/// was edited.
 FittedModel fitted_model(const Study& study,
                          const ExportedBy& by,
                          const std::optional<DesignPoint>& at = std::nullopt);
 
-/// The text of its file with the origins in comments. The study has a kind of model.
+/// Returns the text of the model's file with the origins in comments. Requires a study with a kind
+/// of model, not an outside program.
 std::string text_of(const Study& study, const FittedModel& model);
 
 }  // namespace latsch::correlation

@@ -21,8 +21,8 @@ struct RatedTrial {
 /// Less violation beyond what counts as fulfilled, or else a smaller target.
 bool is_better(const RatedTrial& a, const RatedTrial& b);
 
-/// Every trial asked for that succeeded with its target, computed anew from the stored channels, in
-/// the order they finished.
+/// Returns every requested trial that succeeded, with its target, recomputed from the stored
+/// channels, in the order of completion.
 std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal);
 
 /// True if the variables that the last stage does not free have the values at which it holds them.

@@ -6,7 +6,7 @@
 //
 // A slope disagrees if its error exceeds 1e-5 of the largest slope of its variable and ten times
 // the difference between the two lengths, which is large if a kink lies between them. A kink closer
-// to the point, as where a place of the tread just touches, affects both lengths alike. Then
+// to the point, as where a point of the tread just touches, affects both lengths alike. Then
 // forward and backward differences do not approach each other as the length falls, and their
 // difference
 //

@@ -5,7 +5,7 @@
 // each of the N values of a fitted experiment of positive weight w, with d its difference as
 // compared,
 //   r = sqrt(w) d / sigma        if the experiments state their noise (measurement_noise.h), or if
-//                                it is estimated (estimated_noise.h), then in units of a common
+//                                it is estimated (estimated_noise.h), and is in units of a common
 //                                spread that is estimated from the fit, or
 //   r = sqrt(w n / N) d          otherwise, with n the mean of all N; the weights then express how
 //                                far values can be trusted, and the common spread of sqrt(w) d is

@@ -47,7 +47,7 @@ class StudyTrials {
 
   Result<Channels> run(const DesignPoint& point) {
     std::unique_ptr<experiment::Specimen> specimen;
-    try {  // only the bounds were checked, one by one, not every combination
+    try {  // the study's reader checked each bound alone, not every combination
       specimen = study_.specimens->at(study_, point, reuse_.take());
     } catch (const InputError& error) {
       return Failure{std::string("the model does not accept this point: ") + error.what()};
@@ -142,7 +142,8 @@ double noise_alone(const Study& study) {
   for (const StudyExperiment& experiment : fitted) {
     const double w = experiment.objective.weight, N = static_cast<double>(experiment.values());
     if (w > 0.0 && experiment.loss.loss != Loss::squares) return 0.0;
-    if (experiment.estimates_noise) return 0.0;  // all remaining error was called noise
+    if (experiment.estimates_noise) return 0.0;  // the target of an estimated noise has no floor:
+                                                 // all remaining error is noise
     mean += w * N;
     variance += 2.0 * w * w * N;
   }
@@ -164,7 +165,8 @@ Objective objective(const Study& study) {
         Score score;
         for (const StudyExperiment& experiment : fitted) {
           auto comparison = experiment.observable->compare(channels, experiment.objective);
-          if (!comparison) return comparison.failure();  // a measurement may have grown since
+          if (!comparison) return comparison.failure();  // rows may have been added to a
+                                                         // measurement since
           comparisons.push_back(std::move(*comparison));
           weigh(experiment, common, comparisons.back());
         }

@@ -17,7 +17,7 @@
 
 namespace latsch::correlation {
 
-/// Parts of one trial, one entry for each fitted experiment in the order of the study.
+/// parts of the trial, one for each fitted experiment in the order of the study
 struct TargetParts {
   std::vector<double> values;       // T_e
   std::vector<double> mean_errors;  // mean |dF| or |df|

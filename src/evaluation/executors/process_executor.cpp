@@ -29,12 +29,12 @@ Steady::duration seconds(double s) {
   return std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(s));
 }
 
-/// Place for a worker process, which may be replaced.
+/// Slot of a worker process, whose process may be replaced.
 struct Slot {
   std::unique_ptr<WorkerProcess> process;
   bool ready = false;  // true once the process has reported that it listens
   std::optional<DesignPoint> point;
-  std::uint64_t trial = 0;   // number of its trial, which identifies the answer
+  std::uint64_t trial = 0;   // number of its trial; messages contain it
   Steady::time_point since;  // start of the process until it is ready, then start of the trial
 };
 
@@ -43,8 +43,8 @@ struct Slot {
 struct ProcessExecutor::Impl {
   ProcessOptions options;
   std::vector<Slot> slots;
-  int failed_starts = 0;     // in a row, of any worker
-  int killed_starts = 0;     // in a row, killed from outside
+  int failed_starts = 0;     // consecutive, over all workers
+  int killed_starts = 0;     // consecutive kills from outside
   std::uint64_t trials = 0;  // number of trials started so far
 
   void start_process(Slot& slot) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Worker processes: a trial that crashes, hangs or prints nonsense costs only that trial.
+// Worker processes: a trial that crashes, hangs or prints nonsense loses only that trial.
 //
 // Each worker is a program started from an argument list (never a shell line) by posix_spawn, in
 // its own process group, and calls serve() of worker.h. The worker answers on file descriptors of

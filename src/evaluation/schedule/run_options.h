@@ -17,8 +17,8 @@ struct FailurePolicy {
     proceed,       // The optimizer treats the point as worse than any that succeeded.
     abort,         // The run ends.
     recover,       // The optimizer receives `penalty`; see failure_answer.h.
-    continuation,  // The optimizer receives the value of the last successful point on the way
-                   // there.
+    continuation,  // The optimizer receives the value of the last successful point on the path to
+                   // the failed point.
   };
   Then then = Then::proceed;
   /// Number of repeats of a failed trial before it counts as failed. No point is started more than

@@ -81,7 +81,7 @@ std::string span_in_words(const LimitedInput& input, const MeasuredExtent& exten
                      input.unit);
 }
 
-/// Sets the limits of one input and says why.
+/// Sets the limits of one input and records the reason.
 void limit_input(const LimitedInput& input,
                  const MeasuredAt& measured_at,
                  Parameters& p,
@@ -118,7 +118,7 @@ void limit_input(const LimitedInput& input,
   take(upper, extent->greatest, upper < extent->greatest, input.upper);
 }
 
-/// The speed has no range in a .tir: a remark says it.
+/// A .tir has no range of speed, so a remark states the measured speeds.
 void remark_speed(const MeasuredAt& measured_at, TirRemarks& remarks) {
   std::vector<double> values = measured_at("Vx");
   std::erase_if(values, [](double x) { return !std::isfinite(x); });
@@ -128,7 +128,8 @@ void remark_speed(const MeasuredAt& measured_at, TirRemarks& remarks) {
       "speeds of the data: {:.4g} to {:.4g} m/s; a .tir has no range of speed", *least, *greatest);
 }
 
-/// The origin of a value that the study has not fitted. `stated`: the remarks of the model file.
+/// Returns the origin of a value that the study has not fitted. `stated`: the remarks of the model
+/// file.
 std::string origin_of(const std::string& key,
                       const std::map<std::string, std::string, std::less<>>& stated,
                       const std::string& file) {
@@ -138,7 +139,7 @@ std::string origin_of(const std::string& key,
   return "kept from " + file + (found->second.empty() ? "" : ": " + found->second);
 }
 
-/// The words of the file that no parameter is, which the new file does not have.
+/// Returns a remark about keys of the model file that are no parameters; the new file lacks them.
 std::vector<std::string> lines_left_out(const formats::TirFile& tir, const std::string& file) {
   std::vector<std::string> names;
   for (const formats::TirKey& key : tir.keys)
@@ -156,7 +157,7 @@ std::set<std::string> known_coefficients(const std::filesystem::path& model_file
   try {
     for (const auto& [key, remark] : formats::remarks_of(formats::read_tir(model_file)))
       if (!remark.starts_with("assumed")) known.insert(key);
-  } catch (const InputError&) {  // moved away since the study was read
+  } catch (const InputError&) {  // the file was moved or deleted since the study was read
   }
   return known;
 }
@@ -174,7 +175,7 @@ std::string fitted_tir_text(const Document& numbers, const Provenance& provenanc
     const formats::TirFile tir = formats::read_tir(provenance.model_file);
     stated = formats::remarks_of(tir);
     for (std::string& line : lines_left_out(tir, name)) header.push_back(std::move(line));
-  } catch (const InputError& error) {  // moved away since the study was read
+  } catch (const InputError& error) {  // the file was moved or deleted since the study was read
     header.push_back(std::string("The model file cannot be read any more: ") + error.what());
   }
   remarks.header = comment_lines(header, "$ ");

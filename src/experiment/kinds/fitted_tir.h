@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A .tir that says of every value where it comes from, and limits its inputs to the data.
+// Writes a .tir that states the origin of every value and limits its inputs to the data.
 //
-// Behind every value stands one of
+// Every value is followed by one of
 //   fitted -32.1 +- 0.4 (95 %)     by the study, as Provenance::origins has it
 //   kept from tire.tir             the study's model file states it; with the comment of that file
 //   assumed, ...                   the model file does not state it, or says itself that it assumes
@@ -22,13 +22,13 @@
 
 namespace latsch::experiment {
 
-/// InputError if the numbers make no tire. Reading the text gives the numbers to the last bit, but
-/// for the ranges.
+/// Throws InputError if the numbers make no tire. Reading the text returns the same numbers to the
+/// last bit, except for the ranges.
 std::string fitted_tir_text(const Document& numbers, const Provenance& provenance);
 
-/// The coefficients that are known: those among `fitted`, and those that the model file states
-/// without saying that it assumes them. The others are assumed. A file that cannot be read any more
-/// states none.
+/// Returns the known coefficients: those among `fitted`, and those that the model file states
+/// without the remark "assumed". All others are assumed. A file that cannot be read any more states
+/// none.
 std::set<std::string> known_coefficients(const std::filesystem::path& model_file,
                                          const std::vector<std::string>& fitted);
 

@@ -24,7 +24,7 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
     if (!tire) throw InputError({file_, 0}, "makes no rigid ring: " + tire.failure().reason);
     return std::move(*tire);
   }
-  /// One pair of cams looks along one line of the road.
+  /// One pair of cams scans a single line of the road.
   std::vector<std::string> limits_on(const Cleat& cleat) const override {
     if (std::abs(cleat.angle) < kStraightCleat || parameters_.ELLIPS_NWIDTH >= 2.0) return {};
     return {

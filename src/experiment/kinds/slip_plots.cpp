@@ -28,7 +28,7 @@ constexpr double kBar = 1e5;
 constexpr double kNothing = 1e-6;  // share of the nominal load, in N and N m; a smaller force
                                    // counts as none
 
-/// A condition besides the slips, with its name in the legend.
+/// A test condition other than slip, with its name in the legend.
 struct Varied {
   std::string name;
   State state;
@@ -109,14 +109,14 @@ bool exceeds(const std::vector<double>& values, double limit) {
       values.begin(), values.end(), [&](double value) { return std::abs(value) > limit; });
 }
 
-/// A plot with what it takes to judge its lines.
+/// A plot with the data needed to judge which of its lines are supported by the fit.
 struct JudgedPlot {
   LinePlot plot;
   const char* slip;  // channel of the abscissa
   double unit;       // SI, of one unit of the abscissa; 0: no slip
   char force;        // 'X', 'Y', 'Z' or 'R', see is_of()
   std::optional<magic_formula::Condition> varied;
-  std::vector<double> values;  // SI, of what is varied, a line each
+  std::vector<double> values;  // SI, of the varied condition, one for each line
   double nominal = 0.0;
 };
 
@@ -128,7 +128,8 @@ bool is_of(char force, const std::string& name) {
   return name[0] == 'P' || (force == 'Z' && name[0] == 'Q');
 }
 
-/// True if a coefficient of a force is known, or of those of a condition alone if one is given.
+/// True if at least one coefficient of a force is known; if a condition is given, at least one of
+/// those that describe its effect.
 bool knows(const SlipKnowledge& knowledge,
            char force,
            const std::optional<magic_formula::Condition>& condition) {
@@ -142,7 +143,7 @@ bool knows(const SlipKnowledge& knowledge,
       });
 }
 
-/// Least and greatest; nullopt if there is none.
+/// Returns the least and the greatest value; nullopt if there is none.
 std::optional<std::pair<double, double>> ends_of_values(std::vector<double> values) {
   std::erase_if(values, [](double x) { return !std::isfinite(x); });
   if (values.empty()) return std::nullopt;
@@ -150,7 +151,7 @@ std::optional<std::pair<double, double>> ends_of_values(std::vector<double> valu
   return std::pair{*least, *greatest};
 }
 
-/// Shades, dashes and names by what the fit knows.
+/// Shades, dashes and names the lines according to what the fit knows.
 LinePlot told_by_knowledge(JudgedPlot one, const SlipKnowledge& knowledge) {
   LinePlot& plot = one.plot;
   if (one.unit > 0.0 && !knowledge.measured_at("Fz").empty()) {
@@ -159,7 +160,7 @@ LinePlot told_by_knowledge(JudgedPlot one, const SlipKnowledge& knowledge) {
         slips ? std::pair{slips->first / one.unit, slips->second / one.unit} : std::pair{0.0, 0.0};
   }
   const bool has_force = knows(knowledge, one.force, std::nullopt);
-  // Forces grow with the load by themselves; camber and pressure act by their coefficients alone.
+  // Forces change with the load without special coefficients; camber and pressure need theirs.
   const bool has_condition = !one.varied || *one.varied == magic_formula::Condition::load ||
                              knows(knowledge, one.force, one.varied);
   const auto reached =
@@ -179,8 +180,8 @@ LinePlot told_by_knowledge(JudgedPlot one, const SlipKnowledge& knowledge) {
   return plot;
 }
 
-/// True if the tire has this force at all and the varied quantity changes it: a file need not have
-/// the coefficients of every slip, of camber and of pressure.
+/// True if the tire has this force and the varied quantity changes it: not every file has the
+/// coefficients of every slip, of camber and of pressure.
 bool tells_something(const LinePlot& plot, double FNOMIN) {
   const double limit = kNothing * FNOMIN;
   const auto has_force = [&](const PlotLine& line) {

@@ -13,10 +13,10 @@
 
 namespace latsch::experiment {
 
-/// The knowledge of a fit about a tire.
+/// Knowledge about a tire that its fit has given.
 struct SlipKnowledge {
-  std::set<std::string> coefficients;  // fitted or kept from a file; others are assumed
-  /// The values (SI) of a condition in the fitted tests; none if they do not state it.
+  std::set<std::string> coefficients;  // fitted or stated by a file; others are assumed
+  /// Returns the values (SI) of a condition in the fitted tests; none if these do not state it.
   std::function<std::vector<double>(const std::string&)> measured_at;
 };
 

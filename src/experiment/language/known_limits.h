@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits of a tire model on an obstacle, told beside the result of a test.
+// Limits of a tire model on an obstacle, reported beside the result of a test.
 #pragma once
 
 #include <string>
@@ -12,14 +12,15 @@ namespace latsch::experiment {
 /// A specimen that knows limits of its model.
 struct KnowsLimits {
   virtual ~KnowsLimits() = default;
-  /// A sentence for every limit that counts on this cleat; empty: none does.
+  /// Returns a sentence for every limit that matters on this cleat; empty if none does.
   virtual std::vector<std::string> limits_on(const Cleat& cleat) const = 0;
 };
 
-/// Angles below do not count, rad: the width of a tire sees such a cleat as a straight one.
+/// Angle of a cleat, rad, below which it acts like a straight cleat over the tire's width.
 constexpr double kStraightCleat = 0.02;
 
-/// Those of a specimen, if it knows any, on the cleat of a test, if there is one.
+/// Returns the limits of a specimen on a test's cleat; empty if the specimen knows no limits or the
+/// test has no cleat.
 template <class Specimen>
 std::vector<std::string> limits_of(Specimen& specimen, const std::optional<Cleat>& cleat) {
   const auto* knows = specimen.template find<KnowsLimits>();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The origin of the numbers of a fitted model, for the comments of its file.
 //
-// Whoever fits a model fills a Provenance in; SpecimenKind::annotated_text() writes it down. The
-// date is an argument: the clock is read where the user types the command, so that the text of a
-// file depends on nothing but its arguments.
+// Code that fits a model fills in a Provenance; SpecimenKind::annotated_text() writes it to the
+// file. The date is an argument: the clock is read where the user types the command, so that the
+// text of a file depends on nothing but its arguments.
 #pragma once
 
 #include <filesystem>
@@ -18,22 +18,22 @@ namespace latsch::experiment {
 struct Provenance {
   /// Lines about the whole fit: program, date, study, data, target, errors of each experiment.
   std::vector<std::string> header;
-  /// The origin of a number by its path: "fitted -32.1 +- 0.4 (95 %)". The other numbers are those
-  /// of the model's file or defaults.
+  /// The origin of a number by its path: "fitted -32.1 +- 0.4 (95 %)". Numbers without an entry
+  /// come from the model's file or are defaults.
   std::map<std::string, std::string> origins;
   /// The file that the study names as its model, as the study writes the name.
   std::string model_name;
   /// The path of that file.
   std::filesystem::path model_file;
-  /// The values (SI) of a condition in the tests of the fitted experiments. May be null.
+  /// Returns the values (SI) of a condition in the tests of the fitted experiments. May be null.
   MeasuredAt measured_at;
 };
 
-/// Each line behind `mark`, in lines of at most 96 characters; control characters become blanks, so
-/// no text of a user ends a comment.
+/// Returns each line behind `mark`, in lines of at most 96 characters. Control characters become
+/// blanks, so that no text of a user can end a comment.
 std::string comment_lines(const std::vector<std::string>& lines, const std::string& mark);
 
-/// A text without control characters, fit for one line of a comment.
+/// Returns a text without control characters, which fits into one line of a comment.
 std::string on_one_line(std::string text);
 
 }  // namespace latsch::experiment

@@ -17,7 +17,7 @@ class DrumCleatTest : public Test {
   std::vector<std::string> needs() const override;
   std::optional<Reach> reach(const std::string& channel) const override;
   Result<Channels> run(Specimen& specimen) const override;
-  /// Tells what the tire's model does not describe on the cleat.
+  /// Describes in words what the tire's model neglects on this cleat.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override;
 

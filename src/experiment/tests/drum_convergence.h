@@ -21,8 +21,8 @@ struct ChannelConvergence {
                              // segments
 };
 
-/// Computes them for Fx .. Mz in the first of its frames; a Failure if one of the runs has no
-/// solution.
+/// Computes the errors of Fx .. Mz in the first frame of the test; returns a Failure if one of the
+/// runs has no solution.
 Result<std::vector<ChannelConvergence>> drum_convergence(const SpecimenKind& kind,
                                                          const Document& numbers,
                                                          const DrumTest& test);

@@ -47,18 +47,18 @@ namespace latsch::experiment {
 extern const TestKind kFourPost;
 namespace {
 
-/// The mode to whose signal responses refer, and their settings; with spectra unless only a page
-/// needs them.
+/// The mode to whose signal responses refer, and the settings of the spectra, which are set even if
+/// only a page needs them.
 struct Frequencies {
   PostMode mode = PostMode::heave;
   PostSpectra settings;
   bool are_recorded = false;
-  std::string note = {};  // if the posts' record made the band narrower
+  std::string note = {};  // reason why the posts' record narrowed the band; else empty
 };
 
 class FourPost : public Test {
  public:
-  /// `sweep`: what the heights were made of; none: they were recorded.
+  /// `sweep`: the sweep that the heights follow; none: the heights were recorded.
   FourPost(FourPostTest test,
            Frequencies frequencies,
            std::string words,
@@ -134,7 +134,7 @@ class FourPost : public Test {
   }
 
  private:
-  /// Without the end in which the posts stand still.
+  /// Returns the record without its end, in which the posts are at rest.
   Channels as_posts_moved(const Channels& record) const {
     const auto count = static_cast<std::size_t>(
         std::lround((test_.times.back() - test_.times.front()) / test_.sample_step) + 1);
@@ -153,7 +153,7 @@ class FourPost : public Test {
   Frequencies frequencies_;
   std::string words_;
   std::optional<PostSweep> sweep_;
-  std::vector<Ledger> ledgers_;  // the ledger of a table of heights, without users
+  std::vector<Ledger> ledgers_;  // the ledger of a table of heights; no users are noted yet
 };
 
 void read_steps(const Node& root, FourPostTest& test) {
@@ -164,7 +164,7 @@ void read_steps(const Node& root, FourPostTest& test) {
     root.reject("sample_step", "is no multiple of step");
 }
 
-/// The columns of a table and those of them that are `taken`.
+/// Lists the columns of a table and marks those in `taken` as used.
 Ledger ledger_of_heights(const formats::CsvTable& table,
                          const std::vector<MeasuredCondition>& taken) {
   Ledger ledger{table.file()};
@@ -282,7 +282,8 @@ void take_what_is_held(const Node& root, const FourPostTest& test, Frequencies& 
       "{}: the channels over frequency go from {:.3g} to {:.3g} Hz", words, band.from, band.to);
 }
 
-/// `from` and `to`: of the band where nothing is said, Hz; with the sweep that the posts follow.
+/// `from` and `to`: default ends of the band, Hz. `sweep`: the sweep that the posts follow;
+/// nullptr: none.
 Frequencies read_frequencies(const Node& root,
                              PostMode mode,
                              const FourPostTest& test,

@@ -66,7 +66,7 @@ class StaticStiffnessTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
-  /// Tells what the tire's model does not describe on the cleat.
+  /// Describes in words what the tire's model neglects on this cleat.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     const auto notes = Test::run_in_blocks(specimen, tell);

@@ -40,11 +40,11 @@ struct MatFile {
 
   /// Every vector of numbers as a channel in SI. Its unit is a text beside it in its struct: S.unit
   /// (or units) of S.data (or value, values), which then is called S; or listed beside the names of
-  /// all, channel.units{2} with channel.name{2}; or that of `units`, by name, where the file states
-  /// none. Without any it is a plain number. `expected` says which unit a name has to have.
-  /// A vector with an unknown unit is left out with the reason, unless `units` or `expected` know
-  /// its name. Throws InputError for a unit of a known vector that is unknown, of another dimension
-  /// or not the stated one, a name in `units` that is no vector, and where no vector is there.
+  /// all, channel.units{2} with channel.name{2}; or that of `units`, by name, if the file states
+  /// none. Without a unit it is a plain number. `expected` states the unit that a name must have. A
+  /// vector with an unknown unit is left out with the reason, unless `units` or `expected` know its
+  /// name. Throws InputError for a unit of a known vector that is unknown, of another dimension or
+  /// not the stated one, a name in `units` that is no vector, and a file without vectors.
   struct Named {
     Channels channels;
     std::vector<TableColumn> columns;             // one for each channel

@@ -12,7 +12,7 @@
 
 namespace latsch::formats {
 
-/// The place in which a file states the unit of a column.
+/// The position at which a file states the unit of a column.
 enum class UnitPlace {
   title,                 // "force [N]"
   title_without_blanks,  // "force[N]": blanks stand between the columns
@@ -59,9 +59,9 @@ std::string fault_of_unit(const TableColumn& column, const std::string& expected
 /// `"N" below "force" in line 2`.
 std::string unit_in_file(const TableColumn& column, const std::string& unit);
 
-/// Takes the unit that somebody states for a column: it has to be that of the file where the file
-/// states one, else it becomes the column's. An empty text states nothing. Throws InputError at
-/// `place` where the two differ.
+/// Applies the unit that a user states for a column. It must equal the unit in the file, if the
+/// file states one; otherwise it becomes the column's unit. An empty text states nothing. Throws
+/// InputError at `place` if the two differ.
 void take_stated_unit(TableColumn& column, const std::string& stated, const Place& place);
 
 /// Returns `column "Fz" is missing, did you mean "FZ"? (columns: ...)`, also for several columns at

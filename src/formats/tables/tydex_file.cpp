@@ -193,8 +193,8 @@ class Reading {
     file_.left_units[entry.name] = {entry.line, entry.unit};
   }
 
-  /// `has unknown unit "grC"` of a name of the laboratory's own, whose values nobody needs to
-  /// understand; empty where the unit is known or the name is one of TYDEX.
+  /// Returns `has unknown unit "grC"` for a name that is the laboratory's own, whose values need
+  /// not be understood; empty if the unit is known or TYDEX defines the name.
   std::string fault_of_own(const std::string& name, const std::string& written) const {
     const TydexName* known = find_tydex_name(name);
     if (known && !known->si_unit.empty()) return "";
@@ -202,7 +202,7 @@ class Reading {
     return reading.unit ? "" : "has " + reading.fault;
   }
 
-  /// Throws for no unit and for one of the wrong dimension where the name tells it.
+  /// Throws InputError for a missing unit, and for a wrong dimension if the name determines it.
   Unit unit_of(const std::string& name, const std::string& written, bool strict) const {
     const TydexName* known = find_tydex_name(name);
     const bool told = known && !known->si_unit.empty();

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMostFields = 10000;  // in a row
 constexpr std::size_t kKept = 32u << 20;    // bytes of a large file that stay in memory
 
-/// The separator that a line "sep=;" of a spreadsheet's file says; 0 where it is no such line.
+/// Returns the separator stated by a line "sep=;" of a spreadsheet's file; 0 for any other line.
 char separator_said_by(std::string_view line) {
   line = line.substr(0, line.find('\n'));
   while (!line.empty() && (line.back() == '\r' || line.back() == '"')) line.remove_suffix(1);

@@ -98,7 +98,7 @@ std::string tir_text(const TirFile& tir, const Parameters& parameters) {
 
 namespace {
 
-/// " $ remark" behind a value, and the end of the line.
+/// Returns " $ remark", to follow a value, and the end of the line.
 std::string behind(const TirRemarks& remarks, std::string_view key) {
   const auto found = remarks.of_keys.find(key);
   return found == remarks.of_keys.end() ? "\n" : "  $ " + found->second + "\n";
@@ -111,7 +111,8 @@ std::string head_of(std::string_view section, const TirRemarks& remarks) {
   return text;
 }
 
-/// Parameters below the heads of their sections, in the order of the fields. MODEL is open already.
+/// Writes parameters below the heads of their sections, in the order of the fields. MODEL is
+/// already open.
 std::string sections_of(const Parameters& p, const TirRemarks& remarks) {
   std::string text;
   std::string_view section = "MODEL", last_field_of = "MODEL";

@@ -54,7 +54,7 @@ TirFile parse_tir(std::string text, std::string file_name);
 /// missing keys are added at the end, every other byte stays.
 std::string tir_text(const TirFile& tir, const magic_formula::Parameters& parameters);
 
-/// Comments of a new file. No remark may hold the end of a line.
+/// Comments of a new file. No remark may contain a line break.
 struct TirRemarks {
   /// Lines below [MDI_HEADER], each with its mark and its end.
   std::string header;
@@ -66,11 +66,11 @@ struct TirRemarks {
   std::map<std::string, std::string, std::less<>> of_sections;
 };
 
-/// A new file, in SI; reading it gives the same parameters.
+/// Returns a new file in SI; reading it gives the same parameters.
 std::string tir_text(const magic_formula::Parameters& parameters, const TirRemarks& remarks = {});
 
-/// The remarks behind the values of a file, by parameter, FITTYP, TYRESIDE or USE_MODE, without
-/// their marks; every parameter that the file states has a place, which may be empty.
+/// Returns the remarks behind the values of a file, without their marks, by parameter, FITTYP,
+/// TYRESIDE or USE_MODE; every parameter of the file has an entry, which may be empty.
 std::map<std::string, std::string, std::less<>> remarks_of(const TirFile& tir);
 
 }  // namespace latsch::formats

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The unit in which people write a quantity: the unit that a message proposes for a column which
-// has none. Files of rigs seldom hold radians, pascals or kelvin, so a proposal in SI would be
-// followed into a wrong number.
+// has none. Files of rigs seldom hold radians, pascals or kelvin, so a user who copied a proposal
+// in SI would get wrong numbers.
 #pragma once
 
 #include <string>

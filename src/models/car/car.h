@@ -107,7 +107,7 @@ class Car {
   int mechanism_steps = 2;
 
   /// Returns the state at rest on the road, or at constant speed: poses, tires in equilibrium,
-  /// spins of rolling wheels. At speed the tires roll up to their place on level ground, so that
+  /// spins of rolling wheels. At speed the tires first roll to their start on level ground, so that
   /// they have grown with the speed, lost the traces of being pressed down, and turn at their free
   /// rolling speed.
   Result<CarState> settle(const road::Road& road, double speed, const CarInputs& inputs);
@@ -190,7 +190,7 @@ class Car {
                                           LineTires& lines,
                                           const road::Road& road,
                                           const CarInputs& inputs);
-  /// Static equilibrium on tires that have rolled up to their place.
+  /// Static equilibrium on tires that have rolled to their starting positions.
   Result<multibody::Rest> roll_in(CarState& state,
                                   LineTires& lines,
                                   const multibody::Rest& rest,
@@ -203,7 +203,7 @@ class Car {
   /// Returns linear acceleration of its center and angular acceleration, for a motion with rates
   /// and accelerations.
   multibody::Vector6d acceleration_of_wheel(int corner, const multibody::Motion& motion) const;
-  /// Advances the tires to the places of the wheels `ahead` seconds after this motion.
+  /// Advances the tires to the positions of the wheels `ahead` seconds after this motion.
   std::string roll(CarState& next,
                    const multibody::Motion& motion,
                    double ahead,

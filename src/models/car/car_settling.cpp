@@ -132,8 +132,8 @@ Eigen::VectorXd straight_on(std::size_t bodies, double speed) {
   return rates;
 }
 
-/// Rolling up of the tires to the car's starting place, in rounds; after each the car's rest is
-/// found anew.
+/// Lets the tires roll to the car's starting position, in rounds; after each round the car's
+/// equilibrium is solved again.
 struct RollIn {
   static constexpr int kRounds = 12;
   static constexpr int kHeld = 3;  // rounds without motion of the car, until belts have grown
@@ -202,8 +202,8 @@ Result<Rest> Car::settle_on_tires(CarState& state,
       wheel.hub = *hub;
       const double force = (wheel.motion.carrier * hub->force).z();
       worst = std::max(worst, std::abs(line.force + line.stiffness * (line.height - z) - force));
-      // The secant through the last place is used if it is plausible for a tire. A tire in the air
-      // gets no stiffness if three others stand.
+      // The secant through the last position is used if it is plausible for a tire. A tire in the
+      // air gets no stiffness if three others stand.
       const double secant = (force - line.force) / (line.height - z);
       if (force > 0.0) {
         ++touched;

@@ -89,7 +89,7 @@ LATSCH_INLINE R shift_by_camber(const TireOf<R>& tire,
   return (camber_stiffness(tire, o) * gamma_star - SVyg) * per_Kya_prime;
 }
 
-/// Computes everything except Fy0, for the wheel as it leans or upright; the curve goes into
+/// Computes everything except Fy0, for the cambered or for the upright wheel; the curve goes into
 /// `shapes`.
 template <class R>
 LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireOf<R>& tire,

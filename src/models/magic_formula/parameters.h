@@ -61,7 +61,7 @@ enum class ParameterUnit {
   frequency,
 };
 
-/// Name of a parameter and its place in a .tir and in Parameters.
+/// Name of a parameter, its section in a .tir, and its member of Parameters.
 struct ParameterField {
   std::string_view section, name;
   double fallback;

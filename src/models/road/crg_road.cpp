@@ -162,7 +162,7 @@ struct Folded {
   bool outside = false;
 };
 
-/// Returns the place that the border mode uses for a place beyond 0 ... length.
+/// Returns the position that the border mode uses for a position beyond 0 ... length.
 Folded fold(double way, double length, Border border) {
   if (!std::isfinite(way)) way = 0.0;  // too large for a number
   if (way >= 0.0 && way <= length) return {way};

@@ -52,7 +52,7 @@ struct Linkage {
   Wheel wheel;
 
   /// Returns what is wrong with the linkage, naming the part, or an empty text: links without
-  /// length, points in one place, an upright that can move with all links and its travel held.
+  /// length, coincident points, an upright that can move with all links and its travel held.
   std::string fault() const;
 };
 

@@ -32,8 +32,8 @@ struct Footprint {
   /// Returns the pressure that a square sensor of this side (m) measures with its middle at x, y,
   /// Pa.
   double pressure_at(double x, double y, double side) const;
-  /// Returns the largest pressure that such a sensor measures at any place, searched in steps of a
-  /// sixth of its side, then around the highest.
+  /// Returns the largest pressure that such a sensor measures at any position, searched in steps of
+  /// a sixth of its side, then around the highest.
   double peak_pressure(double side) const;
   /// Returns the used share of friction over the whole patch: 1 if all of it slides; 0 without
   /// friction.

@@ -15,8 +15,8 @@ namespace latsch::numerics {
 
 namespace {
 
-/// Returns the transform of the steps from sample to sample, which are zero where the signal rests
-/// before and behind the record.
+/// Returns the transform of the differences between successive samples; they are zero where the
+/// signal is constant, before and behind the record.
 Spectrum transform_of_steps(std::span<const double> x, int length) {
   std::vector<double> steps(x.size(), 0.0);
   for (std::size_t i = 1; i < x.size(); ++i) steps[i] = x[i] - x[i - 1];
@@ -37,8 +37,8 @@ double power_of(const Spectrum& B, std::size_t first, Eigen::Index count) {
   return power;
 }
 
-/// At lines `first` and up of transforms whose frequencies, relative to the one asked for, are r.
-/// The delay turns a response by `angle` at r = 1.
+/// Fits the polynomial at the lines from `first` on of the three transforms; r are their
+/// frequencies relative to the requested one. The delay turns a response by `angle` at r = 1.
 Fitted fit(const Spectrum& U,
            const Spectrum& Y,
            const Spectrum& B,
@@ -88,14 +88,14 @@ LocalResponse local_response(std::span<const double> x,
   const Spectrum U = transform_of_steps(x, length), Y = transform_of_steps(y, length);
   const Spectrum B = beside.empty() ? Spectrum() : transform_of_steps(beside, length);
   const double spacing = rate / length;
-  // Zeros behind the record move lines closer together but add no information.
+  // Zeros added behind the record move lines closer together but add no information.
   const double apart = rate / static_cast<double>(x.size());
   const double width = std::max(settings.width, settings.lines * apart);
   const long last = std::ssize(U) - 1;
   LocalResponse found;
   for (const double f : frequencies) {
     long low = std::lround((f - width) / spacing), high = std::lround((f + width) / spacing);
-    // At the ends of the record's band the range keeps its width, shifted to one side.
+    // Near the ends of the record's band the range of lines is shifted inward and keeps its width.
     if (low < 1) high += 1 - std::exchange(low, 1);
     if (high > last) low = std::max(1L, low - (high - std::exchange(high, last)));
     std::vector<double> r;

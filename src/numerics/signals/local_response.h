@@ -5,13 +5,13 @@
 // System Identification, reviews it],
 //   Y(f_k) = exp(-2πi (f_k - f) τ) (h_0 + h_1 r + ... + h_p r^p) U(f_k) + e_k,
 //   r = (f_k - f) / width,   H(f) = h_0
-// A response lasts from an instant on, not as long before it: the delay τ, in the middle of what
-// lasts, leaves the polynomial half of the turning.
-// U, Y: transforms of the differences from sample to sample. Of a record that begins and ends at
-// rest, wherever its mean is, these hold Y = H U exactly, whatever happens between, and no term is
-// needed for what windows cut off; a record that ends in motion is smeared by what is missing.
+// A response begins at an instant and lasts for a while. With the delay τ in the middle of this
+// duration, the polynomial represents only half of the rotation of the phase over frequency.
+// U, Y: transforms of the differences between successive samples. For a record that begins and
+// ends at rest, at any level, Y = H U holds exactly, so the fit needs no term for the effect of
+// windows. If a record ends in motion, the missing end of its response causes errors.
 //   γ² = 1 - (Σ|e|²/(2 n - p) + Σ|B|²/(2 n + 1)) / (Σ|Y|² + Σ|B|²) (2 n + 1)
-// B is the transform of a signal that is known not to follow x by a linear law, if there is one.
+// B is the transform of a signal that is known to have no linear relation to x, if there is one.
 #pragma once
 
 #include <complex>
@@ -29,12 +29,12 @@ struct LocalSettings {
 
 struct LocalResponse {
   std::vector<std::complex<double>> response;  // H, at the given frequencies
-  std::vector<double> coherence;               // γ², 0 if x or y is zero there
+  std::vector<double> coherence;               // γ²; 0 if x or y is zero at that frequency
 };
 
-/// Two records of one length, sampled at `rate`, Hz; frequencies in Hz, to below half of it. A
-/// record has at least 2 n + 2 lines in which it is not alone. `beside`: the signal of B, as long
-/// as the records, or empty.
+/// Requires two records of one length, sampled at `rate`, Hz, and frequencies in Hz below half of
+/// it. A record needs at least 2 n + 2 lines. `beside`: the signal of B, as long as the records, or
+/// empty.
 LocalResponse local_response(std::span<const double> x,
                              std::span<const double> y,
                              double rate,

@@ -180,8 +180,8 @@ void Lanczos<Scalar>::begin(const Matrix& start) {
   MV_.resize(n_, V_.cols());
   if (good(start)) {
     add_to_pool(
-        start);  // its new part, then random directions, because all of `start` might share a
-                 // symmetry
+        start);  // the new part of `start`, then random directions, because all columns of `start`
+                 // may have one symmetry
     add_to_pool(scattered_block(settings_.block));
     step(pool_);
   } else {

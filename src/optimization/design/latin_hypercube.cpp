@@ -48,7 +48,7 @@ class Shares {
   double change(int i, int j, int v) const {
     const std::vector<int>& share = share_[v];
     double change = 0.0;
-    for (int k = 0; k < points_; ++k) {  // the distance between i and j does not change 76-78-
+    for (int k = 0; k < points_; ++k) {  // the distance between i and j does not change
       if (k == i || k == j) continue;
       const int shift = square(share[j] - share[k]) - square(share[i] - share[k]);
       const int d_i = squared_[i][k], d_j = squared_[j][k];

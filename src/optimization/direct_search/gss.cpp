@@ -150,7 +150,7 @@ struct Gss::State {
     }
   }
 
-  /// Proposes a point on the way from x to u, as far as the constraints allow.
+  /// Proposes a point on the line from x to u, as far as the constraints allow.
   Proposal toward(const Eigen::VectorXd& u, double step) const {
     const Eigen::VectorXd inside =
         region.snapped(region.cut_off(x, u), kSnap * options.step_tolerance);

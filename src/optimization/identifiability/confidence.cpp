@@ -17,8 +17,8 @@ namespace {
 // Share of the range: a variable this near is on its bound.
 constexpr double kNearBound = 1e-6;
 constexpr double kResolved = 4e-16;  // share of the range: distance of neighboring numbers
-// A variable counts as on its bound if the way there changes the residuals by less than this share
-// of their noise.
+// A variable counts as on its bound if the motion to it changes the residuals by less than this
+// share of their noise.
 constexpr double kNearInNoise = 0.1;
 constexpr double kRoundingOfValues = 1e-13;  // share of the largest singular value: less is zero
 /// Share of the stated noise: residuals with less spread contain no noise. An autoregression with
@@ -229,7 +229,7 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
 
   const Eigen::MatrixXd inverse = inverse_normal_matrix(J_free);
   const Estimates estimates = estimates_of(J_free);
-  Eigen::VectorXd left = -inverse * gradient(free);  // way to the least S
+  Eigen::VectorXd left = -inverse * gradient(free);  // distance to the least S
   if (!estimates.flat.empty())
     left = estimates.V * estimates.answer(at.r);  // 0 there
                                                   // directions

@@ -9,7 +9,7 @@
 //                                       s^2 = S / (m - n) if they are alike and independent
 //   C = s^2 (J' J)^-1 J' V J (J' J)^-1  covariance of the variables
 //   u_i +- (t sqrt(C_ii) + |d_i|)       confidence interval, t of Student's distribution
-//   d = -(J' J)^-1 J' r                 remaining way from u to the least S
+//   d = -(J' J)^-1 J' r                 remaining distance from u to the least S
 // [Bard, Nonlinear Parameter Estimation, 1974, ch. 7; Seber, Wild, Nonlinear Regression, 1989,
 // ch. 5]
 //
@@ -94,7 +94,7 @@ struct Interval {
 struct FreeDirections {
   Eigen::MatrixXd axes;        // n x f: columns are directions; 0 in held variables
   Eigen::MatrixXd covariance;  // f x f: of the coordinates along the directions
-  Eigen::VectorXd left;        // f: remaining way to the least S along each; 0 if flat
+  Eigen::VectorXd left;        // f: remaining distance to the least S along each; 0 if flat
   Eigen::MatrixXd following;   // f x n: motion along each per held variable, by the refit
   double t = 0.0;              // the largest quantile of an interval
 };
@@ -106,7 +106,7 @@ struct Confidence {
   Eigen::VectorXd singular_values;  // descending, of all variables
   Eigen::MatrixXd directions;       // each column a direction of the unit cube
   Eigen::MatrixXd covariance;       // 0 in rows and columns of held variables
-  Eigen::MatrixXd correlation;      // 0 there as well
+  Eigen::MatrixXd correlation;      // 0 in rows and columns of held variables, too
   std::vector<Interval> intervals;
   /// One threshold for each variable: the difference S - least S up to which values belong to its
   /// interval.

@@ -29,10 +29,11 @@ struct LeftOut {
 
 class CrossValidation {
  public:
-  /// `group` of every residual of the common fit `best`, < 0 for what is never left out; at least
-  /// two groups. `tolerance` as in BroydenFitOptions; `free`: the variables that may move,
-  /// ascending; empty: all. `values`: how many residuals each group has where the rows of `best`,
-  /// and of what is observed, are reduced (reduced_rows.h); empty: one a row.
+  /// `group`: the group of every residual of the common fit `best`, < 0 for residuals that are
+  /// never left out; at least two groups are required. `tolerance` as in BroydenFitOptions; `free`:
+  /// the variables that may move, ascending; empty: all. `values`: number of residuals of each
+  /// group, if the rows of `best` and of the observed outcomes are reduced (reduced_rows.h); empty:
+  /// one per row.
   CrossValidation(const DesignSpace& space,
                   const Linearization& best,
                   const std::vector<int>& group,
@@ -43,9 +44,10 @@ class CrossValidation {
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
   void observe(const std::vector<Result<Evaluated>>& evaluated);
 
-  /// The share of the evaluations that is done: a guess, by how many a fold usually takes.
+  /// Returns the share of the evaluations that is done, estimated from the usual number of
+  /// evaluations of a fold.
   double share_done() const;
-  /// One a group, in ascending order, when done.
+  /// Returns one entry for each group, in ascending order, when done.
   const std::vector<LeftOut>& left_out() const { return left_out_; }
 
  private:

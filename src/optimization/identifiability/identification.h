@@ -82,11 +82,11 @@ class Identification {
   /// True if linearization and confidence exist: not before round 1 is done, nor while it is
   /// repeated at a better point.
   bool is_linearized() const { return at_.has_value(); }
-  /// Tells whether the points wanted are those of profiles. If refitted() is exact, what they tell
-  /// may come reduced: as reduced_rows() of one group, the residuals used.
+  /// True if the wanted points are those of profiles. If refitted() is exact, their outcomes may be
+  /// reduced to reduced_rows() of one group, that of the used residuals.
   bool is_profiling() const { return !branches_.empty() && !wanted_.empty(); }
-  /// The share of the rungs of all profiles that is done, by the lengths of those to come: rungs
-  /// that are halved or refitted from behind come on top.
+  /// Returns the share of the rungs of all profiles that is done, estimated from the lengths of the
+  /// remaining ladders; rungs that are halved or refitted from behind are not included.
   double share_done() const;
   /// At the center.
   const Linearization& linearization() const { return *at_; }
@@ -138,7 +138,7 @@ class Identification {
   std::vector<Eigen::Index> rows_;
   std::optional<Linearization> at_, best_;
   std::optional<Confidence> confidence_;
-  Differences made_;  // the way J was computed
+  Differences made_;  // differences from which J was computed
   std::optional<WeakDirections> weak_;
   int weak_rounds_ = 0;
   std::vector<Eigen::VectorXd> unknown_;

@@ -56,7 +56,7 @@ class ProfileBranch {
                 double threshold,
                 const ProfileSettings& settings);
 
-  /// nullopt at the end of the ladder.
+  /// Returns nullopt at the end of the ladder.
   std::optional<Eigen::VectorXd> wanted() const;
   void observe(const std::optional<Evaluated>& evaluated);
 
@@ -65,7 +65,7 @@ class ProfileBranch {
   /// Returns the count of rungs from the last one to the end of the ladder, if none is halved,
   /// refitted from behind or fails; 0 if the profile wants nothing.
   int rungs_left() const;
-  /// The variable at the nearest rung where the model failed; nullopt where it did not.
+  /// Returns the variable at the nearest rung at which the model failed; nullopt if none failed.
   const std::optional<double>& failed_at() const { return failed_at_; }
 
  private:
@@ -123,7 +123,7 @@ struct Profile {
   double threshold = 0.0;
   Interval interval{};  // ends at which S - least crosses the threshold; else infinite
   Verdict verdict = Verdict::flat;
-  std::vector<int> other_minima;  // places in `points`
+  std::vector<int> other_minima;  // indices into `points`
   /// The last evaluated value on a side on which the model fails before S has risen.
   std::optional<double> lower_end = std::nullopt, upper_end = std::nullopt;
 

@@ -32,7 +32,7 @@ Autoregression process_of(const std::vector<double>& z) {
   return Autoregression(kappa);
 }
 
-/// Golden section: returns the place of a minimum between a and b.
+/// Golden section: returns the position of a minimum between a and b.
 template <class Function>
 double least_between(double a, double b, int cuts, const Function& f) {
   double x = b - kGolden * (b - a), y = a + kGolden * (b - a), fx = f(x), fy = f(y);

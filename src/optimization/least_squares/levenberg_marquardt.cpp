@@ -26,7 +26,7 @@ constexpr double kWorthReturning = 0.1;     // share of what the step had promis
 // If a step leaves less than this share of f, the search is not on a valley's floor.
 constexpr double kSteepDescent = 0.1;
 constexpr double kExpansionOnReturn = 10.0, kRadiusOnReturn = 4.0;  // multiples of the step
-// Least cosine between a step and the way along which the curvature is known.
+// Least cosine between a step and the direction along which the curvature is known.
 constexpr double kAlong = 0.8;
 // Largest turn of a step by curvature, relative to the step [Transtrum & Sethna, alpha = 0.75].
 constexpr double kMostTurn = 0.375;

@@ -65,7 +65,7 @@ struct LevenbergMarquardtOptions {
   /// The search ends if the full step of the linear model promises less than this share of f.
   double gain_tolerance = 1e-10;
   /// The search ends if three accepted steps together gain less than this share of f and the full
-  /// step of the linear model promises less than half of that: the way along a curved valley or a
+  /// step of the linear model promises less than half of that: the path along a curved valley or a
   /// kink may be long. 0 accepts any gain; a study may set it from its noise
   /// [optimizer_choice.cpp].
   double progress_tolerance = 0.0;

@@ -11,7 +11,7 @@
 //   c       = 1/2 a^2 T[s, s] + a T[s, q]        without the unknown T[q, q]                (2)
 //
 // (1) is exact for residuals cubic along s, (2) for quadratic ones up to the missing term. The
-// estimate suits steps that continue the way that led to u, or go back.
+// estimate suits steps that continue the path that led to u, or go back.
 #pragma once
 
 #include <Eigen/Core>

@@ -63,9 +63,9 @@ class DesignSpace {
   bool contains(const DesignPoint& point) const;
 
   /// Returns the unit coordinates of any point: outside of 0 ... 1 if a value is outside of its
-  /// bounds; nullopt if a value has no place in the cube, because it is not finite or not positive
-  /// on a logarithmic scale. Throws InputError if the number of values differs from that of the
-  /// variables.
+  /// bounds; nullopt if a value has no position in the cube, because it is not finite or not
+  /// positive on a logarithmic scale. Throws InputError if the number of values differs from that
+  /// of the variables.
   std::optional<std::vector<double>> place(const DesignPoint& point) const;
 
   /// Converts a point into the unit cube and back. to_unit needs a point that has a place(). Both

@@ -35,7 +35,7 @@ class FeasibleRegion {
   /// Outward normals of the inequalities nearer to u than `distance`, as columns.
   Eigen::MatrixXd normals_within(const Eigen::VectorXd& u, double distance) const;
 
-  /// Returns the last point of the region on the way from x, which is inside, to u. In the cube u
+  /// Returns the last point of the region on the line from x, which is inside, to u. In the cube u
   /// is moved onto the bounds instead, variable by variable.
   Eigen::VectorXd cut_off(const Eigen::VectorXd& x, const Eigen::VectorXd& u) const;
 

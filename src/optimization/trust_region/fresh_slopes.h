@@ -70,7 +70,7 @@ class FreshSlopes {
   bool is_blind_ = false;          // an axis of this round has no slope
   int misses_ = 0;                 // number of steps in a row that failed or disappointed
   bool has_failed_ = false;        // the last step failed
-  bool has_disappointed_ = false;  // a step of this round did, by more than noise explains
+  bool has_disappointed_ = false;  // a step of this round disappointed, by more than noise explains
   double deviation_ = 0.0;
   double f_begin_ = 0.0;
   Ending ending_ = Ending::none;

@@ -12,8 +12,8 @@ namespace {
 
 // Length of the moves that test which variables are lost, as a share of the initial radius.
 constexpr double kTest = 0.1;
-/// Evaluations for each trial from a place where lost variables have an effect, in units of n + 1.
-/// One unit is for the probes, so two are left for steps.
+/// Evaluations of each trial from a point at which lost variables have an effect, in units of n +
+/// 1. One unit is for the probes, so two are left for steps.
 constexpr int kAllotment = 3;
 constexpr double kWorthIt = 0.9;  // share of the value below which the trials count as worth it
 
@@ -39,8 +39,8 @@ void LostVariableTrials::observe(const DesignPoint& point,
   if (allotted_ == 0 && look_.empty()) look_further();
 }
 
-/// When the run settles, first tests which variables are lost, and then tries one place after the
-/// other as long as restarts are left for the trials.
+/// When the run settles, tests first which variables are lost, then tries one point after the other
+/// as long as restarts are left for the trials.
 void LostVariableTrials::look_further() {
   while (run_.has_settled()) {
     TrustBox& box = run_.box();
@@ -59,7 +59,7 @@ void LostVariableTrials::look_further() {
   }
 }
 
-/// Begins a trial if the lost variables have an effect at the place.
+/// Begins a trial if the lost variables have an effect at the point.
 void LostVariableTrials::take_look(const DesignPoint& point,
                                    const std::optional<ResidualSample>& sample) {
   const bool was_test = lost_->is_testing();

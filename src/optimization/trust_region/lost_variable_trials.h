@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extends a run of the residual trust region: when it settles, the search looks for lost variables
-// (lost_variables.h). From every place where they have an effect again, a trial run of 3 (n + 1)
+// (lost_variables.h). From every point at which they have an effect again, a trial run of 3 (n + 1)
 // evaluations starts afresh, and the best of the trials and the run continues. The trials count as
 // restarts unless they brought a clearly better value.
 #pragma once
@@ -30,7 +30,7 @@ class LostVariableTrials {
   /// Outcome assumed for a point when planning ahead for idle workers: the models' prediction, and
   /// for a look for lost variables an outcome without information.
   ResidualSample expected(const DesignPoint& point) const;
-  /// Wants `count` points at a time from now on.
+  /// Sets the number of points proposed at a time from now on.
   void widen(int count) { run_.widen(count); }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lost variables have no effect on the residuals at the point where a search settled. This class
-// finds them and the places where they may have an effect again.
+// finds them and the points at which they may have an effect again.
 //
 // Examples are a peak outside the data, a decay so fast that nothing of it is left, a stop that is
 // never touched: a search can settle without such variables, and no slope leads back. Often several
@@ -17,8 +17,8 @@
 // bisection of log2(n) points follows. Wrong slopes can place lost variables behind one with an
 // effect; these are tested one by one, with up to n - 2 points.
 //
-// The method relies on a meaningful zero: a peak whose place is counted from far away is not found.
-// Under noise nothing is found, because every move has an effect. Its benefit is judged by
+// The method relies on a meaningful zero: a peak whose position is counted from far away is not
+// found. Under noise nothing is found, because every move has an effect. Its benefit is judged by
 // verification/identification_set/lost_problems.cpp (./bench.sh lost_variables).
 #pragma once
 
@@ -46,7 +46,7 @@ class LostVariables {
   bool has_next() const { return is_testing() || !places_.empty(); }
   /// Returns a point of the unit cube. Requires has_next().
   Eigen::VectorXd next() const;
-  /// Returns s of the next place; 1 for a test.
+  /// Returns s of the next point; 1 for a test.
   double factor() const { return is_testing() ? 1.0 : places_.back().factor; }
   /// `is_felt` is true if residuals at next() differ from those at u, or if there was no outcome.
   void observe(bool is_felt);
@@ -73,7 +73,7 @@ class LostVariables {
   int at_least_ = 0, at_most_ = 0;  // bounds on how many of them are lost together
   int tested_alone_ = 0;            // index in the order; its length when no test is left
   std::vector<int> lost_;
-  std::vector<Place> places_;  // the next place is last
+  std::vector<Place> places_;  // the next point is the last one
 };
 
 }  // namespace latsch

@@ -42,7 +42,7 @@
 // is mostly the end of a side valley. If the run ended with directions of no effect on the
 // residuals (flat_directions.h), n + 1 single points scout along them first, and the run starts
 // from one with an effect. Before that, single variables without effect are moved farther off
-// (lost_variables.h): from every place where they have an effect again, a trial of 3 (n + 1)
+// (lost_variables.h): from every point at which they have an effect again, a trial of 3 (n + 1)
 // evaluations starts afresh, and the best of the trials and the run continues. The trials count as
 // restarts unless they brought a clearly better value.
 //

@@ -346,7 +346,7 @@ void TrustRegionRun::start_again(const Eigen::VectorXd& failed) {
   }
 }
 
-/// True if nothing ever succeeded, in many places.
+/// True if nothing ever succeeded, at many points.
 bool TrustRegionRun::is_hopeless() const { return box_.best() < 0 && failures_ > 20 * (n() + 1); }
 
 void TrustRegionRun::go_on(int restarts_left) {

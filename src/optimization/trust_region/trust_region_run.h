@@ -21,8 +21,8 @@ class TrustRegionRun {
 
   /// Returns the wanted points in the order proposed; empty: ended or settled.
   const PendingPoints<Wanted>& wanted() const { return wanted_; }
-  /// Takes the outcome of a point; `sample` is empty for a failure. `u` is the point's place,
-  /// outside of the unit cube for a point from another source outside of the bounds.
+  /// Takes the outcome of a point; `sample` is empty for a failure. `u` is its position, which is
+  /// outside of the unit cube for a point from another source that lies outside of the bounds.
   void observe(const DesignPoint& point,
                const Eigen::VectorXd& u,
                const std::optional<ResidualSample>& sample);
@@ -32,11 +32,11 @@ class TrustRegionRun {
   bool has_settled() const { return has_settled_; }
   /// Returns the ending of the search that led to the best point.
   Ending ending() const { return is_hopeless() ? Ending::hopeless : ending_; }
-  /// True if the noise of the measured values, where it is known, explains all that is left.
+  /// True if the noise of the measured values is known and explains the whole remaining error.
   bool is_down_to_noise() const { return box_.is_down_to(options_.noise_alone); }
   int restarts_left() const { return options_.restarts - restarts_; }
   void go_on(int restarts_left);
-  /// Wants `count` points at a time from now on.
+  /// Sets the number of points proposed at a time from now on.
   void widen(int count);
 
   const ResidualTrustRegionOptions& options() const { return options_; }

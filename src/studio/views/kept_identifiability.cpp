@@ -48,7 +48,7 @@ struct State {
   std::shared_ptr<const correlation::Study> study;
   int edition = 0;
   std::size_t rows = 0;
-  std::string refits;  // state of the trials of profiles, which stand beside the journal
+  std::string refits;  // state of the trials of profiles, which are stored beside the journal
   std::string error;
   bool is_running = false;
 

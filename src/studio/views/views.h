@@ -34,7 +34,7 @@ Json convergence_view(const ShelvedStudy& study,
 
 /// Rows of the table of trials.
 struct TrialsPage {
-  long from = 1, count = 50;  // places in the order of the table
+  long from = 1, count = 50;  // indices in the order of the table
   bool by_target = false;
 };
 Json trials_view(const ShelvedStudy& study, const TrialsPage& page, const std::string& weights);

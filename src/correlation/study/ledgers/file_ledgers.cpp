@@ -33,7 +33,7 @@ fs::path settled(const fs::path& file) {
   return none ? file.lexically_normal() : path;
 }
 
-/// Returns the kind of file that an ending stands for; empty if it stands for none.
+/// Returns the kind of file that a name's extension stands for; empty if it is not known.
 std::string kind_by_ending(const std::string& ending) {
   static const std::map<std::string, std::string> kKinds = {{".bus", "bushing"},
                                                             {".inp", "finite-element deck"},
@@ -53,7 +53,7 @@ LedgerRow row_of_file(const fs::path& file, const std::string& by) {
   return row;
 }
 
-/// Rows of a document: a key each, in the order of the file.
+/// Returns the rows of a document: one for each key, in the order of the file.
 class DocumentRows {
  public:
   DocumentRows(const fs::path& file, std::string by)
@@ -127,7 +127,7 @@ class DocumentRows {
     return text + " ...";
   }
 
-  /// The unit of a quantity that stands in the line of its key.
+  /// Returns the unit of a quantity as written in the line of its key.
   void take_unit(LedgerRow& row) {
     if (row.line < 1 || row.line > static_cast<int>(lines_.size())) return;
     const std::string& line = lines_[static_cast<std::size_t>(row.line - 1)];
@@ -169,7 +169,7 @@ class DocumentRows {
   std::map<std::string, std::string> values_;
 };
 
-/// A road in a file of its own: what it is, what of it counts, and what does not.
+/// Describes a road's file: its kind, the parts that are used, and the parts that are not.
 Ledger ledger_of_road(const fs::path& file, const std::string& by) {
   const formats::RoadFile road = formats::read_road_file(file);
   Ledger ledger{file.string()};
@@ -193,7 +193,7 @@ Ledger ledger_of_road(const fs::path& file, const std::string& by) {
   return ledger;
 }
 
-/// A table of which it is known only who reads it.
+/// Describes a table of which only the reader is known.
 Ledger ledger_of_table(const fs::path& file, const std::string& by) {
   const auto table = formats::CsvTable::read(file);
   Ledger ledger{file.string()};
@@ -282,7 +282,7 @@ std::vector<Ledger> ledgers_of_opened_files(const Study& study, const std::vecto
     for (const auto* file : {&experiment.measurement_file, &experiment.shapes_file})
       if (!experiment.read_from && fs::is_regular_file(*file))
         following.follow(*file, "experiment " + experiment.name);
-  // Inputs of an outside program, and whatever else the study names.
+  // Lists the inputs of an outside program, and the other files that the study names.
   if (fs::is_regular_file(study.file))
     for (const fs::path& file : DocumentRows(study.file, "").named)
       following.follow(file, "the study");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ledger of a file that is no table of measured channels: a model, a test, a road, a bushing, a
 // deck, and the files that they name. Files of a reader that lists its keys (.toml, .tir) have a
-// row for each key; of any other file one row says what it was taken for.
+// row for each key; any other file has one row, which states what it was read as.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,12 @@
 
 namespace latsch::correlation {
 
-/// The ledger of a file and of those it names, the file itself first. `by`: "the model", "test
-/// kerb". Reads nothing that is not there; a file that cannot be read has a row with the reason.
+/// Returns the ledgers of a file and of the files it names, the file itself first. `by` is its
+/// user: "the model", "test kerb". A missing file is skipped; an unreadable one has a row with the
+/// reason.
 std::vector<Ledger> ledgers_of_file(const std::filesystem::path& file, const std::string& by);
 
-/// The ledgers of the study's model, its tests and their files, but for the `known` ones.
+/// Returns the ledgers of the study's model, tests and their files, except the `known` ones.
 std::vector<Ledger> ledgers_of_opened_files(const Study& study, const std::vector<Ledger>& known);
 
 }  // namespace latsch::correlation

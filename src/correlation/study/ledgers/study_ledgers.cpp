@@ -13,7 +13,7 @@ namespace latsch::correlation {
 
 namespace {
 
-/// Adds the ledger of a table whose reader refuses every unused column: load-deflection, modes.
+/// Adds the ledger of a table whose reader rejects every unused column: load-deflection, modes.
 void add_table(const std::filesystem::path& file,
                const std::string& by,
                std::vector<Ledger>& ledgers) {

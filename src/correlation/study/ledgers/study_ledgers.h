@@ -15,7 +15,7 @@ namespace latsch::correlation {
 /// measurements, experiments, tests.
 std::vector<Ledger> ledgers_of(const Study& study);
 
-/// Returns those ledgers and behind them the ledgers of every other file that the study opens.
+/// Returns those ledgers, then the ledgers of every other file that the study opens.
 std::vector<Ledger> all_ledgers_of(const Study& study);
 
 /// Throws InputError for the first doubt that is an error, naming file, line and column.

@@ -42,16 +42,16 @@ FourPostTest sweep_test(const PostSweep& sweep, double sample_step);
 /// The sweep's frequency at a time, Hz.
 double frequency_at(const PostSweep& sweep, double time);
 
-/// A run, and a second one in which the plates go down from where they start wherever they went up.
-/// Half the difference of both follows the plates by their odd powers alone.
+/// Two runs: in the second one the plates move by the opposite displacement from the same start.
+/// Half the difference of both contains only odd powers of the displacement.
 struct BothWays {
   Channels up, down;
 };
 
 /// Records the channels of car_record.h and the heights of the posts, "post_FL" ...
 Result<Channels> run(car::Car& car, const FourPostTest& test, const CarWatcher& watch = {});
-/// Both runs end with kStill of posts that stand still, so that the car rests again.
+/// Both runs end with the posts at rest for kStill, so that the car comes to rest.
 Result<BothWays> run_both_ways(car::Car& car, const FourPostTest& test);
-constexpr double kStill = 3.0;  // s; less cuts off what still rings, more costs time
+constexpr double kStill = 3.0;  // s; a shorter time cuts off the ringing, a longer one costs time
 
 }  // namespace latsch::experiment

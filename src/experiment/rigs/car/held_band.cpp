@@ -11,8 +11,9 @@
 namespace latsch::experiment {
 
 std::optional<HeldBand> held_band(const FourPostTest& test, PostMode mode, double width) {
-  constexpr double kLeast = 1e-4;    // share of the largest power; less counts leakage as motion
-  constexpr double kStands = 1e-10;  // m: less is the rounding of a table
+  constexpr double kLeast = 1e-4;    // share of the largest power; lines below it contain only
+                                     // leakage
+  constexpr double kStands = 1e-10;  // m; smaller motions are rounding of a table
   const std::array<double, 4> sign = signs_of(mode);
   const std::size_t count = test.times.size();
   std::vector<double> steps(count, 0.0);

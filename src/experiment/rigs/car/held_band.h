@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frequencies that a record of posts holds in a mode: there the posts' velocity has at least a
-// ten-thousandth of the power it has at its strongest line. Beyond them a response is that of
-// rounding, of noise or of harmonics. Velocities, since the heights of roads and of sweeps fall
-// with the frequency.
+// The frequency band that a record of posts contains in a mode: the lines at which the velocity of
+// the posts has at least a ten-thousandth of its greatest power. Outside the band, a response shows
+// only rounding, noise or harmonics. Velocity is used because the heights of roads and sweeps fall
+// with frequency.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,8 @@ struct HeldBand {
   double from, to;  // Hz
 };
 
-/// `width`, Hz: powers are means over as much to either side. None: the posts do not move so.
+/// `width`, Hz: powers are means over this width to either side. Returns nullopt if the posts do
+/// not move in this mode.
 std::optional<HeldBand> held_band(const FourPostTest& test, PostMode mode, double width);
 
 }  // namespace latsch::experiment

@@ -11,8 +11,8 @@
 
 namespace latsch::experiment {
 
-/// Names the tires whose load was nothing, and when. `at_time` says a time in words: "8.2 s, at
-/// 6.1 Hz of the sweep".
+/// Names the tires whose load fell to zero, and the times. `at_time` words a time: "8.2 s, at 6.1
+/// Hz of the sweep".
 std::vector<std::string> notes_of_lift(const Channels& record,
                                        const std::function<std::string(double)>& at_time);
 

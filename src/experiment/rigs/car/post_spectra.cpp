@@ -45,7 +45,8 @@ struct Response {
   std::vector<double> frequency, post, density, magnitude, phase, coherence;
 };
 
-/// A record of both runs in its parts: half the difference, and half the sum against its start.
+/// A record of both runs, split: half the difference (odd), and half the sum minus its start
+/// (even).
 struct Parts {
   std::vector<double> odd, even;
 };
@@ -80,8 +81,8 @@ Response response_of(const std::vector<double>& u,
     kept.density.push_back(s.yy[i]);
   }
   constexpr double kHalfLine = 0.7;  // share of a line's width, times the segment
-  // The response of a car lasts a second or two. A higher order follows longer ones and needs more
-  // lines than half of those that a line's width holds.
+  // The response of a car lasts a second or two. A higher order resolves longer responses, but
+  // needs more lines than half of those within a line's width.
   constexpr int kOrder = 6;
   constexpr double kDelay = 0.8;  // s
   const auto local = numerics::local_response(

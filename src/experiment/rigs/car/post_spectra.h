@@ -41,8 +41,8 @@ struct PostSpectra {
 std::vector<std::string> spectra_sensors();
 std::vector<std::pair<std::string, std::string>> spectra_channels();
 
-/// Takes records no shorter than a segment, sampled at this rate, Hz. Densities are those of the
-/// run with the posts as they are.
+/// Requires records of at least one segment, sampled at this rate, Hz. Densities are those of the
+/// run with unchanged heights of the posts.
 Channels spectra(const BothWays& runs, PostMode mode, double rate, const PostSpectra& settings);
 
 }  // namespace latsch::experiment

@@ -101,7 +101,7 @@ Eigen::ArrayXd harm(const Eigen::ArrayXd& error, const Eigen::ArrayXd& change) {
 /// `halved`.
 Eigen::ArrayXd part(const Eigen::ArrayXd& halved) { return -4.0 / 3.0 * halved; }
 
-/// All exchanges at one place of a mesh.
+/// All exchanges at one position of a mesh.
 class Exchanges {
  public:
   /// `halved` is the change by halving each column.
@@ -170,7 +170,7 @@ class Exchanges {
     all_.push_back(std::move(one));
   }
 
-  /// Tries all sets of up to three exchanges at different places, from `first` on.
+  /// Tries all sets of up to three exchanges at different positions, starting with `first`.
   void choose(std::vector<const Exchange*>& chosen,
               std::size_t first,
               const Eigen::ArrayXd& error,

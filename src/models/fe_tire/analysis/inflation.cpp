@@ -28,7 +28,7 @@ struct SectorState {
   bool held = true;  // stable: the last iteration's tangent was positive definite
 };
 
-/// Describes a place such as "at y = 92 mm, r = 231 mm, in column 3 of 16 of the mesh": where a
+/// Describes a position such as "at y = 92 mm, r = 231 mm, in column 3 of 16 of the mesh": where a
 /// node or an element's middle is without load, and its column of elements, counted from the +y
 /// bead.
 std::string place_in_words(const Mesh& mesh, const Eigen::Vector3d& X) {

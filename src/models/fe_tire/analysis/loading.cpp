@@ -10,10 +10,10 @@ namespace {
 
 /// Lengths of a step with friction, and of its parts, as shares of the wheel center's height: a
 /// patch grows with the root of the deflection times the height. A step is followed part by part on
-/// the tire linearized at its start, because a point that sticks in a part stays near its place at
-/// the part's beginning. Longer steps or parts lose accuracy. Forces differ by less than 0.1 % from
-/// those of steps ten times as short (./bench.sh footprint friction); steps of 1/60 gave 0.3 %,
-/// parts of 1/300 0.4 %.
+/// the tire linearized at its start, because a point that sticks in a part stays near its position
+/// at the part's beginning. Longer steps or parts lose accuracy. Forces differ by less than 0.1 %
+/// from those of steps ten times as short (./bench.sh footprint friction); steps of 1/60 gave 0.3
+/// %, parts of 1/300 0.4 %.
 constexpr double kFrictionStep = 1.0 / 100.0, kPart = 1.0 / 1000.0;
 constexpr double kRounding = 1e-9;
 constexpr double kShortest = 1.0 / 64.0;  // least share of an intended step

@@ -22,7 +22,7 @@ struct RingState {
 
 class RingAssembly {
  public:
-  /// The pattern includes places for the ground under the points of `tread`, if given.
+  /// The pattern includes entries for the ground under the points of `tread`, if given.
   explicit RingAssembly(const RingUnknowns& unknowns, const TreadSurface* tread = nullptr);
   /// Uses the pattern of another assembly of the same ring, so that even and odd states share it.
   RingAssembly(const RingUnknowns& unknowns,

@@ -39,7 +39,7 @@ struct Line {
   double root(int k) const { return std::sqrt(std::max(at(2, samples[k]), 0.0)); }
   bool touches(int k) const { return at(2, samples[k]) < near; }
 
-  /// Returns the place beyond k where the height is passed, or nullopt if the line ends or comes
+  /// Returns the position beyond k where the height is passed, or nullopt if the line ends or comes
   /// down before.
   std::optional<double> passes(double height, int k, int step) const {
     const double value = std::sqrt(height);
@@ -92,8 +92,8 @@ std::vector<Run> runs_of(const Line& line, bool halved) {
 }
 
 /// Returns the area of the strip of samples that a run covers, m^2. The strip's width is linear
-/// between samples, so the area is continuous as samples join the run. A sample whose neighbors are
-/// in its own place has no width.
+/// between samples, so the area is continuous as samples join the run. A sample at the same
+/// position as its neighbors has no width.
 double covered(const Line& line, const Eigen::VectorXd& area, const Run& run) {
   const int last = line.size() - 1;
   const auto width = [&](int k) {

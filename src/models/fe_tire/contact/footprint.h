@@ -6,10 +6,10 @@
 // [Johnson, Contact Mechanics, Cambridge 1985, section 4.2, for line contact], near the edge as the
 // distance from it to the power 3/2, as at any free edge, farther off as its square. The edge on a
 // line of samples, around the tire or across, is therefore that of the curve (F.1) which passes
-// through two heights at the same places as the surface. Both heights lie above the distance that
+// through two points of the surface at given heights. Both heights lie above the distance that
 // penalty, interpolation and the offset of (T.1) leave in the patch. If the surface ends or comes
-// down again before the second height, the place of the first is the edge. If no line
-// around the tire has a length, there is no patch: a gap growing slower than (F.1) is no contact.
+// down again before the second height, the first of the two points is the edge. If no line around
+// the tire has a length, there is no patch: a gap growing slower than (F.1) is no contact.
 //
 // On a smooth surface the ground acts on means around nodes, so between two columns the surface may
 // bulge into the ground beside a column that just does not touch, by 0.2 mm if columns are 16 mm

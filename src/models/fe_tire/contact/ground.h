@@ -9,8 +9,8 @@
 // that bends over a bar spans the corner beside it.
 //
 // The wheel's frame is that of mesh.h. A pose is what the rig sets: the height of the wheel center
-// over the ground, the place of the ground's origin below it, the wheel's camber and the ground's
-// yaw.
+// over the ground, the position of the ground's origin below it, the wheel's camber and the
+// ground's yaw.
 //
 // When points begin or cease to touch, loads have kinks and modes jump. Between two such events the
 // tire is on one branch. `held` continues this branch: the given points touch, pushed or pulled,

@@ -80,7 +80,7 @@ class MeshBuilder {
   }
 
   /// Nodes of station i below and above row k of `rows`. If fewer rows end there, these are the
-  /// nodes between which the row ends, and `from` and `to` the places where it ends.
+  /// nodes between which the row ends, and `from` and `to` the positions where it ends.
   struct RowEnd {
     int lower, upper;
     double from = 0.0, to = 1.0;

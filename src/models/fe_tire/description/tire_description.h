@@ -3,7 +3,7 @@
 //
 // The section is built around a reference line, the contour through its wall. Thicknesses are
 // measured from this line along its normal, to the inside (toward the inflation gas) and to the
-// outside. A place along the wall is given by its `position`: arc length from the crown (0) to the
+// outside. A point along the wall is given by its `position`: arc length from the crown (0) to the
 // bead (1), equal on both sides.
 #pragma once
 
@@ -64,7 +64,7 @@ struct CordPly {
 };
 
 enum class CordModel {
-  rebar,    // cords at their true place inside the elements
+  rebar,    // cords at their true depth inside the elements
   smeared,  // anisotropic St. Venant-Kirchhoff inside the reference line, for comparison
 };
 

@@ -14,9 +14,9 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Place along xi and eta where the solid-shell's mass samples the shape functions: sqrt(2/3). The
-/// mass is then the average of the consistent and the lumped one, whose errors in the wave speed
-/// cancel to fourth order in the element's length [Guddati & Yue 2004, CMAME 193].
+/// Coordinate along xi and eta at which the solid-shell's mass samples the shape functions:
+/// sqrt(2/3). The mass is then the average of the consistent and the lumped one, whose errors in
+/// the wave speed cancel to fourth order in the element's length [Guddati & Yue 2004, CMAME 193].
 constexpr double kMassPoint = 0.81649658092772603273;
 
 }  // namespace

@@ -57,7 +57,7 @@ unsigned evaluate_corners(const ElementLaw& law,
   return valid | now;
 }
 
-/// Computes places of tied corners from places of nodes.
+/// Computes the positions of tied corners from those of nodes.
 void place_corners(const EdgeTie& tie, double (&u)[24][ElementBatch::kLanes]) {
   for (const auto& [lower, upper] : tie.pairs()) {
     for (int i = 0; i < 3; ++i) {
@@ -130,7 +130,7 @@ unsigned evaluate(const ElementLaw& law,
 
 namespace {
 
-/// Runs `kernel` with places and motions of corners in place of those of nodes.
+/// Runs `kernel` with positions and motions of corners instead of those of nodes.
 template <class Kernel>
 auto at_corners(const EdgeTie& tie,
                 ElementBatch& batch,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements of one law at different places, eight at a time, as the sectors of a ring contain them.
-// Lane k is element k (hex8_lanes.h). The numbers that describe the element are read once for all
-// lanes, and all lanes of a vector are used.
+// Elements of one law at different positions, eight at a time, as the sectors of a ring contain
+// them. Lane k is element k (hex8_lanes.h). The numbers that describe the element are read once for
+// all lanes, and all lanes of a vector are used.
 #pragma once
 
 #include "models/fe_tire/element/element_law.h"

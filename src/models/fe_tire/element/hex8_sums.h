@@ -82,7 +82,7 @@ LATSCH_INLINE void to_nodes(const ModalSums& modal, NodalSums& sums) {
 /// Transforms a block (i, j) of the stiffness. `whole`: i != j.
 LATSCH_INLINE void block_to_nodes(const V (*block)[kModes], int i, int j, NodalSums& sums) {
   const bool whole = i != j;
-  V rows[8][8];  // [node place of the column][mode place of the row]
+  V rows[8][8];  // [index of the column's node][index of the row's mode]
   for (V& v : rows[0]) v = 0.0;
   V by_mode[kModes][8];
   for (int m = 0; m < kModes; ++m) {

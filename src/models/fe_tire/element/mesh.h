@@ -23,8 +23,8 @@ struct RebarPlacement {
 };
 
 /// Transition from many rows to few. An element of the many rows has corners that are not nodes but
-/// lie on the line between the two nodes in their places: the neighbor's edge stays straight and no
-/// gap opens. The element's forces and stiffness are assigned to these nodes (hex8_batch.h).
+/// lie on the line between the two nodes that replace them: the neighbor's edge stays straight and
+/// no gap opens. The element's forces and stiffness are assigned to these nodes (hex8_batch.h).
 struct EdgeTie {
   int eta = 0;                      // side of the tied corners, -1 or +1; 0: all corners are nodes
   double lower = 0.0, upper = 1.0;  // position of the corners between the lower (0) and the upper

@@ -70,8 +70,8 @@ LATSCH_INLINE void add_face_pressure(
 }
 
 /// Adds pressure on the face of nodes 0-3 at x[3 a + i] and on the seals of its open edges (bit k:
-/// from node k to node k + 1). A seal is a strip between an edge's current place and its place in
-/// the undeformed element X.
+/// from node k to node k + 1). A seal is a strip between an edge's current position and its
+/// position in the undeformed element X.
 void add_pressure(
     const double* X, const V* x, unsigned open_edges, double p, bool stiffness, NodalSums& sums) {
   constexpr int kFace[4] = {0, 1, 2, 3};

@@ -40,7 +40,7 @@ LATSCH_INLINE V double_dot(const V* a, const V* b) {
   return 2.0 * shear + (a[0] * b[0] + (a[1] * b[1] + a[2] * b[2]));
 }
 
-/// Quantities of rubber at a point that are the same along all strains.
+/// Quantities of rubber at a point that do not depend on the direction of the strain.
 struct RubberPoint {
   V C[6], cof[6], det, inverse, J, I1, I2, a, b;
 };

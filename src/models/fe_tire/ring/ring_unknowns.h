@@ -48,8 +48,8 @@ class RingUnknowns {
   /// Returns the unknowns of a node of the whole ring, planes 0 ... S-1. Its displacement is sign x
   /// unknowns.
   NodeUnknowns of_node(int plane, int section_node) const;
-  /// Unknowns that symmetry holds at zero (on the axis of the half turn). They keep a place in the
-  /// numbering.
+  /// Unknowns that symmetry holds at zero (on the axis of the half turn). They keep a
+  /// number.
   const std::vector<int>& held() const { return held_; }
 
   /// Returns element displacements [3 x 8] in the frame of the element's sector.

@@ -36,7 +36,7 @@ struct MovedNumber {
 struct FeltNumbers {
   std::vector<VariedElement> elements;
   std::vector<std::size_t> numbers;
-  std::vector<std::size_t> masses;  // numbers that change its mass
+  std::vector<std::size_t> masses;  // numbers that change the element's mass
 
   void find(int sector, int element, const std::vector<MovedNumber>& moved);
 };

@@ -31,7 +31,7 @@ struct BendPlace {
 /// Returns the values of the forms at knot or segment k, from rows of nodes or their rates.
 BendVector bend_forms(const BendRule& rule, const RimRows& rows, int k);
 
-/// A strain with its first and second derivatives by the forms.
+/// A strain with its first and second derivatives with respect to the forms.
 struct Strain {
   double value;
   BendVector slope;

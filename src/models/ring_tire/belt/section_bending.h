@@ -46,7 +46,8 @@ class SectionBending {
   void reset();
   /// Returns to the last keep().
   void restart() { field_ = kept_; }
-  /// Moves γ along the ring so that it stays in space while the nodes move on by so many segments.
+  /// Moves γ along the ring so that it stays in space while the nodes move on by this number of
+  /// segments.
   void flow(double segments);
   /// Sets the nodes in contact, whose γ are the unknowns.
   void touch(std::vector<int> nodes);

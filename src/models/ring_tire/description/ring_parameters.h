@@ -85,7 +85,7 @@ struct Tread {
 /// number in the list, from 1.
 struct Harmonic {
   double amplitude = 0.0;  // m
-  double angle = 0.0;      // rad, of the maximum; from the lowest place at spin 0 to the front
+  double angle = 0.0;      // rad, of the maximum; from the lowest point at spin 0 to the front
 };
 
 /// Deviations of a real tire from uniformity around its circumference.

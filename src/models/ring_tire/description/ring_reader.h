@@ -22,7 +22,7 @@
 //   pressure_width = "80 mm"           # of the section whose pressure the belt's tension carries
 //   bending_across = "10 N m"          # of the section across, per length; default 0: straight
 //   section_coupling = 1               # of the belt's tension that smooths bent sections; default
-//   gravity = "9.81 m/s^2"             # of the belt; default 0: as a rig shows it that is tared
+//   gravity = "9.81 m/s^2"             # of the belt; default 0: as on a tared rig
 //
 //   [sidewall]
 //   time_constant = "15 ms"            # of dynamic stiffening
@@ -60,7 +60,7 @@
 //
 //   [uniformity]                       # optional: what is not the same all around
 //   imbalance = "20 g"                 # on the belt, at
-//   imbalance_angle = "30 deg"         # from the lowest place at spin 0 to the front; default 0
+//   imbalance_angle = "30 deg"         # from the lowest point at spin 0 to the front; default 0
 //   radial_runout = ["0.3 mm", "0.1 mm"]        # of the tread: amplitudes of harmonics 1, 2 ...
 //   radial_runout_angle = ["0 deg", "45 deg"]   # where each is largest; default 0
 //   lateral_runout = ["0.4 mm"]        # of the belt at rest, to the left; lateral_runout_angle

@@ -9,7 +9,7 @@
 
 namespace latsch::ring_tire {
 
-/// Returns the motion at a share 0 .. 1 of the way; the carrier rotates about one axis.
+/// Returns the motion at a share 0 .. 1 of the path; the carrier rotates about one axis.
 WheelMotion between(const WheelMotion& from, const WheelMotion& to, double share);
 
 /// Components of a motion by which forces are differentiated: columns, three for each vector,

@@ -90,8 +90,8 @@ class TreadContact {
   std::vector<int> nodes_near_road() const;
   /// Returns the blocks' forces on the unknowns of the section; q is that of the last add_force.
   Eigen::VectorXd section_forces(const SectionBending& section, const NodeValues& q) const;
-  /// Computes minus the derivatives of these forces by the unknowns of the belt, B, and of the
-  /// section, A.
+  /// Computes minus the derivatives of the blocks' forces by the unknowns of the belt, B, and of
+  /// the section, A.
   void section_border(const SectionBending& section,
                       const NodeValues& q,
                       bool all_stick,
