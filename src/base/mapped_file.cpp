@@ -35,7 +35,8 @@ struct Closing {
 
 [[noreturn]] void fail_changed(const std::filesystem::path& file) {
   throw InputError({file.string(), 0},
-                   "changed while it was read: try again when whoever writes it is done");
+                   "changed while it was read: try again when the other program has finished "
+                   "writing");
 }
 
 /// A file without a name in the temporary folder; it vanishes when it is closed. -1: none.

@@ -86,7 +86,7 @@ void add_inputs(std::vector<Variable>& table) {
   for (const char* axis : {"x", "y", "z"})
     table.push_back(
         {fmt::format("load.M{}", axis), input, "N m", "moment on the chassis, inertial axes", 0.0});
-  table.push_back({"guide.x", input, "m", "how far the guide has gone from the start", 0.0});
+  table.push_back({"guide.x", input, "m", "distance of the guide from its start", 0.0});
   table.push_back({"guide.speed", input, "m/s", "of the guide", 0.0});
   table.push_back({"guide.y", input, "m", "line of the guide", 0.0});
 }

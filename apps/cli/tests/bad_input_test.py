@@ -27,7 +27,7 @@ class BadInput(Coarse):
 
     def test_data_of_a_former_verb_are_said_to_be_a_study_now(self):
         self.study.write_text('tire = "tire.toml"\n[target.first_load]\nkind = "load"\n')
-        self.rejected("run", "is of data for a ring", "latsch new FOLDER --ring-data")
+        self.rejected("run", "is measured data of a ring", "latsch new FOLDER --ring-data")
 
     def test_unknown_option_and_missing_study(self):
         text = self.latsch("run", self.study, "--wrkers", "2", code=WRONG_INPUT)
@@ -59,7 +59,7 @@ class BadInput(Coarse):
 
     def test_settings_in_the_wrong_table(self):
         edit(self.study, (r"\[run\]", "[run]\nmax_steps = 5"))
-        self.rejected("check", "study.toml:", "run.max_steps belongs into [optimizer]")
+        self.rejected("check", "study.toml:", "run.max_steps belongs in [optimizer]")
 
     def test_doctor_of_a_study_that_never_ran(self):
         self.rejected("doctor", "study.toml", "study.latsch is not there", "latsch run")

@@ -192,7 +192,7 @@ class FittedTir(unittest.TestCase):
         self.latsch("export", folder / "study.toml", "--model", folder / "fitted.tir")
         keys = keys_of((folder / "fitted.tir").read_text())
         for name, why in (("PPY4", "of order 2 in the pressure"), ("PKY6", "of order 1 in the camber")):
-            self.assertRegex(keys[name][1], rf"^assumed: it was free, but the data do not tell it, {name} is {why}")
+            self.assertRegex(keys[name][1], rf"^assumed: it was free, but the data do not determine it, {name} is {why}")
 
     def test_a_bound_and_a_missing_interval_are_told(self):
         bound = 'variable.PCY1 = {path = "PCY1", lower = 1.1, upper = 1.3, initial = 1.2}\n'

@@ -54,9 +54,9 @@ class Deck(Coarse):
         return channels_of(self.latsch("test", model, test, "--json"))
 
     def test_check_says_what_it_is_and_which_numbers_may_vary(self):
-        self.assert_says(self.latsch("check", self.deck), "tire.inp, finite-element tire on its owner's mesh",
+        self.assert_says(self.latsch("check", self.deck), "tire.inp, finite-element tire on the user's mesh",
                          "elements C3D8", "18 equal sectors", "pressure", "density", "D1111", "kg/m^3",
-                         "units are taken for mm, N, tonne", "full integration")
+                         "units are assumed to be mm, N, tonne", "full integration")
         self.assertGreaterEqual(len(self.C10), 2)
 
     def test_show_lists_its_numbers(self):

@@ -81,7 +81,7 @@ class OldJournals(unittest.TestCase):
                 self.study_with(STUDIES / f"{name}.journal")
                 refused = self.latsch("run", "study.toml")
                 self.assertEqual(refused.returncode, WRONG_INPUT)
-                for words in (lacks, "being older than that", "--anew", "--adopt"):
+                for words in (lacks, "it is older and does not contain", "--anew", "--adopt"):
                     self.assertIn(words, refused.stderr)
                 self.assertEqual((format_of(self.journal), trials_of(self.journal)), (self.written, self.trials))
                 self.assert_taken_over(self.latsch("resume", "study.toml", "--adopt"))

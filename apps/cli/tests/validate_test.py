@@ -90,7 +90,7 @@ class Validated(unittest.TestCase):
                             (TESTS + LAST.replace('source = "drawing 7"\n', 'upper = "2 N"\n'), "source is missing"),
                             (TESTS + FORCES, "largest_error = "),
                             (TESTS + FORCES + 'largest_error = "5 N"\n', "5 N"),
-                            (TESTS + FORCES + limit + "weight = 2\n", "belongs into a study"),
+                            (TESTS + FORCES + limit + "weight = 2\n", "belongs in a study"),
                             (TESTS + FORCES + limit + 'lagest_error = "3 %"\n', 'did you mean "largest_error"'),
                             (TESTS + LAST.replace("drawing 7", "") + 'upper = "2 N"\n', "where the limit comes from"),
                             (TESTS, "expected a suite"),

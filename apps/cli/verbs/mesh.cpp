@@ -180,7 +180,7 @@ int mesh(const MeshOptions& options, const experiment::Language& language) {
       options.refinement > 1 || options.convergence || !options.place_columns.empty();
   if (!tire.description && changes)
     throw InputError({options.file, 0},
-                     "has a mesh of its owner, which cannot be refined: expected a tire described "
+                     "has a mesh of the user, which cannot be refined: expected a tire described "
                      "by its section for --refinement, --convergence and --place-columns");
   const fe_tire::Mesh mesh =
       tire.description ? fe_tire::build_mesh(*tire.description, options.refinement) : tire.mesh;

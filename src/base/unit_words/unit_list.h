@@ -210,9 +210,9 @@ inline constexpr Row kRefused[] = {
     {"tonf", "which may be of 1000 kg or of 2000 lb: write \"tf\" or \"lbf\""},
     {"gr", "which may be a gram or a grain: write \"gram\""},
     {"cps", "which may count oscillations or revolutions: write \"Hz\" or \"rev/s\""},
-    {"psia", "which is an absolute pressure: take that of the air away and write \"psi\""},
-    {"bara", "which is an absolute pressure: take that of the air away and write \"bar\""},
-    {"kPaa", "which is an absolute pressure: take that of the air away and write \"kPa\""},
+    {"psia", "which is an absolute pressure: subtract the atmospheric pressure and write \"psi\""},
+    {"bara", "which is an absolute pressure: subtract the atmospheric pressure and write \"bar\""},
+    {"kPaa", "which is an absolute pressure: subtract the atmospheric pressure and write \"kPa\""},
     {"dB", "which is a level, no quantity: give the quantity itself"},
     {"dBA", "which is a level, no quantity: give the quantity itself"},
 };

@@ -82,7 +82,7 @@ TEST(UnitReading, WordsThatUdunitsMakesByPrefixesAreRefused) {
         "(m",      "m)",     "mu",   "are",  "T",   "Wb",   "u",    "force", "gamma", "Forces"})
     EXPECT_FALSE(Unit::find(text)) << text;
   EXPECT_EQ(unknown_unit("Ms"),
-            "unit \"Ms\", which is something else than \"ms\" by the letter: write \"ms\"");
+            "unit \"Ms\", which is not \"ms\", because case matters here: write \"ms\"");
 }
 
 TEST(UnitReading, ADocumentsPoundIsAMassWhereOneIsExpected) {

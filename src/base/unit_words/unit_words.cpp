@@ -273,7 +273,7 @@ class Reading {
     if (found == words_in_lower_case().end()) return std::nullopt;
     std::string meaning(found->second);
     if (is_foreign_(word, meaning)) {
-      refusal = fmt::format("which is something else than \"{}\" by the letter: write \"{}\"",
+      refusal = fmt::format("which is not \"{}\", because case matters here: write \"{}\"",
                             lower,
                             unit_in_use(lower));
       return std::nullopt;

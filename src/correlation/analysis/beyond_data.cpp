@@ -56,7 +56,7 @@ std::vector<std::string> untold_in_words(const Study& study) {
   for (const UntoldCoefficient& one : untold_coefficients(study))
     all.push_back("variable " + one.variable + " is free" +
                   (one.stage.empty() ? "" : " in stage " + one.stage) + ", but " + one.reason +
-                  ": the measurement does not tell it; leave it out, or measure more levels");
+                  ": the measurement does not determine it; leave it out, or measure more levels");
   return all;
 }
 

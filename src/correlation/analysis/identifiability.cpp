@@ -96,25 +96,26 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
   if (c.excess > 1.0) {
     all.push_back(fmt::format(
         "The residuals are {:.2g} times their stated noise: the model cannot follow the "
-        "measurement, or the search ended early. The intervals are those of the spread seen.",
+        "measurement, or the search ended early. The intervals use the observed spread.",
         c.excess));
   }
   if (std::isnan(c.sigma)) {
     all.emplace_back(
-        "There are no more measured values than variables, so how exact they are cannot be seen "
-        "from the fit: no interval is known. State the noise of the experiments.");
+        "There are no more measured values than variables, so the fit does not show how exact "
+        "they are: no interval is known. State the noise of the experiments.");
   }
   if (c.is_colored) {
     all.emplace_back(
-        "Neighboring values share noise: the intervals count them as the fewer that they are "
-        "worth.");
+        "Neighboring values share noise: the intervals count them as correspondingly fewer "
+        "values.");
   }
   const auto& slopes = identification.slopes();
   const std::string rough = names_where(
       study, [&](int i) { return slopes[static_cast<size_t>(i)] == SlopeQuality::rough; });
   if (!rough.empty()) {
     all.push_back("No step gives a straight difference in " + rough +
-                  ": the model is rough or strongly curved there, its linear interval a guess.");
+                  ": the model is rough or strongly curved there, so its linear interval is a "
+                  "guess.");
   }
   const std::string one_sided = names_where(
       study, [&](int i) { return slopes[static_cast<size_t>(i)] == SlopeQuality::one_sided; });
@@ -124,13 +125,13 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
   }
   for (const Eigen::VectorXd& direction : identification.unknown_directions()) {
     all.push_back("Along " + direction_text(study.space, direction) +
-                  " differences tell no more than their own errors: as far as they show, the data "
-                  "leave it open.");
+                  " differences contain only their own errors: as far as they show, the data do "
+                  "not determine it.");
   }
   if (study.refinement && !what.refined_shift) {
     all.emplace_back(
-        "The refined model was not evaluated there, or failed: the intervals know nothing of mesh "
-        "and step.");
+        "The refined model was not evaluated there, or failed: the intervals do not include the "
+        "effect of mesh and step.");
   }
   if (what.refined_shift) {
     const std::string moved = names_where(study, [&](int i) {
@@ -139,14 +140,14 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
     });
     if (!moved.empty()) {
       all.push_back("Mesh and step change more than the noise in " + moved +
-                    ": the refined model is the better one to fit.");
+                    ": fit the refined model instead.");
     }
   }
   if (c.left_to_gain > kEarly * c.threshold()) {
     all.emplace_back(
-        "The search ended early: derivatives taken afresh promise more than an interval's worth, "
+        "The search ended early: recomputed derivatives promise a gain larger than an interval, "
         "so "
-        "the point is no minimum yet. latsch identify goes on from there.");
+        "the point is no minimum yet. latsch identify continues from there.");
   }
   int refits = 0, failed = 0;
   for (const Profile& profile : identification.profiles()) {

@@ -211,7 +211,7 @@ TEST(Identifiability, IntervalsReachToTheNumbersOfTheRefinedModel) {
   ASSERT_TRUE(result && *result);
   Identifiability& what = **result;
   EXPECT_FALSE(what.refined_shift);
-  EXPECT_NE(remarks(s, what).back().find("nothing of mesh"), std::string::npos);
+  EXPECT_NE(remarks(s, what).back().find("the effect of mesh"), std::string::npos);
   const Interval own = reported_interval(s, what, 0);
 
   InlineExecutor finer([](const DesignPoint& point) {

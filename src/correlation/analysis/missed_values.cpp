@@ -118,9 +118,9 @@ std::string MissedValue::in_words(const DesignSpace& space) const {
     text += fmt::format(": {} moves it most, by {:.0f} % for a tenth of its range",
                         space[*variable].name,
                         10.0 * std::abs(effect));
-    text += !within_bounds ? ", and cannot mend it within its bounds"
-            : payer ? "; mended by it alone, " + payer->name + " would be " + payer->in_words()
-                    : "; no other value would pay for mending it";
+    text += !within_bounds ? ", and cannot correct it within its bounds"
+            : payer ? "; corrected by it alone, " + payer->name + " would be " + payer->in_words()
+                    : "; correcting it would harm no other value";
   }
   return text + (fitted ? "" : " (it is not fitted)");
 }

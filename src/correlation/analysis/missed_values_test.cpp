@@ -74,7 +74,7 @@ TEST_F(MissedValues, TellWhatWouldMendThemAndWhatPays) {
   EXPECT_EQ(sentences(at({{4e3, 4e3}})),
             std::vector<std::string>{
                 "alone, 20 mm is 20.0 % too low: a moves it most, by 18 % for a tenth of its "
-                "range; mended by it alone, alone, 10 mm would be 25.0 % too high"});
+                "range; corrected by it alone, alone, 10 mm would be 25.0 % too high"});
 }
 
 TEST_F(MissedValues, WithinThreeTimesTheirNoiseAreNone) {
@@ -92,7 +92,7 @@ TEST_F(MissedValues, BeyondTheBoundsOfTheVariableAreToldSo) {
   EXPECT_EQ(
       sentences(at({{4e3, 4e3}})),
       std::vector<std::string>{"alone, 20 mm is 84.0 % too low: a moves it most, by 4 % for a "
-                               "tenth of its range, and cannot mend it within its bounds"});
+                               "tenth of its range, and cannot correct it within its bounds"});
 }
 
 // The fitted spring a does not depend on b.
@@ -102,7 +102,7 @@ TEST_F(MissedValues, CanBeMendedForNothing) {
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].variable, 1);
   EXPECT_FALSE(found[0].payer);  // the other value of the curve improves, too
-  EXPECT_NE(found[0].in_words(study_.space).find("no other value would pay"), std::string::npos);
+  EXPECT_NE(found[0].in_words(study_.space).find("would harm no other value"), std::string::npos);
 }
 
 // With 4000 and 5000 N/m in series, dk/da = (5/9)^2. Predictions are simulated when the gains are

@@ -215,8 +215,8 @@ void examine_deflection(const TireSize& size,
   if (deflection <= kDeep * size.section_height) return;
   found.push_back({place,
                    fmt::format("{} is {:.4g} mm, {} the section of this tire, {:.0f} mm high: "
-                               "deflections are usually up to a third of it. Is it another tire's, "
-                               "or its unit wrong?",
+                               "deflections are usually up to a third of it. Does it belong to "
+                               "another tire, or is its unit wrong?",
                                name,
                                1e3 * deflection,
                                impossible ? "deeper than" : "close to",
@@ -281,7 +281,7 @@ void examine_load_deflection(const StudyExperiment& experiment,
       of_row.push_back(
           {place,
            fmt::format("loaded_radius is {:.1f} mm, but this tire has {:.1f} mm without "
-                       "load: is it another tire's, or a diameter?",
+                       "load: does it belong to another tire, or is it a diameter?",
                        1e3 * positions[i],
                        1e3 * size.outer_radius),
            true});
@@ -363,7 +363,7 @@ void examine_repetitions(const Study& study, const Document& file, std::vector<F
       found.push_back(
           {written_at(file, "experiment." + b.name + ".measurement").place,
            fmt::format("experiment.{}.measurement is {}, which experiment {} is fitted to already: "
-                       "it counts twice. If that is meant, weight = 2 says it",
+                       "it counts twice. If that is intended, use weight = 2",
                        b.name,
                        in_quotes(b.measurement_file.filename().string()),
                        in_quotes(a.name)),

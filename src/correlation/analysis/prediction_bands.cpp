@@ -210,13 +210,14 @@ void say_what_shapes_it(const Study& study,
                         ExperimentBand& band) {
   for (const int k : open) {
     band.remarks.push_back(
-        fmt::format("the data leave open \"{}\", which moves it: there the band is as wide as the "
+        fmt::format("the data do not determine \"{}\", which affects it: the band is as wide as "
+                    "the "
                     "bounds of the variables allow, by the slopes at the point",
                     direction_text(study.space, c.free.axes.col(k))));
   }
   for (const int i : held) {
-    band.remarks.push_back(fmt::format(
-        "{} is held at its bound: for it the band reaches to one side", study.space[i].name));
+    band.remarks.push_back(fmt::format("{} is held at its bound: the band extends to one side only",
+                                       study.space[i].name));
   }
 }
 
@@ -232,8 +233,8 @@ void fill(const Study& study,
   const auto slopes = center ? computed.slopes(experiment, *center) : std::nullopt;
   if (!slopes) {
     band.remarks.emplace_back(
-        "not known: of its trials at the best point and beside it one failed or has not been made; "
-        "latsch identify makes them");
+        "not known: a trial at or beside the best point failed or is missing; latsch identify "
+        "runs missing ones");
     return;
   }
   const auto measured = experiment.observable->measured_values(),
@@ -301,8 +302,8 @@ std::string DelayBand::in_words() const {
   };
   if (at_end || !std::isfinite(upper - lower))
     return fmt::format(
-        "{:.4g} ms, at the end of the range it is looked for in: a tenth of the "
-        "record, as far as the simulation reaches",
+        "{:.4g} ms, at the end of its search range: a tenth of the record, as far as the "
+        "simulation extends",
         1e3 * value);
   return fmt::format("{} ms, 95 %: {} .. {} ms", ms(value), ms(lower), ms(upper));
 }

@@ -189,7 +189,7 @@ void RefitTrials::for_each(const std::function<void(const Trial&)>& visit) const
     });
   } catch (const JournalError& error) {
     throw JournalError(
-        fmt::format("{}. It only spares latsch identify trials: delete {} and identify again",
+        fmt::format("{}. It only saves latsch identify some trials: delete {} and identify again",
                     error.what(),
                     kept_->file().string()));
   }

@@ -184,11 +184,11 @@ std::string verdict_chapter(const ComparisonFile& file, const TireComparison& co
   html += "</ul>" + summary_table(file, comparison) + needs_table(file);
   html += fmt::format(
       "<p>Errors are means over {} tests, of the root mean square of the measured force about its "
-      "mean and of its spectral density from {} to {} Hz. A tire follows a force over the longest "
-      "row of third-octave "
-      "bands whose level is at most {:g} dB off; bands in which noise has more than a quarter of "
-      "the power are left out. CPU time is that of one core, with the tire's way to "
-      "rest.</p></section>\n",
+      "mean and of its spectral density from {} to {} Hz. A tire reproduces a force over the "
+      "longest sequence of third-octave bands whose level is at most {:g} dB off; bands in which "
+      "noise has more than a quarter of "
+      "the power are left out. CPU time is that of one core, including the settling at the "
+      "start.</p></section>\n",
       file.tests.size(),
       significant(file.band.lower, 3),
       significant(file.band.upper, 3),

@@ -83,11 +83,12 @@ FitPosterior fit_posterior(const FitSource& source, double segment) {
   const Journal journal = Journal::read(file, identity(*source.study));
   const Study study = with_estimated_noise(*source.study, journal);
   const auto what = recorded_identifiability(study, journal);
-  if (!what) throw refuse("its journal does not tell how certain its variables are; " + run);
+  if (!what) throw refuse("its journal does not show how certain its variables are; " + run);
   const Confidence& c = what->identification.confidence();
   if (!std::isfinite(c.sigma))
     throw refuse(
-        "there are no more measured values than variables, so what they leave open is not known; "
+        "there are no more measured values than variables, so the remaining uncertainty is not "
+        "known; "
         "expected a noise in the experiments of " +
         in_quotes(study.file.string()));
   FitPosterior posterior{source.name, what->best, {}, c.excess, 1.0, {}, remarks(study, *what)};
@@ -114,8 +115,8 @@ void check_fit(const FitSource& source, const Document& model, const std::string
       if (std::find(known.begin(), known.end(), path) == known.end())
         throw InputError(source.place,
                          fmt::format("fit {} varies {}, which would be {} of {}: it has no such "
-                                     "number; expected `at` to say where the fit's model stands in "
-                                     "the one compared, such as \"front_suspension\"",
+                                     "number; expected `at`, the path of the fit's model in the "
+                                     "compared one, such as \"front_suspension\"",
                                      source.name,
                                      variable.name,
                                      in_quotes(path),

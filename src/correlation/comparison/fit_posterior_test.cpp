@@ -263,8 +263,10 @@ TEST_F(FittedSprings, SayWhatTheirBandContains) {
   const ModelComparisonFile file = comparison();
   const ModelComparison found = compare_models(file, shaken_springs(), 1);
   const std::string page = model_comparison_page(file, found);
-  EXPECT_NE(page.find("what the fits a model comes from leave open"), std::string::npos);
-  EXPECT_NE(page.find("nothing of numbers that are neither fitted nor typed"), std::string::npos);
+  EXPECT_NE(page.find("the uncertainty that the model's fits leave"), std::string::npos);
+  EXPECT_NE(page.find("not the effect of numbers that are neither fitted nor "
+                      "stated"),
+            std::string::npos);
   EXPECT_NE(findings(file, found)[1].find("bands of 90 % hold 100 % of the lines"),
             std::string::npos);
 }

@@ -80,7 +80,7 @@ std::unique_ptr<experiment::Test> read_case(const Document& document,
         if (!found && !one.is_needed) continue;
         if (!found)
           table.reject("from",
-                       "takes the channel " + in_quotes(one.channel) +
+                       "needs the channel " + in_quotes(one.channel) +
                            ", which the reference does not record: name it in recorded");
         channels.add({one.channel, one.unit, found->values});
       }
@@ -132,7 +132,7 @@ std::vector<numerics::Density> densities_of(const ModelComparisonFile& file,
   for (const std::string& name : file.channels) {
     const auto values = counted(file, channels, name, whose);
     if (values.size() < 16)
-      throw InputError({file.file.string(), 0}, whose + " has fewer than 16 samples that count");
+      throw InputError({file.file.string(), 0}, whose + " has fewer than 16 selected samples");
     all.push_back(numerics::power_density(values, rate, welch_of(file, values.size(), rate)));
   }
   return all;

@@ -176,7 +176,7 @@ void read_fits(const Node& root,
     fit.study =
         std::make_shared<const Study>(read_study(existing(table, "study", folder), language));
     if (table.has("at")) fit.at = table.texts("at");
-    if (fit.at.empty()) table.reject("at", "is empty, expected one place at least");
+    if (fit.at.empty()) table.reject("at", "is empty, expected at least one path");
     file.fits.push_back(std::move(fit));
   }
 }
@@ -235,7 +235,7 @@ ModelComparisonFile read_model_comparison(const fs::path& path,
   file.file = path;
   file.title = root.text("title", path.stem().string());
   file.channels = root.texts("channels");
-  if (file.channels.empty()) root.reject("channels", "is empty, expected one channel at least");
+  if (file.channels.empty()) root.reject("channels", "is empty, expected at least one channel");
   if (root.has("told")) file.told = root.texts("told");
   file.has_from = root.has("from");
   if (file.has_from) file.from = root.quantity("from", "s");

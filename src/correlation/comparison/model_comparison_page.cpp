@@ -201,7 +201,7 @@ std::string fit_table(const ModelComparisonFile& file, const ModelComparison& co
                        "Variables",
                        "Residuals over stated noise",
                        "Held out over explained",
-                       "Spectra it cannot follow"},
+                       "Error of its spectra"},
                       rows) +
          (remarks.empty() ? "" : "<ul>\n" + remarks + "</ul>\n");
 }
@@ -224,7 +224,7 @@ std::string coverage_table(const ModelComparisonFile& file, const ModelCompariso
   for (std::size_t t = 0; t < file.tests.size(); ++t) add(file.tests[t].name, cases_of(file, t));
   add("all", all_cases(file));
   return html +
-         "<p>Share of the reference's lines inside, its noise counted, and the mean half width of "
+         "<p>Share of the reference's lines inside, its noise included, and the mean half width of "
          "the bands, in " +
          escape(in_words(file.bands[0])) + ".</p>\n" + number_table(heads_of(file, "Test"), rows);
 }
@@ -328,14 +328,14 @@ std::string bands_in_words(const ModelComparisonFile& file) {
                      ":";
   if (!file.fits.empty())
     text +=
-        " what the fits a model comes from leave open of their variables, with correlations and "
-        "inside their bounds, as wide as the residuals are over their stated noise and as held-out "
-        "values are over what is explained; the error of the fits' own spectra beyond all that, "
-        "third octave by third octave, taken to be the same in what is predicted;";
+        " the uncertainty that the model's fits leave in their variables, with correlations and "
+        "inside their bounds, widened by the ratio of residuals to stated noise and of held-out "
+        "errors to explained ones; the error of the fits' own spectra beyond all that, "
+        "third octave by third octave, assumed to be the same in the prediction;";
   if (!file.uncertainties.empty()) text += " the typed spreads;";
   return text +
-         " and nothing of numbers that are neither fitted nor typed, of how the reference was "
-         "driven, or of what no fit's rig has shown.";
+         " but not the effect of numbers that are neither fitted nor stated, of the driving of "
+         "the reference, or of anything that no fit's rig has shown.";
 }
 
 std::vector<std::string> findings(const ModelComparisonFile& file,

@@ -239,7 +239,7 @@ std::string low_pass(LabRecord& record, double frequency, const Place& place) {
         return a.end - a.first < b.end - b.first;
       });
   if (longest->end - longest->first < 2)
-    throw InputError(place, "low_pass needs a time that goes on, and no two samples do");
+    throw InputError(place, "low_pass needs rising times, and no two samples have them");
   const double rate = static_cast<double>(longest->end - longest->first - 1) /
                       (time[longest->end - 1] - time[longest->first]);
   if (!(frequency < 0.5 * rate))

@@ -112,7 +112,8 @@ RobustLoss read_loss(const Node& table, bool noise_is_stated) {
   if (!noise_is_stated && !table.has("loss_scale")) {
     table.reject("loss",
                  "is \"" + loss +
-                     "\", but from where values count less is not known: expected noise beside it, "
+                     "\", but it is not known beyond which error values count less: expected "
+                     "noise beside it, "
                      "or loss_scale = \"5 %\", an error beyond which they do");
   }
   robust.scale = table.quantity("loss_scale",

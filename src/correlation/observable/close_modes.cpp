@@ -129,7 +129,7 @@ std::string remark_on_mixed(const ModeRecord& measured) {
   return fmt::format(
       "No simulated mode is called {}: one of its n that lies close to another is compared with "
       "it, "
-      "because a mixture of two is called by the larger part of its energy.",
+      "because a mixture of two is named after the larger part of its energy.",
       measured.label());
 }
 

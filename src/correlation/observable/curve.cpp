@@ -365,8 +365,7 @@ std::vector<std::filesystem::path> Curve::write(const Channels& trial,
     if (c_.comparison.what == ComparedCurve::path)
       throw InputError(files.measurement->place(),
                        "cannot be written by a twin: " + c_.y +
-                           " is compared as a path, whose "
-                           "points no sample belongs to");
+                           " is compared as a path, whose points belong to no sample");
     const auto y = samples(trial, c_.y);
     if (!y) throw InputError(files.measurement->place(), y.failure().reason);
     std::map<std::string, std::vector<double>> values{{last_part(c_.y), y->values}};

@@ -242,7 +242,7 @@ std::shared_ptr<const Values> read_values(const Node& table,
   m.shown = known->unit;
   m.unit = si_unit(Unit::of(known->unit).dimension());
   if (table.has("value") + table.has("values") + (measurement != nullptr) != 1)
-    table.reject("value", "or values or measurement has to be there, one of them");
+    table.reject("value", "or values or measurement is required, exactly one of them");
   if (measurement) {
     m.values = measured_values(table, *known, m, *measurement);
     if (table.has("of")) {
@@ -265,8 +265,7 @@ std::shared_ptr<const Values> read_values(const Node& table,
   if (table.has("scale"))
     m.scales.assign(m.values.size(), table.quantity("scale", m.unit, Range::positive()));
   for (const double scale : m.scales) {
-    if (!(scale > 0.0))
-      table.reject("scale", "is missing: a measured 0 does not say what counts as much");
+    if (!(scale > 0.0)) table.reject("scale", "is missing: a measured value of 0 gives no scale");
   }
   return std::make_shared<Values>(std::move(m));
 }

@@ -81,7 +81,7 @@ std::string speed_figures(const RigFile& rig, const RigResults& results) {
                             1,
                             {}});
     }
-    html += figure(run.name, plot, "Speed, low-passed without delay, and what is used of it.");
+    html += figure(run.name, plot, "Speed, low-passed without delay, and the part that is used.");
   }
   return html + "</div>";
 }
@@ -179,8 +179,8 @@ std::string responses(const RigFile& rig, const RigResults& results) {
     }
   }
   std::string html =
-      "<p>TF(s) = A / (s² + 2 f ζ s + f²) + c (3-3); ± is one standard deviation over hits drawn "
-      "again.</p>" +
+      "<p>TF(s) = A / (s² + 2 f ζ s + f²) + c (3-3); ± is one standard deviation over resampled "
+      "hits.</p>" +
       number_table({"Response", "f Hz", "ζ", "A/f²", "c"}, rows);
   if (!results.hammer) return html;
   const MeasuredResponse& m = results.hammer->measured;

@@ -138,7 +138,7 @@ std::string response_row(const char* name, const RigResponse& r, const ResponseD
 
 void write_responses(Folder& folder, const RigResults& results) {
   std::string text =
-      "# TF(s) = A/(s^2 + 2 f zeta s + f^2) + c; deviations over hits drawn again, 0: not drawn\n"
+      "# TF(s) = A/(s^2 + 2 f zeta s + f^2) + c; deviations over resampled hits, 0: none drawn\n"
       "what,f [Hz],zeta,A/f^2,c,f_deviation [Hz],zeta_deviation,A/f^2_deviation,c_deviation\n";
   if (results.hammer) {
     text += response_row("rig by hammer", results.hammer->fit.response, results.hammer->over_hits);
@@ -150,7 +150,8 @@ void write_responses(Folder& folder, const RigResults& results) {
   b.values.resize(std::max(b.values.size(), a.values.size()), 0.0);
   a.values.resize(b.values.size(), 0.0);
   folder.write("filter",
-               fmt::format("coefficients of 1, 1/z, 1/z^2 ... at {:g} Hz: what takes the rig away",
+               fmt::format("coefficients of 1, 1/z, 1/z^2 ... at {:g} Hz: the filter that "
+                           "removes the rig's response",
                            results.runs[0].record.rate),
                table_of({b, a}));
 }
@@ -190,7 +191,7 @@ void write_filtered(Folder& folder,
                   : channel);
   }
   folder.write(run.name + "_filtered",
-               run.record.source + " with the rig taken away from " + rig.force,
+               run.record.source + " with the rig's response removed from " + rig.force,
                table);
 }
 

@@ -115,7 +115,7 @@ RunSettings read_run_settings(const Node* table, const std::filesystem::path& st
   run.journal = folder / (study.stem().string() + ".latsch");
   if (!table) return run;
   for (const char* key : {"method", "max_steps", "seed"})
-    if (table->has(key)) table->reject(key, "belongs into [optimizer], which says how to search");
+    if (table->has(key)) table->reject(key, "belongs in [optimizer], which states how to search");
   run.workers = static_cast<int>(table->integer("workers", 1, kMostWorkers, 1));
   run.timeout = table->quantity("timeout", "s", Range::positive(), run.timeout);
   run.memory = read_memory(*table);

@@ -40,7 +40,7 @@ std::vector<int> read_columns(const Node& table) {
   std::vector<int> columns;
   for (const double column : table.quantities("columns", "1", Range::between(1, kMostColumns))) {
     columns.push_back(static_cast<int>(column));
-    if (columns.back() != column) table.reject("columns", "are places, expected whole numbers");
+    if (columns.back() != column) table.reject("columns", "are positions, expected whole numbers");
   }
   return columns;
 }

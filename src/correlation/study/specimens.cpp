@@ -90,7 +90,8 @@ StudyModel read_model(const Node& study, const fs::path& folder, const Language&
   } else {
     if (!study.has("model") && study.has("tire") && study.has("target"))
       study.reject("tire",
-                   "is of data for a ring as they were once given; they are a study now: latsch "
+                   "is measured data of a ring in the form of older versions; they are a study "
+                   "now: latsch "
                    "new FOLDER --ring-data writes one to put them into");
     model.file = existing_file(study, "model", folder);
     kind = &language.kind_of_file(model.file);
@@ -125,7 +126,7 @@ std::vector<std::string> left_out_of(const Node& table,
     if (std::find(optional.begin(), optional.end(), name) == optional.end())
       table.reject("without",
                    "has " + in_quotes(name) +
-                       (optional.empty() ? ", but the test needs all that it takes"
+                       (optional.empty() ? ", but the test needs all its conditions"
                                          : ", expected one of " + list_of(optional)));
   return without;
 }
@@ -163,7 +164,7 @@ Channels measured_conditions(const Node& table,
   const auto found = std::find(names.begin(), names.end(), from);
   if (found == names.end())
     table.reject("from",
-                 "is " + in_quotes(from) + ", which this study has not" +
+                 "is " + in_quotes(from) + ", which this study does not have" +
                      (names.empty() ? ": add a [measurement.NAME]"
                                     : did_you_mean(from, names) + "; there are " + list_of(names)));
   const Measurement& measurement = *laboratory[static_cast<std::size_t>(found - names.begin())];

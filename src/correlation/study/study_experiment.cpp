@@ -96,8 +96,8 @@ void add_own_test(const Node& table,
   for (const StudyTest& other : tests) {
     if (other.name == table.name())
       table.reject("kind",
-                   "has a test of its own, whose channels are called as those of [test." +
-                       other.name + "]; name one of the two otherwise");
+                   "has a test of its own, whose channels have the names of those of [test." +
+                       other.name + "]; give one of the two another name");
   }
   keys.put("kind", toml_text(table.text("kind")));
   tests.push_back({table.name(), std::move(test), keys.text(), {}, true});

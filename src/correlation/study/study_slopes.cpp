@@ -36,7 +36,7 @@ bool uses_slopes(const OptimizerSettings& settings, const ProblemTraits& traits)
 
 std::optional<std::string> reason_without_slopes(const Study& study) {
   const experiment::SpecimenKind* kind = study.specimens->kind();
-  if (!kind) return "an outside program tells no slopes";
+  if (!kind) return "an outside program reports no slopes";
   const MovedNumbers moved(study.space);
   for (const std::string& path : moved.paths())
     if (!kind->knows_slopes_in(path))
@@ -50,7 +50,7 @@ std::optional<std::string> reason_without_slopes(const Study& study) {
     for (const std::string& channel : experiment.observable->asks()) {
       const StudyTest* test = find_test(study, test_of(channel));
       if (!test || !test->test->tells_slopes(*kind, channel.substr(test->name.size() + 1)))
-        return fmt::format("experiment {} compares {}, of which that test tells no slopes",
+        return fmt::format("experiment {} compares {}, for which that test has no slopes",
                            experiment.name,
                            channel);
     }

@@ -54,7 +54,7 @@ std::vector<std::pair<std::string, double>> read_changed_numbers(const Node& tab
   std::vector<std::pair<std::string, double>> numbers;
   if (!table.has("model")) return numbers;
   if (!study.specimens->kind()) {
-    table.reject("model", "has numbers of the model, but an outside program stands in its place");
+    table.reject("model", "has numbers of the model, but the study uses an outside program");
   }
   const std::string prefix = table.path() + ".model.";
   Study changed = study;

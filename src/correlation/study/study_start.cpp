@@ -46,10 +46,10 @@ std::string in_words(const StartSettings& start) {
     case StartSettings::From::values:
       break;
     case StartSettings::From::journal:
-      return fmt::format("{} of the trials in the journal, which it is told",
+      return fmt::format("{} of the trials in the journal, all of which it observes",
                          several.empty() ? "the best" : several);
     case StartSettings::From::basins:
-      return fmt::format("{} of the design of experiments, which it is told",
+      return fmt::format("{} of the design of experiments, all of which it observes",
                          several.empty() ? "the lowest minimum" : several);
   }
   return "";

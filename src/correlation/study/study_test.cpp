@@ -265,7 +265,7 @@ TEST_F(StudyFile, RejectsNoiseThatIsNone) {
 TEST_F(StudyFile, ReadsARobustLossAndItsScale) {
   const std::string file = "measurement = \"stiffness.csv\"";
   replace("study.toml", file, file + "\nloss = \"huber\"");
-  EXPECT_SAYS(complaint(), "from where values count less is not known");
+  EXPECT_SAYS(complaint(), "it is not known beyond which error values count less");
   replace("study.toml", "\"huber\"", "\"huber\"\nloss_scale = \"5 %\"");
   EXPECT_DOUBLE_EQ(read().experiments[0].loss.scale, 0.05);
   replace("study.toml", "\"huber\"", "\"huger\"");

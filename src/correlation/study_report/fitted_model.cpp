@@ -97,7 +97,7 @@ std::string origin_of_variable(const Study& weighted,
   const std::string bound = at_bound_in_words(weighted.space, point, variable);
   for (const UntoldCoefficient& one : untold)
     if (one.variable == v.name)
-      return "assumed: it was free, but the data do not tell it, " + one.reason + bound;
+      return "assumed: it was free, but the data do not determine it, " + one.reason + bound;
   if (!weighted.stages.empty()) {
     const auto moving = stages_that_move(weighted, variable);
     if (moving.empty()) return "assumed: the study's initial value, no stage moves it";
@@ -122,11 +122,13 @@ std::string origin_of_variable(const Study& weighted,
   const bool low = interval->lower > 0.0, high = interval->upper < 1.0;
   if (low && high) return "fitted " + with_interval(weighted, point, variable, *interval) + bound;
   if (!low && !high)
-    return fmt::format("fitted {}, but not told by the data: 95 % anywhere between {} and {}{}",
-                       value,
-                       format_quantity(v.lower, v.unit, 5),
-                       format_quantity(v.upper, v.unit, 5),
-                       bound);
+    return fmt::format(
+        "fitted {}, but not determined by the data: 95 % anywhere between {} and "
+        "{}{}",
+        value,
+        format_quantity(v.lower, v.unit, 5),
+        format_quantity(v.upper, v.unit, 5),
+        bound);
   return fmt::format(
       "fitted {}, 95 %: {}{}",
       value_text(
@@ -202,7 +204,7 @@ std::vector<std::string> fit_header(const Study& weighted,
       lines.push_back(error_line(weighted, experiment, all));
     }
   }
-  if (!holds_out) lines.emplace_back("Held out: nothing, so no error of a prediction is known");
+  if (!holds_out) lines.emplace_back("Held out: nothing, so no prediction error is known");
   return lines;
 }
 

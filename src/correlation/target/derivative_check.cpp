@@ -90,7 +90,7 @@ Result<std::vector<CheckedSlope>> check_slopes(const Study& study, const DesignP
   if (!center) return center.failure();
   const Eigen::MatrixXd J =
       study.space.unit_jacobian(study.space.from_unit({u.begin(), u.end()}), *center);
-  if (J.size() == 0) return Failure{"the model tells no slopes there, or some that are not finite"};
+  if (J.size() == 0) return Failure{"the model has no slopes there, or some that are not finite"};
   const Eigen::VectorXd r = to_vector(center->residuals);
   const auto rows = residual_rows(study);
   std::vector<CheckedSlope> all;

@@ -10,7 +10,7 @@ void read_number(const Node& table, const std::vector<StudyTest>& tests, Check& 
   for (const char* key : {"mean_error", "largest_error"}) {
     if (table.has(key))
       table.reject(key,
-                   "is of what is compared with a measurement: expected kind (\"values\", "
+                   "belongs to a comparison with a measurement: expected kind (\"values\", "
                    "\"curve\", ...) beside it; a number of a channel has lower and upper");
   }
   if (table.has("equal"))
@@ -25,7 +25,7 @@ void read_experiment_of(const Node& table,
   for (const char* key : {"weight", "use", "exponent", "noise", "loss"}) {
     if (table.has(key))
       table.reject(key,
-                   "weighs a fit: it belongs into a study; a check has mean_error, "
+                   "weights a fit: it belongs in a study; a check has mean_error, "
                    "largest_error");
   }
   if (table.has("mean_error"))

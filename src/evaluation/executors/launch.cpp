@@ -46,7 +46,8 @@ Launch launch() {
 std::string not_one_job(const Launch& launch, const std::string& study, bool with_mpi) {
   const std::string began = fmt::format("{} tasks were started by {}, ", launch.tasks, launch.by);
   const std::string alone = fmt::format(
-      "one process alone, with workers of its own: latsch run {}; a study a task: an array of jobs "
+      "one process alone, with workers of its own: latsch run {}; one study per task: an array "
+      "of jobs "
       "(sbatch --array). No journal was touched",
       study);
   if (!with_mpi) {

@@ -65,8 +65,9 @@ struct Journal::Impl {
     if (const auto what = difference(identity, wanted)) {
       if (is_same_but_for_versions(identity, wanted)) {
         refuse("was made by another version of the model or of the program: " + *what +
-               ". Its trials may not be what this one gives. Either begin anew, with the old "
-               "journal kept beside: latsch run STUDY --anew; or, where you know that the results "
+               ". Its trials may differ from those of this version. Either begin anew, with the "
+               "old "
+               "journal kept beside: latsch run STUDY --anew; or, if you know that the results "
                "are the same, keep its trials: latsch resume STUDY --adopt");
       }
       refuse("belongs to another study: " + *what +
@@ -90,7 +91,7 @@ struct Journal::Impl {
       case SQLITE_NOTADB:
         refuse("is not a journal (nor any other SQLite database)");
       case SQLITE_CANTOPEN:
-        refuse("cannot be opened; does its folder exist, may it be written?");
+        refuse("cannot be opened; does its folder exist, and is it writable?");
       case SQLITE_READONLY:
         if (error.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK) {
           refuse("was being written when its process ended; latsch resume puts it in order");

@@ -79,12 +79,13 @@ class Examination {
       const bool is_refused =
           code == SQLITE_CANTOPEN || code == SQLITE_PERM || code == SQLITE_READONLY;
       if (is_refused && !may_be_written(file_))
-        throw InputError({file_.string(), 0},
-                         fmt::format("{} cannot be looked at here: {}. That is no damage; copy the "
-                                     "journal with all that is called alike, FILE-wal and "
-                                     "FILE-journal, to a folder that you may write",
-                                     what,
-                                     error.what()));
+        throw InputError(
+            {file_.string(), 0},
+            fmt::format("{} cannot be examined here: {}. That is no damage; copy "
+                        "the journal, with FILE-wal and FILE-journal beside it, to a folder "
+                        "that you may write",
+                        what,
+                        error.what()));
       const bool foreign = code == SQLITE_NOTADB;
       find(fmt::format("{} cannot be read: {}{}",
                        what,
@@ -99,13 +100,12 @@ class Examination {
     if (std::filesystem::file_size(file_) == 0) return find("it is empty: no byte is in it");
     database_ = open_for_reading(file_, 2000);
     if (database_->execAndGet("PRAGMA application_id").getInt() != kApplicationId) {
-      return find("it does not say that it is a journal");
+      return find("it is not marked as a journal");
     }
     report_.format = database_->execAndGet("PRAGMA user_version").getInt();
     if (report_.format >= 1 && report_.format <= kFormat) return;
-    find(fmt::format("it says that it is of format {}; this program knows formats 1 to {}",
-                     report_.format,
-                     kFormat));
+    find(fmt::format(
+        "it states format {}; this program knows formats 1 to {}", report_.format, kFormat));
     report_.format = 0;
   }
 
@@ -176,7 +176,7 @@ class Examination {
     const std::string where =
         fmt::format("the log beside it can be read up to page {} of {}", log.intact, log.frames);
     if (log.intact + 1 == log.frames) {
-      report_.notes.push_back(where + ": the last commit did not come to its end");
+      report_.notes.push_back(where + ": the last commit was not completed");
     } else {
       find(where + ": trials that were committed after it may be missing");
     }
@@ -227,13 +227,13 @@ class Examination {
     }
     while (++number <= last_) lost.push_back(number);
     if (!lost.empty()) {
-      find(fmt::format("trials lost, being missing or other than their hash says: {}",
+      find(fmt::format("trials lost, which are missing or do not agree with their hash: {}",
                        ranges(lost)));
     } else if (!unreadable_.empty()) {
       find(fmt::format("trials that only a search of all pages found: {}", ranges(unreadable_)));
     }
     if (!untied.empty()) {
-      find(fmt::format("trials that are whole, but do not follow on those before them: {}",
+      find(fmt::format("trials that are intact, but do not continue those before them: {}",
                        ranges(untied)));
       drop_unproven(untied);
     }
@@ -311,8 +311,7 @@ JournalReport examine_journal(const fs::path& file) {
   const Copy copy(file);
   JournalReport report = Examination(copy.file()).run();
   report.notes.emplace_back(
-      "its process ended within a commit; the log beside it takes that back, as latsch resume "
-      "does");
+      "its process ended during a commit; the log beside it undoes that, as latsch resume does");
   return report;
 }
 

@@ -145,7 +145,7 @@ TEST(JournalDoctor, ForeignFilesAndOtherVersionsAreNamed) {
   EXPECT_NE(findings("text").find("STUDY.latsch"), std::string::npos) << findings("text");
   SQLite::Database((folder / "other").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
       .exec("CREATE TABLE t (a)");
-  EXPECT_NE(findings("other").find("does not say that it is a journal"), std::string::npos);
+  EXPECT_NE(findings("other").find("is not marked as a journal"), std::string::npos);
   write_journal(folder / "newer", 3);
   SQLite::Database((folder / "newer").string(), SQLite::OPEN_READWRITE)
       .exec("PRAGMA user_version = 99");

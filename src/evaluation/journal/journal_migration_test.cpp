@@ -126,7 +126,7 @@ TEST(JournalMigration, OfAnotherVersionOfTheModelItIsRefusedAndMayBeAdopted) {
     journal.append(failed_trial(2));
   }
   expect_contains(complaint([&] { Journal::open(file, versioned("tire 2\n")); }),
-                  "does not say its \"model version\", being older than that");
+                  "is older and does not contain its \"model version\"");
   expect_contains(complaint([&] { Journal::open(file, versioned("tire 2\n")); }), "--adopt");
   EXPECT_TRUE(Journal::adopt(file, versioned("tire 2\n")));
   EXPECT_FALSE(Journal::adopt(file, versioned("tire 2\n")));

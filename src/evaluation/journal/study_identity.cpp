@@ -78,10 +78,10 @@ std::optional<std::string> difference(const StudyIdentity& journal, const StudyI
   for (const IdentityPart& part : study) {
     const IdentityPart* other = find(journal, part.name);
     if (!other && is_version(part))
-      return fmt::format("it does not say its \"{}\", being older than that", part.name);
+      return fmt::format("it is older and does not contain its \"{}\"", part.name);
     if (!other && part.name == kTestsPart && tells_old_tests(journal))
-      return "it does not say every key of its tests and the content of every file they name, "
-             "being older than that";
+      return "it is older and does not contain every key of its tests and the content of every "
+             "file they name";
     if (!other) return fmt::format("it has no \"{}\"", part.name);
     if (!is_same(*other, part))
       return fmt::format(
@@ -90,7 +90,7 @@ std::optional<std::string> difference(const StudyIdentity& journal, const StudyI
           first_difference(part.name == kModelPart ? model_of(*other) : other->text, part.text));
   }
   for (const IdentityPart& part : journal) {
-    if (!find(study, part.name)) return fmt::format("it has \"{}\", the study has not", part.name);
+    if (!find(study, part.name)) return fmt::format("it has \"{}\", the study does not", part.name);
   }
   return std::nullopt;
 }

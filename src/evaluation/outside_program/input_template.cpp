@@ -77,7 +77,7 @@ int variable_named(const DesignSpace& space, const Hole& hole, const Place& plac
   throw InputError(place,
                    "the hole {" + hole.name + "} names no variable of the study" +
                        (meant.empty() ? "." : meant) + " Write {{" + hole.name +
-                       "}} where no hole is meant");
+                       "}} if no hole is meant");
 }
 
 std::string written(const DesignVariable& variable, double value, const std::string& format) {

@@ -68,9 +68,10 @@ class Search {
         return why.empty() ? "where its steps are as short as its tolerance" : why;
       }
       case RunEnd::max_steps:
-        return "before it had converged: max_steps is reached; with more it goes on from here";
+        return "before it had converged: max_steps is reached; with more steps it continues from "
+               "here";
       case RunEnd::aborted:
-        return "with a trial that failed, as on_failure = \"abort\" asks";
+        return "with a trial that failed, as on_failure = \"abort\" requires";
       case RunEnd::stopped:
         return {};
     }

@@ -51,7 +51,7 @@ const SpecimenKind& tire_kind(const Node& car, const Document& tire, const std::
                : magic_formula_kind();
   const std::string name = tire.root().text("kind");
   if (car.has(key) && name != car.text(key))
-    car.reject(key, "is for a .tir, but " + part + " says of itself that it is a " + name);
+    car.reject(key, "is for a .tir, but " + part + " states that it is a " + name);
   for (const SpecimenKind* kind : kinds)
     if (kind->name() == name) return *kind;
   throw InputError({tire.file(), 0},
@@ -223,7 +223,7 @@ class CarKind : public SpecimenKind {
       words += side_in_words(left);
       if (root.has(tire_key(axle, 1))) {
         const Document right = part_of(numbers, tire_key(axle, 1));
-        words += fmt::format(", right one of a file of its own, {}{}",
+        words += fmt::format(", right one from a file of its own, {}{}",
                              side_in_words(right),
                              side_of(right) == TireSide::left ? ", mirrored" : "");
       } else {

@@ -20,7 +20,7 @@ void put_hardpoints(const Document& written,
   const Node root = written.root();
   if (!root.has("hardpoints")) {
     if (root.has("hardpoints_of"))
-      root.reject("hardpoints_of", "is of a table of hardpoints, which is not there");
+      root.reject("hardpoints_of", "belongs to a table of hardpoints, which is missing");
     return;
   }
   if (root.has("hardpoint"))

@@ -94,8 +94,7 @@ void limit_input(const LimitedInput& input,
   }
   if (!extent->varies) {
     remarks.of_sections[input.section] = fmt::format(
-        "no range from the data: they have one {}, {}; what depends on it is not "
-        "told by them",
+        "no range from the data: they have one {}, {}; they do not determine what depends on it",
         input.words,
         span_in_words(input, *extent));
     return;

@@ -56,7 +56,7 @@ void check_densities(const InpDeck& deck, const InpModel& model) {
       throw InputError(
           material.place,
           fmt::format("material {} has a density of {:.3g} kg/m^3 in the units {} ({}), expected "
-                      "{:g} to {:g}; a comment such as \"** units: mm, N, tonne\" says others",
+                      "{:g} to {:g}; a comment such as \"** units: mm, N, tonne\" states others",
                       material.name,
                       density,
                       in_words(deck.units),
@@ -94,8 +94,8 @@ std::vector<std::string> inp_notes(const std::filesystem::path& file) {
   std::vector<std::string> notes;
   if (!deck.are_units_stated)
     notes.push_back(
-        fmt::format("its units are taken for {}, by its size: a comment such as \"** "
-                    "units: m, N, kg\" says others",
+        fmt::format("its units are assumed to be {}, by its size: a comment such as \"** "
+                    "units: m, N, kg\" states others",
                     in_words(deck.units)));
   notes.push_back(deck.element_type == "C3D8"
                       ? "its elements C3D8 are computed with full integration, as CalculiX does: "
@@ -105,7 +105,8 @@ std::vector<std::string> inp_notes(const std::filesystem::path& file) {
                                     deck.element_type));
   if (!deck.contacts.empty())
     notes.emplace_back(
-        "its ground says what is down and which faces are the tread; a test states how far the "
+        "its ground determines the downward direction and the faces of the tread; a test states "
+        "how far the "
         "tire is pressed, stiffness and friction of the ground");
   return notes;
 }

@@ -49,7 +49,7 @@ std::vector<report::Layer> layers_of(const InpModel& model) {
 class InpTireKind : public SpecimenKind {
  public:
   std::string name() const override { return "inp_tire"; }
-  std::string in_words() const override { return "finite-element tire on its owner's mesh"; }
+  std::string in_words() const override { return "finite-element tire on the user's mesh"; }
   std::string file() const override { return "an .inp file of Abaqus or CalculiX"; }
   int version() const override { return fe_tire::kModelVersion; }
   std::vector<std::string> abilities() const override { return abilities_of<InpTireSpecimen>(); }
@@ -77,7 +77,7 @@ class InpTireKind : public SpecimenKind {
     for (const formats::InpSolid& solid : model.tire.solids)
       materials += (materials.empty() ? "" : ", ") + solid.material;
     return fmt::format(
-        "mesh of its owner, units {}\n  {} elements {}, {} nodes, {} free degrees of freedom, {} "
+        "mesh of the user, units {}\n  {} elements {}, {} nodes, {} free degrees of freedom, {} "
         "equal sector{}\n  materials {}; {} layer{} of rebars",
         formats::in_words(model.deck.units),
         mesh.element_count(),

@@ -54,11 +54,13 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates {
     if (tire.conventions().limits && outside > 0)
       notes.push_back(fmt::format(
           "{} of {} states lie outside of the ranges of the tire's file and are limited "
-          "to them (limits = \"off\" takes them as they are)",
+          "to them (limits = \"off\" uses them unchanged)",
           outside,
           count));
     if (conventions.turn_slip && !tire.conventions().turn_slip)
-      notes.emplace_back("the tire has no turn slip coefficients: it answers without");
+      notes.emplace_back(
+          "the tire has no turn slip coefficients: it is computed without turn "
+          "slip");
     return notes;
   }
   Channels steady_with_slopes(const formats::CsvTable& table,

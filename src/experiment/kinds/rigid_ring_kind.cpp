@@ -28,9 +28,8 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
   std::vector<std::string> limits_on(const Cleat& cleat) const override {
     if (std::abs(cleat.angle) < kStraightCleat || parameters_.ELLIPS_NWIDTH >= 2.0) return {};
     return {
-        "this rigid ring feels the road along one line (ELLIPS_NWIDTH is below 2): an oblique "
-        "cleat "
-        "is to it a straight one that is longer; more tracks feel the width"};
+        "this rigid ring senses the road along one line (ELLIPS_NWIDTH is below 2): an oblique "
+        "cleat acts on it like a longer straight one; more tracks sense the width"};
   }
 
  private:

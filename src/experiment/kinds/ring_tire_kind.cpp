@@ -69,8 +69,8 @@ class RingTireKind : public SpecimenKind {
     if (numbers.root().has("side") || (belt.bending_twist == 0.0 && belt.conicity == 0.0))
       return {};
     return {file.string() +
-            ": has ply steer or conicity and states no side: it is taken for a tire of the left "
-            "side (side = \"left\"); a car puts its mirror image on the right"};
+            ": has ply steer or conicity and states no side: it is assumed to be a tire of the "
+            "left side (side = \"left\"); a car puts its mirror image on the right"};
   }
   Document read(const std::filesystem::path& file) const override {
     Document document = Document::read(file);

@@ -36,11 +36,11 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
   Result<Channels> move(const KinematicsTest& test) override {
     if (test.with_rates && !corner_.geometry.rates)
       throw InputError(numbers_.root().place(),
-                       "has no [spring]: wheel rate, ride rate and ride frequency take its "
+                       "has no [spring]: wheel rate, ride rate and ride frequency need its "
                        "stiffness, sprung_mass and tire_stiffness");
     if (test.with_anti_roll_bar && !corner_.geometry.spring.blade)
       throw InputError(numbers_.root().place(),
-                       "has no anti-roll bar: it takes rocker_arb_link, arb_link_blade and "
+                       "has no anti-roll bar: it needs rocker_arb_link, arb_link_blade and "
                        "arb_center");
     return run(corner_.geometry, test);
   }
@@ -49,7 +49,7 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
   /// Throws InputError if the file has no bushings.
   const suspension::CompliantCorner& statics() const {
     if (corner_.compliant) return *corner_.compliant;
-    numbers_.root().reject("bushing", "is not there: loads take the stiffnesses of its joints");
+    numbers_.root().reject("bushing", "is missing: loads need the stiffnesses of its joints");
   }
 
   Document numbers_;

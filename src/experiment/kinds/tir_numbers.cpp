@@ -73,7 +73,7 @@ std::vector<std::string> tir_notes(const std::filesystem::path& file) {
   formats::TirFile tir = formats::read_tir(file);
   if (const auto* model = tir.source.find("MODEL"); model && !model->find("TYRESIDE"))
     tir.notes.push_back(
-        fmt::format("{}: [MODEL] states no TYRESIDE: it is taken for a tire of the left side "
+        fmt::format("{}: [MODEL] states no TYRESIDE: it is assumed to be a tire of the left side "
                     "(LEFT); a car puts "
                     "its mirror image on the right",
                     file.string()));
@@ -83,7 +83,7 @@ std::vector<std::string> tir_notes(const std::filesystem::path& file) {
 std::string side_in_words(const Document& numbers) {
   const Node root = numbers.root();
   const std::string side = root.has("side") ? root.text("side") : "left";
-  return side == "symmetric" ? "symmetric, put on a car as of the left side"
+  return side == "symmetric" ? "symmetric, used on a car as a left one"
                              : "of the " + side + " side";
 }
 

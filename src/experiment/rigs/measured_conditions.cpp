@@ -89,8 +89,8 @@ double measured_mean(const Node& table,
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   if (!(mean > 0.0) || std::sqrt(squares / count) > kHeld * mean)
     table.reject("from",
-                 fmt::format("is {}, whose {} goes from {} to {}, expected one that is held, above "
-                             "0: its mean is taken; select the samples that are meant",
+                 fmt::format("is {}, whose {} goes from {} to {}, expected a constant one above "
+                             "0, because its mean is used; select the right samples",
                              in_quotes(table.text("from")),
                              condition.channel,
                              format_quantity(*least, condition.unit, 4),

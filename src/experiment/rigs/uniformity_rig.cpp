@@ -156,7 +156,7 @@ UniformityTest read_uniformity_test(const Node& root, const MeasuredConditions& 
   test.step = root.quantity("step", "s", {0.0, 0.01, true}, std::min(test.step, longest));
   if (test.step > longest * (1.0 + 1e-9))
     root.reject("step",
-                fmt::format("takes the tire {:.3g} mm on, expected at most {:.3g} mm",
+                fmt::format("moves the tire {:.3g} mm, expected at most {:.3g} mm",
                             1e3 * test.speed * test.step,
                             1e3 * kFarthestStep));
   return test;

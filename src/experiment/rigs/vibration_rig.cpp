@@ -31,7 +31,7 @@ Result<Channels> run(ring_tire::RingTire& tire, const ModalTest& test) {
         "shapes");
   if (test.count > tire.parameters().nodes)
     return Failure{
-        "a ring has few modes that mean something: expected a count of at most its nodes"};
+        "a ring has few meaningful modes: expected a count of at most its number of nodes"};
   const road::PlaneRoad ground;
   WheelMotion motion;
   motion.carrier = Eigen::AngleAxisd(test.camber, Eigen::Vector3d::UnitX()).toRotationMatrix();

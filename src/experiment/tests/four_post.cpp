@@ -263,12 +263,9 @@ void take_what_is_held(const Node& root, const FourPostTest& test, Frequencies& 
   const std::string mode = kModes[static_cast<std::size_t>(read.mode)];
   if (!held)
     root.reject(root.has("mode") ? "mode" : "posts",
-                "the posts as recorded do not move in " + mode + ": expected another mode");
-  const std::string words =
-      fmt::format("the posts as recorded move in {} from {:.3g} to {:.3g} Hz alone",
-                  mode,
-                  held->from,
-                  held->to);
+                "the recorded posts do not move in " + mode + ": expected another mode");
+  const std::string words = fmt::format(
+      "the recorded posts move in {} only from {:.3g} to {:.3g} Hz", mode, held->from, held->to);
   if (band.from >= held->from - line && band.to <= held->to + line) return;
   if (root.has("band"))
     root.reject("band",

@@ -104,8 +104,8 @@ const std::vector<PostFrame>& over_frequency_frames() {
        "coherence_pushrod",
        "[1]",
        1.0,
-       "1: all of the force follows from the mode's signal, by a linear law that the lines "
-       "resolve. It falls where posts that move upside down do not turn the force around."},
+       "1: the whole force is a linear response to the mode's signal that the lines resolve. It "
+       "falls where the force does not change its sign with the motion of the posts."},
   };
   return all;
 }

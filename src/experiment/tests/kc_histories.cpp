@@ -69,7 +69,7 @@ const std::vector<double>* Histories::find(const std::string& name) const {
 
 std::optional<SlopesBy> Histories::slopes(const Node& root) const {
   if (!root.has("slopes_by")) {
-    if (root.has("window")) root.reject("window", "is that of slopes_by, which is not there");
+    if (root.has("window")) root.reject("window", "belongs to slopes_by, which is missing");
     return std::nullopt;
   }
   std::vector<std::string> names;

@@ -137,9 +137,9 @@ void read_states(const Node& root, KinematicsTest& test) {
 void read_vehicle(const Node& root, KinematicsTest& test) {
   if (!root.has("cg_height")) {
     for (const char* key : {"axle", "brake_share", "drive_share", "brakes"})
-      if (root.has(key)) root.reject(key, "is for anti-dive, which takes cg_height");
+      if (root.has(key)) root.reject(key, "is for anti-dive, which needs cg_height");
     if (!root.has("wheelbase")) return;
-    if (!root.has("rack")) root.reject("wheelbase", "is for Ackermann, which takes rack");
+    if (!root.has("rack")) root.reject("wheelbase", "is for Ackermann, which needs rack");
     test.wheelbase = root.quantity("wheelbase", "m", Range::positive());
     return;
   }

@@ -75,7 +75,7 @@ std::vector<CurveFrame> length_frames() {
         {"roll_center_height", "of this wheel alone"}},
        "Above the ground; of this wheel alone: above its contact point, in the car's center "
        "plane."},
-      {"Lateral place of the roll center",
+      {"Lateral position of the roll center",
        "[mm]",
        kMillimeters,
        {{"axle_roll_center_y", "kinematic"}},

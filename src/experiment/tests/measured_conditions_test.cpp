@@ -123,7 +123,7 @@ TEST(MeasuredConditionsTest, SayWhatNoTestCanTake) {
   expect(pressed + ", chanel = \"x\"}\n", "did you mean \"channel\"?");
   expect("kind = \"slip_sweep\"\nload = \"4 kN\"\nalpha = [\"0 deg\", \"4 deg\"]\nspeed = " +
              std::string(kTakes),
-         "goes from 9 m/s to 11 m/s, expected one that is held");
+         "goes from 9 m/s to 11 m/s, expected a constant one above 0");
   EXPECT_NE(complaint(pressed + "}\n", false).find("which only a test of a study can name"),
             std::string::npos);
 }

@@ -97,12 +97,11 @@ std::unique_ptr<Test> read_rolling_stiffness(const Node& root, const TestSource&
   test.camber = root.quantity("camber", "rad", {0.0, 0.2, true}, test.camber);
   test.step = root.quantity("step", "s", {0.0, 0.01, true}, test.step);
   if (test.speed * test.step > kFarthestStep * (1.0 + 1e-9))
-    root.reject(
-        "step",
-        fmt::format("takes the tire {:.3g} mm on at {:.3g} km/h, expected at most {:.3g} mm",
-                    1e3 * test.speed * test.step,
-                    3.6 * test.speed,
-                    1e3 * kFarthestStep));
+    root.reject("step",
+                fmt::format("moves the tire {:.3g} mm at {:.3g} km/h, expected at most {:.3g} mm",
+                            1e3 * test.speed * test.step,
+                            3.6 * test.speed,
+                            1e3 * kFarthestStep));
   std::vector<std::string> measures = root.has("measures") ? root.texts("measures") : kMeasures;
   for (const std::string& name : measures)
     if (std::find(kMeasures.begin(), kMeasures.end(), name) == kMeasures.end())

@@ -73,8 +73,8 @@ DoubleWishbone read_suspension(const Node& root) {
   const Corner found = read_corner(root);
   if (found.statics) return *found.statics;
   if (!found.geometry.kingpin)
-    root.reject("type", "is \"five_link\": a car takes double wishbones with their bushings");
-  root.reject("bushing", "is not there: loads take the stiffnesses of its joints");
+    root.reject("type", "is \"five_link\": a car needs double wishbones with their bushings");
+  root.reject("bushing", "is missing: loads need the stiffnesses of its joints");
 }
 
 bool is_stiffness(const std::string& path) {

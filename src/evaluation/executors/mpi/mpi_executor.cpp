@@ -45,7 +45,7 @@ MpiJob::MpiJob(const MpiPatience& patience)
   MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
-  if (threads < MPI_THREAD_SERIALIZED) throw InputError("this MPI knows no threads");
+  if (threads < MPI_THREAD_SERIALIZED) throw InputError("this MPI supports no threads");
   if (rank_ == 0 && size_ > 1) heart_ = std::thread([this] { beat(); });
 }
 

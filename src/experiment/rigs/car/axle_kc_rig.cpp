@@ -272,7 +272,7 @@ Result<Channels> run(const car::CarMechanism& car,
                      const KcSlopes& asked,
                      const RigWatcher& watch) {
   const std::vector<Stiffnesses>& varied = asked.varied;
-  assert((varied.empty() || !test.travel) && "preloads depend on what varies");
+  assert((varied.empty() || !test.travel) && "preloads depend on the varied numbers");
   AxleOnRig rig(car, test);
   if (const auto there = rig.start(); !there) return there.failure();
   const auto columns = columns_on_the_rig(car, varied);

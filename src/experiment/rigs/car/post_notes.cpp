@@ -30,8 +30,8 @@ std::vector<std::string> notes_of_lift(const Channels& record,
   }
   if (tires.empty()) return {};
   return {fmt::format(
-      "tires {} left their posts, first after {}, last after {}: what is recorded there follows no "
-      "linear law of the posts; a smaller amplitude or velocity keeps the tires down",
+      "tires {} left their posts, first after {}, last after {}: the record there has no linear "
+      "relation to the posts; a smaller amplitude or velocity keeps the tires down",
       fmt::join(tires, ", "),
       at_time(first),
       at_time(last))};
@@ -56,9 +56,8 @@ std::vector<std::string> notes_of_coherence(const Channels& over_frequency) {
   }
   if (sensors.empty()) return {};
   return {
-      fmt::format("the coherence is below {:.1f}: {}: there no linear law of the posts' mode makes "
-                  "the sensor's "
-                  "signal, and the transfer function is not to be trusted",
+      fmt::format("the coherence is below {:.1f}: {}: there the sensor's signal is no linear "
+                  "response to the posts' mode, and the transfer function is not reliable",
                   kLow,
                   fmt::join(sensors, "; "))};
 }

@@ -63,7 +63,10 @@ Result<Cornering> cornering(Tire& tire, const RollingStiffnessTest& test) {
     return SlipSweep{.alpha_from = alpha, .alpha_to = alpha};
   });
   if (!found) return found.failure();
-  if (found->Fy == 0.0) return Failure{"slip angle makes no side force: there is no trail to tell"};
+  if (found->Fy == 0.0)
+    return Failure{
+        "slip angle makes no side force: there is no trail to "
+        "compute"};
   return Cornering{-found->Fy / test.angle, -found->Mz / found->Fy};
 }
 
