@@ -144,8 +144,8 @@ std::string identifiability_chapter(const Identifiability& what) {
     html += figure("Correlations",
                    "",
                    correlation_plot(what),
-                   "Near −1 or +1, the data tell two variables apart only together: one makes up "
-                   "for the other.");
+                   "Near −1 or +1, the data determine two variables only together: one "
+                   "compensates for the other.");
   }
   html += "</div>";
   if (!what.profiles.empty()) {

@@ -118,7 +118,7 @@ std::string better_beside(const StudyReport& report) {
   }
   return report.target < best && percent(report.target, 3) != percent(best, 3)
              ? " A trial of another command, or beside the best one, has " +
-                   percent(report.target, 3) + ": all else on this page is of it."
+                   percent(report.target, 3) + ": everything else on this page belongs to it."
              : "";
 }
 
@@ -251,8 +251,8 @@ std::string slip_chapter(const StudyReport& report) {
       "each alone.";
   if (report.fitted_by)
     html +=
-        " Shaded: slips outside of the fitted data. Dashed, <em>assumed</em>: neither the data nor "
-        "the model's file tell it.";
+        " Shaded: slips outside of the fitted data. Dashed, <em>assumed</em>: neither the data "
+        "nor the model's file determine it.";
   html += "</p><div class=\"figures\">";
   for (const LinePlot& plot : report.slip_plots)
     html += figure(plot.description, "", line_plot(plot), "");

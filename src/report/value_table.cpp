@@ -96,8 +96,8 @@ std::string value_table(const StudyReport& report) {
         "are.</p>";
   if (flagged)
     html += fmt::format(
-        "<p class=\"quiet\">Weight near zero: less than {:g} % of the heaviest. The fit hardly "
-        "sees such a value, and how close it comes says nothing of the model.</p>",
+        "<p class=\"quiet\">Weight near zero: less than {:g} % of the heaviest. Such a value "
+        "hardly affects the fit, so its error says nothing about the model.</p>",
         100.0 * kNearZero);
   return html;
 }

@@ -123,9 +123,9 @@ Verb CommandLine::add_subcommand(const std::string& name, const std::string& des
 void CommandLine::add_common_options(CLI::App& verb) {
   constexpr const char* kGroup = "Options of every verb";
   verb.add_flag("--json", common_->json, "Prints the results as one JSON object")->group(kGroup);
-  verb.add_flag("--quiet", common_->quiet, "Prints nothing but warnings, errors and data asked for")
+  verb.add_flag("--quiet", common_->quiet, "Prints nothing but warnings, errors and requested data")
       ->group(kGroup);
-  verb.add_option("--log", common_->log, "File to which all that is said is added")->group(kGroup);
+  verb.add_option("--log", common_->log, "File to which all messages are appended")->group(kGroup);
 }
 
 std::optional<std::string> CommandLine::help(const std::string& verb) const {
@@ -171,7 +171,7 @@ bool CommandLine::run(int argc, char** argv) {
     const CLI::App* verb = verbs.empty() ? nullptr : verbs.front();
     const std::string name = verb ? "latsch " + verb->get_name() : "latsch";
     complain((verb ? name + ": " : "") + complaint(verb, error) + "\n" + name +
-             " --help lists what it takes");
+             " --help lists its options");
     return false;
   }
   return true;

@@ -42,7 +42,7 @@ void print_correlations(const Study& study, const Confidence& c) {
     for (int j = i + 1; j < study.space.size(); ++j) {
       if (std::abs(c.correlation(i, j)) < kStrongCorrelation) continue;
       say("{}  {} and {}: {:+.3f}\n",
-          any ? "" : "\nVariables that the data hardly tell apart, by their correlation\n",
+          any ? "" : "\nVariables that the data hardly distinguish, by their correlation\n",
           study.space[i].name,
           study.space[j].name,
           c.correlation(i, j));
@@ -160,7 +160,7 @@ void print_identifiability(const Study& study, const Identifiability& result) {
   if (!result.identification.profiles().empty()) print_verdicts(study, result);
   if (result.cross_validation) print_cross_validation(study, *result.cross_validation);
   print_gains(study,
-              "What would tell more: measured once more, the most useful first",
+              "What would add information: repeated measurements, the most useful first",
               correlation::repetition_gains(study, result));
 }
 

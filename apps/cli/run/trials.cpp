@@ -49,7 +49,7 @@ Journal open_for_trials(const correlation::Study& study, bool retries_failed) {
                            .program_timeout = study.specimens->own_timeout(),
                            .memory = study.run.memory};
   if (const long again = retry_what_limits_forbade(journal, limits)) {
-    say("{} points that failed for a limit which is raised now are tried again\n", again);
+    say("{} points that failed at a limit which is now higher are tried again\n", again);
   }
   if (retries_failed) say("{} failed points are tried again\n", retry_failures(journal));
   return journal;
@@ -110,7 +110,7 @@ RunOptions run_options(const correlation::Study& study, bool length_known) {
 void print_aborted(const correlation::Study& study,
                    const DesignPoint& point,
                    const Failure& failure) {
-  say("Aborted, as {} asks for where a trial fails: {}\nIt failed at\n",
+  say("Aborted, as {} requires if a trial fails: {}\nIt failed at\n",
       study.file.string(),
       failure.reason);
   print_point(study.space, point);
@@ -124,7 +124,7 @@ void print_no_success(const correlation::Study& study,
   const std::string how = study.specimens->how_to_see_more();
   complain(
       fmt::format("no trial succeeded, of {} in {}; the first failed because: {}\n"
-                  "See what becomes of one: latsch simulate {}{}",
+                  "See how one fails: latsch simulate {}{}",
                   journal.size(),
                   study.run.journal.string(),
                   reason,

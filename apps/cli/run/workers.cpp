@@ -55,7 +55,7 @@ Workers::Workers(const correlation::Study& study) {
     job_.reset();
     refused_ = refuse(started,
                       "the ranks of the job were given different studies, or read different "
-                      "versions of one; a study a task: an array of jobs (sbatch --array)");
+                      "versions of one; one study per task: an array of jobs (sbatch --array)");
   }
 }
 

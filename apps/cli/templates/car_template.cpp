@@ -131,9 +131,9 @@ void scatter(std::vector<double>& forces, RandomStream& chance) {
 
 std::vector<WrittenFile> suspension_study_files() {
   const std::string head =
-      "# Sixteen numbers that a K&C rig tells of a corner, as slopes over its loads, and the "
-      "bushing "
-      "stiffnesses that make them. The\n# values are an example, not measured: put your own in "
+      "# Sixteen numbers that a K&C rig measures at a corner, as slopes over its loads, and the "
+      "bushing stiffnesses that cause them. The\n# values are an example, not measured: put your "
+      "own in "
       "their place, and your hardpoints into corner.toml.\n";
   return {{"corner.toml", std::string(published_corner())},
           {"study.toml", head + without_head(published_compliance_study())}};

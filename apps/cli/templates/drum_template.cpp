@@ -435,16 +435,18 @@ DrumStudy drum_study(const DrumRecordings& recordings,
       passage.learn_rolling_load(rolled());
       passage.align(rolled(), is_negative ? -1.0 : 1.0);
       const std::string test = passage.test(cleat, *drum);
-      written.words.push_back(fmt::format("{}: {} passages at {}, load {}, {} like the known ring",
-                                          passage.name(),
-                                          passage.passages(),
-                                          format_quantity(passage.speed(), "km/h", 4),
-                                          format_quantity(std::abs(passage.load()), "N", 4),
-                                          fmt::format("{:.0f} %", 100.0 * passage.alike())));
+      written.words.push_back(
+          fmt::format("{}: {} passages at {}, load {}, likeness to the known "
+                      "ring {}",
+                      passage.name(),
+                      passage.passages(),
+                      format_quantity(passage.speed(), "km/h", 4),
+                      format_quantity(std::abs(passage.load()), "N", 4),
+                      fmt::format("{:.0f} %", 100.0 * passage.alike())));
       if (passage.alike() < kAlike)
         written.words.push_back("caution: " + passage.name() +
-                                " is hardly like the known ring; look at cleat, load and signs "
-                                "before the fit");
+                                " is hardly similar to the known ring; check cleat, load and "
+                                "signs before the fit");
       tests += "[test." + passage.name() + "]\n" + test;
       measurements += passage.measurement("rig_processed", is_negative ? "axes = \"sae\"\n" : "");
       for (std::size_t i = 0; i < passage.channels(); ++i)

@@ -164,7 +164,7 @@ std::pair<Samples, Samples> parted(const TireTestFiles& test) {
     if (!all.has(out.channel))
       throw InputError(
           all.place(),
-          "has no channel " + in_quotes(out.channel) + ", by which --hold-out parts it");
+          "has no channel " + in_quotes(out.channel) + ", by which --hold-out selects");
     fitted.select[out.channel] = windows_outside(out.windows, unit);
     held = {test.files, {{out.channel, out.windows}}};
   }
@@ -210,7 +210,7 @@ Select select_of(const TireTest& t, const std::string& set, Select select) {
   if (!(t.cornering && t.driving)) return select;
   if (select.contains("kappa"))
     throw InputError(
-        "--hold-out: kappa tells samples of cornering and driving apart already; "
+        "--hold-out: kappa already separates samples of cornering and driving; "
         "expected another channel");
   const std::string limit = fmt::format("{}", kFreeRolling);
   select["kappa"] = set == "cornering" ? std::vector<std::string>{"-" + limit + " .. " + limit}
@@ -281,7 +281,9 @@ std::string lags_in_words(const TireTest& t) {
       [&](const char* force, const std::optional<RecordedLag>& lag, double unit, const char* rate) {
         if (!lag) {
           text += fmt::format(
-              "# {}: whether it lags cannot be told, for want of time, speed or samples\n", force);
+              "# {}: whether it lags is not known, because time, speed or samples are "
+              "missing\n",
+              force);
           return;
         }
         text += fmt::format(
@@ -332,12 +334,12 @@ std::string tire_text(const TireTest& t,
       "UNLOADED_RADIUS",
       test.unloaded_radius ? "given by the user" : "from the recordings: loaded radius at no load");
   if (t.cornering) {
-    seen("PDY1", "from the recordings at a glance, to start at");
-    seen("PKY1", "from the recordings at a glance, to start at");
+    seen("PDY1", "estimated from the recordings, as a start value");
+    seen("PKY1", "estimated from the recordings, as a start value");
   }
   if (t.driving) {
-    seen("PDX1", "from the recordings at a glance, to start at");
-    seen("PKX1", "from the recordings at a glance, to start at");
+    seen("PDX1", "estimated from the recordings, as a start value");
+    seen("PKX1", "estimated from the recordings, as a start value");
   }
   if (t.side_lag && t.side_lag->is_seen())
     seen("LATERAL_STIFFNESS", "from the recordings: lag of the side force");

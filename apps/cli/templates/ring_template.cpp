@@ -176,12 +176,13 @@ Result<RingStudy> ring_study_of(const experiment::SpecimenKind& kind,
   const std::string file = std::filesystem::path(model.file()).filename().string();
   return RingStudy{
       fmt::format(
-          "# Where the fit begins: a known ring, of which the next lines speak, with radius and "
+          "# The start of the fit: a known ring, described by the next lines, with radius and "
           "pressure of {}.\n{}",
           file,
           own.text()),
       fmt::format(
-          "# What {0} shows, as if measured; the numbers of ring.toml that show the same.\n"
+          "# Results of {0}, used as measurements; the fit finds the numbers of ring.toml that "
+          "give the same.\n"
           "title = \"Flexible ring of {0}\"\nmodel = \"ring.toml\"\n\n{1}\n{2}{3}{4}{5}{6}{7}{8}\n"
           "[run]\nworkers = 2\n",
           file,

@@ -187,7 +187,7 @@ class Drum(unittest.TestCase):
     def test_what_a_drum_needs_is_asked_for(self):
         raw = ["raw.csv", "--cleat", "10 mm x 20 mm"]
         for arguments, part in [
-            (["raw.csv"], "no recording tells the cleat"),
+            (["raw.csv"], "no recording contains the cleat's size"),
             (raw, "no column that is speed"),
             (raw + ["--teeth", "120"], "--drum-diameter"),
             (["raw.csv", "--cleat", "10 mm"], "such as \"10 mm x 20 mm\""),

@@ -187,7 +187,7 @@ class Kinematics(unittest.TestCase):
 
         refused(r" mm\"", ' m"', "millimeters")
         refused(r'ubj = .*', 'ubj = ["1648.347 mm", "273.206 mm", "303.434 mm"]', "uca_front", "in one line")
-        refused(r'trackrod_inner = .*', 'trackrod_inner = ["1490 mm", "553.4 mm", "118.54 mm"]', "trackrod", "in one place")
+        refused(r'trackrod_inner = .*', 'trackrod_inner = ["1490 mm", "553.4 mm", "118.54 mm"]', "trackrod", "coincide")
         refused(r'trackrod_outer = .*', 'trackrod_outer = ["1539.399 mm", "563.477 mm", "148.512 mm"]', "trackrod_outer is on the kingpin")
         refused(r'side = "left"', 'side = "right"', "side", "left is y > 0")
         refused(r'lbj = \["1539.399 mm", "563', 'lbj = ["1539.399 mm", "-563', "lca_front", "left is y > 0")
@@ -213,9 +213,9 @@ class Kinematics(unittest.TestCase):
 
     def test_where_the_linkage_ends_is_named(self):
         text = self.latsch("test", self.front, '{kind = "kinematics", travel = ["0 mm", "400 mm"], at = "wheel_center"}', code=FAILED)
-        self.assertRegex(text, r"state 2 of the kinematic rig: travel 400 mm .* cannot be reached: \w+ ends the way at \d+")
+        self.assertRegex(text, r"state 2 of the kinematic rig: travel 400 mm .* cannot be reached: \w+ ends the path at \d+")
         text = self.latsch("test", self.front, '{kind = "kinematics", rack = "300 mm"}', code=FAILED)
-        self.assertRegex(text, r"trackrod ends the way at .* with the rack at")
+        self.assertRegex(text, r"trackrod ends the path at .* with the rack at")
 
 
 if __name__ == "__main__":

@@ -198,7 +198,7 @@ class Simulators(Outside):
         self.latsch("run", study)
         self.assert_says((study.parent / "study.html").read_text(), "took more than the 0.6 s")
         edit(study, ("timeout = .*", 'timeout = "20 s"'))
-        self.assert_says(self.latsch("resume", study), "failed for a limit which is raised now")
+        self.assert_says(self.latsch("resume", study), "failed at a limit which is now higher")
 
     def test_stages_and_a_start_in_the_journal_survive_a_kill(self):
         study = self.study("quarter_car")

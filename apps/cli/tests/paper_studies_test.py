@@ -59,7 +59,7 @@ class Guideline(Coarse):
 class Extent(Coarse):
     def test_doe_says_how_far_points_below_a_level_reach(self):
         text = self.latsch("doe", self.study, "--levels", "3", "--level", "100 %")
-        self.assert_says(text, "Targets of at most 100 %: 9 points", "sidewall reaches through its whole range")
+        self.assert_says(text, "Targets of at most 100 %: 9 points", "sidewall extends over its whole range")
         self.assert_says(self.latsch("doe", self.study, "--levels", "3", "--level", "0.0001 %"), "No point has a target")
         self.assert_says(self.latsch("doe", self.study, "--levels", "3", "--level", "2 mm", code=WRONG_INPUT), "level")
 

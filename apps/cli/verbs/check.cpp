@@ -120,7 +120,7 @@ void print_trials_so_far(const Study& study) {
   if (!std::filesystem::exists(study.run.journal)) return;
   const Journal journal = Journal::read(study.run.journal);
   if (const auto what = difference(journal.identity(), correlation::identity(study))) {
-    say("Its journal was made otherwise: {}\n", *what);
+    say("Its journal does not belong to it: {}\n", *what);
     return;
   }
   const Objective target = correlation::objective(study);
@@ -340,13 +340,13 @@ void check(const std::string& file, const experiment::Language& language) {
   }
   print_stages(study);
   if (study.refinement)
-    say("\nRefined model, for what mesh and step make of the numbers: {}\n",
+    say("\nRefined model, for the effect of mesh and step on the numbers: {}\n",
         in_words(*study.refinement));
   warn_tire(study);
   const MethodChoice choice = method_of(study);
   say("\nOptimizer {}, at most {} steps: {}\n"
       "Workers {}, {:g} s a trial at most, journal {}\n"
-      "Where a trial fails, {}\n",
+      "If a trial fails, {}\n",
       in_words(choice.method),
       study.max_steps,
       choice.reason,
@@ -376,7 +376,7 @@ void add_check(CommandLine& app, Program& program) {
   verb.add_flag(
       "--derivatives",
       *derivatives,
-      "Compares the slopes that the model tells with differences, four trials a variable");
+      "Compares the slopes that the model reports with differences, four trials for each variable");
   verb.callback([=, &program] {
     if (*derivatives) {
       program.exit_code = check_derivatives(*file, program.language);

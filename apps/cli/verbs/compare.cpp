@@ -104,9 +104,12 @@ void add_compare(CommandLine& app, Program& program) {
   verb.add_option("-o,--output", *output, "Page to write (HTML); beside the file unless given");
   verb.add_option("--write-measurements",
                   *measurements,
-                  "Write what the specimen shows in every test into this folder, and end");
+                  "Write the specimen's results in every test to this folder, and end");
   auto threads = std::make_shared<int>(2);
-  verb.add_option("--threads", *threads, "Of a comparison of models; the same result for any");
+  verb.add_option("--threads",
+                  *threads,
+                  "Threads for a comparison of models; the result is the "
+                  "same for any number");
   verb.callback(
       [=, &program] { compare(*file, program.language, *measurements, *output, *threads); });
 }

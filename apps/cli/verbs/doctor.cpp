@@ -39,7 +39,7 @@ std::string journal_of(const std::string& file) {
   if (!std::filesystem::exists(journal))
     throw InputError({file, 0},
                      "is a study without a journal: " + journal.string() +
-                         " is not there, and comes with the first latsch run");
+                         " does not exist yet; the first latsch run creates it");
   return journal.string();
 }
 
@@ -78,7 +78,7 @@ void add_doctor(CommandLine& app, Program& program) {
   auto study = std::make_shared<std::string>();
   verb.add_option("journal", *file, "Journal of a study (.latsch), or the study").required();
   verb.add_option("--salvage", *salvaged, "Write the intact trials to this new journal");
-  verb.add_option("--study", *study, "The study it belongs to, where the journal cannot say");
+  verb.add_option("--study", *study, "The study it belongs to, if the journal cannot say");
   verb.callback(
       [=, &program] { program.exit_code = examine(*file, *salvaged, *study, program.language); });
 }

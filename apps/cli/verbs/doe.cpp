@@ -39,8 +39,7 @@ StudyDesign design_of(const Study& study, int levels) {
   if (levels > 0) return {.levels = std::vector<int>(study.space.size(), levels)};
   if (study.doe) return *study.doe;
   throw InputError(study.file.string() +
-                   " has no [doe]; add one with levels = 5, or say "
-                   "--levels 5");
+                   " has no [doe]; add one with levels = 5, or use --levels 5");
 }
 
 using Targets = std::map<std::string, double>;  // targets of successful trials by the bits of the
@@ -108,7 +107,7 @@ void print_extent(const DesignSpace& space, const std::vector<RatedTrial>& point
   print_point(space, found->upper);
   for (int i = 0; i < space.size(); ++i)
     if (found->share[i] > kWhole)
-      say("{} reaches through its whole range: the target does not tell it\n", space[i].name);
+      say("{} extends over its whole range: the target does not determine it\n", space[i].name);
 }
 
 void print_effects(const Study& study, const StudyDesign& design, const Journal& journal) {
@@ -232,19 +231,21 @@ void add_doe(CommandLine& app, Program& program) {
   verb.add_option("study", *file, "Study file (TOML)").required();
   verb.add_option("--levels",
                   *levels,
-                  "A grid of so many values of every variable, instead of the study's [doe]")
+                  "A grid with this number of values of every variable, instead of the study's "
+                  "[doe]")
       .between(2, 1000);
   verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
       .between(1, 1024);
   auto level = std::make_shared<std::string>();
   verb.add_option("--level",
                   *level,
-                  "Says how far points reach whose target is at most this, as \"2 %\"; twice the "
+                  "Reports the extent of the points whose target is at most this, as \"2 %\"; "
+                  "twice the "
                   "least target unless given");
   auto retries_failed = std::make_shared<bool>(false);
   verb.add_flag("--retry-failed",
                 *retries_failed,
-                "Tries the points that failed so far again, once their cause is mended");
+                "Tries the points that failed so far again, once the cause is fixed");
   verb.callback([=, &program] {
     program.exit_code = doe(*file,
                             program.language,

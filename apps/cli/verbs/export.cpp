@@ -148,7 +148,7 @@ void write_measurements(const std::string& file, const experiment::Language& lan
 void export_files(const ExportOptions& options, const experiment::Language& language) {
   if (options.measurements) return write_measurements(options.file, language);
   if (options.fmu.empty() && !(options.road.empty() && options.output.empty()))
-    throw InputError("export: --road and -o are of a unit: expected --fmu 2.0 or --fmu 3.0");
+    throw InputError("export: --road and -o belong to a unit: expected --fmu 2.0 or --fmu 3.0");
   if (options.sti) say_sti(options.file, language);
   if (!options.fmu.empty())
     write_fmu(options.file, options.fmu, options.road, options.output, language);
@@ -174,7 +174,7 @@ void add_export(CommandLine& app, Program& program) {
                                  "Writes the identified model, measurements of a twin, a mesh for "
                                  "ParaView or CalculiX, an FMU");
   verb.footer(
-      "A study file stands for its best point so far, or for the initial values where nothing has "
+      "A study file stands for its best point so far, or for the initial values if nothing has "
       "run.\n\n"
       "Examples:\n"
       "  latsch export studies/tires/passenger_225_50R16.toml --vtu tire.vtu --deflection \"25 "
@@ -202,12 +202,15 @@ void add_export(CommandLine& app, Program& program) {
   verb.add_option("--deflection", options->deflection, "Presses the tire on the ground");
   verb.add_option("--modes", options->modes, "Lowest modes").between(0, 200);
   verb.add_option(
-          "--fmu", options->fmu, "Unit of this version of FMI, of a tire that rolls or of a car")
+          "--fmu", options->fmu, "FMI version of the unit to write: a tire that rolls, or a car")
       .one_of({"2.0", "3.0"});
-  verb.add_option("--road", options->road, "Its road, as of latsch road; flat unless given");
-  verb.add_option("-o,--output", options->output, "Its package to write");
+  verb.add_option("--road",
+                  options->road,
+                  "Road of the unit, a file as for latsch road; flat "
+                  "unless given");
+  verb.add_option("-o,--output", options->output, "Package of the unit to write");
   verb.add_option("--bus", options->bus, "Folder for the bushings of a suspension, a .bus a joint");
-  verb.add_flag("--sti", options->sti, "Say how the Standard Tyre Interface takes it");
+  verb.add_flag("--sti", options->sti, "Prints how to use it by the Standard Tyre Interface");
   verb.add_flag("--measurements",
                 options->measurements,
                 "Write the study's measurement files from the model itself: a twin");

@@ -68,7 +68,7 @@ bool rank_predictions(const Study& study, const correlation::Identifiability& wh
     return true;
   }
   print_gains(study,
-              "What would tell more: experiments that are only predicted, were they measured",
+              "What would add information: experiments that are only predicted so far",
               correlation::prediction_gains(study, what, *channels));
   return true;
 }
@@ -87,7 +87,7 @@ int identify_as_recorded(const Study& as_written,
     return kFailed;
   }
   answer()["variables"] = answer_of(study, *found);
-  say("\nValues and their confidence intervals, as far as the trials in {} tell\n",
+  say("\nValues and their confidence intervals, as far as the trials in {} show\n",
       study.run.journal.string());
   print_intervals(study, *found);
   print_identifiability(study, *found);
@@ -153,8 +153,7 @@ int identify(const std::string& file,
   if (const auto now = correlation::best_trial(study, journal); now->point != best->point) {
     answer()["target"] = now->target;
     say("\nA better point was found: target {:.4f} % instead of {:.4f} %. Values, report and "
-        "latsch "
-        "export are of it from now on.\n",
+        "latsch export refer to it from now on.\n",
         100.0 * now->target,
         100.0 * best->target);
   }

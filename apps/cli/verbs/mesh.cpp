@@ -107,8 +107,7 @@ void print_rows(const std::string& title, const std::vector<DiscretizationRow>& 
         100.0 * row.error_uncertainty());
   }
   if (!asymptotic) {
-    say("order none: these meshes do not show how the error falls, so it is known by the +- "
-        "alone;\n"
+    say("order none: these meshes do not show how the error falls, so only the +- limits it;\n"
         "rows of elements that meet on the plies ([mesh] faces) or a larger --finest may show "
         "it\n");
   }
@@ -219,7 +218,10 @@ void add_mesh(CommandLine& app, Program& program) {
       "      also by what is seen on the ground, which takes minutes");
   auto options = std::make_shared<MeshOptions>();
   verb.add_option("file", options->file, "Tire file (TOML, .inp) or study file").required();
-  verb.add_option("--refinement", options->refinement, "Splits every element so often each way")
+  verb.add_option("--refinement",
+                  options->refinement,
+                  "Splits every element into this number of "
+                  "parts in each direction")
       .between(1, 8);
   verb.add_option("--vtu", options->vtu, "ParaView file to write");
   verb.add_flag("--convergence", options->convergence, "Compares with refined meshes");
@@ -228,21 +230,23 @@ void add_mesh(CommandLine& app, Program& program) {
                   "Also pressed on the ground, for --convergence and --place-columns");
   verb.add_flag("--choose-sectors",
                 options->choose_sectors,
-                "Their number too, within the same unknowns, for --place-columns");
+                "Also chooses the number of sectors, within the same unknowns, for "
+                "--place-columns");
   verb.add_flag(
       "--thorough",
       options->thorough,
       "Judges the pressed tire on five meshes in place of three, in some four times the time");
   verb.add_option("--finest",
                   options->finest,
-                  "Compares with meshes refined 2 to so many times, for --convergence")
+                  "Compares with meshes refined 2 to this number of times, for --convergence")
       .between(3, 8);
   verb.add_option("--place-columns",
                   options->place_columns,
                   "Tire file to write, with columns of elements where they matter");
   verb.add_option("--unknowns",
                   options->unknowns,
-                  "At most so many, for --place-columns; as many as there are where not given")
+                  "Greatest number of unknowns, for --place-columns; the present number unless "
+                  "given")
       .between(1, 10'000'000);
   verb.add_option(
           "--modes", options->modes, "Modes to compare, for --convergence and --place-columns")

@@ -147,7 +147,7 @@ void start_magic_formula(const NewOptions& options, const experiment::Language& 
   for (const std::string& word : written.words) say("  {}\n", word);
   correlation::read_study(study, language);
   say("\nNext\n"
-      "  latsch show {0}                         what counts of the recordings\n"
+      "  latsch show {0}                         what is used of the recordings\n"
       "  latsch run {0}                          fits, stage by stage\n"
       "  latsch export {0} --model fitted.tir    the tire\n",
       study.string());
@@ -175,7 +175,8 @@ int start_ring(const NewOptions& options, const experiment::Language& language) 
   correlation::read_study(study, language);
   say("\n{1}\n"
       "  latsch run {0}                          finds the numbers\n"
-      "  latsch identify {0}                     what the data leave open, what would mend misses\n"
+      "  latsch identify {0}                     what the data do not determine, what would "
+      "correct misses\n"
       "  latsch export {0} --model fitted.toml   the ring\n",
       study.string(),
       options.ring_data == kExample ? "Replace the example's values by your own, then" : "Next");
@@ -194,7 +195,8 @@ void start_suspension(const NewOptions& options, const experiment::Language& lan
   correlation::read_study(study, language);
   say("\nPut your hardpoints into {1} and your values into the study, then\n"
       "  latsch run {0}                          finds the bushings\n"
-      "  latsch identify {0}                     what the values leave open, what to measure next\n"
+      "  latsch identify {0}                     what the values do not determine, what to "
+      "measure next\n"
       "  latsch test {1} '{{kind = \"kinematics\", from = \"-30 mm\", to = \"30 mm\", points = "
       "61}}' --html travel.html\n",
       study.string(),
@@ -221,7 +223,7 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
                              : Document::read(options.known);
   if (options.cleat.empty())
     throw InputError(
-        "--drum: no recording tells the cleat; expected --cleat \"10 mm x 20 mm\" "
+        "--drum: no recording contains the cleat's size; expected --cleat \"10 mm x 20 mm\" "
         "beside it, its height and its length along the road");
   fs::create_directories(folder);
   const DrumStudy written = drum_study({{options.drum.begin(), options.drum.end()},
@@ -242,7 +244,7 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
   correlation::read_study(study, language);
   say("\nNext\n"
       "  latsch process {1}                      the rig's page: averages, spectra\n"
-      "  latsch show {0}                         what counts of the averages\n"
+      "  latsch show {0}                         what is used of the averages\n"
       "  latsch run {0}                          finds sidewall and delays, with intervals\n",
       study.string(),
       (folder / "rig.toml").string());
@@ -291,30 +293,39 @@ void add_new(CommandLine& app, Program& program) {
   auto options = std::make_shared<NewOptions>();
   std::vector<std::string> names;
   for (const TireTemplate& known : tire_templates()) names.emplace_back(known.name);
-  verb.add_option("folder", options->folder, "Folder to write, created where missing").required();
+  verb.add_option("folder", options->folder, "Folder to write, created if missing").required();
   verb.add_option("--tire", options->tire, "Tire to start from")
       .one_of(names)
       .capture_default_str();
-  verb.add_option(
-      "--size", options->size, "Of the tire, such as 275/35R19, drawn from the nearest");
+  verb.add_option("--size",
+                  options->size,
+                  "Size of the tire, such as 275/35R19, scaled from the nearest "
+                  "template");
   verb.add_flag("--coarse",
                 options->coarse,
-                "Some hundred elements: a trial takes a fraction of a second, some percent off");
+                "Some hundred elements: a trial takes a fraction of a second, with errors of "
+                "some percent");
   verb.add_option("--magic-formula",
                   options->recordings,
                   "Recordings of a tire test: CSV, consortium .dat or .mat, TYDEX");
-  verb.add_option("--axes", options->axes, "Of the recordings; by the sign of Fz unless given")
+  verb.add_option("--axes",
+                  options->axes,
+                  "Axes of the recordings; chosen by the sign of Fz "
+                  "unless given")
       .one_of({"iso", "adapted_sae", "sae"});
   verb.add_option("--column", options->columns, "How a channel is called: \"Fz = LOAD [N]\"");
   verb.add_option("--hold-out",
                   options->held_out,
-                  "What is predicted and not fitted: recordings, or samples by a channel, \"p = 90 "
+                  "Recordings to predict and not to fit, or samples by a channel, \"p = 90 "
                   "kPa .. 104 kPa\"; with --magic-formula");
-  verb.add_option("--radius", options->radius, "Of the unloaded tire, where no loaded radius is");
+  verb.add_option("--radius",
+                  options->radius,
+                  "Radius of the unloaded tire, if no loaded radius "
+                  "was recorded");
   verb.add_option("--ring-data",
                   options->ring_data,
-                  "A flexible ring from measured loads, modes and stiffnesses; with a model of a "
-                  "tire from what it shows of them")
+                  "A flexible ring from measured loads, modes and stiffnesses; or, with a model "
+                  "of a tire, from the model's results")
       .or_alone(kExample);
   verb.add_option("--known", options->known, "Flexible ring whose numbers such a study begins at");
   verb.add_option(
@@ -325,7 +336,10 @@ void add_new(CommandLine& app, Program& program) {
   verb.add_option("--drum-diameter",
                   options->diameter,
                   "\"2.5 m\"; by the speed and the period of the passages unless given");
-  verb.add_option("--teeth", options->teeth, "Of a toothed wheel recorded in place of the speed")
+  verb.add_option("--teeth",
+                  options->teeth,
+                  "Number of teeth of a wheel that was recorded in "
+                  "place of the speed")
       .between(1, 100000);
   verb.add_flag("--suspension",
                 options->suspension,

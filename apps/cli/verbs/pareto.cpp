@@ -57,8 +57,9 @@ int pareto(const std::string& file,
 }  // namespace
 
 void add_pareto(CommandLine& app, Program& program) {
-  Verb verb =
-      app.add_subcommand("pareto", "Two experiments against each other, from the trials there are");
+  Verb verb = app.add_subcommand("pareto",
+                                 "Compares two experiments by their errors in the trials of "
+                                 "the journal");
   verb.footer(
       "Example:\n  latsch pareto studies/tire_b_twin/study.toml stiffness modes\n\n"
       "Also the best trial by the weights the study has now: nothing is simulated.");

@@ -139,7 +139,8 @@ void process(const std::string& file, bool synthetic, const std::string& output)
 void add_process(CommandLine& app, Program&) {
   Verb verb = app.add_subcommand(
       "process",
-      "Drum recordings to passages, averages, spectra, and a filter that takes the rig away");
+      "Drum recordings to passages, averages, spectra, and a filter that removes the rig's "
+      "response");
   verb.footer(
       "Examples:\n"
       "  latsch process my_rig/rig.toml\n"

@@ -122,7 +122,7 @@ void add_road(CommandLine& app, Program& program) {
   verb.add_option("--output", options->output, "File to write; else the terminal");
   verb.add_option("--triangles",
                   options->triangles,
-                  "Of a kerb: Adams road file of nodes and triangles to write");
+                  "Adams road file of nodes and triangles to write, for a kerb");
   verb.callback([=, &program] { program.exit_code = road(*options); });
 }
 

@@ -104,7 +104,7 @@ bool print_values(const Study& study,
     if ((*result)->best != point) {
       const auto better = correlation::best_trial(study, journal);
       answer()["target"] = better->target;
-      say("A trial beside it is better: target {:.4f} %; the values are its\n",
+      say("A neighboring trial is better: target {:.4f} %; the values below are its values\n",
           better->target * 100.0);
     }
     answer()["variables"] = answer_of(study, **result);
@@ -127,7 +127,7 @@ DesignPoint best_of_journal(const Study& study, const DesignPoint& of_run, const
   answer()["target"] = best->target;
   answer()["variables"] = answer_of(study.space, best->point);
   say("The journal knows a better trial, of another command: target {:.4f} %. Values, report and "
-      "latsch export are of it.\n",
+      "latsch export refer to it.\n",
       best->target * 100.0);
   return best->point;
 }
@@ -168,7 +168,7 @@ Journal open_journal(const Study& stage, const Asked& asked) {
   const StudyIdentity identity = correlation::identity(stage);
   if (asked.adopts && std::filesystem::exists(stage.run.journal) &&
       Journal::adopt(stage.run.journal, identity)) {
-    say("The trials in {0} are taken over; as it was it stays as {0}.before_adoption\n",
+    say("The trials in {0} are taken over; the original stays as {0}.before_adoption\n",
         stage.run.journal.string());
   }
   Journal journal = open_for_trials(stage, asked.retries_failed);
@@ -201,9 +201,9 @@ void print_beginning(const Study& study, int k, const Study& stage) {
 void print_hopeless(const Study& study, const Journal& journal, const std::string& reason) {
   const std::string how = study.specimens->how_to_see_more();
   complain(fmt::format(
-      "no trial succeeded, of {} in {}, also not far from the start: every one failed for one "
+      "no trial succeeded, of {} in {}, even far from the start: every one failed for one "
       "reason, which has nothing to do with the point: {}\n"
-      "See what becomes of one: latsch simulate {}{}. Once that is mended, go on with: latsch "
+      "See how one fails: latsch simulate {}{}. Once that is fixed, continue with: latsch "
       "resume {} --retry-failed",
       journal.size(),
       study.run.journal.string(),
@@ -326,11 +326,14 @@ void add_run(CommandLine& app, Program& program) {
     verb.add_option("study", asked->file, "Study file (TOML)").required();
     verb.add_option("--workers", asked->workers, "Worker processes, instead of the study's")
         .between(1, 1024);
-    verb.add_flag("--watch", asked->watch, "Opens a page that shows it, and stays behind its end");
+    verb.add_flag("--watch",
+                  asked->watch,
+                  "Opens a page that shows the run, and keeps it open "
+                  "after the end");
     if (resuming) {
       verb.add_flag("--retry-failed",
                     asked->retries_failed,
-                    "Tries the points that failed so far again, once their cause is mended");
+                    "Tries the points that failed so far again, once the cause is fixed");
       verb.add_flag("--adopt",
                     asked->adopts,
                     "Keeps the trials of another version of the model or the outside program");

@@ -29,9 +29,9 @@ void serve(const AskedToServe& asked, const experiment::Language& language) {
   const ServedStudies served({asked.folder, asked.listen, asked.port}, language);
   if (asked.listen != "127.0.0.1" && asked.listen != "::1")
     warn(
-        "other machines can reach this address: who has it may start and stop runs of these "
+        "other machines can reach this address: whoever knows it may start and stop runs of these "
         "studies; nothing on the way is encrypted. A tunnel is safer: ssh -L PORT:localhost:PORT");
-  say("Studies below {}\n{}\nCtrl-C ends the page; runs it has started go on\n",
+  say("Studies below {}\n{}\nCtrl-C ends the page; runs it has started continue\n",
       std::filesystem::canonical(asked.folder).string(),
       served.address());
   std::fflush(stdout);  // a program that reads the output from a pipe waits for the address

@@ -128,7 +128,7 @@ int show(const std::string& file,
 }  // namespace
 
 void add_show(CommandLine& app, Program& program) {
-  Verb verb = app.add_subcommand("show", "What was read from a file: units, axes, channels");
+  Verb verb = app.add_subcommand("show", "Shows what was read from a file: units, axes, channels");
   verb.footer(
       "Reads TYDEX (.tdx), tables (.csv, .dat), MATLAB (.mat), tires (.tir), roads (.crg, .rdf, "
       ".toml),\n"
@@ -141,7 +141,7 @@ void add_show(CommandLine& app, Program& program) {
   verb.add_option("--html", *html, "Page with plots and tables to write");
   auto axes = std::make_shared<std::string>();
   verb.add_option(
-      "--axes", *axes, "Signs the file has: iso unless given, adapted_sae or sae; shown are iso's");
+      "--axes", *axes, "Signs of the file: iso unless given, adapted_sae or sae; shown in iso");
   auto measurement = std::make_shared<std::string>();
   verb.add_option("--measurement", *measurement, "Of a study: the one [measurement.NAME] to show");
   verb.callback([=, &program] {

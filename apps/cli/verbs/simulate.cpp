@@ -52,7 +52,9 @@ int simulate(const std::string& file,
 }  // namespace
 
 void add_simulate(CommandLine& app, Program& program) {
-  Verb verb = app.add_subcommand("simulate", "One trial: every experiment beside its measurement");
+  Verb verb = app.add_subcommand("simulate",
+                                 "Runs one trial: every experiment beside its "
+                                 "measurement");
   verb.footer(
       "Examples:\n  latsch simulate studies/tire_b_twin/study.toml\n"
       "  latsch simulate studies/tire_b_twin/study.toml --set \"matrix=12 N/mm^2\" --set \"belt=5 "

@@ -63,9 +63,9 @@ int say_convergence(const experiment::SpecimenKind& kind,
         fmt::format("{:.1f} {}", one.about_mean, one.unit),
         fmt::format("{:.2f} {}", one.by_step, one.unit),
         fmt::format("{:.2f} {}", one.by_segments, one.unit));
-  say("A step changes four times less where it is halved, segments about twice less where there "
-      "are\n"
-      "half as many again. Both should stay below the noise of what they are compared with.\n");
+  say("Half the step divides its effect by four, half as many segments again divide theirs by "
+      "about\n"
+      "two. Both should stay below the noise of what they are compared with.\n");
   return kDone;
 }
 
@@ -232,7 +232,7 @@ int test(const TestOptions& options, const experiment::Language& language) {
 }  // namespace
 
 void add_test(CommandLine& app, Program& program) {
-  Verb verb = app.add_subcommand("test", "Any model through any test that it can do");
+  Verb verb = app.add_subcommand("test", "Runs any model through any test that it can do");
   std::string tests;
   for (const experiment::TestKind* test : program.language.tests)
     tests += fmt::format("  kind = {:<20} {}\n", in_quotes(test->name), test->in_words);
@@ -262,21 +262,19 @@ void add_test(CommandLine& app, Program& program) {
   verb.add_option("model", options->model, "Model or study");
   verb.add_option("test", options->test, "Test file, or its keys in braces");
   verb.add_option("-o,--output", options->output, "CSV file to write; else the terminal");
-  verb.add_option(
-          "--kind", options->kind, "Of a file that can be read as several: what it is taken for")
+  verb.add_option("--kind", options->kind, "Kind of model, for a file that can be read as several")
       .one_of(program.language.kind_names());
   verb.add_option("--html", options->html, "Page with pictures to write");
   verb.add_option("--details",
                   options->details,
-                  "CSV file to write of what is more than channels: the pressures of a footprint");
-  verb.add_option("--signs",
-                  options->signs,
-                  "Of a suspension's test: signs of what is put out; iso unless given")
+                  "CSV file for results beyond the channels, such as the pressures of a footprint");
+  verb.add_option(
+          "--signs", options->signs, "Signs of the output of a suspension's test; iso unless given")
       .one_of(experiment::sign_view_names());
   verb.add_flag("--list", options->list, "Which models can do which tests");
   verb.add_flag("--convergence",
                 options->convergence,
-                "Of a drum_cleat: what half the step and half as many segments again change");
+                "For a drum_cleat: effect of half the step, and of half as many segments again");
   verb.callback([=, &program] { program.exit_code = test(*options, program.language); });
 }
 

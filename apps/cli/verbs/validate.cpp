@@ -97,7 +97,7 @@ int validate(const std::string& model_file,
 
 void add_validate(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand(
-      "validate", "A model through a suite of checks: is each within its limit, and says who");
+      "validate", "Runs a model through a suite of checks, each with a limit and its source");
   verb.footer(
       "MODEL is a file with a model, or a study at its best point; SUITE a file such as\n"
       "  [test.standing]\n"
@@ -124,7 +124,7 @@ void add_validate(CommandLine& app, Program& program) {
   verb.add_option("model", *model, "Model or study").required();
   verb.add_option("suite", *suite, "Suite of checks (TOML)").required();
   verb.add_option("-o,--output", *page, "Page to write (HTML); beside the suite unless given");
-  verb.add_option("--kind", *kind, "Of a file that can be read as several: what it is taken for")
+  verb.add_option("--kind", *kind, "Kind of model, for a file that can be read as several")
       .one_of(program.language.kind_names());
   verb.callback([=, &program] {
     program.exit_code = validate(*model, *suite, *kind, *page, program.language);

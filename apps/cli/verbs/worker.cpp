@@ -22,7 +22,7 @@ void add_worker(CommandLine& app, Program& program) {
   auto finer = std::make_shared<bool>(false);
   verb.add_flag("--refined", *finer, "The model as [refined] has it");
   auto slopes = std::make_shared<bool>(false);
-  verb.add_flag("--slopes", *slopes, "With the slopes that the search asks for");
+  verb.add_flag("--slopes", *slopes, "With the slopes that the search needs");
   verb.footer(
       "Started by the program itself, one process a worker: it reads points from its standard "
       "input\nand writes their outcomes to its standard output. To try it by hand there is latsch "

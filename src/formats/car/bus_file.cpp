@@ -112,7 +112,8 @@ std::vector<ForceCurve::Point> points_of(const BushingParameters& bushing,
     const auto* curve = std::get_if<multibody::ElasticCurve>(&part.law);
     if (!curve || is_curved || k != 0.0)
       throw InputError(fmt::format(
-          "{} has more than a stiffness or a curve {}, which a .bus file cannot say: expected one "
+          "{} has more than a stiffness or a curve {}, which a .bus file cannot express: "
+          "expected one "
           "of them, without play, friction and Maxwell elements",
           name,
           axis < 3 ? "along " + std::string(kBusAxesInWords[axis]) : kBusAxesInWords[axis]));

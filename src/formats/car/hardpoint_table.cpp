@@ -28,7 +28,7 @@ std::vector<bool> chosen_rows(const CsvTable& table, const std::optional<std::st
   if (!table.has("of")) {
     if (of)
       throw InputError(table.header_place(),
-                       "has no column of, which would say what belongs to " + in_quotes(*of));
+                       "has no column `of`, which would list the points of " + in_quotes(*of));
     return chosen;
   }
   const auto corners = table.texts("of");

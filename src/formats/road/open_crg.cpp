@@ -23,7 +23,7 @@ void settle_format(const std::string& bytes, OpenCrgHeader& header) {
   const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(header.data_begin);
   if (std::all_of(begin, bytes.end(), is_text))
     throw InputError({header.file, header.data_line},
-                     "begins data of no format, expected #:LRFI for digits");
+                     "begins data without a format, expected #:LRFI for digits");
   header.format = "KRBI";
   header.warnings.push_back(header.file +
                             ": there is no format #:, taken as KRBI, as the standard "

@@ -68,7 +68,7 @@ class Settling {
     const bool both = place != modifiers_.end() && part != modifiers_.end();
     if (both)
       header_.reject(
-          modifiers_, stem, "but " + stem + "_fraction says another place; keep one of them");
+          modifiers_, stem, "but " + stem + "_fraction states another position; keep one of them");
     if (part != modifiers_.end() && !(part->second.number >= 0.0 && part->second.number <= 1.0))
       header_.reject(modifiers_, stem + "_fraction", "expected 0 to 1");
     if (offset == modifiers_.end()) return;

@@ -73,8 +73,8 @@ class GridBuilding {
         fail(fmt::format("record {} has no {} of the reference line{}",
                          row + 1,
                          name,
-                         binary ? ": binary data are damaged where a program has converted their "
-                                  "line ends as of a text"
+                         binary ? ": binary data are damaged if a program has converted their "
+                                  "line ends like those of a text"
                                 : ""));
       }
     }
@@ -121,7 +121,7 @@ class GridBuilding {
     for (std::size_t i = 0; i < channels.size(); ++i) {
       if (channels[i].kind > Kind::section_place) continue;
       if (!sections_.empty() && channels[i].kind != channels[sections_.front()].kind) {
-        fail("is a section by number among sections by place, expected all alike",
+        fail("is a section by number among sections by position, expected all alike",
              channels[i].line);
       }
       sections_.push_back(i);

@@ -88,8 +88,8 @@ class SplineReading {
     const std::vector<double> numbers = data_.numbers(numbers_only, 3);
     if (numbers.size() > 4 && numbers[4] != 0.0) {
       throw InputError(place,
-                       "has a bank angle, of which the format's description does not tell the "
-                       "sign; expected 0, or the road as triangles or OpenCRG");
+                       "has a bank angle, whose sign the format's description does not define; "
+                       "expected 0, or the road as triangles or OpenCRG");
     }
     DataPoint point;
     point.center = units_.length * Vector3d(numbers[0], numbers[1], numbers[2]);
@@ -104,7 +104,7 @@ class SplineReading {
           std::max(point.mu_left, point.mu_right) <= 100.0))
       throw InputError(place, "has a friction below 0 or above 100");
     if (!points_.empty() && (point.center - points_.back().center).head<2>().norm() < kLeastStep)
-      throw InputError(place, "is the point before once more, expected the road to go on");
+      throw InputError(place, "repeats the point before, expected the road to continue");
     points_.push_back(point);
   }
 

@@ -106,7 +106,7 @@ class TeimOrbitReader {
 
   TeimOrbitSection& section() {
     if (into_.sections_.empty())
-      reject("this stands before the first [SECTION]: is it a file of another kind?");
+      reject("this precedes the first [SECTION]: is it a file of another kind?");
     return into_.sections_.back();
   }
 

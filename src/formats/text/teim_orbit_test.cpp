@@ -89,7 +89,7 @@ TEST(TeimOrbit, ComplaintsNameFileLineAndWhatWasExpected) {
   EXPECT_EQ(orbit_complaint("[A]\nB = 'x\n"), "t.tir:2: a quote is not closed: \"B = 'x\"");
   EXPECT_EQ(orbit_complaint("[A\n"), "t.tir:1: \"[A\" has no \"]\"");
   EXPECT_EQ(orbit_complaint("A = 1\n"),
-            "t.tir:1: this stands before the first [SECTION]: is it a file of another kind?");
+            "t.tir:1: this precedes the first [SECTION]: is it a file of another kind?");
   EXPECT_EQ(orbit_complaint("[A]\nFNOMIN 3\n"),
             "t.tir:2: \"FNOMIN 3\" is no KEY = value, [SECTION], {heads} or row of a table");
   const auto fnomin = [](const TeimOrbit& file) { file.section("A").number("FNOMIN"); };

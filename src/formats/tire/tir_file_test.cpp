@@ -84,7 +84,7 @@ TEST(TirFile, WhatIsOddIsNamed) {
 
 TEST(TirFile, ComplaintsNameFileLineAndWhatWasExpected) {
   EXPECT_EQ(tir_complaint(replaced("UNLOADED_RADIUS=300\n", "")),
-            "t.tir: there is no UNLOADED_RADIUS; it stands in [DIMENSION]");
+            "t.tir: there is no UNLOADED_RADIUS; expected it in [DIMENSION]");
   EXPECT_EQ(tir_complaint(replaced("FNOMIN=4", "FNOMIN=-4")),
             "t.tir:19: FNOMIN is -4, expected a positive number");
   EXPECT_EQ(tir_complaint(replaced("FITTYP=61", "FITTYP=63")),
@@ -231,7 +231,7 @@ TEST(TirFile, EveryKeyHasARowThatSaysWhatItWasTakenFor) {
   EXPECT_TRUE(told("FE_METHOD = YES has no effect"));
   EXPECT_FALSE(told("QFZ1"));  // a value of 0 has no effect
   EXPECT_TRUE(told("[BOTTOMING_CURVE] holds a table that is not read"));
-  EXPECT_TRUE(told("PDY1 stands in [ALIGNING_COEFFICIENTS], it belongs to [LATERAL_COEFFICIENTS]"));
+  EXPECT_TRUE(told("PDY1 is in [ALIGNING_COEFFICIENTS], it belongs in [LATERAL_COEFFICIENTS]"));
   EXPECT_TRUE(
       told("QDZI is not known here; it stays in the file, without effect, did you mean "
            "\"QDZ1\"?"));

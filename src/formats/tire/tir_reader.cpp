@@ -198,7 +198,7 @@ class TirReader {
                                    entry.value,
                                    before.line,
                                    before.value));
-    note(entry.line, fmt::format("{} stands twice, in line {}, too", entry.key, before.line));
+    note(entry.line, fmt::format("{} occurs twice, in line {}, too", entry.key, before.line));
   }
 
   /// [UNITS] and [MDI_HEADER] contain no parameters, unless a line [SECTION] was lost.
@@ -209,7 +209,7 @@ class TirReader {
     const ParameterField* field = magic_formula::find_parameter(parameter_of_key(entry.key));
     if (!is_unit && field != nullptr)
       throw InputError(section.place(entry.line),
-                       fmt::format("{} stands in [{}], expected [{}]: is a line [SECTION] missing?",
+                       fmt::format("{} is in [{}], expected [{}]: is a line [SECTION] missing?",
                                    entry.key,
                                    section.name(),
                                    field->section));
@@ -302,7 +302,7 @@ class TirReader {
                         home_sections().contains(section.name());
     if (astray)
       note(entry.line,
-           fmt::format("{} stands in [{}], it belongs to [{}]; taken as it stands",
+           fmt::format("{} is in [{}], it belongs in [{}]; used unchanged",
                        entry.key,
                        section.name(),
                        field.section));
@@ -392,7 +392,7 @@ class TirReader {
     const ParameterField* field = magic_formula::find_parameter(name);
     if (!found_.contains(name))
       throw InputError(place_of(name),
-                       fmt::format("there is no {}; it stands in [{}]", name, field->section));
+                       fmt::format("there is no {}; expected it in [{}]", name, field->section));
     if (!(tir_.parameters.*field->member > 0.0))
       throw InputError(
           place_of(name),

@@ -216,7 +216,7 @@ constexpr std::array kPairs = {
     Pair{"dx", "Fx", 1.0, kInfinity, "a suspension gives way along the force"},
     Pair{"dy", "Fy", 1.0, kInfinity, "a suspension gives way along the force"},
     Pair{"dz", "Fz", 1.0, kInfinity, "a suspension gives way along the force"},
-    Pair{"Vx", "omega", 1.0, kInfinity, "a wheel rolls the way it goes"},
+    Pair{"Vx", "omega", 1.0, kInfinity, "a wheel rolls in its direction of travel"},
 };
 
 void check_pairs(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
@@ -229,8 +229,8 @@ void check_pairs(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
         *a, *b, [&](std::size_t i) { return std::abs(a->values[i]) <= pair.most_of_a; });
     if (r * pair.sign > -kClearly) continue;
     doubts.push_back({b->name,
-                      fmt::format("has {} sign as {} (correlation {:+.2f}), but in iso axes {}: is "
-                                  "the sign of one of the two another one, or axes not as stated?",
+                      fmt::format("has {} sign as {} (correlation {:+.2f}), but in iso axes {}: "
+                                  "is one of the two signs wrong, or are the axes not as stated?",
                                   pair.sign < 0.0 ? "the same" : "not the same",
                                   a->name,
                                   r,
@@ -280,7 +280,7 @@ void check_inclination(const Channels& channels, std::vector<ChannelDoubt>& doub
   doubts.push_back({gamma->name,
                     fmt::format("raises Fy: Fy / Fz grows by {:.3g} a degree at small {}, but in "
                                 "iso axes a tire whose top leans to the right pulls to the right: "
-                                "is the sign of the inclination another one?",
+                                "is the sign of the inclination wrong?",
                                 x[1] * std::numbers::pi / 180.0,
                                 alpha->name)});
 }
@@ -293,10 +293,10 @@ void check_time(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   for (std::size_t i = 1; i < time->values.size(); ++i)
     if (time->values[i] < time->values[i - 1] && back++ == 0) first = i;
   if (2 * back < time->values.size()) return;  // a file of several runs
-  doubts.push_back({time->name,
-                    fmt::format("goes backward {}: is its sign another one?",
-                                of_samples(back, time->values.size())),
-                    first});
+  doubts.push_back(
+      {time->name,
+       fmt::format("goes backward {}: is its sign wrong?", of_samples(back, time->values.size())),
+       first});
 }
 
 /// Checks two lengths of a header: the rim must be smaller than its tire.

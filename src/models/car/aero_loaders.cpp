@@ -113,7 +113,7 @@ Result<LoaderSolution> solve_loaders(Car& car,
     // The condition requires three independent columns: their volume relative to their length.
     const Eigen::Matrix3d squares = found.slopes.transpose() * found.slopes;
     if (!(squares.determinant() > 1e-6 * std::pow(squares.trace() / 3.0, 3)))
-      return Failure{"the loaders stand in one line: three points of a triangle are needed"};
+      return Failure{"the loaders are in one line: three points of a triangle are needed"};
     step = solve_three(found.slopes, wanted - found.pushrods);
     found.left = wanted - found.pushrods;
     const bool is_near = step.norm() < kEnough * (1.0 + found.downforce.norm());

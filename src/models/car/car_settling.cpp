@@ -85,7 +85,8 @@ std::string Car::sunk(const Rest& rest, const LineTires& tires, double speed) co
     if (risen[at(corner)] > risen[at(worst)]) worst = corner;
   }
   std::string words = fmt::format(
-      "as it rested last it had sunk most at {}: the wheel stands {:.3g} mm higher in the car than "
+      "in its last equilibrium it had sunk most at {}: the wheel stands {:.3g} mm higher in the "
+      "car than "
       "drawn, the tire is pressed by some {:.3g} mm of its radius of {:.4g} mm",
       kCornerNames[at(worst)],
       1e3 * risen[at(worst)],

@@ -250,7 +250,7 @@ Result<HubForces> MagicFormulaTire::settle(const WheelMotion& motion,
   forces_ = {};
   const RoadPlane plane = tangent_plane(motion, road, time);
   auto contact = touch(motion, plane);
-  if (!contact) return Failure{"the wheel lies flat: its spin axis stands on the road"};
+  if (!contact) return Failure{"the wheel lies flat: its spin axis is perpendicular to the road"};
   take_friction(contact->friction);
   contact->approach = contact->Vx = contact->Vy = contact->yaw_rate = 0.0;
   const double Fz = vertical_force(*contact, 0.0);
@@ -267,7 +267,7 @@ Result<HubForces> MagicFormulaTire::advance(const WheelMotion& motion,
     return Failure{trouble};
   const RoadPlane plane = tangent_plane(motion, road, time);
   const auto contact = touch(motion, plane);
-  if (!contact) return Failure{"the wheel lies flat: its spin axis stands on the road"};
+  if (!contact) return Failure{"the wheel lies flat: its spin axis is perpendicular to the road"};
   take_friction(contact->friction);
   roll(*contact, motion.spin_rate, step);
   if (forces_.Fz <= 0.0) return HubForces{};

@@ -178,9 +178,8 @@ std::string Equilibrium::damped_newton(Rest& rest, const Standing& standing, dou
     if (!go_on(rest, standing, share)) break;
     before = left_;
   }
-  return fmt::format("{:.3g} N are left, no correction brings it nearer, {}",
-                     before,
-                     assembly_.most_turned(rest.poses));
+  return fmt::format(
+      "{:.3g} N remain, no correction reduces them, {}", before, assembly_.most_turned(rest.poses));
 }
 
 std::string Equilibrium::linearize(const Poses& poses, std::span<const Load> loads) {

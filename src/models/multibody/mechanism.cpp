@@ -79,7 +79,7 @@ std::string fault_of_strut(const Strut& strut, int bodies, int drivers) {
     if (std::string fault = fault_of_ends(strut.name, line.a, line.b, bodies); !fault.empty())
       return fault;
     if (!((line.point_b - line.point_a).norm() > 1e-6) || !std::isfinite(line.weight))
-      return fmt::format("both ends of {} are in one place, or at none", strut.name);
+      return fmt::format("both ends of {} coincide, or are undefined", strut.name);
   }
   for (const double number : {strut.stiffness, strut.damping, strut.inertance})
     if (!(number >= 0.0) || !std::isfinite(number))
@@ -124,7 +124,7 @@ std::string Mechanism::fault(const std::vector<Body>& bodies,
   std::vector<bool> held(bodies.size(), false);
   for (const Body& body : bodies)
     if (!body.origin.allFinite())
-      return fmt::format("{} is at a place that is no number", body.name);
+      return fmt::format("the position of {} is not a number", body.name);
   const auto hold = [&](int body) {
     if (body != kGround) held[static_cast<std::size_t>(body)] = true;
   };
@@ -132,7 +132,7 @@ std::string Mechanism::fault(const std::vector<Body>& bodies,
     if (std::string fault = fault_of_ends(joint.name, joint.a, joint.b, count); !fault.empty())
       return fault;
     if (!joint.point.allFinite())
-      return fmt::format("{} is at a place that is no number", joint.name);
+      return fmt::format("the position of {} is not a number", joint.name);
     if (joint.driver < -1 || joint.driver >= drivers)
       return fmt::format("{} has a driver that is not there", joint.name);
     if (std::string fault = fault_of_bushing(joint.name, joint.bushing); !fault.empty())

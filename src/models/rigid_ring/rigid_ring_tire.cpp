@@ -320,7 +320,7 @@ Result<HubForces> RigidRingTire::advance(const WheelMotion& motion,
   moving_ = true;
   const magic_formula::RoadPlane plane = plane_ahead(motion, step, road, time);
   const auto wheel = touch(belt_motion(state_, motion), plane);
-  if (!wheel) return Failure{"the wheel lies flat: its spin axis stands on the road"};
+  if (!wheel) return Failure{"the wheel lies flat: its spin axis is perpendicular to the road"};
   take_friction(plane.friction);
   if (step == 0.0) return hub_forces(state_, motion.spin_rate);
   const int n = substeps(step, wheel->Vx);

@@ -49,7 +49,7 @@ std::string DoubleWishbone::fault() const {
                          kFar);
   const auto together = [&](Joint i, Joint j) -> std::string {
     if ((points[i] - points[j]).norm() > kNear) return {};
-    return fmt::format("{} and {} are in one place", kNames[i], kNames[j]);
+    return fmt::format("{} and {} coincide", kNames[i], kNames[j]);
   };
   for (const auto& [i, j] : {std::pair{kUcaFront, kUcaRear},
                              {kLcaFront, kLcaRear},

@@ -103,7 +103,10 @@ void read_spring(const Node& hardpoint, SpringDrive& spring) {
                              "rocker_arb_link",
                              "arb_link_blade",
                              "arb_center"})
-      if (hardpoint.has(name)) hardpoint.reject(name, "is of a rocker, which has no rocker_pivot");
+      if (hardpoint.has(name))
+        hardpoint.reject(name,
+                         "belongs to a rocker, which has no "
+                         "rocker_pivot");
     return;
   }
   SpringDrive::Rocker rocker;
@@ -114,7 +117,10 @@ void read_spring(const Node& hardpoint, SpringDrive& spring) {
   spring.rocker = rocker;
   if (!hardpoint.has("rocker_arb_link")) {
     for (const char* name : {"arb_link_blade", "arb_center"})
-      if (hardpoint.has(name)) hardpoint.reject(name, "is of a bar that has no rocker_arb_link");
+      if (hardpoint.has(name))
+        hardpoint.reject(name,
+                         "belongs to a bar that has no "
+                         "rocker_arb_link");
     return;
   }
   spring.blade = {"blade of the anti-roll bar",

@@ -41,7 +41,7 @@ std::string Linkage::fault() const {
             kFar);
   for (const Link& link : links)
     if ((link.outer - link.inner).norm() < kNear)
-      return fmt::format("both ends of {} are in one place", link.name);
+      return fmt::format("both ends of {} coincide", link.name);
   if (!(wheel.radius > kNear)) return "contact is not below wheel_center: the tire has no radius";
   double arm = kNear;
   for (const Link& link : links) arm = std::max(arm, (link.outer - wheel.center).norm());
@@ -178,8 +178,8 @@ std::string MovingLinkage::end_of_way(double travel, double rack) const {
   int most = 0;
   forces.head<Linkage::kLinks>().cwiseAbs().maxCoeff(&most);
   return fmt::format(
-      "travel {:.4g} mm with the rack at {:.4g} mm cannot be reached: {} ends the "
-      "way at {:.4g} mm with the rack at {:.4g} mm, where the linkage is stretched "
+      "travel {:.4g} mm with the rack at {:.4g} mm cannot be reached: {} ends the path at {:.4g} "
+      "mm with the rack at {:.4g} mm, where the linkage is stretched "
       "or over its dead center",
       1e3 * travel,
       1e3 * rack,

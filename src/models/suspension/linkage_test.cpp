@@ -85,7 +85,7 @@ TEST(MovingLinkage, OfAParallelogramTravelsOnACircle) {
   EXPECT_NEAR(moving.travel(), kArm, 1e-6);
   EXPECT_NE(beyond.failure().reason.find("travel 350 mm"), std::string::npos)
       << beyond.failure().reason;
-  EXPECT_NE(beyond.failure().reason.find("ends the way at 300 mm"), std::string::npos)
+  EXPECT_NE(beyond.failure().reason.find("ends the path at 300 mm"), std::string::npos)
       << beyond.failure().reason;
 }
 
@@ -96,7 +96,7 @@ TEST(MovingLinkage, TheTrackRodIsNamedWhereTheRackGoesTooFar) {
   MovingLinkage moving(linkage, TravelOf::contact);
   const auto found = moving.move_to(0.0, -0.25);
   ASSERT_FALSE(found);
-  EXPECT_NE(found.failure().reason.find("trackrod ends the way"), std::string::npos)
+  EXPECT_NE(found.failure().reason.find("trackrod ends the path"), std::string::npos)
       << found.failure().reason;
   // Rod and arm are then in line from the inner end 0.1 m ahead of the kingpin.
   EXPECT_NEAR(moving.rack(), 0.3 - std::sqrt(0.4 * 0.4 - 0.1 * 0.1), 1e-6);
@@ -110,7 +110,7 @@ TEST(Linkage, FaultsNameTheirPart) {
   EXPECT_NE(bad.fault().find("millimeters"), std::string::npos) << bad.fault();
   bad = good;
   bad.links[4].inner = bad.links[4].outer;
-  EXPECT_EQ(bad.fault(), "both ends of trackrod are in one place");
+  EXPECT_EQ(bad.fault(), "both ends of trackrod coincide");
   bad = good;
   bad.links[4].outer = {0.0, 0.6, 0.3};  // on the kingpin
   EXPECT_NE(bad.fault().find("trackrod"), std::string::npos) << bad.fault();

@@ -62,14 +62,13 @@ std::string in_one_place(const Vector3d& a,
                          const char* first,
                          const char* last) {
   if ((a - b).norm() > kNear) return {};
-  return fmt::format("{} and {} are in one place", first, last);
+  return fmt::format("{} and {} coincide", first, last);
 }
 
 }  // namespace
 
 std::string Lever::fault() const {
-  if ((own - driving).norm() < kNear)
-    return fmt::format("both ends of the {} are in one place", rod);
+  if ((own - driving).norm() < kNear) return fmt::format("both ends of the {} coincide", rod);
   if (from_axis(axis, own - pivot).norm() < kNear)
     return fmt::format("the {} ends on the axis of the {}: it has no arm", rod, name);
   const Vector3d n = (driving - own).normalized();

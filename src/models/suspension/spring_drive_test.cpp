@@ -112,7 +112,7 @@ TEST(SpringDrive, FaultsNameTheirPart) {
   EXPECT_NE(bad.fault().find("rocker: it has no arm"), std::string::npos) << bad.fault();
   bad = race_geometry();
   bad.spring.rocker->spring_end = bad.spring.rocker->spring_on_chassis;
-  EXPECT_EQ(bad.fault(), "rocker_damper and damper_chassis are in one place");
+  EXPECT_EQ(bad.fault(), "rocker_damper and damper_chassis coincide");
   bad = race_geometry();
   Lever& rocker = bad.spring.rocker->lever;
   rocker.driving = rocker.own + 2.0 * (rocker.own - rocker.pivot);

@@ -184,8 +184,7 @@ std::string grid_doubt(const std::vector<double>& values, const std::vector<int>
   for (int i = 0; i < static_cast<int>(levels.size()); ++i) {
     if (levels[i] > 1 && levels[i] < kFewestLevels) {
       return fmt::format(
-          "fewer than {} levels of a variable do not tell whether minima hide between "
-          "them",
+          "fewer than {} levels of a variable do not show whether minima hide between them",
           kFewestLevels);
     }
     cells += hiding_cells(values, levels, i);
@@ -240,7 +239,7 @@ std::string scatter_doubt(const std::vector<double>& values,
   const double explained = 1.0 - missed / variance;
   if (explained >= kLeastExplained) return "";
   return fmt::format(
-      "a point left out is hardly foretold by its neighbors ({:.0f} % of the variance): "
+      "a point left out is hardly predicted by its neighbors ({:.0f} % of the variance): "
       "there may be more minima than points to show them",
       100.0 * std::max(0.0, explained));
 }

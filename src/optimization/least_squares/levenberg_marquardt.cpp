@@ -346,12 +346,12 @@ std::string LevenbergMarquardt::ending() const {
     case LevenbergMarquardtEnding::nothing_left:
       return "with nothing left: the residuals have vanished";
     case LevenbergMarquardtEnding::slow:
-      return "in a bent valley or at a kink: three steps together gained less than one measured "
-             "value's noise is worth, and the slopes promise no more";
+      return "in a bent valley or at a kink: three steps together gained less than the noise of "
+             "one measured value, and the slopes promise no more";
     case LevenbergMarquardtEnding::edge:
       return "at the edge of failed trials: steps that would gain fail";
     case LevenbergMarquardtEnding::rounding:
-      return "with next to nothing left: less of the residuals than trials are solved to";
+      return "with next to nothing left: the residuals are below the accuracy of the trials";
     case LevenbergMarquardtEnding::rough:
       return "where steps, however short, do not bring what the derivatives promise: these are "
              "wrong or the residuals are not smooth";

@@ -36,8 +36,8 @@ void check(const DesignVariable& v) {
   const double span = v.scale == Scale::logarithmic ? v.upper / v.lower : v.upper - v.lower;
   if (!std::isfinite(span)) {
     reject(
-        fmt::format("bounds {} and {} are so far apart that numbers between them cannot be told, "
-                    "expected narrower ones",
+        fmt::format("bounds {} and {} are so far apart that numbers between them cannot be "
+                    "distinguished, expected narrower ones",
                     shown(v.lower),
                     shown(v.upper)));
   }
@@ -89,8 +89,8 @@ void check(const LinearConstraint& c, const std::vector<DesignVariable>& variabl
     is_empty = false;
     if (variables[i].scale == Scale::logarithmic) {
       reject(
-          fmt::format("variable \"{}\" is logarithmic, and methods that search among the "
-                      "logarithms see no plane; expected scale = \"linear\" for it",
+          fmt::format("variable \"{}\" is logarithmic, and a sum of values is no plane in the "
+                      "logarithms; expected scale = \"linear\" for it",
                       variables[i].name));
     }
   }

@@ -49,7 +49,8 @@ void check_constraints(Method method, const ProblemTraits& traits) {
     if (words.knows_nonlinear) able.push_back(words.name);
   }
   throw InputError(
-      fmt::format("method {} knows no constraints that a trial reports, expected one of {}, auto",
+      fmt::format("method {} supports no constraints that a trial reports, expected one of {}, "
+                  "auto",
                   name(method),
                   fmt::join(able, ", ")));
 }
@@ -105,7 +106,7 @@ MethodChoice choose_method(const ProblemTraits& traits) {
                         "poll",
                         traits.variables)};
   }
-  return {Method::gss, "the target has no residuals; a search by directions bears kinks"};
+  return {Method::gss, "the target has no residuals; a search by directions tolerates kinks"};
 }
 
 MethodChoice method_of(const OptimizerSettings& settings, const ProblemTraits& traits) {

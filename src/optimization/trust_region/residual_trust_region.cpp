@@ -81,7 +81,7 @@ std::string ResidualTrustRegion::ending() const {
   if (!converged()) return {};
   std::string words = in_words(search_->run().ending());
   if (search_->run().is_down_to_noise()) {
-    words += "; what is left is no more than the stated noise makes of it";
+    words += "; the remaining error is no larger than the stated noise explains";
   }
   return words;
 }

@@ -8,9 +8,9 @@ std::string in_words(Ending ending) {
     case Ending::none:
       return "";
     case Ending::verified:
-      return "at a minimum: slopes taken afresh around the best point promise nothing better";
+      return "at a minimum: slopes recomputed around the best point promise nothing better";
     case Ending::noise:
-      return "in the noise: slopes taken afresh around the best point promise nothing above noise "
+      return "in the noise: slopes recomputed around the best point promise nothing above noise "
              "and ripple of the simulations";
     case Ending::edge:
       return "at the edge of failed trials: steps that would gain fail";
@@ -18,8 +18,9 @@ std::string in_words(Ending ending) {
       return "on rough ground: steps do not bring what slopes around the best point promise";
     case Ending::blind:
       return "without having seen a minimum: beside the best point trials fail, or the residuals "
-             "change by many times what they are however short the step; where the range of a "
-             "variable is that wide, narrow its bounds or give it a logarithmic scale";
+             "change by many times their size however short the step; if the range of a variable "
+             "is "
+             "that wide, narrow its bounds or give it a logarithmic scale";
     case Ending::known:
       return "at a minimum: the slopes the model brings promise nothing better";
     case Ending::explained:

@@ -116,11 +116,11 @@ std::optional<Refusal> Admission::refuse_stranger(const Head& head) const {
     return Refusal{
         403,
         "the request comes from a page of " + in_quotes(head.origin) + ", which is not this one",
-        "only the studio's own page may ask"};
+        "only the studio's own page may send requests"};
   if ((head.fetch_site == "cross-site" || head.fetch_site == "same-site") &&
       !is_opening_the_page(head))
     return Refusal{
-        403, "the request comes from another page", "only the studio's own page may ask"};
+        403, "the request comes from another page", "only the studio's own page may send requests"};
   if (head.method != "GET" && head.method != "HEAD" && head.method != "POST")
     return Refusal{
         405, "the method " + in_quotes(head.method) + " is not known", "GET, HEAD or POST"};

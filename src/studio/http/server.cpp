@@ -189,7 +189,7 @@ Verdict Server::Impl::judge(const Head& head) {
   try {
     target = parse_target(head.target);
   } catch (const InputError& error) {
-    return refuse({400, error.what(), "ask for what the studio's page asks for"});
+    return refuse({400, error.what(), "send only requests that the studio's page sends"});
   }
   const bool is_read = head.method != "POST";
   if (const auto token = target.query.find("token");
@@ -275,7 +275,7 @@ void Server::Impl::handle(std::shared_ptr<Connection> connection, Request reques
   });
   if (!is_accepted) {
     connection->answer(answer_of(
-        error_response(503, "too much was asked at once", "wait a moment, or close other pages")));
+        error_response(503, "too many requests at once", "wait a moment, or close other pages")));
   }
 }
 
@@ -289,7 +289,7 @@ Response Server::Impl::response_of(const Request& request) const {
   } catch (...) {
     if (options_.report) options_.report(request.path + ": an exception without text");
   }
-  return error_response(500, "the program failed while it answered", "what it prints may say why");
+  return error_response(500, "the program failed while it answered", "its output may say why");
 }
 
 void Server::Impl::forget(const Connection& connection) {

@@ -21,19 +21,19 @@ std::string words_of(Cause cause) {
 std::string hint_for(Cause cause) {
   switch (cause) {
     case Cause::point:
-      return "Look at the point: latsch simulate shows what becomes of it. Narrow the bounds where "
-             "many such points lie beside each other";
+      return "Look at the point: latsch simulate shows what happens there. Narrow the bounds if "
+             "many such points are close together";
     case Cause::timeout:
       return "Raise timeout in [run], or find out why such points take so long; a raised limit "
              "lets "
              "them be tried again";
     case Cause::bad_output:
-      return "The model or program left something else than asked for: compare its output with "
+      return "The model or program wrote something other than requested: compare its output with "
              "what "
              "the experiments name";
     case Cause::transient:
     case Cause::not_begun:
-      return "Nothing about the point: it is tried again by itself";
+      return "This says nothing about the point: it is tried again automatically";
   }
   return "";
 }

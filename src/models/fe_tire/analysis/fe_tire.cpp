@@ -73,8 +73,8 @@ Failure held_elsewhere(const std::string& name) {
 
 Failure of_other_materials() {
   return Failure{
-      "the state is that of a tire of other materials, which the half turn left as it was; load it "
-      "again"};
+      "the state is that of a tire with other materials, which was symmetric under the half "
+      "turn; load it again"};
 }
 
 Failure unstable(const std::string& where) {

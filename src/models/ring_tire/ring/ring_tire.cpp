@@ -437,7 +437,10 @@ std::string RingTire::solve_step(bool held, double time) {
     const bool ends = reduces && known_to_end(left, last, tolerance);
     last = left;
     solve();
-    if (free_ && !correct_wheel()) return no_solution(time, "what drives the wheel outruns it");
+    if (free_ && !correct_wheel())
+      return no_solution(time,
+                         "the torque on the wheel grows "
+                         "faster than the wheel can follow");
     const double by = crawls ? repeated_.lengthening(residual_, section_.direction()) : 1.0;
     if (!crawls) repeated_.start();
     q1_ += by * residual_;
