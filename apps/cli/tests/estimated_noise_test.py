@@ -139,7 +139,7 @@ class EstimatedNoise(unittest.TestCase):
         self.study.write_text(text.replace('"estimated"', '"1 %"', 1))
         self.assertIn('is not "estimated", but that of another experiment is', self.latsch("check", self.study, code=2))
         self.study.write_text(text.replace('"estimated"', '"estimated", loss = "huber"', 1))
-        self.assertIn('loss stands beside noise = "estimated"', self.latsch("check", self.study, code=WRONG_INPUT))
+        self.assertIn('loss is given beside noise = "estimated"', self.latsch("check", self.study, code=WRONG_INPUT))
 
 
 if __name__ == "__main__":

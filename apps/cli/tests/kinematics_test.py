@@ -113,7 +113,7 @@ class Kinematics(unittest.TestCase):
         edit(filed, (r'hardpoints = .*\n', 'hardpoints_of = "FL"\n'))
         self.assertIn("hardpoints_of", self.latsch("test", filed, TRAVEL, code=WRONG_INPUT))
         edit(self.front, (r'\[hardpoint\]', 'hardpoints = "points.csv"\n[hardpoint]'))
-        self.assertIn("stands beside [hardpoint]", self.latsch("test", self.front, TRAVEL, code=WRONG_INPUT))
+        self.assertIn("is given beside [hardpoint]", self.latsch("test", self.front, TRAVEL, code=WRONG_INPUT))
 
     # Text behind the table keeps its line number in the file.
     def test_lines_behind_a_table_of_hardpoints_are_those_of_the_file(self):

@@ -65,7 +65,7 @@ ComparisonTest read_test(const Node& table,
   ComparisonTest one{table.name(), drum->settings(), {}, table.flag("fitted", false)};
   if (specimen == table.has("measurement"))
     table.reject("measurement",
-                 specimen ? "stands beside [specimen], expected one of them"
+                 specimen ? "is given beside [specimen], expected one of them"
                           : "is missing: there is no [specimen] in its place");
   if (!specimen) one.measurement = existing(table, "measurement", folder);
   return one;

@@ -45,7 +45,7 @@ std::vector<std::string> windows_of(const Node& table, const std::string& key) {
 
 std::vector<fs::path> read_files(const Node& table, const fs::path& folder) {
   if (table.has("file") == table.has("files"))
-    table.reject("file", "or files has to be there, one of the two");
+    table.reject("file", "or files is required, exactly one of the two");
   const char* key = table.has("file") ? "file" : "files";
   std::vector<std::string> names =
       table.has("file") ? std::vector<std::string>{table.text("file")} : table.texts("files");

@@ -81,7 +81,7 @@ bool read_delay(const Node& table, const CurveMeasurement& curve) {
   const ComparedCurve what = curve.comparison.what;
   if (what != ComparedCurve::values && what != ComparedCurve::about_mean)
     nuisance->reject("delay",
-                     "stands beside a compare of spectra or of a path, to which a delay makes no "
+                     "is given beside a compare of spectra or of a path, to which a delay makes no "
                      "difference; expected compare = \"values\" or \"about_mean\", or no delay");
   if (curve.x.empty() || curve.x_unit != "s")
     nuisance->reject("delay",

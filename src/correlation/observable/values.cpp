@@ -194,7 +194,7 @@ std::vector<std::string> read_mode_names(const Node& table,
   if (std::find(channels.begin(), channels.end(), n) == channels.end())
     table.reject("modes",
                  "is given, but the test of " + in_quotes(m.channel) + " records no modes");
-  if (!m.of.empty()) table.reject("modes", "stands beside of, expected one of them");
+  if (!m.of.empty()) table.reject("modes", "is given beside of, expected one of them");
   for (const std::string& mode : modes) {
     if (!experiment::mode_of_label(mode))
       table.reject("modes",

@@ -104,8 +104,9 @@ TEST(Values, OfModesSayWhatIsWrong) {
   const std::string modes = "channel = \"air/frequency\"\nmodes = [\"radial n=2\"]\n";
   EXPECT_NE(values_complaint(modes + "values = [\"1 Hz\", \"2 Hz\"]\n").find("there are 2 values"),
             std::string::npos);
-  EXPECT_NE(values_complaint(modes + "value = \"1 Hz\"\nof = \"first\"\n").find("stands beside of"),
-            std::string::npos);
+  EXPECT_NE(
+      values_complaint(modes + "value = \"1 Hz\"\nof = \"first\"\n").find("is given beside of"),
+      std::string::npos);
   EXPECT_NE(values_complaint("channel = \"air/frequency\"\nmodes = [\"radial 2\"]\n"
                              "values = [\"1 Hz\"]\n")
                 .find("such as \"radial n=2\""),

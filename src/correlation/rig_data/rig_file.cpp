@@ -18,7 +18,7 @@ void read_channels(const Node& table, RigFile& rig) {
   rig.speed = table.text("speed", "speed");
   rig.pulses = table.text("pulses", "");
   if (!rig.pulses.empty() && table.has("speed"))
-    table.reject("pulses", "stands beside speed, expected one of them");
+    table.reject("pulses", "is given beside speed, expected one of them");
   if (!rig.pulses.empty())
     rig.speed = "speed of " + rig.pulses;  // a name that differs from the
                                            // file's own speed

@@ -159,7 +159,7 @@ TEST_F(RigData, PulsesNeedTheWheelTheyAreOf) {
   const std::string pulses = replaced(kRig, "[channels]", "[channels]\npulses = \"tooth\"");
   refused(pulses, "teeth");
   refused(replaced(pulses, "[drum]\ncircumference = \"6 m\"", ""), "needs both");
-  refused(replaced(pulses, "force =", "speed = \"v\"\nforce ="), "stands beside speed");
+  refused(replaced(pulses, "force =", "speed = \"v\"\nforce ="), "is given beside speed");
   refused(replaced(kRig, "[drum]", "[drum]\nteeth = 60"), "no pulses to count");
   refused(replaced(pulses, "[drum]", "[drum]\nteeth = 60"), "channel \"tooth\" is missing");
 }

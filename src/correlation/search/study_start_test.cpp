@@ -194,7 +194,7 @@ TEST_F(StudyStart, FailedAndForeignPointsOfAJournalDoNotDisturb) {
 
 TEST_F(StudyStart, ComplaintsSayWhatIsMissing) {
   EXPECT_THAT(complaint(kSearch + "start = \"basins\"\n"), testing::HasSubstr("no [doe]"));
-  EXPECT_THAT(complaint(kSearch + "starts = 2\n"), testing::HasSubstr("starts stands without"));
+  EXPECT_THAT(complaint(kSearch + "starts = 2\n"), testing::HasSubstr("starts is given without"));
   EXPECT_THAT(complaint(kSearch + "start = \"journal\"\nstart_journal = \"none.latsch\"\n"),
               testing::HasSubstr("does not exist"));
   EXPECT_THAT(complaint(kSearch + "start = \"jurnal\"\n"), testing::HasSubstr("journal"));

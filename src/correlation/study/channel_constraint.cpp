@@ -46,7 +46,7 @@ void read_bounds(const Node& table, const std::string& unit, ChannelConstraint& 
   }
   if (!first) table.reject("lower", "is missing, expected lower, upper or equal");
   if (first == std::string_view("equal") && (table.has("lower") || table.has("upper"))) {
-    table.reject("equal", "stands beside lower or upper, expected it alone");
+    table.reject("equal", "is given beside lower or upper, expected it alone");
   }
   if (constraint.lower && constraint.upper && *constraint.lower > *constraint.upper) {
     table.reject("lower", "is above upper");

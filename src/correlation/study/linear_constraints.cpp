@@ -42,7 +42,7 @@ std::vector<double> read_coefficients(const Node& table, size_t count) {
 void read_bounds(const Node& table, LinearConstraint& constraint) {
   if (table.has("equal")) {
     if (table.has("lower") || table.has("upper")) {
-      table.reject("equal", "stands beside lower or upper, expected it alone");
+      table.reject("equal", "is given beside lower or upper, expected it alone");
     }
     constraint.lower = constraint.upper = table.quantity("equal", constraint.unit);
     return;

@@ -67,7 +67,7 @@ TEST(StudyLinearConstraint, SaysWhatIsWrong) {
       constraint_complaint("variables = [\"belt\"]\ncoefficients = [1, 2]\nupper = \"2 GPa\""),
       "are 2 for 1 variables");
   EXPECT_SAYS(constraint_complaint("variables = [\"belt\"]\nequal = \"2 GPa\"\nupper = \"2 GPa\""),
-              "stands beside lower or upper");
+              "is given beside lower or upper");
   EXPECT_SAYS(constraint_complaint("variables = [\"belt\"]\nupper = \"2 mm\""), "study.toml:3");
   EXPECT_SAYS(constraint_complaint("variables = [\"belt\"]\nuper = \"2 mm\""),
               "did you mean \"upper\"");

@@ -37,7 +37,7 @@ void expect_policy(const Node& table,
                    const char* policy,
                    const std::string& what) {
   if (what == policy || !table.has(key)) return;
-  table.reject(key, fmt::format("stands without on_failure = \"{}\"", policy));
+  table.reject(key, fmt::format("is given without on_failure = \"{}\"", policy));
 }
 
 FailurePolicy read_policy(const Node& table) {
@@ -70,7 +70,7 @@ double read_straggler_factor(const Node& table, double usual) {
     return table.quantity("straggler_factor", "1", {1.0, kMostStraggler}, usual);
   }
   if (table.has("straggler_factor")) {
-    table.reject("straggler_factor", "stands beside stragglers = false");
+    table.reject("straggler_factor", "is given beside stragglers = false");
   }
   return 0.0;
 }

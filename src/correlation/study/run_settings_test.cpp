@@ -84,7 +84,7 @@ TEST(RunSettings, WhatMakesNoSenseIsRefusedInWords) {
   says("on_failure = \"recover\"\npenalty = -1", "penalty");
   says("on_failure = \"continuation\"\nhalvings = 0", "halvings");
   says("straggler_factor = 0.5", "straggler_factor");
-  says("stragglers = false\nstraggler_factor = 3", "stands beside stragglers = false");
+  says("stragglers = false\nstraggler_factor = 3", "is given beside stragglers = false");
   says("look_ahead = 0", "look_ahead");
   says("lookahead = 2", "lookahead");
 }

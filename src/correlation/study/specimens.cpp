@@ -204,7 +204,7 @@ StudyTest read_study_test(const Node& table,
   };
   const bool is_inline = table.has("kind");
   if (is_inline && table.has("file"))
-    table.reject("file", "stands beside kind, expected one of the two");
+    table.reject("file", "is given beside kind, expected one of the two");
   if (is_inline) {
     auto read = language.read_identified_test(table, {folder, measured});
     return {table.name(), std::move(read.test), std::move(read.identity), std::move(read.files)};

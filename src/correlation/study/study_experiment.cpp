@@ -154,7 +154,7 @@ std::shared_ptr<const Observable> read_load_deflection(const Node& table,
 
 void read_state(const Node& table, ModalTest& test) {
   if (table.has("deflection") && table.has("load")) {
-    table.reject("load", "stands beside deflection, expected one of them");
+    table.reject("load", "is given beside deflection, expected one of them");
   }
   if (table.has("deflection"))
     test.deflection = table.quantity("deflection", "m", Range::positive());
@@ -322,7 +322,7 @@ StudyExperiment read_experiment(const Node& table,
     if (!experiment.noise && experiment.measurement) experiment.noise = noise_of(experiment);
   } else if (table.has("loss")) {
     table.reject("loss",
-                 fmt::format("stands beside noise = \"{}\", expected one of the two: far-off "
+                 fmt::format("is given beside noise = \"{}\", expected one of the two: far-off "
                              "values would make the noise that they are judged by",
                              table.text("noise")));
   }

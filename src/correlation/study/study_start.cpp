@@ -19,7 +19,7 @@ StartSettings read_start(const Node& table, const std::filesystem::path& folder,
   if (from == "values") {
     for (const char* key : {"starts", "start_journal"}) {
       if (table.has(key)) {
-        table.reject(key, "stands without start = \"journal\" or start = \"basins\"");
+        table.reject(key, "is given without start = \"journal\" or start = \"basins\"");
       }
     }
   }
@@ -30,7 +30,7 @@ StartSettings read_start(const Node& table, const std::filesystem::path& folder,
   }
   start.starts = static_cast<int>(table.integer("starts", 1, kMostStarts, 1));
   if (table.has("start_journal")) {
-    if (from != "journal") table.reject("start_journal", "stands without start = \"journal\"");
+    if (from != "journal") table.reject("start_journal", "is given without start = \"journal\"");
     start.journal = folder / table.text("start_journal");
     if (!std::filesystem::exists(start.journal)) {
       table.reject("start_journal", "is " + start.journal.string() + ", which does not exist");

@@ -89,7 +89,7 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles {
       if (!numbers.root().has(part)) {
         for (const std::string& key : {right, part + "_kind"})
           if (numbers.root().has(key))
-            numbers.root().reject(key, "stands without " + part + ", the tire of the left side");
+            numbers.root().reject(key, "is given without " + part + ", the tire of the left side");
         if (!*springs[axle])
           throw InputError({numbers.file(), 0},
                            part + " is missing, expected the file of a tire, or a table [" +

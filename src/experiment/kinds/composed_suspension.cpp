@@ -24,7 +24,7 @@ void put_hardpoints(const Document& written,
     return;
   }
   if (root.has("hardpoint"))
-    root.reject("hardpoints", "stands beside [hardpoint], expected one of them");
+    root.reject("hardpoints", "is given beside [hardpoint], expected one of them");
   const std::filesystem::path file = folder / root.text("hardpoints");
   std::optional<std::string> of;
   if (root.has("hardpoints_of")) of = root.text("hardpoints_of");
@@ -52,7 +52,7 @@ void put_bushings(const Document& written,
   for (const Node& bushing : written.root().named_tables("bushing")) {
     if (!bushing.has("file")) continue;
     for (const std::string& key : suspension::keys_in_place_of_a_file())
-      if (bushing.has(key)) bushing.reject(key, "stands beside file, expected one of them");
+      if (bushing.has(key)) bushing.reject(key, "is given beside file, expected one of them");
     const formats::BusFile file = formats::read_bus_file(folder / bushing.text("file"));
     const std::vector<std::string> lines = suspension::bushing_lines(file.bushing);
     const std::string path = bushing.path() + ".file";

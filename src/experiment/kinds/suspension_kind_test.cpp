@@ -93,7 +93,7 @@ TEST_F(BushingsOfFiles, AFileStandsInThePlaceOfSpringsAndDampers) {
                                 "curve.x = [[\"-1 m\", \"-1 N\"], [\"1 m\", \"1 N\"]]",
                                 "viscous.x = \"1 N s/m\""}) {
     const std::string said = complaint_with("file = \"rubber.bus\"\n" + key + "\n");
-    EXPECT_NE(said.find("stands beside file"), std::string::npos) << said;
+    EXPECT_NE(said.find("is given beside file"), std::string::npos) << said;
     EXPECT_NE(said.find("bushing.ubj."), std::string::npos) << said;
   }
 }

@@ -140,7 +140,7 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured) {
   test.speed = speed ? measured_mean(*speed, {"Vx", "m/s"}, measured)
                      : root.quantity("speed", "m/s", {0.0, kFastest, true});
   if (root.has("load") == root.has("deflection"))
-    root.reject("load", "or deflection has to be there, one of the two");
+    root.reject("load", "or deflection is required, exactly one of the two");
   if (root.has("load"))
     test.load = load ? measured_mean(*load, {"Fz", "N", true, "W"}, measured)
                      : root.quantity("load", "N", Range::positive());

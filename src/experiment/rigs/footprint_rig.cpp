@@ -22,7 +22,7 @@ FootprintTest read_footprint_test(const Node& root, const MeasuredConditions& me
   else if (root.has("deflections"))
     test.deflections = root.quantities("deflections", "m", Range::positive());
   if (test.loads.empty() == test.deflections.empty())
-    root.reject("loads", "or deflections has to be there, one of the two");
+    root.reject("loads", "or deflections is required, exactly one of the two");
   test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
   test.pressure = read_pressure(root, measured);
   if (root.has("friction"))

@@ -156,7 +156,7 @@ std::string read_mode(const Node& root, const Histories& histories) {
                             "one and a mode",
                             of_both,
                             of_one));
-  if (root.has("mode")) root.reject("mode", "stands beside " + of_one + ", which leaves no mode");
+  if (root.has("mode")) root.reject("mode", "is given beside " + of_one + ", which leaves no mode");
   return "each wheel";
 }
 

@@ -371,7 +371,7 @@ TEST_F(EveryTest, ANumberOfATirVariesByItsName) {
 TEST_F(EveryTest, ComplaintsSayWhatIsExpected) {
   EXPECT_NE(complaint("kind = \"drum\"\n").find("\"drum_cleat\""), std::string::npos);
   EXPECT_NE(complaint("kind = \"slip_sweep\"\nspeed = \"40 km/h\"\nload = \"4 kN\"\n")
-                .find("alpha or kappa has to be there"),
+                .find("alpha or kappa is required"),
             std::string::npos);
   EXPECT_NE(complaint("kind = \"static_stiffness\"\nload = \"4 kN\"\ndirections = [\"up\"]\n")
                 .find("\"longitudinal\""),

@@ -36,7 +36,7 @@ Histories::Histories(const Node& root,
     for (const Prescribed& of : *list) {
       if (root.has(of.name)) {
         if (values_.contains(of.name))
-          root.reject(of.name, "stands beside loads, which was recorded with it");
+          root.reject(of.name, "is given beside loads, which was recorded with it");
         values_[of.name] = one_history(root, of, source);
       }
       if (values_.contains(of.name)) stated_.push_back(of);

@@ -189,7 +189,7 @@ void read_loaders(const Node& node, const TestSource& source, KerbTest& test) {
 
 void read_wander(const Node& node, KerbTest& test) {
   if (test.speed.values.size() > 1 || test.line.values.size() > 1)
-    node.reject("speed", "stands beside a speed or line that is measured, expected one of them");
+    node.reject("speed", "is given beside a speed or line that is measured, expected one of them");
   Wander wander;
   wander.speed = node.quantity("speed", "m/s", Range::not_negative(), 0.0);
   wander.line = node.quantity("line", "m", Range::not_negative(), 0.0);

@@ -120,7 +120,7 @@ std::unique_ptr<Test> read_load_deflection(const Node& root, const TestSource& s
   else if (root.has("loaded_radii"))
     test.loaded_radii = root.quantities("loaded_radii", "m", Range::positive());
   if (test.deflections.empty() == test.loaded_radii.empty())
-    root.reject("deflections", "or loaded_radii has to be there, one of the two");
+    root.reject("deflections", "or loaded_radii is required, exactly one of the two");
   return std::make_unique<LoadDeflectionTest>(std::move(test));
 }
 

@@ -76,7 +76,7 @@ std::unique_ptr<Test> read_modes_test(const Node& root, const TestSource& source
                      : root.quantity("load", "N", Range::positive());
   if (root.has("deflection")) test.deflection = root.quantity("deflection", "m", Range::positive());
   if (test.load && test.deflection)
-    root.reject("deflection", "stands beside load, expected one of them or none");
+    root.reject("deflection", "is given beside load, expected one of them or none");
   test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
   if (const auto from = find_measured(root, "count")) {
     const long measured = measured_count(*from, {"frequency", "Hz"}, source.measured);

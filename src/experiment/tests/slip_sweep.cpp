@@ -113,7 +113,7 @@ std::unique_ptr<Test> read_slip_sweep(const Node& root, const TestSource& source
   if (root.choice("axle", {"load", "height"}, "load") == "height") sweep.axle = Axle::height;
   sweep.frames = read_frames(root, sweep.frames);
   if (root.has("alpha") == root.has("kappa"))
-    root.reject("alpha", "or kappa has to be there, one of the two");
+    root.reject("alpha", "or kappa is required, exactly one of the two");
   const auto alpha = ends(root, "alpha", "rad", Range::between(-1.0, 1.0));
   const auto kappa = ends(root, "kappa", "1", Range::between(-1.0, 1.0));
   sweep.alpha_from = alpha[0];

@@ -124,7 +124,7 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
   test.travel = root.quantity("travel", "m", Range::positive(), test.travel);
   test.twist = root.quantity("twist", "rad", Range::positive(), test.twist);
   if (test.deflections.empty() == test.directions.empty())
-    root.reject("deflections", "or load with directions has to be there, one of the two");
+    root.reject("deflections", "or load with directions is required, exactly one of the two");
   constexpr double kAlong = 0.5 * std::numbers::pi;  // a bar in the direction of the road
   test.cleat = read_cleat(root, kAlong);
   if (test.cleat && test.deflections.empty())

@@ -50,7 +50,7 @@ SpringUnit read_unit(const Node& node) {
   SpringUnit unit;
   unit.stiffness = node.quantity("stiffness", "N/m", Range::not_negative(), 0.0);
   if (node.has("damper")) {
-    if (node.has("damping")) node.reject("damper", "stands beside damping, expected one of them");
+    if (node.has("damping")) node.reject("damper", "is given beside damping, expected one of them");
     unit.parts.push_back(
         multibody::ViscousCurve{suspension::read_curve(node, "damper", "m/s", "N")});
   } else {

@@ -129,8 +129,9 @@ BushingParameters read_bushing(const Node& bushings, const std::string& name) {
     if (all && parts.empty()) read_parts(*all, axis, !value, parts);
     const bool curved = has_curve(parts, axis);
     if (curved && value)
-      own->reject(kBushingAxes[axis],
-                  fmt::format("stands beside curve.{}, expected one of them", kBushingAxes[axis]));
+      own->reject(
+          kBushingAxes[axis],
+          fmt::format("is given beside curve.{}, expected one of them", kBushingAxes[axis]));
     if (!value && !common && !curved && !rigid)
       bushings.reject(
           name, fmt::format("has no {}, expected it here or in [bushing.all]", kBushingAxes[axis]));

@@ -130,7 +130,7 @@ TEST(BushingReader, ErrorsNameTheJointAndItsAxis) {
            {"viscous.u = \"1 N s/m\"\n", "corner.toml:9: ", "bushing.ubj.viscous.u"},
            {"x = \"1 N/m\"\ncurve.x = [[\"-1 m\", \"-1 N\"], [\"1 m\", \"1 N\"]]\n",
             "corner.toml:9: ",
-            "bushing.ubj.x stands beside curve.x"},
+            "bushing.ubj.x is given beside curve.x"},
            {"curve.z = [[\"1 m\", \"1 N\"]]\n",
             "corner.toml:9: ",
             "bushing.ubj.curve.z has 1 points"},

@@ -81,7 +81,7 @@ std::vector<double> read_columns(const Node& mesh) {
   constexpr const char* kKey = "columns";
   if (!mesh.has(kKey)) return {};
   for (const char* other : {"meridional", "spacing"}) {
-    if (mesh.has(other)) mesh.reject(other, "stands beside columns, expected one of them");
+    if (mesh.has(other)) mesh.reject(other, "is given beside columns, expected one of them");
   }
   const std::vector<double> columns = mesh.quantities(kKey, "1");
   const bool ascending =
@@ -231,7 +231,7 @@ Rubber read_rubber(const Node& node) {
   double nu = 0.0;
   if (node.has("bulk_modulus")) {
     if (node.has("poisson_ratio"))
-      node.reject("poisson_ratio", "stands beside bulk_modulus, expected one of them");
+      node.reject("poisson_ratio", "is given beside bulk_modulus, expected one of them");
     const double K = node.quantity("bulk_modulus", "Pa", Range::positive());
     nu = 0.5 - E / (6.0 * K);
     if (nu <= 0.0)
@@ -265,7 +265,7 @@ RubberRegion read_region(const Node& node, const std::vector<Rubber>& rubbers) {
 double cord_area(const Node& node) {
   if (!node.has("cord_diameter")) return node.quantity("cord_area", "m^2", Range::positive());
   if (node.has("cord_area"))
-    node.reject("cord_area", "stands beside cord_diameter, expected one of them");
+    node.reject("cord_area", "is given beside cord_diameter, expected one of them");
   const double d = node.quantity("cord_diameter", "m", Range::positive());
   return 0.25 * std::numbers::pi * d * d;
 }
@@ -297,7 +297,7 @@ void read_faces(const Node& mesh, TireDescription& tire) {
   constexpr const char* kKey = "faces";
   if (!mesh.has(kKey)) return;
   if (tire.cord_model == CordModel::smeared) {
-    mesh.reject(kKey, "stands beside cords = \"smeared\", which has no plies to lie on");
+    mesh.reject(kKey, "is given beside cords = \"smeared\", which has no plies to lie on");
   }
   for (const std::string& name : mesh.texts(kKey)) {
     const auto ply = std::ranges::find(tire.plies, name, &CordPly::name);

@@ -237,7 +237,7 @@ TEST(TireReader, ComplaintsNameFileLineFoundAndExpected) {
   says(complaint("columns = [0, ", "ends = [0, "), {"mesh.meridional is missing", "or columns"});
   says(complaint(", 0.38, ", ", 0.48, "), {"mesh.columns", "ascending"});
   says(complaint("rows_inside =", "meridional = 30\nrows_inside ="),
-       {"mesh.meridional", "stands beside columns"});
+       {"mesh.meridional", "is given beside columns"});
   const auto spaced = [](const std::string& rows) {
     return "meridional = 30\nspacing = " + rows + "\n# ";
   };

@@ -123,7 +123,7 @@ TreadFriction read_friction(const Node& node) {
 double read_modulus(const Node& node) {
   if (!node.has("shore_a")) return node.quantity("young_modulus", "Pa", Range::positive());
   if (node.has("young_modulus"))
-    node.reject("young_modulus", "stands beside shore_a, expected one of them");
+    node.reject("young_modulus", "is given beside shore_a, expected one of them");
   return young_modulus_of_shore_a(node.quantity("shore_a", "1", Range::between(20.0, 95.0)));
 }
 
