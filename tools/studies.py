@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The shipped studies and what they come to.
 
-    tools/studies.py --list                     every study with its cost and what the tests do with it
+    tools/studies.py --list                     every study with its cost, what the tests do with it, and the sums
     tools/studies.py --check [NAME...]          runs the studies and compares what they come to with expected.toml
     tools/studies.py --quick [NAME...]          checks what takes seconds: run by the tests
     tools/studies.py --renew [NAME...]          runs the studies, writes expected.toml and the block of README.md anew
@@ -11,21 +11,35 @@
 NAME is a folder of studies/ or one study file of it, race_tire or tire_a/five.toml. --latsch FILE names the program, by
 default build/release/bin/latsch. Studies run in a copy: no journal, report or datum of studies/ is touched but by --renew.
 
-Every folder of studies/ with a study.toml has an expected.toml. It holds, for every study file:
+Every study file below studies/ is in the expected.toml of its folder or of one above. It holds, for every study file:
 
     ["study.toml"]
     quick = "run"               # what --quick does: run the study, or one trial at the values found ("trial"), or "none"
-    cpu_seconds = 17.2          # of a run, as last renewed
+    cpu_seconds = 17.2          # processor time of a run, as last renewed
+    trial_seconds = 0.4         # processor time of one trial
     steps = 4                   # of the optimizer
     target = 0.001263
     tolerance = {target = 0.01, values = 0.02, errors = 0.02}     # relative; errors besides by 1e-5 of the measured
     reason = "why these tolerances"
     truth = {belt = "5 GPa"}    # of a twin: its data have a target below 1e-8 there
     needs = "ccx"               # a program that has to be there, or the study is skipped
+    search = false              # nothing is fitted: the values are written by hand, a check is one trial there
     ["study.toml".values]       # found, and the ends of the 95 % interval where there is one
     sidewall = {value = 75.0, unit = "N/mm^2", lower = 51.0, upper = 108.0}
     ["study.toml".errors]       # by experiment: mean and largest, in its own measure
     radius_83 = {mean = 0.0326, largest = 0.058, fitted = true}
+
+or, where no search finds the result but another command of latsch prints it:
+
+    ["comparison.toml"]
+    command = ["compare", "comparison.toml"]                      # in the folder; --json is added
+    keep = ["tires.*_error.*"]  # which numbers of the result, as in a file name; a list's items go by their names
+    after = ["fits/ring.toml"]  # studies that have to be run before
+    quick = "none"
+    tolerance = {results = 0.02}
+    reason = "why this tolerance"
+    ["comparison.toml".results]
+    "tires.ring.time_error.Fx" = 0.085
 
 and, where our own model computed what is measured, how:
 
@@ -35,9 +49,12 @@ and, where our own model computed what is measured, how:
     also = ["mode_shapes.csv"]  # written, not compared: the sign of a shape is free
     tolerance = 1e-6            # relative, of every number
 
-Numbers of runs are written by --renew; quick, tolerance, reason, truth, needs and [data] by hand, and kept.
+Numbers of runs are written by --renew; quick, tolerance, reason, truth, needs, search, command, keep, after and [data] by
+hand, and kept. Values and errors are those of one run that began without a journal, at full digits: a trial at rounded
+values, or the end of a second run, is another result.
 """
 import argparse
+import fnmatch
 import json
 import math
 import pathlib
@@ -67,10 +84,17 @@ class Wrong(Exception):
 
 # --- files ---
 
+def folder_of(name):
+    """The folder whose expected.toml speaks of a name: that of the study file, or one above it."""
+    if not name.endswith(".toml"):
+        return STUDIES / name
+    above = [one for one in (STUDIES / name).parents if STUDIES in one.parents]
+    return next((one for one in above if (one / "expected.toml").exists()), above[0])
+
+
 def expected_files(names):
     """expected.toml of the folders named, or of all."""
-    folders = sorted({(STUDIES / name).parent if name.endswith(".toml") else STUDIES / name for name in names}
-                     if names else {file.parent for file in STUDIES.rglob("expected.toml")})
+    folders = sorted({folder_of(name) for name in names} if names else {file.parent for file in STUDIES.rglob("expected.toml")})
     for folder in folders:
         if not (folder / "expected.toml").exists():
             raise Wrong(f"{folder.relative_to(TREE)} has no expected.toml")
@@ -94,9 +118,17 @@ def read(file):
         if entry.get("quick") not in ("run", "trial", "none"):
             raise Wrong(f"{file.relative_to(TREE)}: {study} has quick = {entry.get('quick')!r}, "
                         "expected \"run\", \"trial\" or \"none\"")
-        if not entry.get("reason") or set(entry.get("tolerance", {})) != {"target", "values", "errors"}:
-            raise Wrong(f"{file.relative_to(TREE)}: {study} needs tolerance = {{target, values, errors}} and a reason")
+        compared = ["results"] if "command" in entry else ["target", "values", "errors"]
+        if not entry.get("reason") or set(entry.get("tolerance", {})) != set(compared):
+            raise Wrong(f"{file.relative_to(TREE)}: {study} needs tolerance = {{{', '.join(compared)}}} and a reason")
+        if "command" in entry and (not entry.get("keep") or entry["quick"] == "trial"):
+            raise Wrong(f"{file.relative_to(TREE)}: {study} has a command, so it needs keep, and has no trials")
     return content
+
+
+def is_renewed(entry):
+    """Whether its numbers are those of a run, or of a trial where nothing is searched."""
+    return "results" in entry or "target" in entry and ("cpu_seconds" in entry or not entry.get("search", True))
 
 
 def literal(value):
@@ -116,13 +148,37 @@ def write(file, content):
     for name, entry in content.items():
         text += f"\n[{json.dumps(name) if '.' in name else name}]\n"
         for key, value in entry.items():
-            if key not in ("values", "errors"):
+            if key not in ("values", "errors", "results"):
                 text += f"{key} = {literal(value)}\n"
-        for key in ("values", "errors"):
+        for key in ("values", "errors", "results"):
             if key in entry:
                 text += f"\n[{json.dumps(name)}.{key}]\n"
-                text += "".join(f"{one} = {literal(value)}\n" for one, value in entry[key].items())
+                text += "".join(f"{one if re.fullmatch(r'[A-Za-z0-9_-]+', one) else json.dumps(one)} = {literal(value)}\n"
+                                for one, value in entry[key].items())
     file.write_text(text)
+
+
+def is_study(content):
+    """Whether a file below studies/ is run for a result: a fit, a comparison, a suite of checks, a rig's recordings."""
+    if "experiment" in content:
+        return set(content.get("variable", {})) != {"none"}  # a study with no variable writes measurements
+    return "check" in content or "channels" in content and bool({"tire", "model"} & set(content)) or {"run", "hammer"} <= set(content)
+
+
+def without_results():
+    """In words, every study of which no expected.toml speaks, or without the numbers of a run."""
+    wrong = []
+    for file in sorted(STUDIES.rglob("*.toml")):
+        with open(file, "rb") as stream:
+            content = tomllib.load(stream)
+        if file.name == "expected.toml":
+            wrong += [f"{file.relative_to(TREE)}: the numbers of {study} are not those of a run: tools/studies.py --renew"
+                      for study, entry in content.items() if study != "data" and not is_renewed(entry)]
+        elif is_study(content):
+            expected = folder_of(str(file.relative_to(STUDIES))) / "expected.toml"
+            if not expected.exists() or str(file.relative_to(expected.parent)) not in read(expected):
+                wrong.append(f"{file.relative_to(TREE)} is a study of which no expected.toml speaks (tools/studies.py)")
+    return wrong
 
 
 # --- running ---
@@ -133,10 +189,11 @@ def copy_of_studies(folder):
     return folder / "studies"
 
 
-def answer(latsch, *words):
-    """The result and the CPU seconds of `latsch WORDS --json`."""
+def answer(latsch, *words, folder=None):
+    """The result and the CPU seconds of `latsch WORDS --json` in a folder."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run([latsch, *map(str, words), "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    done = subprocess.run([latsch, *map(str, words), "--json"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          text=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     try:
@@ -151,10 +208,50 @@ def answer(latsch, *words):
 def trial(latsch, study, values):
     """Target and errors by experiment of one trial; values: quantities in words by variable."""
     words = [word for name, value in values.items() for word in ("--set", f"{name}={value}")]
-    result, _ = answer(latsch, "simulate", study, *words)
+    result, seconds = answer(latsch, "simulate", study, *words)
     errors = {one["name"]: {"mean": one["mean_error"], "largest": one["largest_error"], "fitted": one["fitted"]}
               for one in result["experiments"]}
-    return {"target": result["target"], "errors": errors}
+    return {"trial_seconds": round(seconds, 1), "target": result["target"], "errors": errors}
+
+
+def trial_there(latsch, study, entry):
+    """One trial at the values of expected.toml."""
+    return trial(latsch, study, {name: quantity(value) for name, value in entry["values"].items()})
+
+
+def numbers_of(value, name=""):
+    """Every number of a result by its place, with the unit beside it; items of a list go by their names or their channels."""
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        return {name: value}
+    numbers = {}
+    if isinstance(value, dict):
+        for key, one in value.items():
+            labels = value.get("channels") if isinstance(one, list) else None
+            if labels and len(labels) == len(one) and all(isinstance(item, float) for item in one):
+                one = dict(zip(labels, one))
+            unit = value.get("unit") if isinstance(one, float) else None
+            word = f"{key} [{unit}]" if unit not in (None, "", "1") else key
+            numbers |= numbers_of(one, f"{name}.{word}" if name else word)
+    elif isinstance(value, list):
+        for i, one in enumerate(value):
+            own = next((one[key] for key in ("name", "check") if key in one), i) if isinstance(one, dict) else i
+            numbers |= numbers_of(one, f"{name}.{own}")
+    return numbers
+
+
+def results(latsch, folder, entry):
+    """What a command of an entry prints, of the numbers that the entry keeps."""
+    for study in entry.get("after", []):
+        if not (folder / study).with_suffix(".latsch").exists():  # a second run would go on
+            answer(latsch, "run", folder / study)
+    result, seconds = answer(latsch, *entry["command"], folder=folder)
+    numbers, kept = numbers_of(result), {}
+    for pattern in entry["keep"]:
+        named = {name: value for name, value in numbers.items() if fnmatch.fnmatchcase(name, pattern)}
+        if not named:
+            raise Wrong(f"latsch {' '.join(entry['command'])}: no number is called {pattern}")
+        kept |= named
+    return {"cpu_seconds": round(seconds, 1), "results": kept}
 
 
 def quantity(value):
@@ -162,7 +259,7 @@ def quantity(value):
 
 
 def run(latsch, study):
-    """All that a run comes to, and one trial there for the errors."""
+    """All that a run comes to, and one trial there for the errors. The study has no journal yet."""
     result, seconds = answer(latsch, "run", study)
     values = {}
     for row in result["variables"]:
@@ -171,8 +268,8 @@ def run(latsch, study):
             if end is not None:
                 values[row["name"]][key] = end
     found = trial(latsch, study, {name: quantity(value) for name, value in values.items()})
-    return {"cpu_seconds": round(seconds, 1), "steps": result["steps"], "target": result["target"], "values": values,
-            "errors": found["errors"]}
+    return {"cpu_seconds": round(seconds, 1), "trial_seconds": found["trial_seconds"], "steps": result["steps"],
+            "target": result["target"], "values": values, "errors": found["errors"]}
 
 
 # --- comparing ---
@@ -187,6 +284,8 @@ def off(found, expected, relative, absolute=0.0):
 def differences(entry, found):
     """In words, everything of a run or a trial that is not as expected."""
     tolerance, wrong = entry["tolerance"], []
+    if "results" in entry:
+        return differences_of_results(entry["results"], found["results"], tolerance["results"])
     if off(found["target"], entry["target"], tolerance["target"], 1e-10):
         wrong.append(f"target {found['target']:.6g}, expected {entry['target']:.6g} within {tolerance['target']:g} of it")
     for name, expected in entry.get("values", {}).items():
@@ -209,6 +308,13 @@ def differences(entry, found):
     if more:
         wrong.append("experiments that expected.toml does not know: " + ", ".join(sorted(more)))
     return wrong
+
+
+def differences_of_results(expected, found, tolerance):
+    wrong = [f"{name} is {'not printed' if name not in found else f'{found[name]:.6g}'}, expected {value:.6g} within "
+             f"{tolerance:g} of it" for name, value in expected.items() if name not in found or off(found[name], value, tolerance, 1e-9)]
+    more = set(found) - set(expected)
+    return wrong + (["numbers that expected.toml does not know: " + ", ".join(sorted(more))] if more else [])
 
 
 NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
@@ -291,7 +397,24 @@ def errors_of(entry):
     return lines
 
 
+def results_of(entry):
+    """Tables of results: the last word of a name is its column, the words before it its row."""
+    rows = {}
+    for name, value in entry["results"].items():
+        row, column = name.rsplit(".", 1) if "." in name else ("", name)
+        rows.setdefault(row, {})[column] = value
+    tables = {}
+    for row, cells in rows.items():
+        tables.setdefault(tuple(cells), []).append(f"| {row} | " + " | ".join(figure(cell, 4) for cell in cells.values()) + " |")
+    lines = []
+    for columns, table in tables.items():
+        lines += ["| | " + " | ".join(columns) + " |", "| --- |" + " --- |" * len(columns), *table, ""]
+    return lines[:-1]
+
+
 def table_of(study, entry):
+    if "results" in entry:
+        return [f"`latsch {' '.join(entry['command'])}`, {entry['cpu_seconds']:.3g} s of processor time:", "", *results_of(entry)]
     cost = f", {entry['cpu_seconds']:.3g} s of processor time" if "cpu_seconds" in entry else ""
     how = f"in {entry['steps']} steps" if "steps" in entry else "of one trial at these values"
     return [f"`{study}`: target {figure(entry['target'])} {how}{cost}.", "", *variables_of(entry), "", *errors_of(entry)]
@@ -300,7 +423,7 @@ def table_of(study, entry):
 def block_of(content):
     lines = [BEGIN]
     for study, entry in content.items():
-        if study != "data" and "target" in entry:
+        if study != "data" and ("target" in entry or "results" in entry):
             lines += [*table_of(study, entry), ""]
     return "\n".join(lines[:-1] + [END]) if len(lines) > 1 else BEGIN + "\n" + END
 
@@ -339,7 +462,7 @@ def check(latsch, names, quick):
                 elif not shutil.which(entry.get("needs", "sh")):
                     print(f"{folder.relative_to(STUDIES)}/{study}: skipped, there is no {entry['needs']}")
                 elif chosen(names, folder, study):
-                    steps.append((study, lambda s=study, e=entry: study_check(latsch, place / s, e, quick)))
+                    steps.append((study, lambda s=study, e=entry: study_check(latsch, place, s, e, quick)))
             for what, ask in steps:
                 name = f"{folder.relative_to(STUDIES)}/{what}"
                 try:
@@ -360,21 +483,29 @@ def data_check(latsch, folder, place, data):
         return data_differences(folder, computed, data)
 
 
-def study_check(latsch, study, entry, quick):
+def study_check(latsch, folder, study, entry, quick):
     wrong = []
-    if "target" not in entry:
+    if "target" not in entry and "results" not in entry:
         return ["nothing is expected of it yet: tools/studies.py --renew"]
     if "truth" in entry:
-        target = trial(latsch, study, entry["truth"])["target"]
+        target = trial(latsch, folder / study, entry["truth"])["target"]
         if not target < MOST_AT_THE_TRUTH:
             wrong.append(f"the target at the truth is {target:.3g}, expected below {MOST_AT_THE_TRUTH:g}: the data are of "
                          "another model; renew them: tools/studies.py --renew --data")
     if not quick or entry["quick"] == "run":
-        return wrong + differences(entry, run(latsch, study))
+        return wrong + differences(entry, computed(latsch, folder, study, entry))
     if entry["quick"] == "trial":
-        found = trial(latsch, study, {name: quantity(value) for name, value in entry["values"].items()})
-        return wrong + differences(entry, found)
+        return wrong + differences(entry, trial_there(latsch, folder / study, entry))
     return wrong
+
+
+def computed(latsch, folder, study, entry):
+    """All numbers of an entry: of its command, of one trial, or of a run from the beginning."""
+    if "command" in entry:
+        return results(latsch, folder, entry)
+    if not entry.get("search", True):
+        return trial_there(latsch, folder / study, entry)
+    return run(latsch, folder / study)
 
 
 def renew(latsch, names, with_data):
@@ -390,9 +521,9 @@ def renew(latsch, names, with_data):
                         shutil.copyfile(one, folder / one.relative_to(place))
             for study in content:
                 if study != "data" and chosen(names, folder, study):
-                    content[study].update(run(latsch, place / study))
-                    print(f"{folder.relative_to(STUDIES)}/{study}: target {content[study]['target']:.6g}, "
-                          f"{content[study]['cpu_seconds']} s", flush=True)
+                    content[study].update(computed(latsch, place, study, content[study]))
+                    target = f"target {content[study]['target']:.6g}, " if "target" in content[study] else ""
+                    print(f"{folder.relative_to(STUDIES)}/{study}: {target}{seconds_of(content[study])} s", flush=True)
                     write(file, content)  # also if a later study fails or is interrupted
                     write_readme(folder, read(file))
     return 0
@@ -403,18 +534,43 @@ def write_readme(folder, content):
     file.write_text(readme_with(file.read_text(), block_of(content), file.relative_to(TREE)))
 
 
+def seconds_of(entry, quick=False):
+    """Processor time of a check as last measured, None if it was not."""
+    if quick and entry["quick"] == "none":
+        return 0.0
+    of_trial = not entry.get("search", True) or quick and entry["quick"] == "trial"
+    return entry.get("trial_seconds" if of_trial else "cpu_seconds")
+
+
+def entries(names):
+    """Pairs of a study's name below studies/ and its entry."""
+    return [(str(file.parent.relative_to(STUDIES) / study), entry) for file in expected_files(names)
+            for study, entry in read(file).items() if study != "data"]
+
+
+def sums(named):
+    """In words, the processor time of all checks and of those of the tests."""
+    whole, quick = (sum(seconds_of(entry, how) or 0.0 for _, entry in named) for how in (False, True))
+    return (f"{len(named)} studies: --check takes {whole / 60:.0f} minutes of processor time, "
+            f"--quick, which the tests run, {quick / 60:.1f} minutes.")
+
+
 def list_all(names):
     quick = {"run": "run by the tests", "trial": "one trial by the tests", "none": "not by the tests"}
-    for file in expected_files(names):
-        for study, entry in read(file).items():
-            if study != "data":
-                cost = f"{entry['cpu_seconds']:8.1f} s" if "cpu_seconds" in entry else "not timed"
-                print(f"{str(file.parent.relative_to(STUDIES) / study):44} {cost:>11}  {quick[entry['quick']]}")
+    named = entries(names)
+    for name, entry in named:
+        costs = [f"{seconds:8.1f} s" if seconds is not None else "not timed" for seconds in (seconds_of(entry), seconds_of(entry, True))]
+        print(f"{name:44} {costs[0]:>11} {costs[1]:>11}  {quick[entry['quick']]}")
+    print(sums(named))
     return 0
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    try:
+        epilog = sums(entries([]))
+    except (Wrong, tomllib.TOMLDecodeError):
+        epilog = None  # the command says what is wrong
+    parser = argparse.ArgumentParser(description=__doc__, epilog=epilog, formatter_class=argparse.RawDescriptionHelpFormatter)
     action = parser.add_mutually_exclusive_group(required=True)
     for name in ("--list", "--check", "--quick", "--renew", "--readme"):
         action.add_argument(name, nargs="*", metavar="NAME")

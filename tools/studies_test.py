@@ -3,6 +3,7 @@
 import contextlib
 import io
 import pathlib
+import re
 import tempfile
 import unittest
 
@@ -35,7 +36,24 @@ error = at / truth - 1
 result = {"target": error**2, "experiments": [{"name": "force", "fitted": True, "mean_error": abs(error), "largest_error": abs(error)}]}
 if verb == "run":
     result |= {"steps": 3, "variables": [{"name": "spring", "value": at, "unit": "N/mm", "interval": [at - 1, None]}]}
+if verb == "run":
+    pathlib.Path(study).with_suffix(".latsch").write_text("")
+if verb == "compare":  # errors of two models, the second where a fit was run
+    fitted = pathlib.Path("study.latsch").exists()
+    result = {"models": [{"name": "soft", "channels": ["Fx", "Fz"], "error": [0.5, 0.25], "seconds": 3.0,
+                         "value": 0.5, "unit": "N/m"},
+                         {"name": "fitted", "channels": ["Fx", "Fz"], "error": [0.125 if fitted else 1.0, 0.0625], "seconds": 4.0}]}
 print(json.dumps({"result": result}))
+"""
+
+COMPARISON = """
+["comparison.toml"]
+command = ["compare", "comparison.toml"]
+keep = ["models.*.error.*", "models.*.value*"]
+after = ["study.toml"]
+quick = "none"
+tolerance = {results = 0.01}
+reason = "It rounds."
 """
 
 
@@ -120,6 +138,72 @@ class Studies(unittest.TestCase):
     def test_names_choose_folders_and_files(self):
         self.assertEqual(self.asked(studies.check, ["spring/study.toml"], True)[0], 0)
         self.assertRaises(studies.Wrong, self.asked, studies.check, ["sprung"], True)
+
+    def add(self, more, *files):
+        for name in files:
+            (self.folder / name).parent.mkdir(exist_ok=True)
+            (self.folder / name).write_text("")
+        with open(self.folder / "expected.toml", "a") as file:
+            file.write(more)
+
+    def test_results_of_a_command_are_kept_by_name_and_compared(self):
+        self.add(COMPARISON, "comparison.toml")
+        code, said = self.asked(studies.renew, ["spring/comparison.toml"], False)
+        text = (self.folder / "expected.toml").read_text()
+        self.assertIn('"models.fitted.error.Fx" = 0.125\n', text)  # the study before it was run
+        self.assertIn('"models.soft.value [N/m]" = 0.5\n', text)
+        self.assertNotIn("seconds\" =", text)
+        self.assertIn("| models.fitted.error | 0.125 | 0.0625 |", (self.folder / "README.md").read_text())
+        self.assertEqual(self.asked(studies.check, [], False)[0], 0)
+        for old, new, words in (("Fz\" = 0.25", "Fz\" = 0.26", "models.soft.error.Fz is 0.25, expected 0.26"),
+                                ("soft.error.Fz", "softer.error.Fz", "models.softer.error.Fz is not printed"),
+                                ('"models.soft.error.Fx" = 0.5\n', "", "does not know: models.soft.error.Fx")):
+            with self.subTest(words):
+                self.edit("expected.toml", old, new)
+                self.assertIn(words, self.asked(studies.check, [], False)[1])
+                (self.folder / "expected.toml").write_text(text)
+
+    def test_a_command_without_such_numbers_is_wrong(self):
+        self.add(COMPARISON.replace("error", "errors"), "comparison.toml")
+        self.assertRaises(studies.Wrong, self.asked, studies.renew, ["spring/comparison.toml"], False)
+
+    def test_a_study_below_the_folder_is_that_of_the_folder(self):
+        self.add(EXPECTED.split("truth")[0].replace("study.toml", "fits/part.toml"), "fits/part.toml", "fits/measured.csv")
+        (self.folder / "fits" / "measured.csv").write_text("N/mm 7.0\n")
+        self.assertEqual(self.asked(studies.renew, ["spring/fits/part.toml"], False)[0], 0)
+        code, said = self.asked(studies.check, ["spring/fits/part.toml"], False)
+        self.assertEqual((code, "fits/part.toml: as expected" in said), (0, True), said)
+
+    def test_a_study_without_search_is_one_trial_at_its_values(self):
+        self.edit("expected.toml", 'quick = "run"', 'quick = "run"\nsearch = false')
+        self.edit("expected.toml", "value = 5", "value = 6")
+        self.edit("expected.toml", "truth = ", "# truth = ")
+        self.asked(studies.renew, [], False)
+        self.assertIn("target = 0.04", (self.folder / "expected.toml").read_text())
+        self.assertEqual(self.asked(studies.check, [], False)[0], 0)
+
+    def test_a_study_of_which_nobody_speaks_is_found(self):
+        self.assertEqual(studies.without_results(), [])
+        fit = '[variable.spring]\npath = "spring"\n[experiment.force]\nkind = "values"\n'
+        for name, text in (("fits/other.toml", fit), ("wide.toml", 'channels = ["Fx"]\n[tire.ring]\nfile = "ring.toml"\n'),
+                           ("suite.toml", '[check.first]\nlower = 1\n'), ("rig.toml", "[run.a]\n[hammer]\n")):
+            self.add("", name)
+            (self.folder / name).write_text(text)
+            self.assertIn(f"studies/spring/{name} is a study of which no", "".join(studies.without_results()))
+            (self.folder / name).write_text("[chassis]\n")  # a model
+        (self.folder / "laboratory.toml").write_text(fit.replace("variable.spring", "variable.none"))
+        self.assertEqual(studies.without_results(), [])
+        self.edit("expected.toml", "cpu_seconds", "# cpu_seconds")
+        self.assertIn("study.toml are not those of a run", "".join(studies.without_results()))
+
+    def test_costs_are_summed(self):
+        self.edit("expected.toml", 'quick = "run"', 'quick = "trial"')
+        text = (self.folder / "expected.toml").read_text()
+        for key, value in (("cpu_seconds", 600.0), ("trial_seconds", 30.0)):
+            text = re.sub(rf"(?m)^{key} = .*$", f"{key} = {value}", text)
+        (self.folder / "expected.toml").write_text(text)
+        self.assertIn("1 studies: --check takes 10 minutes of processor time, --quick, which the tests run, 0.5 minutes",
+                      studies.sums(studies.entries([])))
 
     def test_numbers_of_files_differ_by_more_than_the_tolerance(self):
         self.assertEqual(studies.changed_numbers("a 1.0,2e3\n", "a 1.0000001,2000\n", 1e-6), 0)
