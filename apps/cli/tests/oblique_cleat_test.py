@@ -71,7 +71,7 @@ class OnAnObliqueBar(unittest.TestCase):
         text = [line for line in text if not line.startswith("ELLIPS_NWIDTH")]
         at = next(i for i, line in enumerate(text) if line.startswith("ELLIPS_SHIFT"))
         tire.write_text("\n".join(text[:at] + ["ELLIPS_NWIDTH            = 1"] + text[at:]) + "\n")
-        self.assertIn("feels the road along one line", self.stands(tire, 30, "--kind", "rigid_ring")[1])
+        self.assertIn("senses the road along one line", self.stands(tire, 30, "--kind", "rigid_ring")[1])
         self.assertNotIn("along one line", self.stands(RIGID, 30, "--kind", "rigid_ring")[1])
 
     def test_a_drum_with_an_oblique_cleat_tells_it_too(self):
