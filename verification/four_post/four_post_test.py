@@ -9,7 +9,7 @@ moves 25 bodies on joints of 1e10 N/m; the reference has rigid links and the coo
         at each corner the gap g between push-rod and rocker, along the push-rod, which a force N holds at 0.
 Positions p(q) come from the linkage's closure. With rods whose ends move at v and w,
     T = Σ m (v² + v w + w²)/6 + Σ (m v² + ω I ω)/2          thin rods; chassis and uprights
-    V = Σ m g z + Σ (F_0 e + k e²/2) + Σ k_t (R + h - z_w)²/2
+    V = Σ m g z + Σ (F_0 e + k e²/2) + Σ k_b (e_b,left - e_b,right)²/2 + Σ k_t (R + h - z_w)²/2
 about the equilibrium ∂V/∂q = 0, M = ∂²T/∂q'∂q', K = ∂²V/∂q∂q, C = Σ c ∂e/∂q ∂e/∂q', and the guide of docs/car.md (5), (5a).
 With q and g for the rows of the coordinates and of the gaps,
     (K_qq + iω C_qq - ω² M_qq) q = (k_t + iω c_t) ∂z_w/∂q h,     N = (K_gq + iω C_gq - ω² M_gq) q
@@ -70,6 +70,7 @@ class Corner:
         mass = {part: si(words) for part, words in axle["mass"].items()}
         self.mass, self.spring = mass, axle["spring"]
         self.k, self.c = si(axle["spring"]["stiffness"]), si(axle["spring"]["damping"])
+        self.bar = si(axle["anti_roll_bar"]["stiffness"]) if "anti_roll_bar" in axle else 0.0
         tire = axle["spring_tire"]
         self.R, self.kt, self.ct = si(tire["radius"]), si(tire["stiffness"]), si(tire["damping"])
         across = si(axle["inertia"]["wheel_across"])  # the wheel turns freely about its axis, y
@@ -82,7 +83,7 @@ class Corner:
         return p[front] + turned(unit(p[rear] - p[front]), angle) @ (p[name] - p[front])
 
     def at(self, s, gap):
-        """Rods as (mass, end, end), the wheel's center, the upright's rotation, the length of the spring."""
+        """Rods as (mass, end, end), the wheel's center, the upright's rotation, the lengths of the spring and of the bar's link."""
         if (s, gap) not in self.known:
             self.known[s, gap] = self.closed(s, gap)
         return self.known[s, gap]
@@ -119,7 +120,10 @@ class Corner:
             whole = sum(np.linalg.norm(b - a) for a, b in ends)
             rods += [(mass * np.linalg.norm(b - a) / whole, a, b) for a, b in ends]
         wheel = lbj + R @ (p["wheel_center"] - p["lbj"])
-        return rods, wheel, R, np.linalg.norm(damper - p["damper_chassis"])
+        link = 0.0
+        if self.bar:
+            link = np.linalg.norm(pivot + turn @ (p["rocker_arb_link"] - pivot) - p["arb_link_blade"])
+        return rods, wheel, R, np.array([np.linalg.norm(damper - p["damper_chassis"]), link])
 
 
 def newton(f, u):
@@ -148,7 +152,7 @@ class LinearCar:
         self.m, self.center = si(chassis["mass"]), si(chassis["center"])
         self.I = np.diag([si(chassis[f"inertia_{two}"]) for two in ("xx", "yy", "zz")])
         self.rest = np.zeros(14)
-        self.L0 = [corner.at(0.0, 0.0)[3] for corner in self.corners]
+        self.L0 = np.array([corner.at(0.0, 0.0)[3] for corner in self.corners])
         self.F0 = np.zeros(4)
         self.stand()
         self.differentiate()
@@ -165,13 +169,15 @@ class LinearCar:
 
     def potential(self, q):
         V = self.m * GRAVITY * q[2]
+        extensions = np.zeros((4, 2))
         for i, (corner, (rods, wheel, _, length)) in enumerate(zip(self.corners, self.parts(q))):
             V += GRAVITY * sum(0.5 * m * (a[2] + b[2]) for m, a, b in rods)
             V += GRAVITY * (corner.mass["upright"] + corner.mass["wheel"]) * wheel[2]
             V += 0.5 * corner.kt * (corner.R - wheel[2]) ** 2
-            e = length - self.L0[i]
+            e, _ = extensions[i] = length - self.L0[i]
             V += self.F0[i] * e + 0.5 * corner.k * e**2
-        return V
+        links = extensions[:, 1]
+        return V + sum(0.5 * self.corners[i].bar * (links[i] - links[i + 1]) ** 2 for i in (0, 2))
 
     def slope(self, f, i, h=1e-5):
         e = h * np.eye(14)[i]
@@ -192,7 +198,7 @@ class LinearCar:
         return (V(self.rest + a + b) - V(self.rest + a - b) - V(self.rest - a + b) + V(self.rest - a - b)) / (4 * h * h)
 
     def lengths(self, q):
-        return np.array([part[3] for part in self.parts(q)])
+        return np.array([part[3][0] for part in self.parts(q)])
 
     def differentiate(self):
         rest = list(self.parts(self.rest))
@@ -293,7 +299,9 @@ class AgainstNumPy(unittest.TestCase):
     def test_heave(self):
         self.compare("heave")
 
-    def test_roll(self):
+    def test_roll_on_an_anti_roll_bar(self):
+        text = self.car.read_text()
+        self.car.write_text(text.replace("[rear]\n", '[front.anti_roll_bar]\nstiffness = "40 N/mm"\n\n[rear]\n'))
         self.compare("roll", but=["body_z"])  # 0 by symmetry
 
     def test_pitch_of_another_car(self):
