@@ -85,8 +85,8 @@ TEST_F(File, AWriteThatEndsEarlyLeavesTheOldFile) {
   EXPECT_EQ(entries(), 1);
 }
 
-/// Makes a device in our own folder. Only root can make a device, and some systems forbid its use
-/// there.
+/// Makes a device in the test's own folder. Only root can make a device, and some systems forbid
+/// its use there.
 bool make_device(const std::filesystem::path& file, mode_t kind, unsigned major, unsigned minor) {
   return ::mknod(file.c_str(), kind | 0666, makedev(major, minor)) == 0 &&
          (kind == S_IFBLK || std::ifstream(file).good());
@@ -232,7 +232,7 @@ TEST_F(File, PermissionsHoldForWhoeverIsNotRoot) {
 }
 
 TEST_F(File, WhatIsPrintedToIsWrittenToInItsTurn) {
-  const auto file = folder_ / "printed", ours = folder_ / "stdout";  // like /dev/stdout
+  const auto file = folder_ / "printed", ours = folder_ / "stdout";  // the case of /dev/stdout
   std::filesystem::create_symlink("/proc/self/fd/1", ours);
   for (const auto& name : {ours, file}) {
     EXPECT_TRUE(elsewhere([&] {

@@ -168,7 +168,7 @@ TEST(Units, ThreadsMayAskAtOnce) {
   for (int t = 1; t < 4; ++t) EXPECT_EQ(sums[t], sums[0]);
 }
 
-// strtold rounds correctly; every plain decimal has to come out with the same bits.
+// strtold rounds correctly; every plain decimal must be read with the same bits.
 TEST(SplitNumber, PlainDecimalsAreRoundedOnce) {
   std::uint64_t state = 1;
   for (int i = 0; i < 20'000; ++i) {

@@ -161,7 +161,8 @@ TEST_F(IdentityOfStudies, WhatVariesCounts) {
   EXPECT_EQ(differs("study.toml", "upper = \"80 N/mm\"", "upper = \"90 N/mm\""), "");
 }
 
-// A journal of a program that wrote tests differently is distinguished from one of another study.
+// A journal by a program version that described tests differently is distinguished from one of
+// another study.
 TEST_F(IdentityOfStudies, AnOlderJournalIsRefusedInWordsAndMayBeAdopted) {
   const StudyIdentity now = read();
   StudyIdentity old = now;
@@ -224,8 +225,8 @@ TEST_F(IdentityOfStudies, EveryKeyOfAnOutsideProgramCounts) {
     EXPECT_EQ(differs("study.toml", from, to), "") << from;
 }
 
-// The short spelling of an experiment with its own test gives the identity of the test it stands
-// for.
+// The short spelling of an experiment with its own test gives the identity of the test that it
+// abbreviates.
 TEST_F(IdentityOfStudies, TheTestOfAnExperimentIsThatOfTheSameKeys) {
   std::filesystem::copy_file(
       std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires/comparison_225_50R16.toml",

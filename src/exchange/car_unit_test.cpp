@@ -95,8 +95,8 @@ TEST(CarUnit, GoesStraightOnAtItsSpeed) {
 }
 
 TEST(CarUnit, TorqueOnTheWheelsAcceleratesTheCarThatIsLetGo) {
-  // Wheels that roll follow (m + Σ I/r²) a = Σ T/r, compared with a car that coasts; I is that of
-  // wheel and belt, r the rolling radius. The wheels slip at first, which reduces the speed: 5 %.
+  // Rolling wheels fulfill (m + Σ I/r²) a = Σ T/r, compared with a car that coasts; I is that of
+  // wheel and belt, r the rolling radius. The wheels slip at first, which reduces the speed by 5 %.
   Driven coasting(kRingCar), driven(kRingCar);
   const double torque = 60.0;
   for (Driven* car : {&coasting, &driven}) {

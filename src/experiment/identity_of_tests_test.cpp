@@ -23,8 +23,8 @@
 namespace latsch::experiment {
 namespace {
 
-/// Recordings of all measured conditions: every channel near a usual value times `scale`, in
-/// `samples` samples.
+/// Returns recordings of all measured conditions: every channel near a usual value times `scale`,
+/// in `samples` samples.
 Channels recorded(const std::vector<MeasuredCondition>& conditions, double scale, int samples) {
   static const std::map<std::string, double> usual = {{"m", 0.01},
                                                       {"N", 4000.0},
@@ -39,7 +39,7 @@ Channels recorded(const std::vector<MeasuredCondition>& conditions, double scale
     const std::string& name = condition.channel;
     const bool is_of_one_wheel = name.ends_with("_L") || name.ends_with("_R");
     if (is_of_one_wheel && !condition.is_needed) continue;  // the rig has loaded one wheel only
-    // Posts move each by itself, so that they move in every mode and at all frequencies.
+    // Each post moves independently, so that they move in every mode and at all frequencies.
     const bool is_post = name.starts_with("post_");
     unsigned drawn = static_cast<unsigned>(std::hash<std::string>()(name));
     const auto change = [&](int i) {

@@ -476,7 +476,7 @@ TEST(Report, SaysWhatTheDataDetermine) {
                            "minima may hide"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
-  // "matrix <b>" does not fit above its column: numbers stand there, and after the names.
+  // "matrix <b>" does not fit above its column: numbers are printed there, and after the names.
   EXPECT_NE(page.find("carcass (2)"), std::string::npos);
   EXPECT_NE(page.find(">(1)<"), std::string::npos);
   EXPECT_EQ(page.find("<b>\""), std::string::npos);

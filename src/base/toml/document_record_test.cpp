@@ -9,7 +9,7 @@
 namespace latsch {
 namespace {
 
-/// Reads keys of every kind, as a test of a study does.
+/// Reads keys of every kind, as the reader of a study does.
 DocumentRecord read(const Document& document, const std::string& table = "") {
   const Node root = document.root();
   DocumentRecord record(table.empty() ? root : root.table(table));

@@ -16,7 +16,7 @@ namespace {
 constexpr double kRounding = 1e-12;  // relative; UDUNITS computes units with an offset by
                                      // differences
 
-// Every spelling of the table has the factor written there by hand, or is refused.
+// Every spelling of the table has the factor that the table gives, written by hand, or is refused.
 TEST(UnitReading, EverySpellingOfTheTableIsReadAsByHand) {
   EXPECT_GE(std::size(unit_spellings::kAll), 220u);
   for (const UnitSpelling& spelling : unit_spellings::kAll) {

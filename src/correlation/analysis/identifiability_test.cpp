@@ -105,8 +105,8 @@ TEST(Residuals, OfTheFitAndOfTheIntervalsAreInProportion) {
   }
 }
 
-// A prior of 4000 +- 400 for a, beside four values, adds one residual to fit and intervals, in
-// equal proportion.
+// A prior of 4000 +- 400 for a, beside four values, adds one residual to fit and intervals, in the
+// same proportion.
 TEST(Residuals, APriorIsAMeasurementOfTheVariable) {
   Study s = springs_study();
   std::vector<DesignVariable> variables = s.space.variables();

@@ -176,7 +176,7 @@ TEST_F(SpringBands, CostNoTrial) {
   EXPECT_EQ(predicted, 3);
 }
 
-// The bound of the damping lies at the value found, and the measurement wants more damping. Only
+// The bound of the damping lies at the value found, and the measurement requires more damping. Only
 // lower forces are possible inside the bounds.
 TEST_F(SpringBands, AreOneSidedWhereAVariableIsHeldAtItsBound) {
   write("slow.csv", "travel [m],force [N]\n0.002,165\n0.005,226\n0.009,304\n");

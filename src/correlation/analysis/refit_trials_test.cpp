@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An identification of a study whose recordings bring slopes: what it keeps of its trials, and that
-// it goes on after a stop as if there had been none.
+// An identification of a study whose recordings bring slopes: what is stored of its trials, and
+// that it continues after a stop as if there had been none.
 #include "correlation/analysis/refit_trials.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace {
 
 class RefitTrialsOfStudy : public FittedStudy {
  protected:
-  /// A curve with a wave of 30 N upon it, and its mean, 100 N off.
+  /// A curve with a wave of 30 N added to it, and its mean, 100 N off.
   Study two_experiments(const std::string& noise_of_mean = "300 N") {
     std::vector<double> Fy = (*evaluator(read(""))({{1.3, -22.0}}))["steady/Fy"];
     double mean = 0.0;
@@ -37,7 +37,8 @@ class RefitTrialsOfStudy : public FittedStudy {
                     noise_of_mean));
   }
 
-  /// Profiles around a point of the journal; nullopt if it was stopped after so many trials.
+  /// Returns the profiles around a point of the journal; nullopt if it was stopped after so many
+  /// trials.
   std::optional<Identifiability> identified(const Study& study,
                                             const DesignPoint& best,
                                             int workers = 1,
@@ -55,7 +56,7 @@ class RefitTrialsOfStudy : public FittedStudy {
     };
     std::unique_ptr<Executor> executor;
     if (workers == 1)
-      executor = std::make_unique<InlineExecutor>(counted);  // a stop leaves no trial half done
+      executor = std::make_unique<InlineExecutor>(counted);  // a stop leaves no partial trial
     else
       executor = std::make_unique<ThreadExecutor>([&] { return counted; }, workers);
     auto result = identify(study, best, Depth::profiles, *executor, journal, options);
@@ -64,7 +65,7 @@ class RefitTrialsOfStudy : public FittedStudy {
     return std::move(**result);
   }
 
-  /// Reads the trials that stand beside the journal.
+  /// Reads the trials in the file beside the journal.
   static std::vector<Trial> refits(const Study& study) {
     return Journal::read(RefitTrials::file(study.run.journal)).trials();
   }
@@ -137,8 +138,8 @@ TEST_F(RefitTrialsOfStudy, GiveTheProfilesThatWholeRecordingsGive) {
   }
 }
 
-// A point beside the best: the refit finds better ones on the way, so the best trial of the journal
-// is another one when the identification goes on.
+// A point that is not the best: refits find better ones, so the best trial of the journal is
+// another one when the identification continues.
 TEST_F(RefitTrialsOfStudy, AStopAnywhereCostsNoTrialAndNoBit) {
   const DesignPoint beside{{1.29, -21.5}};
   const Study study = two_experiments();
@@ -178,7 +179,7 @@ TEST_F(RefitTrialsOfStudy, AStopAnywhereCostsNoTrialAndNoBit) {
   }
 }
 
-// Done once more, it takes no trial; a better trial from elsewhere begins it anew.
+// A repeated identification needs no trial; a better trial from elsewhere starts it anew.
 TEST_F(RefitTrialsOfStudy, TheMarkHoldsUntilABetterTrialComesFromElsewhere) {
   const DesignPoint beside{{1.29, -21.5}}, better{{1.3, -22.0}};
   const Study study = two_experiments();
@@ -194,8 +195,8 @@ TEST_F(RefitTrialsOfStudy, TheMarkHoldsUntilABetterTrialComesFromElsewhere) {
       << "no intervals were asked for";
 }
 
-// The target is no sum of squares here: profiles come by points at which it is less. The least is
-// the best trial of the journal, as if all trials were kept whole.
+// The target is no sum of squares here: profiles visit points at which it is less. The lowest such
+// point is the best trial of the journal, as if all trials were kept whole.
 TEST_F(RefitTrialsOfStudy, ABetterTargetOnTheWayIsKeptWhole) {
   Channels measured;
   std::vector<double> Fy = (*evaluator(read(""))({{1.3, -22.0}}))["steady/Fy"];
@@ -224,7 +225,7 @@ TEST_F(RefitTrialsOfStudy, ABetterTargetOnTheWayIsKeptWhole) {
   }
 }
 
-// Other weights make other residuals: what is kept for the old ones is not read.
+// Other weights give other residuals: trials stored for the old ones are not read.
 TEST_F(RefitTrialsOfStudy, BelongToTheirResiduals) {
   const DesignPoint point{{1.3, -22.0}};
   ASSERT_TRUE(identified(two_experiments(), point));
@@ -241,7 +242,7 @@ TEST_F(RefitTrialsOfStudy, BelongToTheirResiduals) {
   expect_same(*reference, *resumed);
 }
 
-// It is a cache: without it, or with one of another study, the trials are run again.
+// The file is a cache: without it, or with one of another study, the trials are run again.
 TEST_F(RefitTrialsOfStudy, MayBeDeletedOrBeOfAnotherStudy) {
   const DesignPoint point{{1.3, -22.0}};
   const Study study = two_experiments();
@@ -263,7 +264,7 @@ TEST_F(RefitTrialsOfStudy, MayBeDeletedOrBeOfAnotherStudy) {
   }
 }
 
-// A fixed variable has no column in what the refits see, reduced or not.
+// A fixed variable has no column in the Jacobian of the refits, reduced or not.
 TEST_F(RefitTrialsOfStudy, AVariableThatMayNotMoveKeepsItsBits) {
   Study study = two_experiments();
   const DesignPoint point{{1.3, -22.0}};

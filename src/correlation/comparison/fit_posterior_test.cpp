@@ -28,7 +28,7 @@ const std::vector<double> kTravels = {0.002, 0.005, 0.009};
 constexpr double kPullSpeed = 0.4;
 
 /// A folder in memory for journals, hundreds of which need not wait for a disk. If the machine has
-/// no such folder, the journals lie beside their study.
+/// no such folder, the journals are written beside their study.
 class JournalInMemory {
  public:
   JournalInMemory() {

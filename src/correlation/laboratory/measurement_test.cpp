@@ -307,7 +307,7 @@ TEST_F(LabMeasurement, TakesAUnitFromTheEndOfAName) {
   EXPECT_EQ(run.values("p", "Pa")[0], 80e3);
   EXPECT_EQ(run.values("Fz", "N")[0], 1000.0);
   EXPECT_NEAR(run.values("Vx", "m/s")[0], 10.0, 1e-14);
-  EXPECT_EQ(run.unit("who_deg"), "1");  // an unknown name: the meaning stays open
+  EXPECT_EQ(run.unit("who_deg"), "1");  // an unknown name: the meaning remains undetermined
 }
 
 // The function that reads any file alone returns channels, ledger and doubts.

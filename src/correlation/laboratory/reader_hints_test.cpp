@@ -14,7 +14,7 @@
 namespace latsch::correlation {
 namespace {
 
-/// A column that a laboratory wrote without its unit, and who takes it.
+/// A column that a laboratory wrote without its unit, and the channel that uses it.
 struct Unitless {
   const char *written, *channel, *si, *natural;
   double first;  // SI value of the number 2 in the natural unit
@@ -87,7 +87,7 @@ TEST_F(ReaderHints, AColumnWithoutUnitIsMendedInTheStudy) {
   for (const Unitless& one : kUnitless) {
     SCOPED_TRACE(one.written);
     write_text_file(folder_ / "run.csv", fmt::format("{},other [N]\n2,1\n2,1\n", one.written));
-    // The study states a column already, which the proposal has to keep.
+    // The study states a column already, and the proposal must keep them.
     const std::string stated = "columns = {spare = \"other\"}";
     const Measurement before = read("run.csv", stated);
     const std::string message = complaint([&] { (void)before.values(one.channel, one.si); });
@@ -134,7 +134,7 @@ TEST_F(ReaderHints, AColumnWithoutUnitIsMendedInItsFile) {
       write(mended);
       const Measurement after = read_measurement(folder_ / kind.file);
       EXPECT_NEAR(after.values(one.channel, one.si).at(0), one.first, 1e-12 * one.first) << mended;
-      // The other way: a table of the study.
+      // The opposite case: a table of the study.
       write(head);
       EXPECT_NEAR(read(kind.file, columns_of(message)).values(one.channel, one.si).at(0),
                   one.first,
@@ -173,7 +173,7 @@ TEST_F(ReaderHints, LoadsBelowZeroAreTurnedByTheColumnOrByTheAxes) {
   const std::string axes = "axes = \"" + between(sentence, "axes = \"", "\"") + "\"";
   EXPECT_EQ(read("run.csv", axes).values("Fz", "N").at(0), 1000.0);
   EXPECT_FALSE(says(read("run.csv", axes), "below 0"));
-  // With stated axes the column has to be turned, beside what is stated.
+  // With stated axes the sign of the column must be changed, in addition to the axes.
   const std::string stated = "axes = \"iso\"\ncolumns = {Fx = \"FX\"}\n";
   const std::string complained = complaint([&] {
     const Measurement iso = read("run.csv", stated);

@@ -128,7 +128,7 @@ TEST_F(ComparedCurves, AProgramWithoutPowerStillHasALevel) {
 }
 
 // The curve is force over slip, simulated there and back. A slope of 10 in scaled axes, shifted by
-// 0.01 in x, is 0.0995 off in y but 0.00995 away from the path.
+// 0.01 in x, has an error of 0.0995 in y, but a distance of 0.00995 from the path.
 TEST_F(ComparedCurves, APathMayTurnBackAndSteepPartsAreNotWeighedTwice) {
   std::ofstream out(folder_ / "measured.csv");
   out << "t [s],y [N]\n0.2,2\n0.5,5\n";

@@ -155,7 +155,7 @@ TEST_F(OwnStages, TrialsForIntervalsLeaveHeldVariablesWhereTheyAre) {
     const Confidence& c = (*what)->identification.confidence();
     EXPECT_EQ(c.intervals[2].lower, c.intervals[2].upper);
     EXPECT_EQ((*what)->identification.profiles().size(), 2u);
-    // The result is as if there were no third variable.
+    // The result is the same as without the third variable.
     EXPECT_EQ(c.singular_values.size(), 2);
     EXPECT_TRUE(c.covariance.row(2).isZero() && c.covariance.col(2).isZero());
     EXPECT_GT(c.covariance(0, 0), 0.0);

@@ -17,7 +17,8 @@ class StudyStart : public FittedStudy {
 design = "latin_hypercube"
 points = 30
 )";
-  /// A method without slopes needs enough trials to be killed and to run ahead.
+  /// A method without slopes needs enough trials that the run can be killed and that trials run
+  /// ahead of the search.
   static inline const std::string kSearch = "[optimizer]\nmethod = \"residual_trust_region\"\n";
 
   void evaluate_design(const Study& study, int workers = 1) {

@@ -263,7 +263,7 @@ measurement = "pulled.csv"
             (std::vector<std::string>{"0.04", "0.1"}));
 }
 
-// Two tests write one column of a file: only one of them could be found again.
+// Two tests write one column of a file, so only one of the columns could be found again.
 TEST_F(MeasuredStudy, ATwinRefusesAColumnThatTwoTestsFill) {
   write_text_file(folder_ / "spring.toml",
                   "kind = \"spring\"\nstiffness = \"20 N/mm\"\ndamping = \"5 N s/m\"\n");
@@ -290,7 +290,7 @@ TEST_F(MeasuredStudy, ATwinRefusesAColumnThatTwoTestsFill) {
       << found;
   EXPECT_NE(found.find("slow/force and fast/force differ"), std::string::npos) << found;
   EXPECT_EQ(read_text_file(folder_ / "pulled.csv"), pulled);
-  EXPECT_TRUE(write_twin(with("0 m/s")));  // equal values twice are no loss
+  EXPECT_TRUE(write_twin(with("0 m/s")));  // equal values given twice lose nothing
 }
 
 // A rig's table for a force curve has other column names, and several pressures of which one is

@@ -101,7 +101,7 @@ TEST(JournalDoctor, AHealthyJournalIsCalledHealthyAndSalvagedToTheSameTrials) {
   EXPECT_THROW(salvage_journal(report, std::nullopt, folder / "b"), InputError);
 }
 
-// Every change of the written bytes is detected, and costs only the trials it hits.
+// Every change of the written bytes is detected, and loses only the trials in the changed bytes.
 TEST(JournalDoctor, NoDamageIsTakenForDataAndIntactTrialsAreSaved) {
   const ScratchFolder folder;
   constexpr int kTrials = 30;

@@ -95,7 +95,7 @@ TEST_F(Followed, AJournalInTheOthersPlaceIsReadFromItsBeginning) {
   EXPECT_FALSE(last_.begins_anew);
 }
 
-// After cp other.latsch study.latsch the file has the same number.
+// After cp other.latsch study.latsch the file has the same inode.
 TEST_F(Followed, AJournalCopiedOverTheOtherIsReadFromItsBeginning) {
   const auto other = folder_ / "other.latsch";
   const auto write = [](const std::filesystem::path& path, int first, int count) {

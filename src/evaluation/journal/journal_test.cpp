@@ -296,7 +296,7 @@ TEST(Journal, OnAFullDiskNothingIsLostAndWritingGoesOnOnceThereIsRoom) {
   for (long i = 0; i < written; ++i) expect_same(trials[i], trial(static_cast<int>(i)));
 }
 
-// Expects that reading either gives the trials as written or reports that the file is damaged.
+// Expects that reading either returns the trials as written or reports that the file is damaged.
 void expect_intact_or_detected(const std::filesystem::path& file, int trials, const char* what) {
   try {
     const Journal journal = Journal::read(file);

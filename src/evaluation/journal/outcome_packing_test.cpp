@@ -114,7 +114,7 @@ TEST(OutcomePacking, ALostRowCostsThoseOfItsBlockAtMost) {
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const auto number = static_cast<std::int64_t>(i) + 1;
     const std::string bytes = packer.pack(number, outcomes[i]);
-    if (number == kLongestBlock + 1) continue;  // a row that stands alone
+    if (number == kLongestBlock + 1) continue;  // a row that no other row refers to
     const auto back = unpacker.unpack(number, bytes);
     if (!back) ++lost;
     if (back) {

@@ -219,13 +219,13 @@ struct Patient : Counting {
   Patient() : Counting(30.0) {}
 };
 
-/// Speculates on points that are never wanted.
+/// Speculates on points that are never requested.
 struct Forgetful : Counting {
   Forgetful() : Counting(30.0) {}
   std::optional<double> speculation(double x) const override { return 1000.0 + x; }
 };
 
-/// Wants one and the same point now and then.
+/// Requests the same point again now and then.
 struct Insistent : Counting {
   Insistent() : Counting(200.0) {}
   std::vector<DesignPoint> propose(int count) const override {
@@ -241,7 +241,7 @@ struct Insistent : Counting {
   }
 };
 
-/// Needs time for every point that it proposes.
+/// Takes time to propose each point.
 struct Thoughtful : Counting {
   Thoughtful(Scripted& clock_, double time_) : Counting(60.0), clock(clock_), time(time_) {}
   std::vector<DesignPoint> propose(int count) const override {
@@ -281,8 +281,8 @@ TEST(Stragglers, APointThatHangsIsStartedTwiceAndThenCounts) {
   }
 }
 
-// This happened with residuals that leave one point to evaluate: nothing else is proposed
-// meanwhile.
+// Regression for residual methods, which at times have a single point to evaluate and propose
+// nothing else meanwhile.
 TEST(Stragglers, ASearchGoesOnBehindAPointThatHangs) {
   Scripted executor(2, hanging_at(17.0));
   Patient optimizer;
@@ -303,7 +303,8 @@ TEST(Stragglers, AreNoneBelowWhatTheSystemTakes) {
   EXPECT_EQ(executor.attempts(9.0), 1);
 }
 
-// A copy that expires describes its point; a later copy with a lost worker does not.
+// If a copy exceeds its time limit, its failure describes the point; the later failure of a copy
+// whose worker is lost does not.
 TEST(Stragglers, WhatIsKeptOfTwoCopiesIsWhatTellsMore) {
   FaultyStore store(0.0, 0);
   Scripted executor(2, [](const DesignPoint& point, int attempt) -> Scripted::Answer {
@@ -320,8 +321,8 @@ TEST(Stragglers, WhatIsKeptOfTwoCopiesIsWhatTellsMore) {
   });
 }
 
-// The point straggles as speculation, is stopped for a wanted point, and is wanted again, several
-// times.
+// The point straggles as speculation, is stopped for a requested point, and is requested again,
+// several times.
 TEST(Stragglers, APointThatIsStoppedKeepsItsCount) {
   Scripted executor(2, [](const DesignPoint& point, int) -> Scripted::Answer {
     return {point.values[0] == 1000.0 ? 1e5 : 1.0};
@@ -438,7 +439,8 @@ TEST(SchedulerInVirtualTime, LosesAndRepeatsNothingAndGivesTheSameBitsInEveryHis
   EXPECT_GE(most, 4);  // the limit is reached if failures are repeated
 }
 
-// An answer that came twice, the second time while its point waited for a worker, was once counted.
+// Regression: an outcome that came twice, the second time while its point waited for a worker, was
+// counted twice.
 TEST(SchedulerInVirtualTime, WhatIsToldTwiceStartsNothing) {
   Undisturbed reference(two_variable_search());
   for (const std::uint64_t seed : {2430, 8843}) {

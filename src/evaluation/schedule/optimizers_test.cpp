@@ -38,7 +38,7 @@ Result<Score> sum_of_squares(const Channels& channels) {
   return score;
 }
 
-/// Returns a score for a method that needs derivatives; other methods must do without.
+/// Returns a score for a method that needs derivatives; other methods get none.
 Result<Score> with_derivatives(const Channels& channels) {
   Score score = *sum_of_squares(channels);
   score.constraints.clear();

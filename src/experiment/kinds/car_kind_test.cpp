@@ -37,7 +37,7 @@ class CarFile : public testing::Test {
     EXPECT_TRUE(std::regex_search(text, std::regex(pattern))) << pattern;
     return std::regex_replace(text, std::regex(pattern), by);
   }
-  /// Writes a tire that pulls to one side; with an empty `side` the file states none.
+  /// Writes a tire that pulls to one side; if `side` is empty, the file states no side.
   void write_slick(const std::string& name, const std::string& side) {
     std::string text = read_text_file(kShipped / "kerb/slick.tir");
     text = with(text, "PHY1 = 0", "PHY1 = 0.004");
@@ -111,8 +111,8 @@ TEST_F(CarFile, OneTireOnBothSidesIsItsMirrorImageOnTheOther) {
     const auto car = car_of("front_tire = \"tire.tir\"\nrear_tire = \"tire.tir\"\n");
     const Straight found = run(*car, 30.0);
     EXPECT_GT(found.mean, 1.0) << side;
-    // The error of the equilibrium is the rounding in rigid joints, 1e-5 N: 1e-9 of the tires'
-    // forces.
+    // The error of the equilibrium is the rounding in rigid joints, 1e-5 N, which is 1e-9 of the
+    // tires' forces.
     EXPECT_NEAR(found.side, 0.0, 1e-9 * found.mean) << side;
     EXPECT_LT(found.drift, 1e-9) << side;
   }

@@ -124,8 +124,8 @@ TEST_P(EveryTire, TheDrumIsOfOrderTwo) {
   EXPECT_GT(geometric_mean(ratios), 7.0);
 }
 
-// Under an axle that controls the load the road carries that load at any speed, camber and slip; at
-// a fixed height the load depends on them.
+// If the axle controls the load, the road carries that load at any speed, camber and slip; at a
+// fixed height the load depends on them.
 TEST_P(EveryTire, OnTheFlatTrackCarriesTheLoadOfTheTest) {
   SlipSweep sweep{.speed = 25.0, .load = 3500.0, .camber = 0.05, .alpha_to = 0.12, .duration = 0.5};
   double most[2] = {};

@@ -37,8 +37,8 @@ TEST(SlipPlots, ShowNoForceThatTheTireDoesNotHave) {
   EXPECT_THAT(braking, Not(Contains(HasSubstr("Fy over alpha"))));
 }
 
-// A force whose coefficients nobody fitted or stated is named assumed, and slips beyond the data
-// are shaded.
+// A force whose coefficients are neither fitted nor stated is marked as assumed, and slips beyond
+// the data are shaded.
 TEST(SlipPlots, TellAssumedFromKnownAndDataFromBeyond) {
   const ScratchFolder folder;
   std::ofstream(folder / "tire.tir") << experiment::sparse_tir(std::string(experiment::kSideForce) +

@@ -41,7 +41,7 @@ class BushingsOfFiles : public testing::Test {
     }
     return "none";
   }
-  /// Returns the place of the line that contains `part`, counted from 1.
+  /// Returns "front.toml:", and the number of the line that contains `part`, counted from 1.
   std::string place_of(const std::string& part) const {
     const std::string text = read_text_file(folder_ / "front.toml");
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(text.find(part));

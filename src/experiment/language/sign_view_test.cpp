@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The conversion on output, `latsch test --signs sae`, and that on input, axes = "sae", are inverse
-// for every channel that a test records with a sense.
+// for every channel that a test records with a positive direction.
 #include "experiment/language/sign_view.h"
 
 #include <gtest/gtest.h>

@@ -52,7 +52,8 @@ TEST(DrumTest, AFreeWheelRollsUnderItsLoadAndFeelsTheCleatWhenItIsBelow) {
   EXPECT_NEAR(time[static_cast<std::size_t>(most - Fz.begin())], 0.0, 0.04);
 }
 
-// The tire repeats itself from each of its 80 segments to the next, and so do its passages.
+// The tire's geometry repeats itself from each of its 80 segments to the next, and so do its
+// passages over the cleat.
 TEST(DrumTest, ATurnByASegmentChangesNothing) {
   constexpr double kSegment = 2.0 * M_PI / 80.0;
   DrumTest test = quick_test();

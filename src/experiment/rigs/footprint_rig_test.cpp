@@ -89,7 +89,7 @@ TEST(FeFootprint, CarriesWhatTheTireLeavesUnbalanced) {
 }
 
 // For a given load the rig returns a deflection; at that deflection the tire leaves exactly that
-// load unbalanced, however the rig found it.
+// load unbalanced, whatever path the rig took to it.
 TEST(FeFootprint, UnderALoadStandsAsDeepAsCarriesIt) {
   const auto description = coarse_tire_b();
   FootprintTest test;

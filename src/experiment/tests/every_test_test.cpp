@@ -73,7 +73,7 @@ TEST_F(EveryTest, EveryKindCarriesItsLoadOverTheSameCleat) {
   }
 }
 
-// The test runs for every rolling tire; a tire without irregularity has no variation.
+// The test runs for every rolling tire; a tire without irregularities has no variation of forces.
 TEST_F(EveryTest, EveryTireThatRollsGoesOnTheUniformityMachine) {
   const auto tir = write("tire.tir", kTir);
   const auto machine =
@@ -169,7 +169,7 @@ TEST_F(EveryTest, EveryTireHasAFootprint) {
   const auto footprint = test("kind = \"footprint\"\nloads = [\"2 kN\", \"4 kN\"]\n");
   for (const SpecimenKind* kind : language().kinds) {
     const bool is_meshed = kind->name() == "fe_tire" || kind->name() == "inp_tire";
-    if (is_meshed || !can(*kind, *footprint)) continue;  // they have tests of their own
+    if (is_meshed || !can(*kind, *footprint)) continue;  // tested by tests of their own
     const auto channels =
         language().run(*kind, kind->read(kind->name() == "ring_tire" ? kRing : tir), *footprint);
     ASSERT_TRUE(channels) << kind->name() << channels.failure().reason;
@@ -216,7 +216,7 @@ TEST_F(EveryTest, ARingHasModesOnTheGroundAndOffIt) {
   EXPECT_THROW((void)language().run(formula, formula.read(tir), *standing), InputError);
 }
 
-// The results are equal to the bit; and another pressure gives another load.
+// The results are equal to the bit; another pressure gives another load.
 TEST_F(EveryTest, ThePressureOfATestIsThatOfAFileWithIt) {
   const std::vector<std::string> tests = {
       "kind = \"load_deflection\"\ndeflections = [\"15 mm\"]\n",

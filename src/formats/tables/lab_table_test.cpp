@@ -163,7 +163,7 @@ TEST_F(LabTables, AUnitMayEndAName) {
     EXPECT_EQ(table.channels.find("SA_max")->unit, "1");
     EXPECT_EQ(table.columns[0].assumed, "the unit \"deg\" is that of the name");
   }
-  // A unit stated by the caller takes precedence.
+  // A unit stated by the caller overrides that of the file.
   const LabTable stated = read_lab_table(folder_ / "a.csv", {{"P_kPa", "bar"}}, expected);
   EXPECT_EQ(stated.channels["P_kPa"][0], 80e5);
   EXPECT_EQ(CsvTable::read(folder_ / "a.csv").numbers("P_kPa", "Pa")[0], 80e3);
@@ -223,7 +223,8 @@ TEST_F(LabTables, OfMatTakeTheUnitsListedBesideTheChannels) {
   EXPECT_EQ(table.place(1).line, 0);
 }
 
-// A column with a unit holds numbers: cells that are none are its fault, also if all of them are.
+// A column with a unit holds numbers: cells that are not numbers are an error of the column, also
+// if all of its cells are.
 TEST_F(LabTables, AColumnWithAUnitAndNoNumberIsLeftOutWithItsReason) {
   for (const char* cell : {"\"4,000\"", "4'000", "0x10", "=A1", "4 000"}) {
     SCOPED_TRACE(cell);
@@ -234,7 +235,7 @@ TEST_F(LabTables, AColumnWithAUnitAndNoNumberIsLeftOutWithItsReason) {
     ASSERT_EQ(table.left_columns.size(), 1u);
     EXPECT_EQ(table.left_columns[0].unit, "N");
   }
-  // A column of texts has no unit, and a column of gaps was not recorded.
+  // A column of texts has no unit; a column of gaps counts as not recorded.
   EXPECT_TRUE(read("t.csv", "who,FZ [N],MX [N m]\nbob,1,\nann,2,\n").left_out.empty());
 }
 

@@ -134,7 +134,7 @@ MatFile with_unit(const std::string& name, const std::string& unit) {
   return file;
 }
 
-// An unknown unit is told at its vector, and the vectors beside it are read.
+// An unknown unit is reported for its vector, and the vectors beside it are read.
 TEST(MatUnits, AVectorOfAnUnknownUnitIsLeftOutWithItsReason) {
   const auto named = with_unit("sensor_7", "grC").named_channels();
   EXPECT_EQ(named.channels["FZ"], (std::vector<double>{1000.0, 2000.0}));

@@ -99,7 +99,7 @@ TEST(Recording, SpoiledOnesEndInFiniteNumbersOrAnInputError) {
   EXPECT_LT(rejected, kMutations);
 }
 
-// A column that nobody needs may be in a unit that nobody knows.
+// A column that is not needed may have an unknown unit.
 TEST(Recording, LeavesOutAColumnOfAnUnknownUnitWithTheReason) {
   const ScratchFolder folder;
   write_text_file(folder / "r.csv", "time [s],Fz [kN],odd [grC]\n0,1,x\n1,2,y\n");

@@ -212,7 +212,7 @@ TEST(TydexFile, ReadsTheCorneringTestsAsTheyAreNamed) {
   }
 }
 
-// The unit of a channel that the format does not know is nobody's concern but its own.
+// An unknown unit of a channel that the format does not know affects only this channel.
 TEST(TydexFile, LeavesOutAChannelOfItsOwnWhoseUnitIsUnknown) {
   const std::string text =
       kHead + "TREADDEP  Depth                         32nds     8\n" + kChannels +

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every spelling of the table of units is read by every reader of tables: the result is the number
-// computed by hand, or an error that names the unit and the place. All readers agree.
+// computed by hand, or an error that names the unit, the file and the line. All readers agree.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -128,7 +128,7 @@ TEST(CarBalance, WhatSinksIsToldInWords) {
 }
 
 /// Returns the moment about y through the origin of drag at its height, weight and downforce, N m,
-/// by places of bodies and points, minus that of the tires.
+/// from the positions of bodies and points, minus that of the tires.
 double pitch_left(const Car& car, const CarState& state, double speed) {
   const CarParameters& of = car.parameters();
   const auto& bodies = car.mechanism().bodies();

@@ -49,7 +49,7 @@ struct Ride {
     EXPECT_TRUE(hub.ok());
     return hub.ok() ? *hub : HubForces{};
   }
-  /// Moves by `way` at `speed` in equal steps, then stops.
+  /// Moves by the distance `way` at `speed` in equal steps, then stops.
   HubForces push(const Vector3d& way, double speed = 0.05, int steps = 200) {
     const double time = way.norm() / speed;
     const Vector3d v = way / time;
@@ -104,7 +104,8 @@ TEST(Standstill, AFarPushIsAnsweredByTheFriction) {
   EXPECT_NEAR(y, Dy, 0.01 * Dy);
 }
 
-// After a long push and a return by twice the carcass's deflection, the force has the other sign.
+// After a long push and a return by twice the carcass's deflection, the force has the opposite
+// sign.
 TEST(Standstill, WhatSlidBeforeStoresNoDeflection) {
   const Parameters p = parking_tire();
   Ride ride(p);

@@ -60,7 +60,7 @@ TEST(Bushing, RotationAboutOneAxisIsATorsionSpring) {
   }
 }
 
-// Work of both wrenches equals the loss of energy, by central differences at random places.
+// Work of both wrenches equals the loss of energy, by central differences at random positions.
 TEST(Bushing, WrenchesAreTheGradientOfItsEnergy) {
   RandomStream random(3, 1);
   for (int draw = 0; draw < 20; ++draw) {

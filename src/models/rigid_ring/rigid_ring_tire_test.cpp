@@ -394,8 +394,8 @@ TEST(RigidRing, BrakedOverALongWaveTheSlipFollowsTheRadiusOfTheLoad) {
   }
 }
 
-/// Returns the forces on a ring at rest after it was moved by `way` and turned by `angle` in a
-/// smooth bump of velocity that lasts `time`, and then held for as long.
+/// Returns the forces on a ring at rest after it was moved by the distance `way` and turned by
+/// `angle` in a smooth bump of velocity that lasts `time`, and then held for as long.
 HubForces moved(RigidRingTire& tire, const Vector3d& way, double angle, double time) {
   constexpr double kStep = 1e-3;
   WheelMotion motion = standing(0.28);
@@ -432,8 +432,8 @@ TEST(RigidRing, TurnedOnTheSpotItIsHeldByYawStiffnessUpToTheFormulasTorque) {
   EXPECT_NEAR(moved(*make(p), {0.0, 0.0, 0.0}, 1e-4, 1.0).moment.z(), -0.5, 0.01 * 0.5);
 }
 
-// The path goes through standstill, steered and pushed aside; then the same backward, mirrored
-// across the road.
+// The motion includes standstill, steered and pushed aside; then the same backward, mirrored across
+// the road.
 TEST(RigidRing, TheMirroredWayBackwardGivesMirroredForces) {
   Parameters p = ring_tire();
   p.YAW_STIFFNESS = 5000.0;

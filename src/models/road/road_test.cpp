@@ -263,7 +263,7 @@ CrgGrid banked_grid() {
 }
 
 // A mesh ends at its outline and at its hole, a grid at its rows and sections; placed roads end at
-// the transformed places. Kerbs, drums and planes are infinite.
+// the transformed positions. Kerbs, drums and planes are infinite.
 TEST(Road, EndsWhereItsDataDo) {
   const auto mesh = std::make_shared<const TriangleRoad>(hilly_mesh(0.01));
   EXPECT_EQ(mesh->beyond(-0.4, 0.49), "");
@@ -489,8 +489,8 @@ TEST(Road, BelowARowIsWhatIsBelowEachOfItsPlaces) {
     }
 }
 
-// If places are so large that adding one to the number of a section does not change it, the loop
-// must still end.
+// If coordinates are so large that adding one to the number of a section does not change it, the
+// loop must still end.
 TEST(Road, MeanHeightFarOutComesToAnEnd) {
   const ProfileRoad row({.along = cleat_profile(0.02, 0.03, 0.005), .pitch = 0.2});
   const double mean = row.mean_height({4e15, 0.0}, {4e15 + 1.0, 0.0}, 0.0);

@@ -33,7 +33,7 @@ TEST(MovingLinkage, KeepsItsLengthsAndReachesTheTravel) {
   }
 }
 
-// The assembly must not depend on the path.
+// The assembly at a travel must not depend on the path to it.
 TEST(MovingLinkage, ComesBack) {
   const Linkage linkage = race_geometry().linkage;
   MovingLinkage moving(linkage, TravelOf::contact);

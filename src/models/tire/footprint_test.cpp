@@ -27,7 +27,7 @@ TEST(Footprint, APatchSmallerThanTheSensorCountsWithItsForce) {
   EXPECT_NEAR(print.peak_pressure(kSide), 20.0 / (kSide * kSide), 1e-6);
 }
 
-// The reference searches everywhere, a tenth of a millimeter apart.
+// The reference searches all positions, a tenth of a millimeter apart.
 TEST(Footprint, ThePeakIsThatOfEveryPlaceOfTheSensor) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(0.0, 1.0);

@@ -85,7 +85,8 @@ TEST(LocalResponse, WhereARecordRestsDoesNotCount) {
   for (const std::complex<double>& h : found.response) EXPECT_LT(std::abs(h + 3.0), 1e-9);
 }
 
-// A body that swings for long: as high an order without a delay follows it less well.
+// A body that oscillates for a long time: a fit of the same order without a delay represents it
+// less well.
 TEST(LocalResponse, ADelayFollowsWhatRingsLonger) {
   const std::vector<double> x = sweep(), f = lines();
   const double frequency = 1.25, zeta = 0.1;
@@ -105,8 +106,8 @@ TEST(LocalResponse, ADelayFollowsWhatRingsLonger) {
   EXPECT_LT(delayed, at_once);
 }
 
-// The square of a sweep is no linear answer to it. Narrow lines follow it all the same, unless it
-// is known beside the record.
+// The square of a sweep is no linear response to it. Narrow bands of lines appear coherent with it
+// all the same, unless it is known beside the record.
 TEST(LocalResponse, WhatIsKnownNotToFollowLowersTheCoherence) {
   const std::vector<double> x = sweep();
   std::vector<double> squares(x.size());
@@ -125,7 +126,7 @@ TEST(LocalResponse, CoherenceIsTheShareThatFollows) {
   std::vector<double> x(40000), y(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     x[i] = normal(random);
-    y[i] = 2.0 * x[i] + 2.0 * normal(random);  // half of its power follows x
+    y[i] = 2.0 * x[i] + 2.0 * normal(random);  // half of its power is coherent with x
   }
   const LocalResponse found = local_response(x, y, kRate, lines(), {.width = 0.5});
   double mean = 0.0;

@@ -218,7 +218,7 @@ TEST(Gss, FindsAMinimumAtABoundAndInACorner) {
 }
 
 TEST(Gss, GoesAroundPointsThatFail) {
-  // Points with x0 > 0.62 and in a ball on the way fail.
+  // Points with x0 > 0.62 and in a ball on the path to the minimum fail.
   const Found found = minimize(box({0.1, 0.1, 0.9}, 0.0, 1.0), [](const auto& x) {
     const bool in_ball = std::hypot(x[0] - 0.35, x[1] - 0.35, x[2] - 0.6) < 0.1;
     if (x[0] > 0.62 || in_ball) return std::nan("");

@@ -121,7 +121,7 @@ TEST_P(FromAnyStart, AllThreeNumbersAreDeterminedAsTheDesignMatrixSays) {
     const double half = half_width(i, found.confidence);
     const double own = 0.5 * (found.values[k].upper - found.values[k].lower);
     EXPECT_GE(own, 0.9 * half) << GetParam().name << " " << i;
-    // |d|, the remaining way to the least squares, is added.
+    // |d|, the remaining distance to the least squares, is added.
     EXPECT_LE(own, 6.0 * half) << GetParam().name << " " << i;
     EXPECT_EQ(found.confidence.held[k], Bound::none);
   }

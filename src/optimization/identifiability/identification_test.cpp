@@ -317,7 +317,7 @@ TEST(Identification, OfAPerfectFitIsIdentifiableWithAWidthOfRounding) {
   }
 }
 
-// The start is in a valley along x0 + x1 + x2, 30 deviations off its minimum. No step in one
+// The start is in a valley along x0 + x1 + x2, 30 deviations away from its minimum. No step in one
 // variable leads along the valley. The derivatives do, with one more trial and two for each
 // variable.
 TEST(Identification, TheShortFormGoesWhereItsDerivativesPromiseMore) {

@@ -53,8 +53,8 @@ TEST(PredictionBand, OfAStraightLineIsTheTextbooks) {
   }
 }
 
-// This holds for any data: with some way left by the search, a variable held at its bound, a prior,
-// or noise that neighbors share. Values beyond the cube do not count.
+// This holds for any data: with a search that ended before the minimum, a variable held at its
+// bound, a prior, or noise that neighbors share. Values beyond the cube do not count.
 TEST(PredictionBand, OfAVariableIsItsInterval) {
   RandomStream random(3, 7);
   for (const bool colored : {false, true}) {

@@ -42,7 +42,7 @@ TEST(ReducedRows, HaveTheProductsOfTheirGroup) {
   }
 }
 
-/// a exp(b t) at nine times against itself at (2, -1.3) with a wave upon it.
+/// a exp(b t) at nine times against itself at (2, -1.3) with a wave added to it.
 Evaluated exponential(const DesignPoint& p) {
   Evaluated one(Eigen::VectorXd(9), Eigen::MatrixXd(9, 2));
   for (int i = 0; i < 9; ++i) {
@@ -58,7 +58,7 @@ DesignSpace space_of_exponential() {
                       {.name = "b", .lower = -3.0, .upper = 0.0, .initial = -1.3}});
 }
 
-/// All of it; in profiles by reduced rows alone if asked.
+/// The profiles come from reduced rows alone if requested, everything else from whole rows.
 Identification identification_of_exponential(bool reduced, const std::vector<int>& free) {
   const DesignSpace space = space_of_exponential();
   Identification identification(
@@ -99,7 +99,7 @@ TEST(ReducedRows, GiveTheSameProfiles) {
   }
 }
 
-/// Three times each left out, by reduced rows or by whole ones.
+/// Each group is left out three times, by reduced rows or by whole ones.
 std::vector<LeftOut> left_out_of_exponential(bool reduced) {
   const DesignSpace space = space_of_exponential();
   const Identification identification = identification_of_exponential(false, {});

@@ -48,7 +48,7 @@ TEST(FailureEdges, BearAPointThatFailedAgainAndAgain) {
   EXPECT_NEAR(edges[0].b, 1.0, 1e-4);
 }
 
-/// Counts the sets with an edge among 100 sets of failures at random places among successes.
+/// Counts the sets with an edge among 100 sets of failures at random positions among successes.
 int sets_with_edge(int n, int failures, int successes) {
   int found = 0;
   for (std::uint64_t set = 0; set < 100; ++set) {

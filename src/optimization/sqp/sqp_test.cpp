@@ -55,7 +55,7 @@ TEST(DampedBfgs, FulfillsTheSecantEquationAndStaysPositiveDefinite) {
 }
 
 TEST(DifferenceDirections, AreIndependentAndStayInside) {
-  // In a corner of an equation, x1 + x2 + x3 = 1 at (1, 0, 0), two directions are left.
+  // In a corner of an equation, x1 + x2 + x3 = 1 at (1, 0, 0), two free directions remain.
   const FeasibleRegion triangle(space_of({1, 0, 0}, {{0, 1}}, {equal({1, 1, 1}, 1)}));
   const Eigen::Vector3d corner(1, 0, 0);
   const Eigen::MatrixXd D = difference_directions(triangle, corner, 1e-4);
@@ -209,7 +209,7 @@ TEST(Sqp, TakesDifferencesWhereTheJacobianIsNotFinite) {
     sqp.observe(point, score);
   }
   EXPECT_TRUE(sqp.converged());
-  // A search by differences alone would end here: (0.405, 0.3), except for the small third
+  // A search by differences alone would end at this point: (0.405, 0.3), except for the small third
   // residual.
   EXPECT_LT(least, 2e-4);
 }

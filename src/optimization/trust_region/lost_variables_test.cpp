@@ -29,7 +29,7 @@ Eigen::VectorXd unit(const DesignSpace& space, const std::vector<double>& x) {
   return to_vector(space.to_unit({x}));
 }
 
-/// Observes for each test whether moves of the variables `felt` have an effect.
+/// Reports for each trial whether moves of the variables `felt` have an effect.
 std::vector<int> lost_of(LostVariables& search, const Eigen::VectorXd& u, std::vector<int> felt) {
   for (int tests = 0; search.is_testing(); ++tests) {
     EXPECT_LT(tests, 2 + std::log2(u.size()) + u.size());
@@ -149,8 +149,8 @@ Found fit_peaks(int restarts, int outstanding, int most_evaluations) {
   return found;
 }
 
-// Gap and stiffness of a stop that is never touched are lost. The places at which they are looked
-// for do not depend on where the search left them, at the bounds.
+// Gap and stiffness of a stop that is never touched are lost. The values at which the search for
+// them begins do not depend on the values at which the main search left them, the bounds.
 TEST(LostVariables, AreLookedForWhereTheSearchEndedOnBounds) {
   const DesignSpace space({{.name = "k", .lower = 50, .upper = 500, .initial = 100},
                            {.name = "gap", .lower = 0, .upper = 0.2, .initial = 0.16},

@@ -144,7 +144,7 @@ TEST(ResidualTrustRegion, StartsFromADesignWithoutProbing) {
 }
 
 TEST(ResidualTrustRegion, GoesAroundAFailedRegion) {
-  // Points in a half space next to the minimum and in a ball on the way to it fail.
+  // Points in a half space next to the minimum and in a ball on the path to it fail.
   const DesignSpace space = box({0.1, 0.1, 0.9}, 0.0, 1.0, Scale::linear);
   const Found found = minimize(space, [](const std::vector<double>& x) {
     const bool in_ball = std::hypot(x[0] - 0.35, x[1] - 0.35, x[2] - 0.6) < 0.1;
@@ -271,8 +271,9 @@ TEST(ResidualTrustRegion, EndsOnARippledProblemInWhatNoiseAllows) {
   EXPECT_LT(evaluations, 8 * 20 * 7);  // 20 (n + 1) in the mean
 }
 
-// In a curved valley with 1 % of noise on every residual, a step that gains by luck leaves a small
-// box, and a good step in it a smaller one. Without widening only 24 of the 60 draws came so close.
+// In a curved valley with 1 % of noise on every residual, a step that gains by chance leaves a
+// small box, and a good step in this box a smaller one. Without widening only 24 of the 60 draws
+// came so close.
 TEST(ResidualTrustRegion, SearchesOnWhereItChasedNoiseIntoASmallBox) {
   constexpr double kLeast = 9.76723;  // at (0.143, -0.009)
   int solved = 0;
@@ -464,7 +465,7 @@ TEST(ResidualTrustRegion, SaysThatNoiseIsWhatIsLeftOnlyWhereNoiseIsStated) {
   EXPECT_NE(known.ending().find("stated noise"), std::string::npos) << known.ending();
 }
 
-// A mode loses its partner if x0 x1 > 2 and then counts as an error of 1: a jump beside the way
+// A mode loses its partner if x0 x1 > 2 and then counts as an error of 1: a jump beside the path
 // from (0.4, 3) to the minimum at (0.8, 1.6). No smooth model holds on both sides of the jump.
 TEST(ResidualTrustRegion, ALeapThatIsToldIsGoneAround) {
   const auto scored = [](const std::vector<double>& x) {

@@ -184,7 +184,7 @@ TEST(Server, TellsAPersonInPlainTextAndAScriptInJson) {
   EXPECT_THAT(person.body, HasSubstr("open the address that latsch printed"));
 }
 
-// A refused body is not read: it takes no memory, and the answer comes before its end.
+// A refused body is not read: it uses no memory, and the response is sent before its end.
 TEST(Server, RefusesALongBodyOrHeadAtOnce) {
   Server server(options(), echo);
   EXPECT_EQ(

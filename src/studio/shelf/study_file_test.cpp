@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A change by the page changes only the intended place of a study's file.
+// A change by the page changes only the intended position of a study's file.
 #include "studio/shelf/study_file.h"
 
 #include <gtest/gtest.h>

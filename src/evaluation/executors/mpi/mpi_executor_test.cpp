@@ -42,8 +42,8 @@ void expect_answers(MpiExecutor& executor, double first) {
   }
 }
 
-// The master is busy, as while reading a large journal, computing a long step or writing a page.
-// The ranks wait, and the master does not count its own absence as their silence.
+// The master is busy, for example with reading a large journal, computing a long step or writing a
+// page. The ranks wait, and the master does not count its own absence as their silence.
 TEST(MpiExecutor, RanksStayWhileTheMasterIsBusy) {
   std::this_thread::sleep_for(kBusy);
   {

@@ -46,7 +46,7 @@ class FourPostOfALinearCar : public testing::TestWithParam<PostMode> {
 // end with the record, so only those count whose segments agree, judged by the coherence of Welch's
 // method.
 TEST_P(FourPostOfALinearCar, ItsResponsesAreThoseOfTheLinearModel) {
-  // In pitch the body hardly rises: what geometry owes to 0.03 m/s is above 1 % of that.
+  // In pitch the body hardly rises: at 0.03 m/s the effect of geometry is above 1 % of that.
   FourPostTest test = sweep_test({.mode = GetParam(),
                                   .from = 0.5,
                                   .to = 40.0,
@@ -68,8 +68,8 @@ TEST_P(FourPostOfALinearCar, ItsResponsesAreThoseOfTheLinearModel) {
     const std::vector<double> agreement = coherence_of_segments(record["post_FL"], record[sensor]);
     for (std::size_t i = 0; i < f.size(); ++i) {
       const Eigen::VectorXcd H = linear_.response(f[i]) * Eigen::Vector4d(sign.data());
-      // In pitch the body's two halves nearly cancel each other: above 20 Hz what steps of time
-      // leave of each is more than 1 % of their sum.
+      // In pitch the body's two halves nearly cancel each other: above 20 Hz the error of the time
+      // steps in each is more than 1 % of their sum.
       if (GetParam() == PostMode::pitch && sensor == "body_z" && f[i] > 20.0) continue;
       if (!(measured["coherence_" + sensor][i] > 0.99)) continue;
       const std::complex<double> expected = H[static_cast<Eigen::Index>(k)],
@@ -85,7 +85,7 @@ TEST_P(FourPostOfALinearCar, ItsResponsesAreThoseOfTheLinearModel) {
   EXPECT_GT(compared, 500);  // 204 lines and nine sensors were compared
 }
 
-// A sweep as a file states it that states nothing: 0.5 to 30 Hz in 20 s, lines of 0.25 Hz.
+// A sweep of a file that states no settings: 0.5 to 30 Hz in 20 s, lines of 0.25 Hz.
 TEST_P(FourPostOfALinearCar, AtItsDefaultsItsResponsesAreRightFromTheLowestLineOn) {
   const auto runs = run_both_ways(*car_, sweep_test({.mode = GetParam()}, 1e-3));
   ASSERT_TRUE(runs) << runs.failure().reason;
@@ -100,22 +100,23 @@ TEST_P(FourPostOfALinearCar, AtItsDefaultsItsResponsesAreRightFromTheLowestLineO
       const std::complex<double> expected = H[static_cast<Eigen::Index>(k)],
                                  found = std::polar(measured["tf_" + sensor][i],
                                                     measured["phase_" + sensor][i]);
-      // The body's center does not move up in roll, by symmetry: what it does is of even powers.
+      // The body's center does not move up in roll to first order, because of the symmetry: its
+      // motion has only even powers.
       if (GetParam() == PostMode::roll && sensor == "body_z") {
         EXPECT_LT(std::abs(found), 1e-6 * measured["tf_hub_FL"][i]) << f[i];
         EXPECT_LT(measured["coherence_body_z"][i], 0.1) << f[i];
         continue;
       }
       EXPECT_LT(std::abs(found - expected), 0.02 * std::abs(expected)) << sensor << " " << f[i];
-      // The body hardly rises in pitch: bent laws are a tenth of what it does.
+      // The body hardly rises in pitch: nonlinear laws cause a tenth of that motion.
       EXPECT_GT(measured["coherence_" + sensor][i], sensor == "body_z" ? 0.98 : 0.995)
           << sensor << " " << f[i];
     }
   }
 }
 
-// At 0.1 m/s the tires of so light a car leave its plates in heave, which no linear law knows. It
-// is the rear wheels that resonate there, at 11 Hz: their response is off by a quarter.
+// At 0.1 m/s the tires of so light a car leave the plates in heave, which no linear model
+// represents. The rear wheels resonate there, at 11 Hz: their response has an error of a quarter.
 TEST(FourPost, WhereItsTiresLeaveThePlatesTheCoherenceFalls) {
   const auto car = car::Car::make(car::race_car(false), car::spring_tires());
   ASSERT_TRUE(car);

@@ -104,7 +104,8 @@ TEST(StandingFeTire, StiffnessesAreOfTheSizeOfATires) {
   EXPECT_NE(value(left, "vertical"), vertical);
 }
 
-// One row of nodes is in contact, of 40 sectors, so a bar below it equals level ground.
+// One row of nodes is in contact, out of 40 sectors, so a bar below it is equivalent to level
+// ground.
 TEST(StandingFeTire, APlankLongerThanThePatchIsGroundThatIsHigher) {
   FeTire tire = small_tire(120);
   const std::vector<double> deflections = {0.004, 0.012};

@@ -126,7 +126,7 @@ TEST(TireRig, ATrialDoesNotDependOnTheTrialsBeforeIt) {
   const auto again = record();
   for (size_t i = 0; i < first.size(); ++i) {
     ASSERT_TRUE(first[i] && other[i] && again[i]);
-    EXPECT_EQ(*first[i], *again[i]) << i;  // bit by bit
+    EXPECT_EQ(*first[i], *again[i]) << i;  // compared bit by bit
     EXPECT_FALSE(*first[i] == *other[i]) << i;
   }
 }
@@ -137,7 +137,7 @@ TEST(TireRig, PressesUntilTheTireCarriesTheLoad) {
   standing.load = 3000.0;
   const auto results = run(tire, standing);
   ASSERT_TRUE(results) << results.failure().reason;
-  // The loading ends at 3000 N by its own account; a curve to the same deflection in other steps
+  // The loading reports that it ends at 3000 N; a curve to the same deflection in other steps
   // checks it. Without friction the path does not matter; the solver's tolerance does.
   const double deflection = (*results)["deflection"][0];
   const auto pressed = run(tire, curve({0.3 * deflection, deflection}));

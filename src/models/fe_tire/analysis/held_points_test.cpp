@@ -39,9 +39,9 @@ double force(FeTire& tire, const Ground& ground) {
   return tire.stand(pressed(tire, ground)).force.z();
 }
 
-// A state's own points are held on another path, from where the tire does not touch yet. A
-// neighboring tire that touches in the same points must arrive at its own state, because to first
-// order it has the same branch.
+// A state's own points are held on another path, from where the tire does not touch yet. If a
+// neighboring tire touches in the same points, it must reach its own state, because to first order
+// it has the same branch.
 TEST(HeldPoints, OfAStateAreThatState) {
   TouchingPoints touching;
   for (const double stiffer : {0.0, 0.01}) {

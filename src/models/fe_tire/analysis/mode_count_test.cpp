@@ -122,9 +122,9 @@ TEST(ModeCount, NoLoadedModeIsMissed) {
     }
 }
 
-// A tire under vacuum stands until it buckles. Newton's method finds the equilibrium that is as
-// round as before all the same. The harmonics of the tire off the ground, factorized by LAPACK,
-// show that it is unstable, and so does press().
+// A tire under vacuum stands until it buckles. Newton's method still finds the equilibrium that
+// remains round. The harmonics of the tire off the ground, factorized by LAPACK, show that it is
+// unstable, and so does press().
 TEST(ModeCount, AnEquilibriumThatIsNotStableIsToldByPressing) {
   const TireDescription tire = described(false, CordModel::rebar, ElementKind::solid_shell);
   for (const double vacuum : {0.1e5, 0.2e5}) {

@@ -38,8 +38,8 @@ struct Tread {
 
 constexpr double kRadius = 0.31;  // m
 
-/// The tread's samples above a ground. `gap` is their distance from it as a function of their place
-/// along it.
+/// The tread's samples above a ground. `gap` is their distance from it as a function of their
+/// position along it.
 struct Above {
   Eigen::Matrix3Xd at;
   Eigen::VectorXd area;
@@ -121,8 +121,8 @@ TEST(FootprintSize, DoesNotMindSamplesInOnePlace) {
 }
 
 // On the crown of the race tire, flat to 1 % across, a sector of h = 3 deg has the sag R h^2 / 12:
-// the mean of a parabola weighted by hat functions over two sectors, around nodes and other places
-// alike. Points lie 0.47 of this sag behind the arc.
+// the mean of a parabola weighted by hat functions over two sectors, around nodes and around any
+// other point. Points lie 0.47 of this sag behind the arc.
 TEST(TreadSurface, PointsOfAnArcLieAShareOfItsSagBehindIt) {
   const Tread tread("race_16x7.5-10.toml");
   const Eigen::Matrix3Xd positions = tread.undeformed();

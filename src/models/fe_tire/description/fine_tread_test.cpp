@@ -59,8 +59,8 @@ TEST(FineTread, LeavesWallAndTopOfTheRingAsTheyAre) {
   EXPECT_NEAR(mesh.angle(mesh.sectors), 2.0 * std::numbers::pi, 1e-12);
 }
 
-// The finer one of two meshes of a tire agrees better with the mesh in which all elements are
-// split.
+// The finer one of two meshes of a tire agrees
+// better with the mesh in which all elements are
 // split.
 TEST(FineTread, IsTheSameTire) {
   const TireDescription tire = reference_tire_b();

@@ -104,7 +104,7 @@ TEST_P(ElementMotions, CurvatureIsTheChangeOfStiffness) {
   }
 }
 
-// With alpha in equilibrium and the place held, d/dp (phi.K phi + zeta.f) is dL/dp of (M.4).
+// With alpha in equilibrium and the position held, d/dp (phi.K phi + zeta.f) is dL/dp of (M.4).
 TEST_P(ElementMotions, SlopesInNumbersAreThoseOfForcesAndStiffness) {
   const MovedElement of(GetParam());
   const ElementLaw law = of.law();

@@ -101,7 +101,7 @@ class Hex8 : public testing::TestWithParam<Case> {
 };
 
 // The element with corners tied to the line between two nodes equals the free element at the
-// corners' places, and the forces on the nodes do the work of those on the corners. This holds
+// corners' positions, and the forces on the nodes do the work of those on the corners. This holds
 // except for rounding.
 TEST_P(Hex8, TiedCornersAreTheFreeElementWithTheSameWork) {
   Matrix24 T = Matrix24::Identity();  // corners from nodes

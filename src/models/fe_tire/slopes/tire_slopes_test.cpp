@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests slopes against differences of whole trials, each solved anew, extrapolated to a step of
-// zero. Steps can be wide because the points that touch are held to those of the tire itself.
+// zero. Steps can be wide because the set of touching points is held to that of the unchanged tire.
 #include "models/fe_tire/slopes/tire_slopes.h"
 
 #include <gtest/gtest.h>
@@ -138,7 +138,7 @@ Eigen::VectorXd differences(const Number& number, const std::vector<TouchingPoin
   return (4.0 * central(0.5 * kStep) - central(kStep)) / 3.0;
 }
 
-// Shapes are those of plain trials; slopes must sharpen them as needed.
+// Mode shapes have the accuracy of plain trials; the slopes must refine them as needed.
 TEST(TireSlopes, AreThoseOfWholeTrials) {
   const TireDescription description = moved(numbers()[0], 0.0);
   FeTire tire = at_rest(description, SolverSettings().mode_tolerance);
@@ -160,7 +160,7 @@ TEST(TireSlopes, AreThoseOfWholeTrials) {
   for (int k = 0; k < 2; ++k) {
     const auto of_state = slopes.of_state((*states)[k]);
     ASSERT_TRUE(of_state);
-    // A deflection that is held counts from the inflated radius.
+    // A held deflection counts from the inflated radius.
     found.row(2 + k) = of_state->force + of_state->by_height * of_inflated->radius;
   }
   const auto of_mass = slopes.of_mass(*inflated);

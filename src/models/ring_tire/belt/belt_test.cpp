@@ -70,7 +70,7 @@ TEST(BeltForces, AreTheGradientOfTheEnergyAndTheStiffnessItsHessian) {
 
 TEST(BeltForces, OfCoupledPliesAndOfAConeAreTheGradientAndItsSlopeTheHessian) {
   RingParameters ring = passenger_ring();
-  ring.belt.extension = 2e4;  // reduces its rounding
+  ring.belt.extension = 2e4;  // reduces the rounding error of the differences
   ring.belt.bending_in_plane = 10.0;
   ring.belt.bending_twist = 20.0;
   ring.belt.conicity = 0.05;
@@ -97,8 +97,8 @@ TEST(BeltForces, OfCoupledPliesAndOfAConeAreTheGradientAndItsSlopeTheHessian) {
   }
 }
 
-// A cone has no stress if its sections are rotated by ψ_0, in belt and sidewall alike. Its belt,
-// and one of coupled plies, tilt freely.
+// A cone has no stress if its sections are rotated by ψ_0, neither in the belt nor in the sidewall.
+// Its belt, and one of coupled plies, tilt freely.
 TEST(BeltForces, OfAConeVanishAtItsRest) {
   RingParameters ring = passenger_ring();
   ring.belt.bending_in_plane = 10.0;

@@ -98,7 +98,7 @@ TEST(CyclicBand, ForgetsTheBorderWhereItHasFaded) {
   Eigen::Matrix4Xd exact = Eigen::Matrix4Xd::Ones(4, nodes), x = exact;
   whole.solve(exact);
   short_of.solve(x);
-  EXPECT_GT((x - exact).norm(), 0.0);  // some of it was dropped
+  EXPECT_GT((x - exact).norm(), 0.0);  // some fill-in was dropped
 }
 
 // The free ring's own matrix has a condition of 1e6 to 1e8. The solution is backward stable for any

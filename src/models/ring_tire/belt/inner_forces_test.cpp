@@ -60,7 +60,7 @@ class RimRowsOfForces : public testing::Test {
     return force;
   }
 
-  /// Compares the row with differences of a function `of` of places and forces.
+  /// Compares the row with differences of a function `of` of positions and forces.
   template <class Of>
   void expect_slopes(const Of& of) {
     constexpr double kBy = 1e-6;

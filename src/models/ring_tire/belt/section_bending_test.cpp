@@ -137,8 +137,8 @@ Eigen::Vector3d of_road(const RingTire& tire) {
   return sum;
 }
 
-// A crown presses the middle of the section in: more lines touch, with less pressure in the middle.
-// The forces on the hub equal those of the road.
+// A crown pushes the middle of the section inward: more lines touch, with less pressure in the
+// middle. The forces on the hub equal those of the road.
 TEST(SectionBending, FlattensTheCrownInBalance) {
   RingTire stiff(crowned(0.0)), soft(crowned(8.0));
   for (const double camber : {0.0, 0.05}) {

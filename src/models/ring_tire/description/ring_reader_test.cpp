@@ -42,7 +42,7 @@ TEST(RingReader, KnowsTheRimAndWhatPressureDoesToTheSidewall) {
   EXPECT_DOUBLE_EQ(ring.sidewall.rim_travel, 0.07);
   EXPECT_DOUBLE_EQ(ring.sidewall.rim_stiffness, 5e6);
   EXPECT_NEAR(ring.sidewall.radial.stiffness, own * (1.0 + 0.6 * 0.2), 1e-9 * own);  // at 2.4 bar
-  Document without = document;  // a share that is varied may become 0
+  Document without = document;  // a varied share may become 0
   without.set("sidewall.pressure_share", 0.0);
   EXPECT_DOUBLE_EQ(read_ring_tire(without.root()).sidewall.radial.stiffness, own);
 }
@@ -111,7 +111,7 @@ TEST(RingReader, ComplaintsNameThePlace) {
   }
 }
 
-// An old file, whose names mean other numbers elsewhere, is refused rather than read without them.
+// An old file, in which names have other meanings, is refused rather than read without them.
 TEST(RingReader, SaysWhatANumberIsCalledNow) {
   for (const auto& [old, now] : {std::pair("bending_lateral", "bending_out_of_plane"),
                                  std::pair("section_bending", "bending_across")}) {

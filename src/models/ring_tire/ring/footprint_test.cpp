@@ -50,7 +50,7 @@ TEST(RingFootprint, OfARigidWheelIsAnEllipse) {
   EXPECT_NEAR(print.area, std::numbers::pi * a * b, 0.01 * a * b * std::numbers::pi);
 }
 
-// The sum over the elements is the load, and their places are those of the patch below the axle.
+// The sum over the elements is the load, and their positions are inside the patch below the axle.
 TEST(RingFootprint, CarriesTheLoadBelowTheAxle) {
   const Footprint print = standing_footprint(passenger_ring(), 0.02);
   double load = 0.0, x = 0.0, y = 0.0;

@@ -107,7 +107,7 @@ TEST(FreeRows, NoEnergyComesOfLongSteps) {
       ASSERT_TRUE(tire.settle(motion, kPit, 0.0));
       FreeWheel wheel = free_spin(motion, 0.0);
       wheel.spin->rate = 1.0;
-      const double rest = tire.energy();  // the pressure's energy is part of it
+      const double rest = tire.energy();  // includes the energy of the pressure
       const auto energy = [&] {
         return tire.energy() - rest + 0.5 * kInertia * wheel.spin->rate * wheel.spin->rate;
       };
@@ -364,7 +364,7 @@ TEST(FreeRows, AFailureLeavesAllAsItWas) {
   EXPECT_EQ(motion, before);
   EXPECT_EQ(wheel.height->rate, -500.0);
   EXPECT_EQ(wheel.spin->rate, 0.0);
-  // Values that are not numbers also fail here.
+  // NaN and infinity also fail here.
   wheel.height.reset();
   wheel.spin->push = [](double, double) -> Push { return {std::nan(""), 0.0}; };
   EXPECT_FALSE(tire.advance_free(motion, wheel, kFlat, 1e-3, 1e-3));

@@ -106,7 +106,7 @@ TEST(PlySteer, ModesOfAConeConvergeToTheContinuousRing) {
 }
 
 /// Returns the lateral force, N to the left, as a mean over a meter after five, rolling straight
-/// ahead (way 1) or back (-1) with nearly no force along the road.
+/// ahead (`way` = 1) or back (-1) with nearly no force along the road.
 double side_force(const RingParameters& ring, double way) {
   RingTire tire(ring);
   const road::PlaneRoad road;
@@ -151,9 +151,9 @@ TEST(PlySteer, FlattenedPliesLeanOneWayBeforeAndTheOtherBehind) {
   }
 }
 
-// The force of ply steer changes sign with the direction of rolling, that of a cone keeps its side,
-// in axes that stay with the wheel. This distinguishes the two [SAE J670, J1988]. Small values are
-// linear.
+// In axes that stay with the wheel, the force of ply steer changes sign with the direction of
+// rolling, and that of a cone does not. This distinguishes the two [SAE J670, J1988]. Small values
+// are linear.
 TEST(PlySteer, ForceOfPliesTurnsWithTheRollingThatOfAConeKeepsItsSide) {
   const double none = side_force(coarse(), 1.0);
   EXPECT_NEAR(none, 0.0, 1e-3);

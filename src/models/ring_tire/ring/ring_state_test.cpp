@@ -91,7 +91,8 @@ TEST_P(RingStateOn, ComesBackAsItWas) {
   EXPECT_TRUE(tire.contacts().empty());
 }
 
-// A step far into the ground in one step and in ten, or to no place, loses nothing.
+// Nothing is lost by a trial step far into the ground, in one part and in ten, or to a position
+// that is no number.
 TEST_P(RingStateOn, IsAsItWasAfterAStepThatFails) {
   RingTire tire = before_the_cleat();
   const RingState state = tire.state();
@@ -164,8 +165,8 @@ TEST_P(RingStateOn, IsAsItWasWhereItFindsNoRest) {
   EXPECT_TRUE(tire.state() == state);
 }
 
-// In these steps rounding of places causes larger inertia forces than the tolerance. An integrator
-// that ends at a given time takes such steps.
+// In these steps rounding of positions causes larger inertia forces than the tolerance. An
+// integrator that ends at a given time takes such steps.
 TEST_P(RingStateOn, TakesShortStepsFarAway) {
   for (const auto& [way, step] : {std::pair{0.0, 1e-9}, {1e4, 1e-7}, {0.0, 1e-12}}) {
     RingTire tire(with_memory(GetParam()));

@@ -70,7 +70,7 @@ RingParameters on_a_stiff_carcass() {
 }
 
 // The force m r ω² acts along the radius of the mass. At spin 0 the mass is at its angle from the
-// lowest place to the front; it then moves down to the rear. Other orders are zero. With gravity
+// lowest point to the front; it then moves down to the rear. Other orders are zero. With gravity
 // the mass adds its weight, and the moment of its weight about the axle.
 TEST(Uniformity, AnImbalanceInTheAirPullsAtTheHubByItsCentrifugalForce) {
   RingParameters ring = on_a_stiff_carcass();
@@ -120,8 +120,8 @@ TEST(Uniformity, AnImbalanceLowersTheModesThatMoveIt) {
 
 // In slow rolling, a tread thicker by a presses the wheel by a more. Radial force variation is the
 // run-out times the stiffness of the rolling tire, reduced by the share of a wave that a patch of
-// half length l averages, sin(n l/R)/(n l/R), 2 % at n = 1 and 8 % at n = 2. It is in phase with
-// the thickest place at the bottom.
+// half length l averages, sin(n l/R)/(n l/R), 2 % at n = 1 and 8 % at n = 2. Its maximum occurs
+// when the thickest point is at the bottom.
 TEST(Uniformity, RadialRunOutOnTheRoadIsFeltByTheStiffness) {
   RingParameters ring = passenger_ring();
   ring.nodes = 60;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kAcceleration = 4e8;  // 1/s^2
 
-/// Returns the steps, among `steps`, that made their own tangent, if a held tangent takes more
-/// evaluations than its own after `lives` steps.
+/// Returns those of `steps` steps that compute a new tangent, if a held tangent costs more
+/// evaluations than a new one after `lives` steps.
 std::vector<int> steps_with_their_own(int steps, int lives) {
   TangentReuse reuse;
   std::vector<int> own;
