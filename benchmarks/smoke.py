@@ -4,9 +4,9 @@
     smoke.py run RECORDS PROGRAM [--no-limit]   runs PROGRAM --smoke and writes its processor time to RECORDS
     smoke.py sum RECORDS NAME...                the processor time of all of them together
 
-A run fails where a judged row falls short, where the program does not say that it is a smoke run (it then does not
-know --smoke), and where it takes more processor time than a smoke run may. The sum ends with 77, as a skipped test,
-where one of the names was not run yet.
+A run fails if a judged row falls short, if the program does not report that it is a smoke run (it then does not
+know --smoke), or if it uses more processor time than a smoke run may. The sum ends with 77, as a skipped test,
+if one of the names was not run yet.
 """
 import pathlib
 import resource

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Beside bench_python: seconds a turn of ask and tell takes from Python, of the searches that the benchmark makes too.
+"""For bench_python: measures the seconds per turn of ask and tell from Python, for the searches of the benchmark.
 
-    ask_tell_turns.py METHOD VARIABLES    prints seconds a turn, the turns, and the last point as hexadecimal numbers
+    ask_tell_turns.py METHOD VARIABLES    prints seconds per turn, the turns, and the last point as hexadecimal numbers
 """
 import sys
 import time

@@ -22,8 +22,9 @@ ModelSource study_source(const std::string& file, const experiment::Language& la
 correlation::Study study_with_model(const std::string& file, const experiment::Language& language) {
   auto study = correlation::read_study(file, language);
   if (!study.specimens->kind())
-    throw InputError({file, 0},
-                     "has a [simulator] in a model's place: there is no model to show or to write");
+    throw InputError(
+        {file, 0},
+        "has a [simulator] instead of a model, so there is no model to show or to write");
   return study;
 }
 

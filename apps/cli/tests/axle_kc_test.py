@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""An axle on the K&C rig: with its springs locked each wheel is the corner of the test kc; with rigid joints its curves
-are those of the rigid linkage of the test kinematics; the compliance matrix is that of differences."""
+"""An axle on the K&C rig: with locked springs each wheel gives the results of the corner in the
+test kc, and with rigid joints those of the rigid linkage in the test kinematics; the compliance
+matrix equals differences."""
 import csv
 import io
 import pathlib

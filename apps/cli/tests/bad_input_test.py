@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Input that makes no sense, and a full disk: what the program says and how it ends.
+"""Invalid input and a full disk: the messages and the exit status of the program.
 
     bad_input_test.py PATH/TO/latsch
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A car on four posts: what is recorded, over frequency too, posts from a table and from a measurement; and what is refused,
-naming the part.
+"""A car on four posts: channels over time and frequency, posts from a table and from a
+measurement, and errors that name the faulty part.
 
     car_test.py PATH/TO/latsch
 """
@@ -33,7 +33,7 @@ class Cars(unittest.TestCase):
         return run.stdout + run.stderr
 
     def columns(self, test, car=None):
-        """Channels without their empty cells."""
+        """Returns the channels without their empty cells."""
         out = self.folder / "out.csv"
         self.latsch("test", car or self.car, test, "-o", out)
         with open(out) as file:
@@ -126,7 +126,7 @@ class OnRoads(Cars):
             self.assertIn(words, self.run_on(road, code=WRONG_INPUT))
 
     def write_grid(self, name, options):
-        """Level, u from 0 to 20 m, v from -1.5 to 1.5 m."""
+        """Returns a level road, u from 0 to 20 m, v from -1.5 to 1.5 m."""
         rows = "".join(f"{0.0:10.4f}{0.0:10.4f}\n" for _ in range(21))
         (self.folder / name).write_text(
             "$ROAD_CRG\nreference_line_start_u = 0\nreference_line_end_u = 20\nreference_line_increment = 1\n"
@@ -168,7 +168,7 @@ class OnPosts(Cars):
         self.assertIn("not even in time at sample 251", self.latsch("test", self.car, self.folder / "warp.toml", code=WRONG_INPUT))
 
     def swept_posts(self, to):
-        """8 s of heave from 2 Hz on, 1 mm."""
+        """Returns a test of 8 s in heave, a sweep from 2 Hz upward with an amplitude of 1 mm."""
         rows = ["time [s],post_FL [m],post_FR [m],post_RL [m],post_RR [m]"]
         for i in range(2001):
             t = 4e-3 * i

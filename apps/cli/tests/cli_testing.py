@@ -1,4 +1,4 @@
-"""For the tests of the program: how it is called, and studies to call it on."""
+"""Support for the tests of the program: calls of the program, and studies for these calls."""
 import contextlib
 import pathlib
 import re
@@ -23,7 +23,8 @@ def edit(file, *replacements):
 
 
 def trials_of(journal):
-    """Trials a journal holds, read beside the run that writes it; 0 while there is none."""
+    """Returns the number of trials in a journal, also while a run writes it; 0 if the file does
+    not exist yet."""
     try:
         with contextlib.closing(sqlite3.connect(f"file:{journal}?mode=ro", uri=True)) as rows:
             return rows.execute("select count(*) from trials").fetchone()[0]
@@ -32,7 +33,8 @@ def trials_of(journal):
 
 
 class Coarse(unittest.TestCase):
-    """A study that `latsch new` wrote, on a few hundred elements, with measurements from the model itself."""
+    """Makes a study with `latsch new`, with a few hundred elements and with measurements from the
+    model itself."""
 
     template = None
 
@@ -76,7 +78,7 @@ class Coarse(unittest.TestCase):
 
 
 class Outside(unittest.TestCase):
-    """Studies of the tree with an outside program in the model's place."""
+    """Makes copies of studies of the repository in which an outside program replaces the model."""
 
     latsch = Coarse.latsch
     assert_says = Coarse.assert_says

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What all verbs have in common: --json, --quiet, --log, help; and that nobody prints past them.
+"""Options that all verbs share: --json, --quiet, --log and help; no verb prints without regard to
+them.
 
     console_test.py PATH/TO/latsch
 """
@@ -23,7 +24,8 @@ class Console(Coarse):
         return run.stdout, run.stderr
 
     def answer(self, *arguments, code=DONE):
-        """Standard output is one JSON object, whatever happens; NaN and Infinity are no JSON."""
+        """Runs the program and returns the one JSON object that must be its standard output in any
+        case; NaN and Infinity are not allowed."""
         def refuse(word):
             raise ValueError(f"{word} is no JSON")
 

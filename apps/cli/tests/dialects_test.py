@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Files of other programs in their dialects: PAC2002 with pressure, names and versions of .tir, OpenCRG whole, decks with
-equations, sizes.
+"""Dialects of files of other programs: PAC2002 with pressure, names and versions of .tir, all of
+OpenCRG, decks with equations, size designations.
 
 PAC2002 is evaluated here a second time, from its documented formulas [Adams/Tire, PAC2002; as read in Project Chrono's
 ChPac02Tire, which names its pressure terms], in plain Python.
@@ -272,7 +272,7 @@ class OpenCrg(InFolder):
 
 
 class DeckWithEquations(Coarse):
-    """Rows that end in the sidewall: corners of the deck are tied by *EQUATION."""
+    """Returns a tire whose rows end in the sidewall: the deck ties their corners by *EQUATION."""
 
     def test_a_deck_of_our_own_is_read_to_the_same_results(self):
         tire, deck = self.folder / "tire.toml", self.folder / "tire.inp"

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""From the raw record of a drum to a fitted ring, without a script between: `latsch process` averages the passages, a
-[measurement.NAME] takes the average, a study fits the ring to its spectra.
+"""From the raw record of a drum to a fitted ring, without a script between: `latsch process`
+averages the passages, a [measurement.NAME] reads the average, and a study fits the ring to its
+spectra.
 
-The record is a ring's own answer to a cleat, repeated as the drum turns, with noise and a run-up; where in a turn the
-cleat stands is told to nobody. The sidewall it was made with has to be found again.
+The record is the response of a ring to a cleat, repeated as the drum turns, with noise and a
+run-up; the angle of the cleat on the drum is not stated. The fit must find the sidewall with which
+the record was made.
 
     drum_test.py PATH/TO/latsch
 """
@@ -110,7 +112,8 @@ class Drum(unittest.TestCase):
 
     @classmethod
     def record(cls):
-        """20 s at a constant speed after 2 s of running up, 15 N of noise, a voltage for the teeth."""
+        """Writes a record of 20 s at a constant speed after a run-up of 2 s, with noise of 15 N
+        and a voltage for the teeth."""
         cls.latsch("test", "tire.toml", "cleat.toml", "--output", "passage.csv")
         with open(cls.folder / "passage.csv") as file:
             rows = list(csv.DictReader(file))
@@ -151,7 +154,8 @@ class Drum(unittest.TestCase):
         return self.latsch("new", folder, "--drum", *arguments)
 
     def test_one_command_makes_a_study_of_a_raw_record(self):
-        """Teeth, no speed; the rig's page, the averages and a study that finds the sidewall and its delays."""
+        """Checks a record of teeth without a speed: the page of the rig, the averages, and a study
+        that finds the sidewall and its delays."""
         wrote = self.new("from_raw", "raw.csv", "--cleat", "10 mm x 20 mm", "--drum-diameter", f"{DRUM} m",
                          "--teeth", str(TEETH))
         self.assertEqual(wrote.returncode, DONE, wrote.stderr)
@@ -169,7 +173,8 @@ class Drum(unittest.TestCase):
         self.assertRegex(told.stdout, r"Delay of raw_40kph_Fz: -?[0-9.]+ ms, 95 %: -?[0-9.]+ .. -?[0-9.]+ ms")
 
     def test_the_drum_follows_from_speed_and_period(self):
-        """A recorded speed in km/h, forces of SAE signs: the diameter and the axes are found and said."""
+        """Checks a record with a speed in km/h and forces in SAE signs: the program finds and
+        reports the diameter and the axes."""
         with open(self.folder / "raw.csv") as raw, open(self.folder / "speed.csv", "w") as out:
             next(raw)
             out.write("ET [s],V [km/h],FZ [N],FX [N]\n")

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""noise = "estimated": deviations of two experiments, which nobody has stated, are found with the variables.
+"""noise = "estimated": the unstated standard deviations of two experiments are estimated together
+with the variables.
 
-Side force and aligning moment of a tire whose coefficients are known, with noise of 1 % and of 6 % of the largest.
+Side force and aligning moment of a tire whose coefficients are known, with noise of 1 % and of 6 %
+of their largest values.
 
     estimated_noise_test.py PATH/TO/latsch
 """

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""What a search says of a fit without noise, from any start, and of the bounds of its variables. The outside program computes
-y = a exp(b t) + c; the measurement is 2, -1.3, 0.5 to the last digit.
+"""Results and messages of a search in a fit without noise, from any start, and at the bounds of
+its variables. The outside program computes y = a exp(b t) + c; the measurement is 2, -1.3, 0.5 to
+the last digit.
 
     exact_fit_test.py PATH/TO/latsch
 """
@@ -52,7 +53,8 @@ def exponential(t):
 
 class ExactFit(unittest.TestCase):
     def fit(self, variables, formula=EXPONENTIAL, measured=exponential, more=""):
-        """{name: (lower, upper, initial, further lines)} -> the words of `run` and its JSON."""
+        """Returns the printed text and the JSON of `run` for variables {name: (lower, upper,
+        initial, further lines)}."""
         with tempfile.TemporaryDirectory(prefix="latsch_exact_") as name:
             folder = pathlib.Path(name)
             (folder / "sim.py").write_text(SIMULATOR.replace("FORMULA", formula))
@@ -122,7 +124,7 @@ class ExactFit(unittest.TestCase):
         self.assertIn("State the noise", words)
 
     def words_of_two_values(self):
-        """Three numbers from two values of the curve."""
+        """Fits three numbers to two values of the curve."""
         with tempfile.TemporaryDirectory(prefix="latsch_exact_") as name:
             folder = pathlib.Path(name)
             (folder / "sim.py").write_text(SIMULATOR.replace("FORMULA", EXPONENTIAL))

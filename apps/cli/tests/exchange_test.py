@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""latsch export --fmu and --sti: what is in a package, and that its description is one.
+"""latsch export --fmu and --sti: the contents of a package, and a valid description.
 
-The schemas of the standard are looked for in the folder that LATSCH_FMI_SCHEMAS names, fmi2ModelDescription.xsd and
-fmi3ModelDescription.xsd with what they include; without it the descriptions are checked by their structure alone."""
+The schemas of the standard, fmi2ModelDescription.xsd and fmi3ModelDescription.xsd with the files
+that they include, are searched for in the folder that LATSCH_FMI_SCHEMAS names; if it is not set,
+only the structure of the descriptions is checked."""
 import os
 import pathlib
 import re

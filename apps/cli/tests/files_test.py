@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Roads asked, files looked at, recordings of a rig processed.
+"""Heights of roads, display of files, and processing of recordings of a rig.
 
     files_test.py PATH/TO/latsch
 """
@@ -15,7 +15,7 @@ from cli_testing import DONE, LATSCH, WRONG_INPUT, edit
 
 
 class Files(unittest.TestCase):
-    """Roads asked and files looked at."""
+    """Checks heights of roads and the display of files."""
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_cli_"))

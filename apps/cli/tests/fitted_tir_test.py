@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""The file of a fitted tire says where each number comes from, and is read to the same tire.
+"""The file of a fitted tire states the source of each number, and reading it gives the same tire.
 
-The recordings are those of a tire of known coefficients, written by the program's own test of steady states.
+The recordings belong to a tire with known coefficients; the program's own test of steady states
+wrote them.
 
     fitted_tir_test.py PATH/TO/latsch
 """
@@ -57,7 +58,7 @@ workers = 1
 
 
 def keys_of(text):
-    """{key: (value, remark)} of a .tir, without those of [MDI_HEADER] and [UNITS]."""
+    """Returns {key: (value, remark)} of a .tir file, without the sections [MDI_HEADER] and [UNITS]."""
     found = {}
     text = text[text.index("[MODEL]"):]
     for line in text.splitlines():
@@ -107,7 +108,7 @@ class FittedTir(unittest.TestCase):
         return folder
 
     def tire(self, **other):
-        """The truth but for the two coefficients that the studies here look for."""
+        """Returns the true coefficients, except for the two that the studies here identify."""
         known = {**TRUTH, "PDY1": 1.1, "PKY1": -25.0, **other}
         return BASE + "[COEFFICIENTS]\n" + "".join(f"{k} = {v}\n" for k, v in known.items())
 
@@ -161,7 +162,8 @@ class FittedTir(unittest.TestCase):
         self.assertRegex(text, r"speeds of the data: 11\.11 to 11\.11 m/s")
 
     def test_the_file_is_read_to_the_same_tire(self):
-        """Also as a model of the next study, which keeps what this one has fitted."""
+        """The file is also the model of the next study, which leaves the coefficients fitted here
+        unchanged."""
         folder = self.study("again", self.tire())
         run = json.loads(self.latsch("run", folder / "study.toml", "--json").stdout)
         found = {v["name"]: v["value"] for v in run["result"]["variables"]}
@@ -226,7 +228,8 @@ class FittedTir(unittest.TestCase):
         self.assertIn("SOURCE_DATE_EPOCH", said.stderr)
 
     def test_what_new_holds_out_frees_nothing(self):
-        """Three pressures in the record, two of them fitted: no quadratic term, and the third one is predicted."""
+        """The record has three pressures, of which two are fitted: the fit has no quadratic term,
+        and the third pressure is predicted."""
         columns = []
         for k, held in enumerate((["--hold-out", "p = 97 kPa +- 5 kPa"], [])):
             folder = self.base / f"new_{k}"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pressures and grip of a footprint as channels.
+"""Channels of the pressures and of the grip of a footprint.
 
     footprint_test.py PATH/TO/latsch
 """

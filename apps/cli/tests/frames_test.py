@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""One wrench, written in every frame and convention a rig may use, is the same measurement.
+"""One wrench, written in every frame and convention that a rig may use, gives the same
+measurement.
 
 Forces and moments of a wheel are arrows in space here; their components along the axes of a frame, about its origin, and
 the axes of a convention are written into a file, and the program has to find the arrows again in the frame it is asked
@@ -79,7 +80,8 @@ def cross(a, b):
 
 
 class Wheel:
-    """Samples of a wheel: camber, loaded radius, and what acts on it at its center; space is forward, left, up."""
+    """Samples of a wheel: camber, loaded radius, and the force and moment at its center; the axes
+    of space are forward, left, up."""
 
     def __init__(self, seed):
         chance = random.Random(seed)
@@ -89,7 +91,7 @@ class Wheel:
         self.moment = [[chance.gauss(0, 400) for _ in range(3)] for _ in TIMES]
 
     def frame(self, name, i):
-        """Axes and origin in space; the wheel's top leans to the right."""
+        """Returns axes and origin of a frame in space; the wheel's top leans to the right."""
         forward, left, up = [1, 0, 0], [0, 1, 0], [0, 0, 1]
         along_wheel = [0, -math.sin(self.gamma[i]), math.cos(self.gamma[i])]  # upward in the wheel plane
         if name == "C":
@@ -97,7 +99,7 @@ class Wheel:
         return [forward, left, up], [0, 0, 0] if name == "H" else [-self.R_l[i] * x for x in along_wheel]
 
     def components(self, name):
-        """Of forces and moments, a row a sample, iso."""
+        """Returns forces and moments in iso, one row for each sample."""
         rows = []
         for i, (force, moment) in enumerate(zip(self.force, self.moment)):
             axes, origin = self.frame(name, i)
@@ -107,7 +109,7 @@ class Wheel:
 
 
 def written(rows, convention):
-    """With y to the right and z downward; adapted sae keeps the load positive."""
+    """Converts to y to the right and z downward; adapted sae has a positive load."""
     signs = {"iso": [1, 1, 1, 1, 1, 1], "sae": [1, -1, -1, 1, -1, -1], "adapted_sae": [1, -1, 1, 1, -1, -1]}[convention]
     return [[sign * x for sign, x in zip(signs, row)] for row in rows]
 

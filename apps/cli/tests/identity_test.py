@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A journal and the study it belongs to: a best point that was found for other numbers is combined with none, a study in a
-folder that may not be written can be read, and what cannot be compared is no failure of the model.
+"""A journal and the study it belongs to: a best point found for other numbers is not used, a study
+in a read-only folder can be read, and values that cannot be compared are no failure of the model.
 
     identity_test.py PATH/TO/latsch     (the program "spring" lies beside it)
 """
@@ -77,7 +77,7 @@ class SpringStudy(unittest.TestCase):
 
 class OtherStudies(SpringStudy):
     def doors(self):
-        """Every verb that takes the best point of a journal."""
+        """Checks every verb that uses the best point of a journal."""
         suite = self.folder / "suite.toml"
         suite.write_text(SUITE)
         return {"export": ("export", self.study, "--model", self.folder / "found.toml"),
@@ -130,7 +130,7 @@ class OtherStudies(SpringStudy):
 
 
 class NotCompared(SpringStudy):
-    """The model is right, and what it is compared with is mended."""
+    """The model is correct, and the faulty measurement is corrected afterwards."""
 
     def test_a_failed_comparison_leaves_nothing_to_be_tried_again(self):
         self.run_it("run", self.study)
@@ -190,7 +190,7 @@ channel = "{channel}"
 
 
 class ReadOnly(SpringStudy):
-    """A study in a folder that may not be written, as an archive is."""
+    """Checks a study in a read-only folder, such as an archive."""
 
     def setUp(self):
         super().setUp()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Dimensions of an inflated tire as channels, and moduli found from them.
+"""Channels of the dimensions of an inflated tire, and moduli identified from them.
 
     inflation_test.py PATH/TO/latsch
 """
@@ -55,7 +55,7 @@ class Inflation(Coarse):
         return {channel["name"]: channel["values"] for channel in answer["result"]["channels"]}
 
     def measured(self, initial):
-        """Measured at the tire's own numbers."""
+        """Writes a measurement simulated with the tire's own numbers."""
         recorded = self.channels('{kind = "inflation", pressures = ["1 bar", "2 bar", "3 bar"]}')
         rows = zip(recorded["pressure"], recorded["growth"], strict=True)
         (self.folder / "inflated.csv").write_text("pressure [bar],growth [mm]\n" +
@@ -83,7 +83,7 @@ class Inflation(Coarse):
         self.assertEqual(self.channels('{kind = "inflation"}'), self.channels(f'{{kind = "inflation", pressures = ["{own} bar"]}}'))
 
     def test_slopes_are_right_also_in_a_pressure_that_a_test_does_not_use(self):
-        """Growth and force at stated pressures know nothing of the tire's own."""
+        """Checks that growth and force at stated pressures do not depend on the tire's own pressure."""
         said = self.latsch("check", "--derivatives", self.measured("100 GPa"))
         self.assertIn("All of them agree", said)
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""A mesh people bring, an .inp file, in every verb that takes a tire: check, show, test, mesh, a study, export.
+"""A mesh in a user's .inp file in every verb that accepts a tire: check, show, test, mesh, a
+study, export.
 
     inp_test.py PATH/TO/latsch
 """
@@ -41,7 +42,7 @@ def channels_of(output):
 
 
 class Deck(Coarse):
-    """The coarse tire as a deck of our own writer."""
+    """Returns the coarse tire as a deck that the program wrote."""
 
     def setUp(self):
         super().setUp()
@@ -65,7 +66,7 @@ class Deck(Coarse):
         self.assert_says(page.read_text(), "Finite-element deck", self.C10[0][0])
 
     def test_answers_as_the_tire_it_was_written_from(self):
-        """In plain elements with smeared cords, what the deck holds."""
+        """Checks a deck of plain elements with smeared cords."""
         edit(self.folder / "tire.toml", ('cords = "rebar"', 'cords = "smeared"\nelement = "full_integration"'))
         for test in (PRESS, '{kind = "modes", count = 6}', '{kind = "modes", count = 6, deflection = "12 mm"}'):
             theirs, ours = self.channels(self.deck, test), self.channels(self.folder / "tire.toml", test)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""A corner of a suspension on the K&C rig: published statics, bushings found again, and what is refused.
+"""A corner of a suspension on the K&C rig: published statics, identified bushings, and refused
+input.
 
     kc_test.py PATH/TO/latsch
 """

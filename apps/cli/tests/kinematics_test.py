@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Suspensions as rigid links: printed static values, five links, a study of hardpoints, and what is refused.
+"""Suspensions as rigid links: printed static values, five links, a study of hardpoints, and
+refused input.
 
     kinematics_test.py PATH/TO/latsch
 """
@@ -73,7 +74,7 @@ class Kinematics(unittest.TestCase):
         self.assertIn("has 4 links, expected five", self.latsch("test", five, TRAVEL, code=WRONG_INPUT))
 
     def table_of_points(self, spoil=lambda rows: rows, head="of,name,x [mm],y [mm],z [mm]"):
-        """The front axle with its points in a table, beside those of another corner."""
+        """Writes the front axle with its points in a table that also contains those of another corner."""
         text = self.front.read_text()
         points = re.findall(r'^(\w+) = \["([-\d.]+) mm", "([-\d.]+) mm", "([-\d.]+) mm"\]$', text, re.M)
         rows = [["FL", *point] for point in points] + [["RL", "ubj", "-25.6", "530.8", "350"]]

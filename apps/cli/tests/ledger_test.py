@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What a file is taken for: the ledger in show, check, run and --json; names, signs and axes that are not silent.
+"""The interpretation of a file: the ledger in show, check, run and --json, which reports names,
+signs and axes.
 
     ledger_test.py PATH/TO/latsch
 """
@@ -177,7 +178,8 @@ class Ledger(unittest.TestCase):
 
 
 class AxesOfARig(unittest.TestCase):
-    """A table of a K&C rig, written in the signs of a convention, is the model's own again when its axes are stated."""
+    """Checks that a table of a K&C rig in the signs of a convention gives the model's own values
+    if its axes are stated."""
 
     def test_a_table_in_sae_axes_is_turned_whole(self):
         folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_ledger_"))

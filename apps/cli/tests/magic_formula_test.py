@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """From raw recordings of cornering and driving to a .tir with intervals: `latsch new --magic-formula`, run, export.
 
-The recordings come from a tire whose coefficients are known, through the program's own forces (models/magic_formula is
-checked beside published tables), with noise, in SAE signs and the units of a tire test consortium.
+The recordings are forces that the program computes for a tire with known coefficients
+(models/magic_formula is compared with published tables), with noise, in SAE signs and the units of
+a tire test consortium.
 
     magic_formula_test.py PATH/TO/latsch
 """
@@ -67,7 +68,7 @@ intervals = false
 
 
 def sweep(most, count):
-    """There and back, as a rig does: both ends twice."""
+    """Returns a sweep there and back, as on a rig: both ends occur twice."""
     return [most * math.sin(2 * math.pi * i / count) for i in range(count)]
 
 
@@ -93,7 +94,8 @@ class MagicFormula(unittest.TestCase):
 
     @classmethod
     def record(cls, name, states, seed):
-        """0.5 % of the largest force and moment as noise; km/h, deg, kPa, N, SAE."""
+        """Writes a recording with noise of 0.5 % of the largest force and moment, in km/h, deg,
+        kPa, N, with SAE signs."""
         table = cls.base / "states.csv"
         table.write_text("Fz [N],kappa,alpha [deg],gamma [deg],p [kPa],Vx [km/h]\n" +
                          "".join(f"{F},{k},{a},{g},{p},40\n" for F, k, a, g, p in states))
@@ -152,7 +154,7 @@ class MagicFormula(unittest.TestCase):
             self.assertLess(error, 0.01, c)
 
     def test_what_rolls_tells_slopes_of_steady_states_alone(self):
-        """A formula knows its slopes in its coefficients, but not those of a tire that stands."""
+        """Checks that a formula has slopes in its coefficients, except for a standing tire."""
         for keys in (('"load_deflection", deflections = ["5 mm", "10 mm"]', "force", "N", "1000, 2000"),
                      ('"static_stiffness", load = "2 kN", directions = ["vertical"]', "vertical", "N/mm", "200")):
             folder = pathlib.Path(tempfile.mkdtemp(dir=self.base))
@@ -171,7 +173,7 @@ class MagicFormula(unittest.TestCase):
         self.latsch("check", folder / "study.toml")
 
     def test_levels_of_a_condition_are_those_of_the_samples_that_a_stage_fits(self):
-        """Cornering has three pressures and two cambers, driving one of each."""
+        """Writes recordings: cornering has three pressures and two cambers, driving one of each."""
         folder = self.base / "levels"
         said = self.latsch("new", folder, "--magic-formula", self.base / "cornering.dat", self.base / "driving.dat")
         study = (folder / "study.toml").read_text()

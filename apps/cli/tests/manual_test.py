@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The manual and the completion say what the program says of itself: every verb, its options, their values.
+"""The manual and the completion agree with the help of the program: every verb, its options, their
+values.
 
     manual_test.py PATH/TO/latsch
 """
@@ -23,7 +24,7 @@ VERBS = re.findall(r"^  ([a-z]+) {2,}", said("help").split("Subcommands:")[1].sp
 
 
 def completed(*words):
-    """What a Tab behind these words offers."""
+    """Returns the completions that a Tab after these words offers."""
     script = (f"source {ROOT}/cmake/package/latsch.bash; COMP_WORDS=({LATSCH} {' '.join(words)} ''); "
               f"[ -n '{words[-1] if words else ''}' ] && unset 'COMP_WORDS[-1]'; COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); "
               'COMPREPLY=(); _latsch; printf "%s\\n" "${COMPREPLY[@]}"')

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""`latsch new` for every tire that is shipped and for sizes drawn by lot: what it writes is in order and can be fitted.
+"""`latsch new` for every shipped tire and for random sizes: the written files pass the check and
+can be fitted.
 
     new_test.py PATH/TO/latsch
 """
@@ -22,7 +23,8 @@ HEIGHTS = (62, 150)  # mm: sizes 325/30 and 185/80 exist, a 325/80 does not
 
 
 def drawn_sizes(count, seed=2024):
-    """Car tires in steps of the standards' own, inside WIDTHS, ASPECTS, RIMS and HEIGHTS."""
+    """Returns sizes of car tires in the steps of the standards, inside WIDTHS, ASPECTS, RIMS and
+    HEIGHTS."""
     chance, sizes = random.Random(seed), []
     while len(sizes) < count:
         width, aspect, rim = chance.choice(WIDTHS), chance.choice(ASPECTS), chance.choice(RIMS)
@@ -42,7 +44,7 @@ class New(unittest.TestCase):
         return run.stdout + run.stderr
 
     def new(self, *arguments):
-        """The study of a coarse tire; the mesh it has otherwise was built on the way."""
+        """Checks the study of a coarse tire, and that the default mesh can be built."""
         name = arguments[-1].replace("/", "_")
         self.latsch("new", self.folder / name, "--coarse", *arguments)
         return self.folder / name / "study.toml"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Tires on an oblique bar: what a model does not describe there is told beside the result, and a flexible ring whose
-sections bend loses the force that one with straight sections gains.
+"""Tires on an oblique bar: effects that a model neglects are reported with the result, and a
+flexible ring whose sections bend loses the force that one with straight sections gains.
 
     oblique_cleat_test.py PATH/TO/latsch
 """
@@ -31,7 +31,7 @@ class OnAnObliqueBar(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
 
     def stands(self, tire, degrees, *more):
-        """Force in N, and what was warned of."""
+        """Returns the force in N, and the warnings."""
         run = subprocess.run([LATSCH, "test", str(tire), bar(degrees), "--json", *more], capture_output=True, text=True)
         self.assertEqual(run.returncode, DONE, run.stdout + run.stderr)
         answer = json.loads(run.stdout)

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Journals that older programs wrote (verification/old_journals): one of an outside program in format 4 is brought to today's with a
-backup, and the run goes on. One that does not say every key and file of its tests, by which version of the model or by which files of the program it
-was made, is refused in these words, and `--adopt` takes its trials over.
+"""Journals that older programs wrote (verification/old_journals): one of an outside program in
+format 4 is converted to the present format with a backup, and the run continues. One that does not
+state every key and file of its tests, the version of the model or the files of the program is
+refused with a message that says so, and `--adopt` reuses its trials.
 
-Should a search take other steps one day, its new trials are no fault of the journal: what has to hold is that every
-trial of the journal is reused.
+If a later search takes other steps, its new trials are no fault of the journal: the test requires
+only that every trial of the journal is reused.
 
     old_journals_test.py PATH/TO/latsch
 """
@@ -33,7 +34,7 @@ class OldJournals(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.scratch)
 
     def study_with(self, journal):
-        """A copy of the study with that journal as its own."""
+        """Makes a copy of the study with that journal."""
         self.folder = self.scratch / f"{journal.parent.name}_{journal.stem}"
         shutil.copytree(journal.parent, self.folder)
         self.journal = self.folder / "study.latsch"

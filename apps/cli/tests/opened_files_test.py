@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Every file that `latsch check` opens for a shipped study has a ledger in its answer.
 
-The kernel tells which files are opened (inotify), so a reader that somebody adds without a ledger fails here.
+The kernel reports the opened files (inotify), so a new reader without a ledger fails this test.
 
     opened_files_test.py PATH/TO/latsch
 """
@@ -22,7 +22,7 @@ NO_INPUT = (".journal", ".journal-wal", ".journal-shm", ".db", ".html", ".log", 
 
 
 class Opened:
-    """The regular files that are opened in folders and their subfolders."""
+    """Returns the regular files that are opened in the folders and their subfolders."""
 
     def __init__(self, folders):
         self.libc = ctypes.CDLL(None, use_errno=True)

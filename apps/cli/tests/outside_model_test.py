@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Models that are no finite-element tire: tables of tire states, outside programs; another file system.
+"""Models other than finite-element tires: tables of tire states, outside programs; also another
+file system.
 
     outside_model_test.py PATH/TO/latsch
 """
@@ -15,7 +16,7 @@ from cli_testing import DONE, FAILED, LATSCH, STOPPED, WRONG_INPUT, Outside, edi
 
 
 class SteadyStates(Outside):
-    """A steady-state tire on a table of states."""
+    """A study of a steady-state tire with a table of states."""
 
     TIRE = """[MODEL]
 FITTYP = 61
@@ -59,7 +60,8 @@ PKY2 = 1.5
                          'limits = "off"', "no turn slip coefficients")
 
     def test_a_long_table_is_answered_block_by_block(self):
-        """Longer than what is kept in memory, and than a block: as one of its parts."""
+        """Checks that a table longer than a block and than the part in memory gives the results of
+        its parts."""
         tire, states, forces = (self.folder / name for name in ("tire.tir", "states.csv", "forces.csv"))
         tire.write_text(self.TIRE)
         rows = [f"{2000 + k % 2999}.{k % 7}00000000,{k % 13 - 6}.500000000000" for k in range(20_000)]
@@ -156,7 +158,7 @@ class Simulators(Outside):
         self.assertRegex(text, r"[1-9]\d* failed")
 
     def test_an_interrupt_also_ends_what_cannot_be_asked(self):
-        """Here it writes its page to a pipe that nobody reads."""
+        """Checks a run that writes its page to a pipe that nobody reads."""
         study = self.study("quarter_car")
         edit(study, ("step_tolerance = .*", "max_steps = 3"), (r"\[run\]", "[run]\nintervals = false"))
         os.mkfifo(study.parent / "study.html")
@@ -244,7 +246,8 @@ step_tolerance = 0.002
 
 
 class OnAnotherFileSystem(Outside):
-    """A study on a file system in user space, which counts as one of a network: nobody can tell what is behind it."""
+    """Checks a study on a file system in user space, which counts as a network file system because
+    its storage is unknown."""
 
     def setUp(self):
         super().setUp()

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Magnitudes that no tire has, and what stands there twice: what `latsch check` says, and with which line.
+"""Implausible magnitudes and duplicates in tire files: the messages of `latsch check` and their
+line numbers.
 
     plausibility_test.py PATH/TO/latsch
 """

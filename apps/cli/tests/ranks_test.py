@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The program below mpirun.
+"""The program under mpirun.
 
     ranks_test.py PATH/TO/latsch
 """
@@ -18,7 +18,7 @@ from cli_testing import DONE, LATSCH, WRONG_INPUT, Outside, edit, trials_of
 
 @unittest.skipUnless(shutil.which("mpirun"), "Open MPI (mpirun) is not installed")
 class Ranks(Outside):
-    """The same below mpirun; its long form is ./bench.sh mpi_faults."""
+    """Kills ranks under mpirun; ./bench.sh mpi_faults is the long form."""
 
     RESULT = re.compile(r"Best of .*?\n\n", re.S)
 
@@ -89,7 +89,7 @@ class Ranks(Outside):
         self.assert_says(self.mpi("doe", self.quarter_car, "--levels", "2"), "of 4 points")
 
     def ranks(self):
-        """Processes of `latsch run` of the job, by their rank."""
+        """Returns the processes of `latsch run` in the job, by rank."""
         found = {}
         for process in pathlib.Path("/proc").glob("[0-9]*"):
             with contextlib.suppress(OSError):
@@ -106,7 +106,7 @@ class Ranks(Outside):
         os.kill(self.ranks()[rank], signal.SIGKILL)
 
     def wait_for_the_last_rank(self):
-        """mpirun may end before its ranks do, and the master records until then."""
+        """Waits for the ranks: mpirun may end before them, and the master records until its own end."""
         end = time.monotonic() + 30
         while self.ranks():
             self.assertLess(time.monotonic(), end, "a rank goes on without its job")
@@ -114,7 +114,8 @@ class Ranks(Outside):
 
 
 class Tasks(Outside):
-    """Several tasks that nothing makes one job of, as srun --mpi=none starts them; ./bench.sh slurm does that for real."""
+    """Starts several tasks that no MPI joins into one job, as srun --mpi=none does; ./bench.sh
+    slurm uses a real Slurm."""
 
     def test_one_says_what_works_and_none_touches_the_journal(self):
         study = self.study("quarter_car")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The study reference is what the readers of a study say, and the program prints it.
+"""The study reference agrees with the readers of a study, and the program prints it.
 
     reference_test.py PATH/TO/latsch
 """

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""A recorded sweep tells the relaxation length of the side force, where it lags, and says so where it does not.
+"""A recorded sweep determines the relaxation length of the side force if the force lags; otherwise
+a message says that it does not.
 
-The lag of the record is integrated here (Runge-Kutta of order 4, a hundred steps a sample); the forces at the lagged slip
-angles are those of the program's steady states, which models/magic_formula checks beside published tables.
+The lag of the record is integrated here (Runge-Kutta of order 4, a hundred steps a sample); the
+forces at the lagged slip angles are the program's steady states, which tests of
+models/magic_formula compare with published tables.
 
     relaxation_test.py PATH/TO/latsch
 """
@@ -57,7 +59,7 @@ def tangent(t):
 
 
 def lagged_tangents(sigma, count):
-    """sigma dy/dt + V y = V tan alpha, from y = tan alpha."""
+    """Integrates sigma dy/dt + V y = V tan alpha from y = tan alpha."""
     def rate(t, y):
         return SPEED / sigma * (tangent(t) - y)
 
@@ -87,7 +89,7 @@ class Relaxation(unittest.TestCase):
         return run.stdout
 
     def answers(self, rows):
-        """Of steady states (Fz, tan alpha)."""
+        """Returns the side forces of steady states (Fz, tan alpha)."""
         (self.base / "states.csv").write_text(
             "Fz [N],alpha [rad]\n" + "".join(f"{Fz},{math.atan(y)!r}\n" for Fz, y in rows))
         self.latsch("test", self.base / "truth.tir",
@@ -99,7 +101,8 @@ class Relaxation(unittest.TestCase):
         return [dict(zip(names, map(float, row))) for row in table[1:]]
 
     def record(self, name, lags, seed):
-        """Two periods a load, a pause between two loads; 0.5 % of the largest force as noise."""
+        """Writes two periods for each load with a pause between the loads; the noise is 0.5 % of
+        the largest force."""
         count = round(2 * PERIOD / STEP)
         chance, rows, lines = random.Random(seed), [], []
         for Fz in LOADS:

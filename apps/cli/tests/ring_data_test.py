@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""From measured loads and modes to the numbers of a flexible ring: the study that `latsch new --ring-data` writes.
+"""The study that `latsch new --ring-data` writes identifies the numbers of a flexible ring from
+measured loads and modes.
 
     ring_data_test.py PATH/TO/latsch
 """
@@ -25,7 +26,7 @@ FACTORS = {"belt.mass": 1.2, "sidewall.radial.stiffness": 0.8, "sidewall.tangent
 
 
 def number(ring, path):
-    """Of a ring's file, without its unit."""
+    """Returns a number of a ring's file, without its unit."""
     for key in path.split("."):
         ring = ring[key]
     return float(str(ring).split()[0])
@@ -42,7 +43,7 @@ class RingData(unittest.TestCase):
         return run
 
     def shown(self, model):
-        """Loads, and the lowest frequency by name."""
+        """Returns the loads, and the lowest frequency of each name."""
         def rows(test):
             return list(csv.DictReader(self.latsch("test", model, test).stdout.splitlines()))
         frequencies = {}
@@ -52,7 +53,8 @@ class RingData(unittest.TestCase):
         return [float(row["force [N]"]) for row in rows(PRESSED)], frequencies
 
     def fitted(self, model):
-        """The folder of the study of what a model shows, run to its end, with the ring it found."""
+        """Makes a study of data simulated with a model, runs it, and returns its folder, which then
+        contains the fitted ring."""
         study = self.folder / "ring" / "study.toml"
         self.latsch("new", study.parent, "--ring-data", model)
         self.latsch("run", study)

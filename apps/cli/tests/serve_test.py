@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""`latsch serve` and `latsch run --watch` as a page meets them: studies found, a run started, told trial by trial,
-stopped within a second and resumed; the file changed in its place; journals written by others and damaged ones.
+"""`latsch serve` and `latsch run --watch` as seen by a page: studies are found; a run is started,
+reported trial by trial, stopped within a second and resumed; a study file is edited; journals of
+other programs and damaged ones are read.
 
     serve_test.py PATH/TO/latsch
 """
@@ -26,7 +27,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[3]
 
 
 class Page:
-    """The server, asked as scripts ask it."""
+    """Calls the server as scripts do."""
 
     def __init__(self, *arguments, environment=None):
         self.process = subprocess.Popen([LATSCH, *arguments], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,

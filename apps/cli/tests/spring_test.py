@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The proof that a model is one file and a line: a program whose language is a spring alone goes through every verb of a
-study, with itself as its worker.
+"""A new model needs one file and one line: a program whose only model is a spring goes through
+every verb of a study, with itself as its worker.
 
     spring_test.py PATH/TO/latsch     (the program "spring" lies beside it)
 """

@@ -30,7 +30,7 @@ class GoodInput(Coarse):
         self.assertLess(float(re.search(r"target ([\d.]+) %", text)[1]), 0.001)
 
     def test_a_test_takes_number_of_modes_and_sensors_from_their_measurement(self):
-        """As the experiment's own test does."""
+        """Simulates the measurement as the experiment's own test does."""
         edit(self.study, ("# shapes = .*", 'shapes = "mode_shapes.csv"'))
         self.latsch("export", self.study, "--measurements")
         own = json.loads(self.latsch("simulate", self.study, "--json"))["result"]["experiments"][-1]
@@ -102,7 +102,8 @@ bounds = 0.4
 
     @contextlib.contextmanager
     def running_with_trials(self, finished):
-        """A `latsch run` under way, entered once its journal holds as many trials."""
+        """Runs `latsch run` in the background; the body of the `with` begins once its journal
+        holds that many trials."""
         journal = self.folder / "study.latsch"
         run = subprocess.Popen([LATSCH, "run", self.study], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         try:

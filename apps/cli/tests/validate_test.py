@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Suites of checks: a spring, whose forces are known in closed form, and the flexible ring beside published numbers.
+"""Suites of checks: a spring, whose forces are known in closed form, and the flexible ring against
+published numbers.
 
     validate_test.py PATH/TO/latsch     (the program "spring" lies beside it)
 """

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What an option that names a file to write does to what stands there: a pipe, a link, a full device.
+"""The effect of an option that names an output file on an existing one: a pipe, a link, a full
+device.
 
     writing_test.py PATH/TO/latsch
 """
@@ -18,7 +19,7 @@ STUDIES = pathlib.Path(__file__).resolve().parents[3] / "studies"
 
 
 class Writing(unittest.TestCase):
-    """The same for every verb that writes."""
+    """Checks every verb that writes."""
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_cli_"))
@@ -42,7 +43,7 @@ class Writing(unittest.TestCase):
         return run.stdout + run.stderr
 
     def texts(self):
-        """Of every verb what it writes to a file of its own."""
+        """Yields for every verb the options that write a file."""
         for number, verb in enumerate(self.verbs):
             file = self.folder / f"plain{number}"
             self.latsch(*verb, file)

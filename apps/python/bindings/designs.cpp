@@ -77,7 +77,8 @@ void bind_designs(py::module_& module) {
       },
       py::arg("space"),
       py::arg("levels"),
-      "Every combination of levels[i] values of variable i, the first one slowest. Array (N, n).");
+      "A full factorial design: every combination of levels[i] values of variable i; the first "
+      "variable\nchanges slowest. Array (N, n).");
   module.def(
       "latin_hypercube",
       [](const DesignSpace& space, int points, std::uint64_t seed) {
@@ -91,7 +92,8 @@ void bind_designs(py::module_& module) {
       py::arg("space"),
       py::arg("points"),
       py::arg("seed") = 0,
-      "A maximin Latin hypercube; ten points a variable to start with. Array (points, n).");
+      "A maximin Latin hypercube; ten points for each variable are a usual first choice. Array "
+      "(points, n).");
   module.def(
       "sobol",
       [](const DesignSpace& space, int points, std::uint64_t seed) {
@@ -100,15 +102,16 @@ void bind_designs(py::module_& module) {
       py::arg("space"),
       py::arg("points"),
       py::arg("seed") = 0,
-      "The first points of Sobol's sequence; choose a power of two. Array (points, n).");
+      "The first points of Sobol's sequence; choose a power of two for `points`. Array (points, "
+      "n).");
   module.def("basins_of_grid",
              &basins_of,
              py::arg("values"),
              py::arg("levels"),
-             "Minima of a full factorial design: ([(place, points, value), ...] lowest first, "
-             "doubt).\nNaN in `values` (N,): failed. `doubt` says why they cannot be trusted, or "
-             "is empty.");
-  py::class_<Screening>(module, "Morris", "Morris' screening: which variables matter.")
+             "Minima of a full factorial design: ([(position, points, value), ...] lowest first, "
+             "doubt).\nNaN in `values` (N,) marks a failed point. `doubt` is the reason for which "
+             "the minima are\nunreliable; empty if there is none.");
+  py::class_<Screening>(module, "Morris", "Morris' screening of the variables by their effects.")
       .def(py::init([](const DesignSpace& space, int trajectories, std::uint64_t seed, int levels) {
              return Screening{space, morris(space, trajectories, seed, levels)};
            }),
@@ -120,12 +123,13 @@ void bind_designs(py::module_& module) {
       .def_property_readonly(
           "points",
           [](const Screening& of) { return array(of.design.plan().points, of.space.size()); },
-          "Every point once. Array (N, n).")
+          "The different points of the design, each once. Array (N, n).")
       .def("effects",
            &effects_of,
            py::arg("values"),
-           "Of values (trajectories, n + 1), NaN where failed: mu, mu_star, sigma and the number "
-           "of\neffects, arrays (n,). An effect is the change over the whole range of a variable.");
+           "Returns mu, mu_star, sigma and the number of effects, arrays (n,), from "
+           "values\n(trajectories, n + 1) with NaN for failed points. An effect is the change over "
+           "the whole range\nof a variable.");
 }
 
 }  // namespace latsch::python

@@ -74,7 +74,8 @@ SpacedConfidence confidence_at(const DesignSpace& space,
                                const std::vector<double>& deviations,
                                const std::vector<int>& curves) {
   const DesignPoint center = point(at, space.size());
-  if (!space.place(center)) throw InputError("the point has no place in the unit cube");
+  if (!space.place(center))
+    throw InputError("a value of the point is not finite, or not positive on a logarithmic scale");
   const Score score = score_of(residuals, jacobian, space.size());
   const ConfidenceOptions asked = options(sigma, level, deviations, curves);
   check_traits(asked.traits, score.residuals.size());
@@ -129,7 +130,7 @@ class SpacedIdentification {
     const bool is_first_enough = !told.empty() && found_.is_enough(told.front());
     if (outcomes.size() != wanted.size() && !(outcomes.size() == 1 && is_first_enough))
       throw InputError("observe: " + std::to_string(wanted.size()) +
-                       " points are wanted, found the outcomes of " +
+                       " points are requested, found the outcomes of " +
                        std::to_string(outcomes.size()));
     if (is_first_enough) told.resize(1, told.front());
     const py::gil_scoped_release others;
@@ -137,7 +138,9 @@ class SpacedIdentification {
   }
   const Identification& found() const {
     if (found_.failure()) raise(*found_.failure());
-    if (!found_.is_linearized()) throw InputError("nothing is known yet: observe what is wanted");
+    if (!found_.is_linearized())
+      throw InputError(
+          "there are no results yet: pass the outcomes of the points in `wanted` to observe()");
     return found_;
   }
   const Identification& now() const { return found_; }
@@ -150,43 +153,47 @@ class SpacedIdentification {
 
 void bind_confidence(py::module_& module) {
   using C = SpacedConfidence;
-  py::class_<C>(module,
-                "Confidence",
-                "What the data say at a fitted point, in linear approximation. Variables are in "
-                "their own units in\n`intervals`, in ranges (the unit cube) elsewhere.")
+  py::class_<C>(
+      module,
+      "Confidence",
+      "Confidence in the variables at a fitted point, in linear approximation. Variables are in "
+      "their own\nunits in `intervals`, and in shares of their ranges (the unit cube) elsewhere.")
       .def_property_readonly(
           "intervals",
           [](const C& c) { return intervals(c.space, c.found.intervals); },
-          "Array (n, 2): lower and upper end, infinite (0 on a logarithmic scale) where nothing "
-          "holds them.")
+          "Array (n, 2): lower and upper end; infinite (0 on a logarithmic scale) if the data give "
+          "no limit.")
       .def_property_readonly(
           "sigma",
           [](const C& c) { return c.found.sigma; },
-          "Standard deviation of a residual; NaN where none are left to tell it.")
+          "Standard deviation of a residual; NaN if there are not enough residuals to estimate it.")
       .def_property_readonly(
           "t", [](const C& c) { return c.found.t; }, "Student's quantile, two-sided.")
       .def_property_readonly(
           "excess",
           [](const C& c) { return c.found.excess; },
-          "The spread of the residuals over a stated sigma, where that cannot be chance; else 1.")
+          "The spread of the residuals over a stated sigma if chance does not explain it; "
+          "otherwise 1.")
       .def_property_readonly(
           "covariance",
           [](const C& c) { return array(c.found.covariance); },
-          "Array (n, n), in ranges; 0 of held variables.")
+          "Array (n, n), in shares of the ranges; 0 for held variables.")
       .def_property_readonly(
           "correlation", [](const C& c) { return array(c.found.correlation); }, "Array (n, n).")
       .def_property_readonly(
           "singular_values",
           [](const C& c) { return array(c.found.singular_values); },
-          "Array (n,), descending: how strongly the data hold a direction.")
+          "Array (n,), descending: singular values of the Jacobian in the unit cube; a small one "
+          "means that the\ndata hardly determine its direction.")
       .def_property_readonly(
           "directions",
           [](const C& c) { return array(c.found.directions); },
-          "Array (n, n): a column of the unit cube each.")
+          "Array (n, n): one direction in the unit cube in each column.")
       .def_property_readonly(
           "deviations",
           [](const C& c) { return array(c.found.direction_deviations); },
-          "Array (n,): standard deviation along each direction, in ranges; infinite where flat.")
+          "Array (n,): standard deviation along each direction, in shares of the ranges; infinite "
+          "for a direction\nwithout effect.")
       .def_property_readonly(
           "thresholds",
           [](const C& c) { return array(c.found.thresholds); },
@@ -200,26 +207,29 @@ void bind_confidence(py::module_& module) {
             return names;
           },
           "The bound that keeps a variable from a better fit: \"\", \"lower\" or \"upper\".");
-  module.def("confidence",
-             &confidence_at,
-             py::arg("space"),
-             py::arg("point"),
-             py::arg("residuals"),
-             py::arg("jacobian"),
-             py::kw_only(),
-             py::arg("sigma") = py::none(),
-             py::arg("level") = 0.95,
-             py::arg("deviations") = std::vector<double>{},
-             py::arg("curves") = std::vector<int>{},
-             "Confidence from residuals (m,) and their derivatives (m, n) by the values of a "
-             "fitted point (n,).\n\nsigma: standard deviation of a residual where it is known. "
-             "deviations (m,): of each in units of sigma.\ncurves (m,): the curve a residual is a "
-             "sample of; neighbors of one may share their noise.");
+  module.def(
+      "confidence",
+      &confidence_at,
+      py::arg("space"),
+      py::arg("point"),
+      py::arg("residuals"),
+      py::arg("jacobian"),
+      py::kw_only(),
+      py::arg("sigma") = py::none(),
+      py::arg("level") = 0.95,
+      py::arg("deviations") = std::vector<double>{},
+      py::arg("curves") = std::vector<int>{},
+      "Confidence from residuals (m,) and their derivatives (m, n) with respect to the values of a "
+      "fitted\npoint (n,).\n\nsigma: standard deviation of a residual if it is known. deviations "
+      "(m,): standard deviation of each\nresidual in units of sigma. curves (m,): number of the "
+      "curve to which a residual belongs; the noise of\nneighbors on one curve may be correlated.");
 }
 
 void bind_profile(py::module_& module) {
   using P = SpacedProfile;
-  py::class_<P>(module, "Profile", "How well the data are explained with one variable held.")
+  py::class_<P>(module,
+                "Profile",
+                "The rise of the sum of squares over values at which one variable is held.")
       .def_property_readonly("variable", [](const P& p) { return p.space[p.found.variable].name; })
       .def_property_readonly(
           "verdict",
@@ -234,7 +244,7 @@ void bind_profile(py::module_& module) {
             return py::make_tuple(beyond_bounds(v, p.found.interval.lower),
                                   beyond_bounds(v, p.found.interval.upper));
           },
-          "(lower, upper), infinite where the data give none.")
+          "(lower, upper), infinite if the data give no limit.")
       .def_property_readonly(
           "values",
           [](const P& p) {
@@ -243,7 +253,7 @@ void bind_profile(py::module_& module) {
               x.push_back(beyond_bounds(p.space[p.found.variable], at.u[p.found.variable]));
             return array(x);
           },
-          "Array (k,) of the variable, ascending.")
+          "Array (k,): values of the variable, ascending.")
       .def_property_readonly(
           "rise",
           [](const P& p) {
@@ -251,7 +261,7 @@ void bind_profile(py::module_& module) {
             for (const auto& at : p.found.points) rise.push_back(at.S - p.found.least);
             return array(rise);
           },
-          "Array (k,): the sum of squares less its least.")
+          "Array (k,): the sum of squares minus its least value.")
       .def_property_readonly("threshold", [](const P& p) { return p.found.threshold; });
 }
 
@@ -263,9 +273,10 @@ void bind_identifiability(py::module_& module) {
   using I = SpacedIdentification;
   py::class_<I>(module,
                 "Identification",
-                "What the data determine around a fitted point: ask and tell in rounds, all of "
-                "`wanted` at once.\n\nsigma, level, deviations, curves: as of confidence(). "
-                "profiles=False: intervals alone. step: of differences,\nin ranges.")
+                "Confidence intervals and profiles around a fitted point, by ask and tell in "
+                "rounds: each round\nevaluates all points of `wanted`.\n\nsigma, level, "
+                "deviations, curves: as for confidence(). profiles=False: intervals alone. step: "
+                "length of\nthe differences, in shares of the ranges.")
       .def(py::init([](const DesignSpace& space,
                        const Array& at,
                        const std::optional<double>& sigma,
@@ -297,18 +308,18 @@ void bind_identifiability(py::module_& module) {
       .def_property_readonly(
           "wanted",
           [](const I& i) { return array(i.now().wanted(), i.space().size()); },
-          "Points to evaluate, array (k, n); k is 0 when done.")
-      .def(
-          "observe",
-          &I::observe,
-          py::arg("outcomes"),
-          "What the points wanted tell, in their order: residuals (m,), a pair of residuals and "
-          "jacobian (m, n), or\na Failure. The first alone where it brings a jacobian in the first "
-          "round.")
+          "Points to evaluate, array (k, n); k is 0 at the end.")
+      .def("observe",
+           &I::observe,
+           py::arg("outcomes"),
+           "Records the outcomes of the points in `wanted`, in their order: residuals (m,), a pair "
+           "of residuals\nand jacobian (m, n), or a Failure. In the first round the first outcome "
+           "is enough if it has a jacobian.")
       .def_property_readonly(
           "point",
           [](const I& i) { return array(i.now().center().values); },
-          "What the results belong to: the point given, or a better one found since. Array (n,).")
+          "The point to which the results belong: the given one, or a better one found since. "
+          "Array (n,).")
       .def_property_readonly("confidence",
                              [](const I& i) {
                                return SpacedConfidence{i.space(), i.found().confidence()};
@@ -320,7 +331,7 @@ void bind_identifiability(py::module_& module) {
             for (const Profile& p : i.found().profiles()) all.push_back({i.space(), p});
             return all;
           },
-          "One a variable, when done and asked for.");
+          "A list with one Profile for each variable, at the end, if profiles were requested.");
 }
 
 }  // namespace latsch::python

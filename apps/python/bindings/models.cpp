@@ -134,7 +134,7 @@ py::tuple run_test(const Model& model,
     for (const std::string& one : language().kinds_for(test->needs()))
       able += (able.empty() ? "" : ", ") + one;
     throw InputError("a " + model.kind().in_words() + " cannot do this test (" + test->in_words() +
-                     "): it takes one of " + able);
+                     "): the kind must be one of " + able);
   }
   check_slopes(model, *test, paths);
   const SpecimenKind* kind = &model.kind();
@@ -157,9 +157,10 @@ py::dict known_tests() {
 }  // namespace
 
 void bind_models(py::module_& module) {
-  py::class_<Model>(module,
-                    "Model",
-                    "A model as data: its numbers by their paths, in SI. Copies are independent.")
+  py::class_<Model>(
+      module,
+      "Model",
+      "A model as data: its numbers, in SI, are accessed by their paths. Copies are independent.")
       .def(
           "__getitem__",
           [](const Model& m, const std::string& path) { return m.numbers().get(path); },
@@ -185,15 +186,15 @@ void bind_models(py::module_& module) {
             return m.kind().knows_slopes_in(path);
           },
           py::arg("path"),
-          "Whether test(..., slopes=[path]) can be asked for.")
+          "True if the model has slopes in this number: test(..., slopes=[path]).")
       .def(
           "check",
           [](const Model& m) { m.kind().check(m.numbers()); },
-          "InputError where these numbers make no specimen.")
+          "Raises InputError if no specimen can be made from these numbers.")
       .def(
           "describe",
           [](const Model& m) { return m.kind().describe(m.numbers()); },
-          "A line for people.")
+          "A description in one line.")
       .def(
           "text",
           [](const Model& m) { return m.kind().text(m.numbers()); },
@@ -211,12 +212,12 @@ void bind_models(py::module_& module) {
              &read_model,
              py::arg("file"),
              py::arg("kind") = py::none(),
-             "A model's file. kind: of a file that can be read as several (a .tir file as "
-             "\"magic_formula\" or\n\"rigid_ring\").");
+             "Reads a model's file. kind: needed for a file that can be read as more than one kind "
+             "of model (a .tir\nfile as \"magic_formula\" or \"rigid_ring\").");
   module.def("_test", &run_test);
   module.def("tests",
              &known_tests,
-             "Every kind of test: {name: (what it does, [kinds of models that can do it])}.");
+             "All kinds of tests: {name: (description, [kinds of models that support it])}.");
 }
 
 }  // namespace latsch::python

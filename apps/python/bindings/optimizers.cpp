@@ -172,10 +172,10 @@ Result<Score> outcome_of(const py::handle& told, int variables) {
 void bind_score(py::module_& module) {
   py::class_<Score>(module,
                     "Score",
-                    "How good a point is: less is better.\n\nvalue: the target; the sum of squares "
-                    "of the residuals unless given.\nresiduals (m,); jacobian (m, n): their "
-                    "derivatives by the values of the point.\nconstraints c <= 0 and equations h = "
-                    "0, in units in which 1 is much.")
+                    "The outcome of a point, to be minimized.\n\nvalue: the target; the sum of "
+                    "squares of the residuals unless given.\nresiduals (m,); jacobian (m, n): "
+                    "their derivatives with respect to the values of the point.\nconstraints c <= "
+                    "0 and equations h = 0, scaled so that 1 is a large violation.")
       .def(py::init(&score),
            py::arg("value") = py::none(),
            py::kw_only(),
@@ -195,13 +195,13 @@ void bind_score(py::module_& module) {
             const auto columns = static_cast<py::ssize_t>(s.jacobian.size()) / rows;
             return Array({rows, columns}, s.jacobian.data());
           },
-          "Array (m, n), None where it is not known.")
+          "Array (m, n); None if it is not known.")
       .def_property_readonly("constraints", [](const Score& s) { return array(s.constraints); })
       .def_property_readonly("equations", [](const Score& s) { return array(s.equations); })
       .def_property_readonly(
           "violation",
           [](const Score& s) { return violation(s); },
-          "The largest of c and |h|; 0 where all are fulfilled.")
+          "The largest of c and |h|; 0 if all are fulfilled.")
       .def(
           "is_better_than",
           [](const Score& a, const Score& b) { return is_better(a, b); },
@@ -275,13 +275,14 @@ void bind_makers(py::module_& module) {
 
 void bind_optimizers(py::module_& module) {
   bind_score(module);
-  py::class_<AskTell>(module, "Optimizer", "Proposes points and is told what came of them.")
+  py::class_<AskTell>(module, "Optimizer", "Proposes points and receives their outcomes.")
       .def(
           "propose",
           [](AskTell& of, int count) { return array(of.propose(count), of.space().size()); },
           py::arg("count") = 1,
-          "At most `count` different points, the most wanted first; none only when converged.\n"
-          "Array (k, n). Evaluate as many as there are workers, observe the first, ask again.")
+          "Returns at most `count` different points in the order of their priority; none only if "
+          "the search has\nconverged. Array (k, n). Evaluate as many as there are workers, observe "
+          "the first, then propose again.")
       .def(
           "observe",
           [](AskTell& of, const Array& at, const py::object& outcome) {
@@ -290,20 +291,22 @@ void bind_optimizers(py::module_& module) {
           },
           py::arg("point"),
           py::arg("outcome"),
-          "What came of a point (n,): the target, a Score or a Failure. Also of points it did not "
-          "ask for.")
+          "Records the outcome of a point (n,): the target, a Score or a Failure. The point need "
+          "not have been\nproposed.")
       .def_property_readonly("converged", &AskTell::converged)
       .def_property_readonly("ending",
                              &AskTell::ending,
-                             "Why it converged, as the end of a sentence; empty where it does not "
-                             "say.")
+                             "The reason for the convergence, as the end of a sentence; empty if "
+                             "the method states none.")
       .def_property_readonly("space", &AskTell::space)
       .def_property_readonly(
           "method", [](const AskTell& of) { return std::string(name(of.choice().method)); })
       .def_property_readonly(
-          "reason", [](const AskTell& of) { return of.choice().reason; }, "Why this method.");
+          "reason",
+          [](const AskTell& of) { return of.choice().reason; },
+          "The reason for the choice of this method.");
   bind_makers(module);
-  module.def("method_names", &method_names, "All methods, and \"auto\".");
+  module.def("method_names", &method_names, "The names of all methods, and \"auto\".");
 }
 
 }  // namespace latsch::python

@@ -49,7 +49,7 @@ Array of_rows(const Array& values, int variables, const Of& of) {
 
 void bind_variables(py::module_& module) {
   py::class_<DesignVariable>(
-      module, "Variable", "What may vary: a name, bounds, where a search starts, a scale.")
+      module, "Variable", "A variable of a search: a name, bounds, an initial value, a scale.")
       .def(py::init(&variable),
            py::arg("name"),
            py::kw_only(),
@@ -59,15 +59,18 @@ void bind_variables(py::module_& module) {
            py::arg("scale") = "linear",
            py::arg("unit") = "1")
       .def_readonly("name", &DesignVariable::name)
-      .def_readonly("lower", &DesignVariable::lower, "In SI, as upper and initial.")
+      .def_readonly(
+          "lower", &DesignVariable::lower, "The lower bound in SI, as are upper and initial.")
       .def_readonly("upper", &DesignVariable::upper)
       .def_readonly("initial", &DesignVariable::initial)
       .def_property_readonly("scale",
                              [](const DesignVariable& v) {
                                return v.scale == Scale::linear ? "linear" : "logarithmic";
                              })
-      .def_readonly("unit", &DesignVariable::unit, "In which a person reads it.")
-      .def_readonly("paths", &DesignVariable::paths, "Numbers of the model that take its value.")
+      .def_readonly("unit", &DesignVariable::unit, "The unit for display.")
+      .def_readonly("paths",
+                    &DesignVariable::paths,
+                    "Paths of the numbers of the model that are set to its value.")
       .def("__repr__", [](const DesignVariable& v) {
         return py::str("Variable({!r}, lower={!r}, upper={!r}, initial={!r}, scale={!r})")
             .format(v.name,
@@ -142,17 +145,19 @@ void bind_spaces(py::module_& module) {
             return space.contains(point(at, space.size()));
           },
           py::arg("point"),
-          "Whether a point (n,) is inside the bounds and the constraints.")
+          "True if a point (n,) is inside the bounds and the constraints.")
       .def(
           "to_unit",
           [](const DesignSpace& space, const Array& at) {
             return of_rows(at, space.size(), [&](const DesignPoint& p) {
-              if (!space.place(p)) throw InputError("a point has a place in no unit cube");
+              if (!space.place(p))
+                throw InputError(
+                    "a value of the point is not finite, or not positive on a logarithmic scale");
               return space.to_unit(p);
             });
           },
           py::arg("points"),
-          "Points (n,) or (k, n) in the unit cube, clamped to it.")
+          "Maps points (n,) or (k, n) into the unit cube and clamps them to it.")
       .def(
           "from_unit",
           [](const DesignSpace& space, const Array& u) {
@@ -161,14 +166,14 @@ void bind_spaces(py::module_& module) {
             });
           },
           py::arg("u"),
-          "The way back, of (n,) or (k, n).")
+          "The inverse of to_unit, for an array (n,) or (k, n).")
       .def(
           "starting_at",
           [](const DesignSpace& space, const Array& at) {
             return space.starting_at(point(at, space.size()));
           },
           py::arg("point"),
-          "The same space with this initial point.")
+          "Returns the same space with this initial point.")
       .def(
           "tightened",
           [](const DesignSpace& space, const Array& at, double factor) {
@@ -176,7 +181,8 @@ void bind_spaces(py::module_& module) {
           },
           py::arg("point"),
           py::arg("factor"),
-          "Bounds `factor` (0..1) as wide around a point, inside the old ones.");
+          "Returns the space with bounds `factor` (0..1) times as wide around a point, inside the "
+          "old ones.");
 }
 
 }  // namespace latsch::python

@@ -192,9 +192,7 @@ Score scored(const SharedStudy& study, const DesignPoint& at, const py::object& 
 
 Model model_at(const Study& study, const py::object& at) {
   const auto* kind = study.specimens->kind();
-  if (!kind)
-    throw InputError({study.file.string(), 0},
-                     "has a [simulator] in a model's place: there is no model");
+  if (!kind) throw InputError({study.file.string(), 0}, "has a [simulator] instead of a model");
   if (at.is_none()) return {*kind, study.model};
   const DesignPoint p = point(at.cast<Array>(), study.space.size());
   return {*kind, correlation::at(study.model, study.space, p)};
@@ -214,21 +212,22 @@ py::object best_of(const Study& as_written) {
 }
 
 void bind_experiments(py::module_& module) {
-  py::class_<StudyExperiment>(module, "Experiment", "A test's recording beside a measurement.")
+  py::class_<StudyExperiment>(
+      module, "Experiment", "The comparison of a test's recording with a measurement.")
       .def_readonly("name", &StudyExperiment::name)
-      .def_readonly("fitted", &StudyExperiment::fitted, "False: predicted only.")
+      .def_readonly("fitted", &StudyExperiment::fitted, "False: only predicted.")
       .def_property_readonly("weight", [](const StudyExperiment& e) { return e.objective.weight; })
       .def_property_readonly("kind", [](const StudyExperiment& e) { return e.observable->kind(); })
       .def_property_readonly(
           "channels",
           [](const StudyExperiment& e) { return e.observable->asks(); },
-          "Names of the channels of a trial that it compares.")
+          "Names of the compared channels of a trial.")
       .def_property_readonly(
           "measured",
           [](const StudyExperiment& e) { return array(e.observable->measured_values()); },
-          "Array (values,), in `unit`; empty where it compares spectra or levels.")
+          "Array (values,), in `unit`; empty if spectra or levels are compared.")
       .def_property_readonly("unit", [](const StudyExperiment& e) { return e.observable->unit(); })
-      .def_property_readonly("values", &StudyExperiment::values, "How many are compared.")
+      .def_property_readonly("values", &StudyExperiment::values, "The number of compared values.")
       .def("__repr__", [](const StudyExperiment& e) {
         return "<latsch.Experiment " + e.name + ", " + e.observable->kind() + ", " +
                std::to_string(e.values()) + " values>";
@@ -267,7 +266,7 @@ void bind_studies(py::module_& module) {
       .def_property_readonly(
           "reason_without_slopes",
           [](const Read& s) { return correlation::reason_without_slopes(*s.study).value_or(""); },
-          "Why trials bring no derivatives; empty where they do.")
+          "The reason for which trials have no derivatives; empty if they have them.")
       .def(
           "target",
           [](const Read& s, const Array& at, const py::dict& channels) {
@@ -291,12 +290,12 @@ void bind_studies(py::module_& module) {
           "model",
           [](const Read& s, const py::object& at) { return model_at(*s.study, at); },
           py::arg("point") = py::none(),
-          "The Model as written, or with the variables at a point (n,).")
+          "Returns the Model as written, or with the variables at a point (n,).")
       .def("_fitted_text",
            [](const Read& s, const std::string& version, const std::string& date) {
              if (!s.study->specimens->kind())
                throw InputError({s.study->file.string(), 0},
-                                "has a [simulator] in a model's place: there is no model");
+                                "has a [simulator] instead of a model");
              return long_call<std::string>([study = s.study, version, date](const Abandonment&) {
                return correlation::text_of(*study,
                                            correlation::fitted_model(*study, {version, date}));

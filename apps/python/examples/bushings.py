@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A suspension on the K&C rig: a number set, channels as arrays, and which bushing a side force feels the most.
+"""A suspension on the K&C rig: changes a number, reads channels as arrays, and finds the bushing with the largest effect
+under a side force.
 
     python3 bushings.py [corner.toml]
 """

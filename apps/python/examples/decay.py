@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Fits a decay to six measurements by ask and tell, and says how well they determine its two parameters.
+"""Fits a decay to six measurements by ask and tell, and prints the confidence intervals of its two parameters.
 
     python3 decay.py
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A study read, run by the program, and its journal as arrays; then the same fit by a loop of one's own.
+"""Reads a study, runs it by the program, and reads its journal as arrays; then repeats the fit with a loop in Python.
 
     python3 study.py FOLDER      (a copy of studies/compliance is made there)
 """

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Ask and tell over several processes: points that are only likely to be wanted are evaluated ahead, and the path stays that
-of one process to the last bit.
+"""Ask and tell over several processes: points that will probably be requested are evaluated ahead, and the search takes
+the same path to the last bit as with one process.
 
     python3 workers.py [PROCESSES]
 """
@@ -15,7 +15,7 @@ SPACE = latsch.DesignSpace([latsch.Variable(name, lower=-2, upper=2, initial=-1)
 
 
 def evaluate(point):
-    """A model that takes long, and fails in a corner."""
+    """Returns the Score of a model that takes a long time and fails in a corner of its space."""
     a, b, c = point
     if a + b > 3:
         return latsch.Failure("no equilibrium: a + b is above 3")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Latsch from Python: optimizers that propose and are told, designs of experiments, identifiability; models through
+"""Latsch from Python: optimizers by ask and tell, designs of experiments, identifiability; models through
 virtual tests; studies and their journals.
 
     space = latsch.DesignSpace([latsch.Variable("k", lower=1, upper=50, initial=9)])
@@ -14,9 +14,9 @@ virtual tests; studies and their journals.
 
     forces = latsch.test("tire.toml", {"kind": "modes", "pressure": "2.6 bar"})["frequency"]
 
-Numbers are in SI, axes those of ISO 8855 (x forward, y left, z up). Arrays are NumPy's, copies of what the libraries
-hold. Wrong data raise InputError, with file and line where there is one; a simulation that does not succeed is a
-Failure: raised where there is one result, a value where there are several.
+Numbers are in SI units, axes are those of ISO 8855 (x forward, y left, z up). Arrays are NumPy arrays, copies of the data
+of the libraries. Wrong data raise InputError, with file and line if there is a file. A simulation that does not succeed
+gives a Failure: a function with one result raises it, and a function with several results returns it as one of them.
 """
 from latsch._errors import Failure, InputError, JournalError
 from latsch._latsch import (Confidence, DesignSpace, Experiment, Identification, LinearConstraint, Model, Morris, Optimizer,

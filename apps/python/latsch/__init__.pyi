@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Types of the package latsch; shapes and units stand in the docstrings of what they describe."""
+"""Types of the package latsch; the docstrings of the package state shapes and units."""
 import os
 import pathlib
 from collections.abc import Callable, Mapping, Sequence

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The two kinds of wrong that are not a bug: the user's data, and a simulation that does not succeed."""
+"""Errors that are no fault of the program: in the user's data, of a simulation, of a damaged journal."""
 
 
 class InputError(ValueError):
-    """What is wrong with data or arguments: where it stands, what was found, what was expected.
+    """An error in data or arguments. The message states file and line, the value found, and the expected one.
 
-    `file`: "" where no file is concerned; `line`: 0 for the file as a whole.
+    `file`: "" if no file is concerned; `line`: 0 for the file as a whole.
     """
 
     def __init__(self, message, file="", line=0):
@@ -18,8 +18,8 @@ class InputError(ValueError):
 
 
 class Failure(Exception):
-    """Why a simulation gave no result. Raised where there is one result, a value in a list of them.
-
+    """The reason for which a simulation gave no result. It is raised by a function with one result; a function with
+    several results returns it as one of them.
     `reason`: a sentence; `cause`: "point" (the same if repeated), "timeout", "bad_output", "transient" or "not_begun".
     """
 
@@ -36,4 +36,4 @@ class Failure(Exception):
 
 
 class JournalError(RuntimeError):
-    """What is kept of a study is damaged; `latsch doctor` says what can be saved."""
+    """The journal of a study is damaged; `latsch doctor` reports the trials that can be recovered."""

@@ -5,25 +5,28 @@ from latsch import _latsch, _toml
 
 def optimizer(space, method="auto", *, residuals=False, jacobian=False, constraints=False, failed_share=0.0, basins=1,
               **options):
-    """An optimizer over a DesignSpace: a method by its name, or "auto" by what is known of the problem.
+    """Returns an optimizer over a DesignSpace. method: a name, or "auto", which chooses by the properties below.
 
     residuals: outcomes will be Scores with residuals (m,), whose sum of squares is the target; jacobian: with their
-    derivatives (m, n) too. constraints: Scores will bring nonlinear constraints. failed_share, basins: of a design.
+    derivatives (m, n), too. constraints: Scores will have nonlinear constraints. failed_share, basins: share of failed
+    points and number of basins in an earlier design of experiments.
 
     options: keys of [optimizer] in a study (`latsch help study`): initial_step, step_tolerance, outstanding, restarts, seed,
-    ...; lengths are shares of the ranges. Of an ensemble: member={"wide": {"method": "genetic"}, "fine": {"method": "gss",
-    "priority": 2}}, ends_with="all" or "first".
+    ...; lengths are shares of the ranges. Options of an ensemble: member={"wide": {"method": "genetic"}, "fine": {"method":
+    "gss", "priority": 2}}, ends_with="all" or "first".
 
-    Raises InputError for what a study would be refused for.
+    Raises InputError for arguments that would be refused in a study.
     """
     return _latsch._optimizer(space, method, _toml.lines(options), residuals, jacobian, constraints, failed_share, basins)
 
 
 def cascade(space, method="gss", *, stages=2, tightening=0.25, **options):
-    """One run after the other, each with bounds `tightening` as wide around the best point of the one before."""
+    """Returns an optimizer that runs `stages` searches one after the other, each with bounds that are `tightening` times
+    as wide around the best point of the stage before."""
     return _latsch._cascade(space, method, _toml.lines(options), stages, tightening)
 
 
 def multi_start(space, starts, method="residual_trust_region", **options):
-    """One run after the other, from each of `starts` (k, n); tell none of them what another has found."""
+    """Returns an optimizer that runs one search after the other, from each of `starts` (k, n); no search knows the
+    results of the others."""
     return _latsch._multi_start(space, starts, method, _toml.lines(options))

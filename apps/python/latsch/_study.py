@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Studies: what they vary and compare, their runs, their journals.
+"""Studies: their variables and experiments, their runs, their journals.
 
-A run is a process of the installed program, `latsch run`, not of this interpreter. It is the same search to the last bit
-whoever starts it, its journal is locked, survives anything and can be watched (`latsch serve`) and resumed from a
-terminal; a simulation that crashes or takes all memory ends a worker of that process; and Ctrl-C is the program's own,
-which leaves every finished trial on the disk.
+A run is a process of the installed program, `latsch run`, not of this interpreter. The search is the same to the last
+bit as one started from a terminal. Its journal is locked and survives crashes; the run can be watched (`latsch serve`)
+and resumed from a terminal. A simulation that crashes or uses all memory ends only a worker of that process. The
+program handles Ctrl-C itself and leaves every finished trial on the disk.
 """
 import collections
 import datetime
@@ -31,7 +31,7 @@ _PATIENCE = 10  # s that a run is given to end after Ctrl-C; it asks for three
 
 
 def program():
-    """The program `latsch`: $LATSCH_PROGRAM, the one installed or built with this package, or one on the PATH."""
+    """Returns the program `latsch`: $LATSCH_PROGRAM, the one installed or built with this package, or one on the PATH."""
     named = os.environ.get("LATSCH_PROGRAM")
     beside = pathlib.Path(__file__).resolve().parents[4] / "bin" / "latsch"
     found = named or (str(beside) if beside.is_file() else shutil.which("latsch"))
@@ -41,17 +41,17 @@ def program():
 
 
 def read_study(file):
-    """A study's file. Raises InputError naming file and line where the study, its model or a measurement is wrong."""
+    """Reads a study's file. Raises InputError with file and line if the study, its model or a measurement has an error."""
     return Study(file)
 
 
 class Trials:
-    """What the journal of a study holds, a row a trial, in the order they finished.
+    """The trials in the journal of a study, one row for each, in the order in which they finished.
 
-    points (N, n); targets (N,), NaN where a trial failed; violations (N,) of constraints; failures: a Failure each, None
-    where it succeeded; seconds (N,); asked (N,): False of what ran ahead of a search and is no result; channels: by
-    "TEST/CHANNEL" arrays (N, samples), rows of NaN where failed, or lists of arrays where trials differ in their samples;
-    units: of these.
+    points (N, n); targets (N,), NaN for a failed trial; violations (N,) of constraints; failures: one Failure for each
+    failed trial, otherwise None; seconds (N,); asked (N,): False for a trial that ran ahead of a search and is no result;
+    channels: arrays (N, samples) by "TEST/CHANNEL", with rows of NaN for failed trials, or lists of arrays if trials
+    differ in their number of samples; units: units of the channels.
     """
 
     def __init__(self, columns):
@@ -67,57 +67,61 @@ class Trials:
 class Study(_latsch._Study):
     """A study as read: `file`, `title`, `journal`; `space` and `variables`; `experiments`; `method` of its search.
 
-    score(point, slopes=None): a trial here and now, without journal: a Score with residuals and, where the model knows
-    them, their jacobian. target(point, channels): the Score of channels that are known, a dict as a Recording is.
-    model(point=None): the Model as written, or at a point. fitted_text(): the file of the fitted model.
+    score(point, slopes=None): runs a trial in this process, without the journal, and returns a Score with residuals and,
+    if the model knows them, their jacobian. target(point, channels): the Score of given channels, a dict like a Recording.
+    model(point=None): the Model as written, or at a point. fitted_text(): the text of the file of the fitted model.
     """
 
     @property
     def ledger(self):
-        """What each column of each file was taken for: a list of dicts, one a file, with `file`, `summary`, `rows` (written,
-        taken_as, unit_written, unit, factor, offset, axes, used_by, state ...) and `doubts` (name, sentence, line, is_error).
+        """The interpretation of each column of each file: a list of dicts, one for each file, with `file`, `summary`, `rows`
+        (written, taken_as, unit_written, unit, factor, offset, axes, used_by, state ...) and `doubts` (name, sentence, line,
+        is_error).
         """
         return json.loads(self._ledger_json)
 
     def simulate(self, point):
-        """All experiments at a point (n,), the predicted ones too: a Recording with channels "TEST/CHANNEL"."""
+        """Simulates all experiments at a point (n,), also the predicted ones, and returns a Recording with channels
+        "TEST/CHANNEL"."""
         values, units, _ = self._simulate(point)
         return Recording(values, units)
 
     def run(self, workers=None, *, anew=False, progress=True):
-        """Fits, by a process `latsch run`; what its journal has is not computed again.
+        """Fits the model in a process `latsch run`; trials in the journal are not computed again.
 
-        workers: processes; the study's own number unless given. anew: begins with an empty journal. progress: True shows
-        it on standard error, False not; or a function that gets its lines. Returns the results as a dict, those of
-        `latsch run --json`. Ctrl-C ends the run with all trials safe and raises KeyboardInterrupt; run() or resume() goes on.
+        workers: number of processes; that of the study unless given. anew: begins with an empty journal. progress: True
+        shows the progress on standard error, False does not; or a function that receives its lines. Returns the results of
+        `latsch run --json` as a dict. Ctrl-C ends the run, saves all trials and raises KeyboardInterrupt; run() or resume()
+        continues the run.
         """
         return self._program("run", workers, ["--anew"] if anew else [], progress)
 
     def resume(self, workers=None, *, retry_failed=False, progress=True):
-        """Goes on with an interrupted run, to the same result to the last bit. retry_failed: once a cause is mended."""
+        """Continues an interrupted run; the result is the same to the last bit as without the interruption. retry_failed:
+        repeats failed trials, after their cause was removed."""
         return self._program("resume", workers, ["--retry-failed"] if retry_failed else [], progress)
 
     def doe(self, workers=None, *, progress=True):
-        """The design of experiments of the study's [doe]."""
+        """Runs the design of experiments that [doe] of the study states."""
         return self._program("doe", workers, [], progress)
 
     def identify(self, workers=None, *, progress=True):
-        """Confidence intervals and profiles around the best trial."""
+        """Computes confidence intervals and profiles around the best trial."""
         return self._program("identify", workers, [], progress)
 
     def trials(self, channels=()):
-        """The trials so far, also while a run goes on. channels: names to read, True: all (large)."""
+        """Returns the trials so far, also during a run. channels: names of channels to read; True: all (large)."""
         names = [channels] if isinstance(channels, str) else [] if isinstance(channels, bool) else list(channels)
         return Trials(self._trials(names, channels is True))
 
     def best(self):
-        """The best trial of the journal: (point, target, violation); None where none has succeeded."""
+        """Returns the best trial of the journal, (point, target, violation); None if no trial has succeeded."""
         found = self._best()
         return Best(*found) if found else None
 
     def fitted_text(self, date=None):
-        """The text of a file of the model at the best trial, as `latsch export --model` writes it: with the origin of every
-        number, data, target and errors in comments. date: a datetime.date or text; today in UTC unless given.
+        """Returns the text of a file of the model at the best trial, as `latsch export --model` writes it: with the origin
+        of every number, data, target and errors in comments. date: a datetime.date or text; today in UTC unless given.
         """
         when = datetime.datetime.now(datetime.timezone.utc).date() if date is None else date
         return self._fitted_text(importlib.import_module(__package__).__version__, str(when))
@@ -147,7 +151,8 @@ def _listener(progress, said):
 
 
 def _followed(command, listen):
-    """Standard output of the process, to the end; lines of its standard error are listened to as they come."""
+    """Returns the standard output of the process after its end; passes lines of its standard error to the listener as
+    they come."""
     # The process has a session of its own: the terminal's Ctrl-C reaches this process alone, which passes it on once.
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                text=True, encoding="utf-8", errors="replace", start_new_session=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Models through tests, recordings as arrays."""
+"""Runs models through tests; recordings are arrays."""
 import os
 
 from latsch import _latsch, _toml
@@ -8,8 +8,8 @@ from latsch import _latsch, _toml
 class Recording(dict):
     """Channels of a test by their names, arrays (samples,) in SI.
 
-    units: the SI unit of each. slopes: arrays (samples, paths) of those channels whose derivatives are known, by the
-    numbers at `paths`, in SI. notes: what is to be minded, a sentence each.
+    units: the SI unit of each. slopes: arrays (samples, paths) of the channels whose derivatives are known, with respect to
+    the numbers at `paths`, in SI. notes: warnings about the recording, one sentence each.
     """
 
     def __init__(self, values, units, slopes=None, paths=(), notes=()):
@@ -25,13 +25,14 @@ class Recording(dict):
 
 
 def test(model, test, *, kind=None, slopes=()):
-    """A model driven through a test, as `latsch test` does it: the same numbers to the last bit.
+    """Runs a model through a test, with the same results to the last bit as `latsch test`.
 
-    model: a Model, or a model's file (kind: of one that can be read as several). test: a file, or its keys as a dict or as
-    TOML in braces, {"kind": "kc", "Fy": "-4 kN"}; `latsch help study` has them, tests() which model can do which.
-    slopes: paths of numbers of the model in which derivatives are wanted. Returns a Recording.
+    model: a Model, or a model's file (kind: needed if it can be read as more than one kind of model). test: a file, or its
+    keys as a dict or as TOML in braces, {"kind": "kc", "Fy": "-4 kN"}; `latsch help study` lists the keys, and tests() the
+    models that support a test. slopes: paths of numbers of the model with respect to which derivatives are computed.
+    Returns a Recording.
 
-    Other threads run meanwhile, and Ctrl-C is answered at once. Raises InputError, and Failure where the test does not
+    Other threads run meanwhile, and Ctrl-C has an immediate effect. Raises InputError, and Failure if the test does not
     succeed.
     """
     if not isinstance(model, _latsch.Model):

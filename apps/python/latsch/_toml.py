@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Python values as TOML: arguments are read, checked and complained of by the readers that files have."""
+"""Converts Python values into TOML, so that the readers of files read and check arguments, with the same messages."""
 import json
 import os
 import re
 
 
 def value(of):
-    """A dict as an inline table, a sequence or an array as a list."""
+    """Returns a dict as an inline table, a sequence or an array as a list."""
     if hasattr(of, "tolist"):  # arrays and numbers of NumPy
         of = of.tolist()
     if isinstance(of, bool):
@@ -29,5 +29,5 @@ def key(name):
 
 
 def lines(table):
-    """One `key = value` a line."""
+    """Returns one line `key = value` for each entry."""
     return "".join(f"{key(name)} = {value(one)}\n" for name, one in table.items())

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Optimizers from Python: minima that SciPy finds too, options and complaints of the library, failures, threads."""
+"""Optimizers from Python: minima that SciPy also finds, options and error messages of the library,
+failures, threads."""
 import pickle
 import unittest
 
@@ -28,7 +29,7 @@ def space(**changed):
 
 
 def search(optimizer, evaluate, look_ahead=1, most=5000):
-    """Points in the order they were observed, and the best of them."""
+    """Returns the points in the order in which they were observed, and the best of them."""
     path = []
     while not optimizer.converged and len(path) < most:
         point = optimizer.propose(look_ahead)[0]

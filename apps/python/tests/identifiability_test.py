@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Intervals held against those of SciPy's least squares and Student's quantile, profiles against intervals."""
+"""Intervals are compared with those of SciPy's least squares and Student's quantile, profiles with
+intervals."""
 import unittest
 
 import latsch

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Models through tests: the bits of `latsch test --json`, slopes against differences, numbers set by path, threads and
-Ctrl-C."""
+"""Tests of models from Python: the bits of `latsch test --json`, slopes against differences,
+numbers set by path, threads and Ctrl-C."""
 import json
 import pathlib
 import signal
@@ -25,7 +25,7 @@ OVER_A_CLEAT = {"kind": "drum_cleat", "speed": "60 km/h", "load": "4 kN", "drum_
 
 
 def by_the_program(model, test, *options):
-    """(values, units) of `latsch test --json`."""
+    """Returns (values, units) of `latsch test --json`."""
     run = subprocess.run([LATSCH, "test", model, test, "--json", *options], capture_output=True, text=True, check=True)
     channels = json.loads(run.stdout)["result"]["channels"]
     return {one["name"]: np.array(one["values"], float) for one in channels}, {one["name"]: one["unit"] for one in channels}
@@ -123,7 +123,7 @@ class Models(unittest.TestCase):
         self.assertGreater(other.turns, 20)
 
     def interrupted(self, model, test):
-        """How long it takes from Ctrl-C to the end of a process that does this test again and again."""
+        """Returns the time from Ctrl-C to the end of a process that repeats this test."""
         script = textwrap.dedent(f"""
             import sys, latsch
             model = latsch.read_model({str(model)!r})

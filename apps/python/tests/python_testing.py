@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""For the tests of the Python package: the program beside it, and what its threads do meanwhile."""
+"""Support for the tests of the Python package: the program that belongs to it, and a counter in
+another thread."""
 import pathlib
 import sys
 import threading
@@ -10,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 
 
 class Meanwhile:
-    """Counts in another thread: how often it got its turn while something else ran."""
+    """Counts in another thread how often that thread ran during another computation."""
 
     def __enter__(self):
         self.turns, self._goes_on = 0, True

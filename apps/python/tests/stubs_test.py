@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The stubs name what is there, nothing else, with the arguments it takes; everything public says what it is; the examples run."""
+"""The stubs contain exactly the existing names with their arguments; everything public has a
+docstring; the examples run."""
 import ast
 import importlib.metadata
 import inspect

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Studies from Python: what they hold, runs by the program, journals as arrays, an interrupted run that goes on."""
+"""Studies from Python: their contents, runs by the program, journals as arrays, and an interrupted
+run that continues."""
 import contextlib
 import os
 import pathlib

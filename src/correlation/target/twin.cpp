@@ -111,7 +111,7 @@ Result<std::vector<std::filesystem::path>> write_twin(const Study& study) {
   if (!kind) {
     throw InputError(
         {study.file.string(), 0},
-        "has an outside program in a model's place: there is no model to write a twin of");
+        "has an outside program instead of a model, so no twin of a model can be written");
   }
   refuse_to_overwrite_inputs(study);
   const auto specimen = kind->build(study.model);
