@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Nothing that states a figure may lack the run that renews it: every benchmark of ./bench.sh --list has its smoke test,
-every folder of studies/ with a study.toml its expected results, which name each of its studies.
+every study below studies/ its expected results, which are those of a run or say that there was none.
 
     every_figure.py SOURCE BUILD        ends with 1 and names what lacks one
 """
@@ -8,6 +8,8 @@ import json
 import pathlib
 import subprocess
 import sys
+
+import studies
 
 
 def benchmarks_without_test(source, build):
@@ -21,20 +23,9 @@ def benchmarks_without_test(source, build):
     return [f"benchmark {name} has no test bench_{name}_smoke" for name in names if f"bench_{name}_smoke" not in tests]
 
 
-def studies_without_results(source):
-    wrong = []
-    for study in sorted((source / "studies").glob("*/study.toml")):
-        expected = study.with_name("expected.toml")
-        if not expected.exists():
-            wrong.append(f"studies/{study.parent.name} has a study.toml and no expected.toml (tools/studies.py)")
-        elif '["study.toml"]' not in expected.read_text():
-            wrong.append(f"studies/{study.parent.name}/expected.toml does not speak of study.toml")
-    return wrong
-
-
 def main():
     source, build = (pathlib.Path(word) for word in sys.argv[1:3])
-    wrong = benchmarks_without_test(source, build) + studies_without_results(source)
+    wrong = benchmarks_without_test(source, build) + studies.without_results()
     for one in wrong:
         print(one)
     sys.exit(1 if wrong else 0)

@@ -24,6 +24,7 @@ Every study file below studies/ is in the expected.toml of its folder or of one 
     truth = {belt = "5 GPa"}    # of a twin: its data have a target below 1e-8 there
     needs = "ccx"               # a program that has to be there, or the study is skipped
     search = false              # nothing is fitted: the values are written by hand, a check is one trial there
+    no_run = "why"              # no run has given the numbers yet: --quick says so and tries those that are there, --check fails
     ["study.toml".values]       # found, and the ends of the 95 % interval where there is one
     sidewall = {value = 75.0, unit = "N/mm^2", lower = 51.0, upper = 108.0}
     ["study.toml".errors]       # by experiment: mean and largest, in its own measure
@@ -49,9 +50,9 @@ and, where our own model computed what is measured, how:
     also = ["mode_shapes.csv"]  # written, not compared: the sign of a shape is free
     tolerance = 1e-6            # relative, of every number
 
-Numbers of runs are written by --renew; quick, tolerance, reason, truth, needs, search, command, keep, after and [data] by
-hand, and kept. Values and errors are those of one run that began without a journal, at full digits: a trial at rounded
-values, or the end of a second run, is another result.
+Numbers of runs are written by --renew; quick, tolerance, reason, truth, needs, search, no_run, command, keep, after and
+[data] by hand, and kept; --renew removes no_run. Values and errors are those of one run that began without a journal, at
+full digits: a trial at rounded values, or the end of a second run, is another result.
 """
 import argparse
 import fnmatch
@@ -173,7 +174,7 @@ def without_results():
             content = tomllib.load(stream)
         if file.name == "expected.toml":
             wrong += [f"{file.relative_to(TREE)}: the numbers of {study} are not those of a run: tools/studies.py --renew"
-                      for study, entry in content.items() if study != "data" and not is_renewed(entry)]
+                      for study, entry in content.items() if study != "data" and not is_renewed(entry) and "no_run" not in entry]
         elif is_study(content):
             expected = folder_of(str(file.relative_to(STUDIES))) / "expected.toml"
             if not expected.exists() or str(file.relative_to(expected.parent)) not in read(expected):
@@ -423,6 +424,8 @@ def table_of(study, entry):
 def block_of(content):
     lines = [BEGIN]
     for study, entry in content.items():
+        if "no_run" in entry:
+            lines += [f"`{study}`: no run has given its numbers yet. {entry['no_run']}", ""]
         if study != "data" and ("target" in entry or "results" in entry):
             lines += [*table_of(study, entry), ""]
     return "\n".join(lines[:-1] + [END]) if len(lines) > 1 else BEGIN + "\n" + END
@@ -462,6 +465,10 @@ def check(latsch, names, quick):
                 elif not shutil.which(entry.get("needs", "sh")):
                     print(f"{folder.relative_to(STUDIES)}/{study}: skipped, there is no {entry['needs']}")
                 elif chosen(names, folder, study):
+                    if quick and "no_run" in entry:
+                        print(f"{folder.relative_to(STUDIES)}/{study}: no run has given its numbers yet: {entry['no_run']}")
+                        if "target" not in entry:
+                            continue
                     steps.append((study, lambda s=study, e=entry: study_check(latsch, place, s, e, quick)))
             for what, ask in steps:
                 name = f"{folder.relative_to(STUDIES)}/{what}"
@@ -485,8 +492,8 @@ def data_check(latsch, folder, place, data):
 
 def study_check(latsch, folder, study, entry, quick):
     wrong = []
-    if "target" not in entry and "results" not in entry:
-        return ["nothing is expected of it yet: tools/studies.py --renew"]
+    if not is_renewed(entry) and not (quick and "no_run" in entry):
+        return ["its numbers are not those of a run: tools/studies.py --renew"]
     if "truth" in entry:
         target = trial(latsch, folder / study, entry["truth"])["target"]
         if not target < MOST_AT_THE_TRUTH:
@@ -522,6 +529,7 @@ def renew(latsch, names, with_data):
             for study in content:
                 if study != "data" and chosen(names, folder, study):
                     content[study].update(computed(latsch, place, study, content[study]))
+                    content[study].pop("no_run", None)
                     target = f"target {content[study]['target']:.6g}, " if "target" in content[study] else ""
                     print(f"{folder.relative_to(STUDIES)}/{study}: {target}{seconds_of(content[study])} s", flush=True)
                     write(file, content)  # also if a later study fails or is interrupted
@@ -551,7 +559,9 @@ def entries(names):
 def sums(named):
     """In words, the processor time of all checks and of those of the tests."""
     whole, quick = (sum(seconds_of(entry, how) or 0.0 for _, entry in named) for how in (False, True))
-    return (f"{len(named)} studies: --check takes {whole / 60:.0f} minutes of processor time, "
+    untimed = sum("no_run" in entry for _, entry in named)
+    more = f", without {untimed} that no run has timed yet" if untimed else ""
+    return (f"{len(named)} studies: --check takes {whole / 60:.0f} minutes of processor time{more}, "
             f"--quick, which the tests run, {quick / 60:.1f} minutes.")
 
 
@@ -560,7 +570,7 @@ def list_all(names):
     named = entries(names)
     for name, entry in named:
         costs = [f"{seconds:8.1f} s" if seconds is not None else "not timed" for seconds in (seconds_of(entry), seconds_of(entry, True))]
-        print(f"{name:44} {costs[0]:>11} {costs[1]:>11}  {quick[entry['quick']]}")
+        print(f"{name:44} {costs[0]:>11} {costs[1]:>11}  {'no run yet' if 'no_run' in entry else quick[entry['quick']]}")
     print(sums(named))
     return 0
 

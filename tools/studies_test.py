@@ -182,6 +182,36 @@ class Studies(unittest.TestCase):
         self.assertIn("target = 0.04", (self.folder / "expected.toml").read_text())
         self.assertEqual(self.asked(studies.check, [], False)[0], 0)
 
+    def test_numbers_that_no_run_gave_are_refused(self):
+        text = (self.folder / "expected.toml").read_text()
+        (self.folder / "expected.toml").write_text("".join(line for line in text.splitlines(True) if "cpu_seconds" not in line))
+        for quick in (True, False):
+            self.assertIn("not those of a run", self.asked(studies.check, [], quick)[1])
+
+    def test_a_study_that_was_not_run_yet_is_told_and_no_success(self):
+        entry = EXPECTED.split("truth")[0].replace("study.toml", "long.toml").replace('quick = "run"', 'quick = "none"')
+        self.add(entry + 'no_run = "It takes a day."\n', "long.toml")
+        self.assertEqual(studies.without_results(), [])
+        studies.write_readme(self.folder, studies.read(self.folder / "expected.toml"))
+        self.assertIn("`long.toml`: no run has given its numbers yet. It takes a day.", (self.folder / "README.md").read_text())
+        code, said = self.asked(studies.check, [], True)
+        self.assertEqual((code, "long.toml: no run has given its numbers yet: It takes a day." in said), (0, True), said)
+        self.assertEqual(self.asked(studies.check, [], False)[0], 1)
+        self.assertIn("without 1 that no run has timed yet", studies.sums(studies.entries([])))
+        with open(self.folder / "expected.toml", "a") as file:  # the numbers of one trial
+            file.write('["long.toml".values]\nspring = {value = 6, unit = "N/mm"}\n'
+                       '["long.toml".errors]\nforce = {mean = 0.2, largest = 0.2, fitted = true}\n')
+        self.edit("expected.toml", 'no_run = "It takes a day."', 'no_run = "It takes a day."\ntarget = 0.04')
+        self.edit("expected.toml", 'quick = "none"', 'quick = "trial"')
+        studies.write_readme(self.folder, studies.read(self.folder / "expected.toml"))
+        self.assertEqual(self.asked(studies.check, [], True)[0], 0)
+        self.edit("expected.toml", "mean = 0.2,", "mean = 0.3,")
+        self.assertIn("mean error of force", self.asked(studies.check, [], True)[1])
+        self.assertIn("not those of a run", self.asked(studies.check, [], False)[1])
+        self.asked(studies.renew, ["spring/long.toml"], False)
+        self.assertNotIn("no_run", (self.folder / "expected.toml").read_text())
+        self.assertEqual(self.asked(studies.check, [], False)[0], 0)
+
     def test_a_study_of_which_nobody_speaks_is_found(self):
         self.assertEqual(studies.without_results(), [])
         fit = '[variable.spring]\npath = "spring"\n[experiment.force]\nkind = "values"\n'
