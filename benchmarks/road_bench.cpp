@@ -109,7 +109,7 @@ double standing(
   return highest;
 }
 
-/// Adds the largest differences over the places of a wheel.
+/// Adds the largest differences over the positions of a wheel.
 void cams(Table& table, const std::string& what, const Road& road, const double (&edges)[2]) {
   magic_formula::Parameters p;
   p.UNLOADED_RADIUS = 0.31;

@@ -55,7 +55,7 @@ Eigen::Vector3d position(const Corners& X, const Place& p) {
   return x;
 }
 
-/// Direction of the cord through a place on the facet zeta = const.
+/// Direction of the cord through a point on the facet zeta = const.
 struct Course {
   double slope;         // dxi / deta
   double width_per_xi;  // m between two cords that are dxi = 1 apart

@@ -6,8 +6,8 @@
 // the layer's thickness times the width of the strip. The part of a cord in an element is a chain
 // of pieces whose ends are tied to the element's eight corners by linear equations (*EQUATION),
 // wherever in the element they are: the solids keep their own nodes and the cords follow them. Only
-// the layer's place and angle are shared with the rebar element. The error caused by the number of
-// cords and pieces falls with its square.
+// the layer's position and angle are shared with the rebar element. The error caused by the number
+// of cords and pieces falls with its square.
 //
 // A piece is either a spring between its ends (SPRINGA) with the cord's force over elongation by
 // the law of cord_law.h for equal moduli, A E (lambda^2 - 1) / 2 lambda, or a truss (T3D2).

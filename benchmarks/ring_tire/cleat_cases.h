@@ -48,8 +48,8 @@ void at_once(std::size_t count, const Work& work) {
   go();
 }
 
-/// A number of the tire: its place in the file, its value in the specimen relative to the known
-/// one, and the range of its possible error.
+/// A number of the tire: its path in the file, its value in the specimen relative to the known one,
+/// and the range of its possible error.
 struct Number {
   const char* path;
   double truth, range;

@@ -66,7 +66,7 @@ struct Run {
   std::vector<double> Fx, Fz;
 };
 
-/// Returns nothing if the ring finds no state. If `on_drum`, the hub stands still.
+/// Returns nothing if the ring finds no state. If `on_drum`, the hub does not move.
 std::optional<Run> roll(const RingParameters& ring,
                         const RingSettings& settings,
                         const road::Road& road,

@@ -36,7 +36,7 @@ void wait_for_trials(const correlation::Study& study, long count);
 /// Returns the whole path, bit by bit; empty if it did not converge.
 std::string trajectory(const correlation::Study& study);
 
-/// Counts the earlier trials that are not, bit by bit, at their place later.
+/// Counts the earlier trials that are not found, bit by bit, at the same position later.
 long count_lost(const std::vector<Trial>& before, const std::vector<Trial>& after);
 
 /// Counts the trials whose point had been evaluated before.

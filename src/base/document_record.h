@@ -5,7 +5,7 @@
 //
 // A reader needs no code for this: the getters of Node record as they read. The record has two
 // uses. Its text() is the identity of what was read: every key that counts, with its default if it
-// was not written, and no comment, order, unit or place. Its keys() are the table of keys for a
+// was not written, and no comment, order, unit or position. Its keys() are the table of keys for a
 // page, a form or a schema.
 #pragma once
 

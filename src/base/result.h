@@ -20,8 +20,8 @@ enum class Cause : std::uint8_t {
   not_begun,   // its worker was lost before the start: nothing was tried; never recorded
 };
 
-/// Says why a simulation gave no result: one sentence naming the step, the residual, the place and
-/// a hint.
+/// Says why a simulation gave no result: one sentence naming the step, the residual, the position
+/// and a hint.
 struct Failure {
   std::string reason;
   Cause cause = Cause::point;

@@ -30,7 +30,7 @@ const char* name_of(LedgerState state);
 
 struct LedgerRow {
   std::string written = {};       // name in the file; empty for an assumed value
-  int line = 0, column = 0;       // place of the name, from 1; 0 if not known
+  int line = 0, column = 0;       // position of the name, from 1; 0: not known
   std::string taken_as = {};      // channel or parameter it became; empty: the name is not known
   std::string meaning = {};       // "slip angle"; empty: not known
   std::string unit_written = {};  // unit in the file; empty: the file names none

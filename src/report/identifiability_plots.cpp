@@ -77,7 +77,7 @@ std::string correlation_plot(const Identifiability& what) {
   const double kLeft = room_for(rows, 130.0);
   const auto n = static_cast<Eigen::Index>(what.variables.size());
   const double cell = std::clamp(300.0 / static_cast<double>(n), 26.0, 64.0);
-  // Names stand above the columns if all of them fit; otherwise the numbers of the rows do.
+  // Names are printed above the columns if all of them fit; otherwise the numbers of the rows do.
   const bool are_short =
       std::all_of(what.variables.begin(), what.variables.end(), [&](const std::string& variable) {
         return kLetter * static_cast<double>(variable.size()) <= cell;

@@ -8,8 +8,8 @@
 
 namespace latsch::cli {
 
-/// Warns of the tire of a study at a point, over the states of its fitted tests. `of_what` stands
-/// before each sentence: "the best trial so far, ".
+/// Warns of the tire of a study at a point, over the states of its fitted tests. `of_what` precedes
+/// each sentence: "the best trial so far, ".
 void warn_beyond_data(const correlation::Study& study,
                       const DesignPoint& point,
                       const std::string& of_what = "");

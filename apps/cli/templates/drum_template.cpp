@@ -31,7 +31,7 @@ using correlation::RigFile;
 
 constexpr double kBefore = 0.04, kBehind = 0.2;  // s around the hit, in which the response decays
 constexpr double kOfTurn = 0.9;                  // most of the distance to the passage's ends
-constexpr double kRoom = 0.1;                    // share of the window, kept free for the delay
+constexpr double kRoom = 0.1;                    // share of the window, reserved for the delay
 constexpr double kMoreRoom = 5e-3;               // s, added to that share
 constexpr double kQuiet = 15e-3;                 // s before the hit; the mean load ends there
 constexpr double kFarthest = 60e-3;              // s, most between the hits of record and test

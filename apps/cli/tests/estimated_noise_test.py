@@ -115,7 +115,7 @@ class EstimatedNoise(unittest.TestCase):
             self.assertAlmostEqual(one["value"], found[name]["value"], delta=0.05 * width, msg=name)
             self.assertAlmostEqual(one["interval"][1] - one["interval"][0], width, delta=0.25 * width, msg=name)
 
-        # With equal weights the fitted force follows the noise of the moment.
+        # With equal weights the fitted force adapts to the noise of the moment.
         alike = self.base / "alike.toml"
         alike.write_text(self.study.read_text().replace(', noise = "estimated"', ""))
         wide = self.variables("run", alike)["PKY1"]["interval"]

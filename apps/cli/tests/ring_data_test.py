@@ -71,7 +71,7 @@ class RingData(unittest.TestCase):
         self.assertEqual(len(asked), 6)
         for name, value in [*zip(loads, study["load"]["values"]), *((frequencies[n], v) for n, v in asked.items())]:
             self.assertAlmostEqual(float(value.split()[0]) / name, 1.0, delta=1e-5)
-        # A ring of nine numbers cannot follow the curvature of the load.
+        # A ring of nine numbers cannot reproduce the curvature of the load.
         ring_loads, ring_frequencies = self.shown(ring / "fitted.toml")
         for own, shown in zip(loads, ring_loads):
             self.assertAlmostEqual(shown / own, 1.0, delta=0.04)

@@ -91,7 +91,7 @@ std::string usual_in_words(const UsualRange& range) {
       "{} is usually {:g} to {:g} {}", range.words, range.from, range.to, range.unit);
 }
 
-/// Number of a document, with its place and its text.
+/// Number of a document, with its file and line, and its text.
 struct Written {
   Place place;
   std::string text;  // empty if the number is part of a list

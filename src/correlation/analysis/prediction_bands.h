@@ -53,7 +53,7 @@ std::vector<ExperimentBand> prediction_bands(const Study& study,
                                              const Journal& journal,
                                              const std::vector<KnownTrial>& others = {});
 
-/// Returns the band that is widest relative to the computed value, with its place: "+- 12 N (3.1
+/// Returns the band that is widest relative to the computed value, with its position: "+- 12 N (3.1
 /// %), 20 mm"; empty if no band is known.
 std::string widest_text(const StudyExperiment& experiment, const ExperimentBand& band);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The trials of refits, kept as reduced rows (reduced_rows.h).
+// The trials of refits, stored as reduced rows (reduced_rows.h).
 //
 // Profiles and a cross-validation take thousands of trials. If a model knows its slopes, the
 // recording of one trial with the slopes in n variables is n + 1 times as long as the recording
 // alone: some megabytes. A refit needs only the reduced residuals and derivatives, some kilobytes.
-// So these trials are kept reduced, in a journal of their own beside that of the study,
-// JOURNAL.refits: an interrupted identification goes on with it, and a report reads it.
+// So these trials are stored in reduced form, in a journal of their own beside that of the study,
+// JOURNAL.refits: an interrupted identification continues from it, and a report reads it.
 //
 // A trial with a smaller target than all earlier ones is a result: it is stored whole in the
 // journal of the study, in which every reader searches for the best trial.
@@ -70,7 +70,7 @@ class RefitTrials : public TrialStore {
   std::unique_ptr<Journal> kept_;  // nullptr: there is no file to read
 };
 
-/// Returns how many trials are kept beside the journal.
+/// Returns the number of trials stored beside the journal.
 long refit_trial_count(const Journal& journal);
 
 }  // namespace latsch::correlation

@@ -112,7 +112,7 @@ TEST_F(RefitTrialsOfStudy, TheJournalHoldsWholeTrialsOfTheCenterAlone) {
 }
 
 // The reduced residuals have the same sums and products, so profiles and predictions of experiments
-// that are left out agree with those of differences, which keep whole recordings.
+// that are left out agree with those of differences, which store whole recordings.
 TEST_F(RefitTrialsOfStudy, GiveTheProfilesThatWholeRecordingsGive) {
   const Study study = two_experiments();
   const auto reduced = identified(study, {{1.3, -22.0}});
@@ -196,7 +196,7 @@ TEST_F(RefitTrialsOfStudy, TheMarkHoldsUntilABetterTrialComesFromElsewhere) {
 }
 
 // The target is no sum of squares here: profiles visit points at which it is less. The lowest such
-// point is the best trial of the journal, as if all trials were kept whole.
+// point is the best trial of the journal, as if all trials were stored whole.
 TEST_F(RefitTrialsOfStudy, ABetterTargetOnTheWayIsKeptWhole) {
   Channels measured;
   std::vector<double> Fy = (*evaluator(read(""))({{1.3, -22.0}}))["steady/Fy"];

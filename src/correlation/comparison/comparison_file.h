@@ -6,7 +6,7 @@
 //   band = ["8 Hz", "200 Hz"]            # of spectra and levels
 //   agreement = 3                        # dB: largest error of a reproduced band
 //
-//   [specimen]                           # a tire in the place of a measured one
+//   [specimen]                           # a tire instead of a measured one
 //   kind = "ring_tire"                   # experiment/language.h
 //   file = "specimen.toml"
 //   step = "0.25 ms"                     # of its simulation; that of the test unless given

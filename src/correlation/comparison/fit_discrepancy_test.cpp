@@ -56,9 +56,9 @@ initial = "20 N/mm"
 // The measured tones are 1.4, 0.5 and 1.1 times as large as those of the model. The changes add up
 // to no force along x nor along v,
 //   0.4 - 0.5 + 0.1 = 0,    0.4 10^2 - 0.5 20^2 + 0.1 40^2 = 0
-// so no number of the model follows them, and the logarithm of a line is off by 2 ln of the gain
-// around 10, 20 and 40 Hz. This includes the lines beside the tone, to which a Hann window gives a
-// quarter of it. The bands of the two correct tones show no discrepancy.
+// so no number of the model can reproduce them, and the logarithm of a line is off by 2 ln of the
+// gain around 10, 20 and 40 Hz. This includes the lines beside the tone, to which a Hann window
+// gives a quarter of it. The bands of the two correct tones show no discrepancy.
 TEST_F(SpringsThatMiss, AreOffByTheGainOfTheirTones) {
   const std::array<double, 5> gains = {1.0, 1.4, 0.5, 1.1, 1.0};
   std::string table = "time [s],force [N]\n";

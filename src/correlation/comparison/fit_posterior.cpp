@@ -30,7 +30,8 @@ Eigen::MatrixXd free_axes(const Confidence& c, double held_out) {
   return axes.leftCols(count);
 }
 
-/// Returns the direction of a variable at its bound, in which the other variables follow.
+/// Returns the direction of a variable at its bound, with the changes of the other variables in a
+/// refit.
 Eigen::VectorXd held_axis(const Eigen::VectorXd& u, const Confidence& c, int variable) {
   const Interval& interval = c.intervals[static_cast<std::size_t>(variable)];
   const bool at_lower = c.held[static_cast<std::size_t>(variable)] == Bound::lower;

@@ -10,8 +10,8 @@
 //   K = max(1, squared error of held-out values)                        (fit_discrepancy.h)
 // The a_k are independent directions of one standard deviation each, correlations included. Three
 // more kinds of directions are added: for a variable held at its bound, inward by its interval over
-// t, with the others following by their refit; the remaining way of a search that ended early; and
-// the way to the refined model, if the study has one.
+// t, with the others following by their refit; the remaining distance of a search that ended early;
+// and the distance to the refined model, if the study has one.
 //
 // Limits: the posterior is linear about the point. A direction that the data leave open is as wide
 // as the bounds of the study, so choose these as what is known without the fit.
@@ -32,8 +32,8 @@ namespace latsch::correlation {
 struct FitSource {
   std::string name;
   std::shared_ptr<const Study> study;
-  std::vector<std::string> at;  // place of the fit's model in the compared models; "": the whole
-                                // model
+  std::vector<std::string> at;  // names that lead to the fit's model in the compared models; "":
+                                // the whole model
   Place place = {};
 };
 

@@ -185,12 +185,12 @@ TEST_F(FittedSprings, HaveTheSameBandBySamples) {
   }
 }
 
-// The measurement is off by an amount orthogonal to every line, so no line follows it. With one
-// degree of freedom its length is the spread seen, and the band is wider than from the stated 0.5 N
-// by that ratio.
+// The measurement is off by an amount orthogonal to every line, so no line can reproduce it. With
+// one degree of freedom its length is the spread seen, and the band is wider than from the stated
+// 0.5 N by that ratio.
 TEST_F(FittedSprings, HaveABandAsWideAsTheFitIsBad) {
   write("specimen.toml", spring_file(kStiffness, kDamping));
-  // The error is orthogonal to 1 and to the travels, so no k and c can follow it.
+  // The error is orthogonal to 1 and to the travels, so no k and c can reproduce it.
   const std::array<double, 3> off = {4.0, -7.0, 3.0};
   auto forces = exact_forces(kStiffness, kDamping);
   for (std::size_t i = 0; i < 3; ++i) forces[i] += 0.25 * off[i];

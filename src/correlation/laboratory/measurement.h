@@ -79,7 +79,7 @@ class Measurement {
     Channels recorded;                             // all samples as read, in Latsch's names and
                                                    // axes
     Channels channels;                             // processed and selected samples
-    std::vector<Place> places;                     // place in the file of each selected sample
+    std::vector<Place> places;                     // index in the file of each selected sample
     std::vector<double> numbers;                   // number of each selected sample, from 1
   };
   explicit Measurement(Told told) : told_(std::move(told)) {}
@@ -140,7 +140,7 @@ class Measurement {
 
  private:
   NamedChannel named(const std::string& channel) const;
-  /// Says that a channel has no unit or one of another dimension, and the way out.
+  /// Returns a message that a channel has no unit or one of another dimension, with the remedy.
   std::string other_dimension(const std::string& found,
                               const std::string& wanted,
                               const std::string& unit) const;

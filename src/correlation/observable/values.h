@@ -13,7 +13,7 @@
 //   [experiment.footprint_length]
 //   kind = "values"
 //   channel = "print/length"
-//   values = ["112 mm", "139 mm"]      # in the place of value: every value of the channel; or
+//   values = ["112 mm", "139 mm"]      # instead of value: every value of the channel; or
 //   measurement = "prints"             # of a [measurement.NAME] or file, its column length; of
 //                                      # a K&C rig's slope also what it is the slope of and by:
 //                                      # dz_by_Fz of its columns dz and Fz

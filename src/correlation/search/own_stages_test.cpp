@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 // The side force has a ripple of half a percent, and the aligning moment belongs to another side
-// force, so the model cannot follow both.
+// force, so the model cannot reproduce both.
 class OwnStages : public FittedStudy {
  protected:
   OwnStages() {
@@ -91,8 +91,8 @@ TEST_F(OwnStages, NoiseOfTheOwnStageKeepsWhatItHad) {
   EXPECT_NEAR(told.as_last.experiments[0].noise->relative, told.own[0].rms, 1e-12);
 }
 
-// The target is the mean of the errors instead of their squares. It follows the experiment of the
-// larger weight alone.
+// The target is the mean of the errors instead of their squares. The result fits the experiment of
+// the larger weight alone.
 TEST_F(OwnStages, AMeasureOfAnotherExponentIsToldAsWell) {
   std::string text = "exponent = 1\n" + more("", 1) + kStages + "[stage.all]\n";
   const std::string arm = "[experiment.arm]\n";

@@ -5,7 +5,7 @@
 //   channel = "stiffness/force"        # TEST/CHANNEL, or EXPERIMENT/CHANNEL of an experiment's
 //                                      # own test; of a simulator OUTPUT/QUANTITY
 //   of = "largest"                     # of its values; or smallest, mean, first, last
-//   lower = "4 kN"                     # and upper; or equal = "..." in the place of both
+//   lower = "4 kN"                     # and upper; or equal = "..." instead of both
 //   scale = "1 kN"                     # a violation of 100 %; the size of the bound unless given
 //
 // With y that value:  c = (lower - y) / scale,  (y - upper) / scale,  h = (y - equal) / scale. The

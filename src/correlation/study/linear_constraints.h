@@ -4,7 +4,7 @@
 //   [linear_constraint.belt_softer]    # belt - 2 carcass <= 0
 //   variables = ["belt", "carcass"]    # of one physical quantity, on a linear scale
 //   coefficients = [1, -2]             # 1 each unless given
-//   upper = "0 GPa"                    # and lower; or equal = "..." in the place of both
+//   upper = "0 GPa"                    # and lower; or equal = "..." instead of both
 //
 // Every optimizer satisfies the linear constraints. A design of experiments samples the whole
 // bounds and ignores them.

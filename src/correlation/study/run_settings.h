@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Settings for running the trials of a study. None of them changes the result, except through the
-// choice of trials that fail and what follows from a failure.
+// choice of trials that fail and the consequences of a failure.
 //
 //   [run]
 //   workers = 2                        # processes
@@ -55,7 +55,8 @@ struct RunSettings {
 /// Reads [run]. `table` is nullptr if the study has none; `study` is its file.
 RunSettings read_run_settings(const Node* table, const std::filesystem::path& study);
 
-/// Returns what follows from a failed trial, as the end of a sentence that begins with the failure.
+/// Returns the consequence of a failed trial, as the end of a sentence that begins with the
+/// failure.
 std::string in_words(const FailurePolicy& policy);
 
 /// Returns the bytes of "4 GB", "500 MB", "64 kB" in powers of 1000; nullopt if the text is no such

@@ -15,7 +15,7 @@
 namespace latsch::correlation {
 namespace {
 
-/// Keeps specimens of earlier points for the construction of the next ones.
+/// Stores specimens of earlier points for the construction of the next ones.
 class Reuse {
  public:
   std::unique_ptr<experiment::Specimen> take() {

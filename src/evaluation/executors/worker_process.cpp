@@ -27,7 +27,7 @@ extern char** environ;
 namespace latsch {
 namespace {
 
-constexpr std::size_t kKeptOutput = 4096;  // bytes kept of the worker's last output
+constexpr std::size_t kKeptOutput = 4096;  // bytes stored of the worker's last output
 constexpr int kFreeDescriptors = 10;       // first descriptor numbers, left to the worker
 
 [[noreturn]] void cannot_start(const std::string& program, int error) {

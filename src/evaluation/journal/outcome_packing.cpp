@@ -18,7 +18,7 @@
 namespace latsch {
 namespace {
 
-// A row of kind `single` stands alone, and no row may refer to it.
+// A row of kind `single` is packed alone, and no row may refer to it.
 enum class Kind : std::uint8_t { plain, alone, referring, single };
 
 // Coding of a channel: kDifferences + order, or by earlier rows.
@@ -32,8 +32,8 @@ constexpr std::size_t kLeastSamples = 32;                  // samples of a chann
                                                            // coded by combination
 constexpr int kHighestOrder = 2;
 constexpr double kWorthReferring =
-    0.9;                       // ratio to the room of a row that stands alone; above, the row
-                               // stands alone
+    0.9;                       // ratio to the room of a row that is packed alone; above, the row is
+                               // packed alone
 constexpr int kMostRows = 16;  // rows in a combination
 constexpr Eigen::Index kMostFitted = 128;  // samples used for the fit of the coefficients
 constexpr int kDeflateLevel = 1;  // the remainder is nearly noise, so more effort gains nothing
@@ -89,7 +89,7 @@ Rest rest_of_differences(Numbers x, int order) {
   return rest;
 }
 
-/// The channel at that place in each earlier row, the last row first.
+/// The channel with that index in each earlier row, the last row first.
 using Before = std::vector<Numbers>;
 
 std::vector<double> combination(const Before& rows, const std::vector<double>& a) {

@@ -4,7 +4,7 @@
 // A run evaluates a model at many points close to each other, so a channel of a trial is nearly a
 // combination of the channels of earlier trials:
 //
-//   x  ~  x_1 + sum_j a_j (x_j - x_1),    x_j the same channel of the row j places back
+//   x  ~  x_1 + sum_j a_j (x_j - x_1),    x_j the same channel of the row j rows back
 //
 // with a from least squares over some of its samples. If a channel is equal to an earlier one to
 // the bit, only that is stored. If the combination saves less, samples are predicted from the
@@ -15,8 +15,9 @@
 //
 // Slopes are stored variable by variable, each as a channel of its own.
 //
-// A row refers to at most kLongestBlock - 1 rows before it, back to the last one that stands alone;
-// a damaged row can cost this many trials. Outcomes of less than a thousand numbers stand alone.
+// A row refers to at most kLongestBlock - 1 rows before it, back to the last one that is packed
+// alone; a damaged row can cost this many trials. Outcomes of less than a thousand numbers are
+// packed alone.
 //
 // Predictions are plain sums in a fixed order; this file is compiled without contraction, so every
 // machine computes equal bits. A checksum of the outcome itself is stored as a proof.
@@ -34,7 +35,7 @@ namespace latsch {
 
 inline constexpr int kLongestBlock = 64;
 
-/// The channels of the rows since the last one that stands alone.
+/// The channels of the rows since the last one that is packed alone.
 struct OutcomeBlock {
   struct Row {
     std::int64_t number;
@@ -48,7 +49,7 @@ class OutcomePacker {
  public:
   /// Rows must be packed in the order of their numbers, each once.
   std::string pack(std::int64_t number, const Outcome& outcome);
-  /// Makes the next row stand alone, because rows before it were not kept or are not known.
+  /// Makes the next row be packed alone, because rows before it were not stored or are not known.
   void begin_anew() { block_ = {}; }
 
  private:

@@ -189,7 +189,7 @@ class PowerLoss {
     File& f = file_of(file);
     const bool powered = !f.disk->failed_;
     const bool done = f.disk->counted();
-    if (powered && f.image) {  // also the write that is under way at the loss
+    if (powered && f.image) {  // also the write in progress at the loss
       f.image->since.push_back(
           {offset, std::string(static_cast<const char*>(from), static_cast<std::size_t>(size))});
     }

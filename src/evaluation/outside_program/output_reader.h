@@ -2,7 +2,7 @@
 // Reads the output files of an outside program into channels, as a study declares them.
 //
 //   table     columns by the names in the header, with their units there (csv_table.h)
-//   columns   numbers in rows, columns by their place; lines before the first row of numbers are
+//   columns   numbers in rows, columns by their number; lines before the first row of numbers are
 //             a header
 //   keys      lines `key = number` or `key: number`
 //   pattern   every line that matches a regular expression (ECMAScript) is a sample; the groups in

@@ -176,7 +176,7 @@ namespace {
 
 constexpr std::uintmax_t kLargestRead = std::uintmax_t{256} << 20;
 
-/// Returns "python3: 6831736 bytes, 0123456789abcdef", which does not depend on the file's place.
+/// Returns "python3: 6831736 bytes, 0123456789abcdef", which does not depend on the file's folder.
 std::string told(const std::string& argument, const fs::path& file) {
   std::error_code error;
   const auto size = fs::file_size(file, error);

@@ -9,7 +9,7 @@
 //               trajectory, in the unit cube of the design space:
 //                 m = (s + t) / 2;  s = m if m succeeds, else t = m;  repeated `halvings` times
 //               Every m is a normal trial that the optimizer observes, and the last s gives the
-//               value for the failed point. If no m succeeds, the failure stands.
+//               value for the failed point. If no m succeeds, the failure remains.
 //
 // Both are named after Dakota's failure capturing. There a simulation may start from the final
 // state of the step before, so that the failed point itself may succeed in the end. Here trials are

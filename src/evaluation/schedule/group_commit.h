@@ -32,8 +32,8 @@ class GroupCommit {
   /// if the store refused a group.
   std::vector<Trial> take();
 
-  /// Waits until there is something to take, or an error to throw. Returns at once if nothing is
-  /// under way.
+  /// Waits until there is something to take, or an error to throw. Returns at once if nothing is in
+  /// progress.
   void wait();
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car's tires follow its file: each side has a tire of its own or the mirror image of the other
-// side's, of any kind.
+// A car's tires are those of its file: each side has a tire of its own or the mirror image of the
+// other side's, of any kind.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

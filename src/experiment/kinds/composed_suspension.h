@@ -22,7 +22,7 @@ struct ComposedSuspension {
   };
   std::vector<Added> added;  // in the order of insertion
 
-  /// Returns the original place of a line of the document.
+  /// Returns the original file and line of a line of the document.
   Place origin(const Place& place) const;
 };
 

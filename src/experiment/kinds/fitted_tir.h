@@ -9,7 +9,7 @@
 // the tests of the fitted experiments, without a margin. A condition that the data do not vary gets
 // no range: a tire measured at one camber would otherwise be clamped to it. The limits of the model
 // file also hold in the fit, so the ranges never go beyond them. A .tir has no range of speed; the
-// speeds stand in a comment at LONGVL.
+// speeds are in a comment at LONGVL.
 #pragma once
 
 #include <filesystem>

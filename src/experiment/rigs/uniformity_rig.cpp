@@ -42,7 +42,7 @@ struct Turn {
   std::vector<double> Fx, Fy, Fz, height;
 };
 
-/// The wheel on the machine, rolling forward (way 1) or backward (-1).
+/// The wheel on the machine, rolling forward (`way` = 1) or backward (-1).
 class Machine {
  public:
   Machine(Tire& tire, const UniformityTest& test, double way, double height)

@@ -298,8 +298,9 @@ TEST_F(EveryTest, SteadyStatesAreForTheMagicFormulaAlone) {
       InputError);
 }
 
-// A tire on the other side turns and leans the other way, and so do its forces; without the limit
-// the load is that of the table. Tests that differ have different identities.
+// A tire on the other side turns and leans in the opposite direction, and its forces have the
+// opposite sign; without the limit the load is that of the table. Tests that differ have different
+// identities.
 TEST_F(EveryTest, SteadyStatesAreTakenAsTheTestSays) {
   const auto tir = write("tire.tir", kTir);
   write("states.csv", "Fz [kN],alpha [deg],gamma [deg]\n4,2,1\n4,-2,-1\n");

@@ -8,7 +8,7 @@
 //   duration = "20 s"
 //   amplitude = "3 mm"                   # up to the frequency at which the plates move at
 //   velocity = "0.03 m/s"                # this peak velocity, which holds above it
-//   posts = {from = "measurement.rig"}   # in the place of the sweep: the heights post_FL, post_FR,
+//   posts = {from = "measurement.rig"}   # instead of the sweep: the heights post_FL, post_FR,
 //                                        # post_RL, post_RR that were recorded, evenly in time; or
 //                                        # posts = "heights.csv", a table of them and time
 //   step = "0.2 ms"                      # of the simulation; default

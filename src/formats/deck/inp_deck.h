@@ -54,7 +54,7 @@ struct InpNumber {
   struct Where {
     int line = 0;
     std::size_t field = 0;
-    double times = 1.0;  // factor of the value that gives the number at this place
+    double times = 1.0;  // factor of the value that gives the number in this field
   };
   std::vector<Where> where;
 };

@@ -15,7 +15,7 @@ namespace latsch::formats {
 /// The position at which a file states the unit of a column.
 enum class UnitPlace {
   title,                 // "force [N]"
-  title_without_blanks,  // "force[N]": blanks stand between the columns
+  title_without_blanks,  // "force[N]": there are blanks between the columns
   row_below,             // in a row of units below the row of names
   field,                 // a field of its own, as in TYDEX
   text_beside            // a text beside the numbers: `Fz.unit` of `Fz.data` in a MAT file

@@ -14,8 +14,8 @@
 //
 // A channel is factor * (raw + measured offset) + physical offset in its unit. Lines that begin
 // with ! are comments. The reader accepts more than the format: keywords and names in any case,
-// CRLF, Latin-1, lines that end early, columns out of place if the words leave no doubt, data in
-// columns of 10 or between blanks, exponents with D, decimal commas. Values that are not available
+// CRLF, Latin-1, lines that end early, shifted columns if the words leave no doubt, data in columns
+// of 10 or between blanks, exponents with D, decimal commas. Values that are not available
 // (NOTAVAIL, NaN, an empty column) are NaN.
 //
 // Everything is returned in SI, with the signs and axes of the file: the names state the axes (FYW:

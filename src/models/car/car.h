@@ -158,7 +158,7 @@ class Car {
   multibody::Equilibrium& statics() { return *statics_; }
 
  private:
-  /// Factor of the guide's stiffness at rest, which keeps the car in its place.
+  /// Factor of the guide's stiffness at rest, which holds the car at its position.
   static constexpr double kStill = 1e3;
 
   Car(const CarParameters& parameters, const multibody::TransientSettings& settings);

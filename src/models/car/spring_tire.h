@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The simplest tire: a vertical spring and damper at the point of the road below the wheel center.
 //   Fz = k (R - (z - h)) + c (h' - z'),  never a pull;  h' along the wheel's path
-// It has no other force. Linear car models stand on it.
+// It has no other force. Linear car models use it.
 #pragma once
 
 #include <algorithm>

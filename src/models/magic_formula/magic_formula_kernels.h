@@ -49,7 +49,7 @@ void evaluate_one(const TireConstants& tire,
                   const State& state,
                   SteadyState& result,
                   WheelUnderLoad& wheel) {
-  // Results are written to their final place: a copy of values just written would wait for them.
+  // Results are written to their final memory: a copy of values just written would wait for them.
   static_assert(sizeof(Lane) == sizeof(double));
   steady_state(tire,
                conventions,

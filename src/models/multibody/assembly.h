@@ -84,7 +84,7 @@ class Assembly {
 
  private:
   struct Blocks {
-    int aa, ab, ba, bb;  // places in J; -1: a is the ground
+    int aa, ab, ba, bb;  // positions in J; -1: a is the ground
   };
   const Pose& pose(const Poses& poses, int body) const;
   BushingStrain strain(int joint, const Motion& motion) const;

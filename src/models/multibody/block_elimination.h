@@ -45,7 +45,7 @@ class BlockElimination {
   int bodies() const { return bodies_; }
   int size() const { return static_cast<int>(blocks_.size()); }  // number of stored blocks
   void clear();
-  /// Returns the place of a block for at(); -1 if the two bodies share no element.
+  /// Returns the index of a block for at(); -1 if the two bodies share no element.
   int place(int row, int column) const {
     return place_[static_cast<std::size_t>(row * bodies_ + column)];
   }
@@ -73,7 +73,7 @@ class BlockElimination {
   using Blocks = std::vector<Matrix6d, Eigen::aligned_allocator<Matrix6d>>;
 
   int bodies_;
-  std::vector<int> place_;  // places of blocks, by row and column; -1: none
+  std::vector<int> place_;  // indices of blocks, by row and column; -1: none
   Blocks blocks_;           // the diagonal's first
   Blocks pivots_;           // D_k^-1, by body
   std::vector<EliminatedBody> order_;

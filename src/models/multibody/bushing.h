@@ -36,7 +36,7 @@ struct BushingParameters {
   bool operator==(const BushingParameters&) const = default;
 };
 
-/// Place of a bushing in both bodies, from their origins in their axes.
+/// Attachment points of a bushing on both bodies, from their origins in their axes.
 struct BushingPlace {
   Eigen::Vector3d in_a, in_b;
   Eigen::Matrix3d axes_in_a = Eigen::Matrix3d::Identity();

@@ -10,8 +10,8 @@
 
 namespace latsch::multibody {
 
-/// Inputs of a bushing, and the places to which its results are added. No pointer is null: results
-/// for the ground go to a place that is not read.
+/// Inputs of a bushing, and pointers to the numbers to which its results are added. No pointer is
+/// null: results for the ground are added to numbers that are not read.
 struct BushingTask {
   const double* place;              // numbers of a BushingPlace
   const double* parameters;         // numbers of BushingParameters

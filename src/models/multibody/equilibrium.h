@@ -49,7 +49,7 @@ class Equilibrium {
  public:
   explicit Equilibrium(const Mechanism& mechanism, const EquilibriumSettings& settings = {});
 
-  /// Solves from `start`, or from rest. A Failure names the part that gave way.
+  /// Solves from `start`, or from rest. A Failure names the part that failed.
   Result<Poses> solve(std::span<const Load> loads, const Poses* start = nullptr);
   /// Solves for all kinds of action, starting at the rest found before.
   Result<Rest> solve(const Standing& standing, const Rest& before);

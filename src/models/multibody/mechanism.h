@@ -2,8 +2,8 @@
 // Rigid bodies, the bushings and struts that join them to each other and to the ground, and a load
 // on them. A mechanism is constant; poses and motions are separate values. All bodies have the
 // ground's axes at rest. Drivers are lengths prescribed from outside as functions of time: the
-// travel of a rack, which shifts a joint's place in its first body, or that of an actuator, which
-// shortens a strut.
+// travel of a rack, which shifts a joint's position in its first body, or that of an actuator,
+// which shortens a strut.
 #pragma once
 
 #include <Eigen/Core>
@@ -53,8 +53,8 @@ using Memories = std::vector<PartMemory>;
 class Mechanism {
  public:
   /// Returns what is wrong, naming the part, or an empty text: a body without a joint, a joint of a
-  /// body with itself, stiffness that is not positive, places that are not finite, a massless rod
-  /// that spins freely.
+  /// body with itself, stiffness that is not positive, positions that are not finite, a massless
+  /// rod that spins freely.
   static std::string fault(const std::vector<Body>& bodies,
                            const std::vector<Joint>& joints,
                            const std::vector<Strut>& struts = {},
@@ -81,7 +81,7 @@ class Mechanism {
   }
   /// Returns Σ w L0.
   double rest_length(int strut) const { return rest_lengths_[static_cast<std::size_t>(strut)]; }
-  /// Return the place of an element's first part in the memories.
+  /// Return the index of an element's first part in the memories.
   std::size_t memory_of_joint(int joint) const {
     return joint_memory_[static_cast<std::size_t>(joint)];
   }

@@ -64,7 +64,8 @@ void CrgRoad::find_closure() {
   const double cosine = first_.dot(last_);
   if (cosine <= kClosingCosine) return;
   const Vector2d gap = grid_.line.front() - grid_.line.back();
-  const double beyond = gap.dot(first_) / cosine;  // along the end, to the normal of the begin
+  const double beyond = gap.dot(first_) / cosine;  // along the end, to the normal of the first
+                                                   // piece
   const double before = gap.dot(last_) / cosine;   // along the begin, to the normal of the end
   if (beyond <= 0.0 || before <= 0.0) return;
   closed_ = true;
@@ -109,7 +110,7 @@ CrgRoad::Interval CrgRoad::interval(const Vector2d& p) const {
   const double a = beyond(k) / tangent(k).dot(d);
   const double b = -beyond(k + 1) / tangent(k + 1).dot(d);
   found.number = k;
-  // Beyond a center of curvature the normals have crossed, and any place in the interval is as
+  // Beyond a center of curvature the normals have crossed, and any point of the interval is as
   // good.
   found.part = a + b > 0.0 ? std::clamp(a / (a + b), 0.0, 1.0) : 0.5;
   found.v = cross(d, p - P[k]) / d.norm();
@@ -282,7 +283,7 @@ double CrgRoad::mean_height(const Vector2d& from, const Vector2d& to, double tim
   const Position a = locate(from.x(), from.y()), b = locate(to.x(), to.y());
   const double columns = static_cast<double>(grid_.v.size() - 1);
   const double by_u = 1.0 / grid_.u_increment, by_v = columns / (grid_.v.back() - grid_.v.front());
-  // The places of the ends are given in grid lines, from the grid's corner.
+  // The positions of the ends are given in grid lines, from the grid's corner.
   const Vector2d begin((a.u - grid_.u_begin) * by_u, (a.v - grid_.v.front()) * by_v);
   const Vector2d end((b.u - grid_.u_begin) * by_u, (b.v - grid_.v.front()) * by_v);
   const Vector2d low = begin.cwiseMin(end), high = begin.cwiseMax(end), way = end - begin;
@@ -320,7 +321,8 @@ double CrgRoad::mean_height(const Vector2d& from, const Vector2d& to, double tim
 GroundPoint CrgRoad::at(double x, double y, double) const {
   const Interval place = interval({x, y});
   const Elevation surface = evaluate(wrapped(u_of(place)), place.v);
-  // Derivatives of z by u and v are the products of the gradient with the derivatives of the place.
+  // Derivatives of z by u and v are the products of the gradient with the derivatives of the
+  // position.
   Eigen::Matrix2d moves;
   moves.row(0) = place.along_u;
   moves.row(1) = place.along_v;
@@ -335,7 +337,7 @@ GroundPoint CrgRoad::at(double x, double y, double) const {
 std::string CrgRoad::beyond(double x, double y) const {
   const Position p = locate(x, y);
   const Place u = along(p.u), v = across(p.v);
-  // Places between the ends of a closed line are interpolated, as its file asks for.
+  // Positions between the ends of a closed line are interpolated, as its file asks for.
   const bool is_on_line = !u.outside || closed_;
   if (is_on_line && !v.outside) return {};
   return fmt::format(

@@ -2,13 +2,13 @@
 // A curved regular grid: heights on a grid along a reference line, the surface of OpenCRG
 // [ASAM OpenCRG 1.2.0, concept paper].
 //
-//   u  along the line, every `u_increment`; v  to its left, at any increasing places
+//   u  along the line, every `u_increment`; v  to its left, at any increasing positions
 //   z(u, v) = line height(u) + banking(u) v + grid(u, v)
 //
 // Heights and banking are linear between rows, and the grid is bilinear. In the interval k between
 // the points P_k and P_k+1 of the line, v is the distance from the line through both. u divides,
 // parallel to this line, the distance from the normal on P_k-1 P_k+1 through P_k to the normal on
-// P_k P_k+2 through P_k+1. Beyond both ends the line continues straight. At a place closer to a
+// P_k P_k+2 through P_k+1. Beyond both ends the line continues straight. At a point closer to a
 // center of curvature than the line itself the coordinates are not unique, as in OpenCRG.
 //
 // Beyond the grid the border modes of OpenCRG hold:
@@ -42,7 +42,7 @@ struct CrgGrid {
   double border_offset_u = 0.0, border_offset_v = 0.0;  // m
   double smooth_begin = 0.0, smooth_end = 0.0;  // m, length over which z fades in from the line's
                                                 // height
-  bool closed = false;                          // the end joins the begin, if possible
+  bool closed = false;                          // the end joins the start, if possible
 
   int rows() const { return static_cast<int>(line.size()); }
   double u_end() const { return u_begin + u_increment * (rows() - 1); }
@@ -58,7 +58,7 @@ class CrgRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
-  /// Reports places beside the grid, unless its file has it repeated or reflected there. Gaps in
+  /// Reports points beside the grid, unless its file has it repeated or reflected there. Gaps in
   /// the grid, which the file fills, count as road.
   std::string beyond(double x, double y) const override;
   /// Integrates from one line of the grid to the next; the height between them is of second degree.
@@ -80,7 +80,7 @@ class CrgRoad final : public Road {
     int number = 0;     // between points number and number + 1
     double part = 0.0;  // position in it; < 0, > 1 beyond the ends
     double v = 0.0;
-    Eigen::Vector2d along_u;  // derivatives of the place by u and v
+    Eigen::Vector2d along_u;  // derivatives of the position by u and v
     Eigen::Vector2d along_v;
   };
   struct Place {

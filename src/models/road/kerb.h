@@ -27,7 +27,7 @@ struct Kerb {
   double length = 0.0;                              // m, length of a block's bar
   double bevel = 0.0;                               // m, bevel of a block
   double ramp = 0.0;                                // m, at most width / 2
-  Eigen::Vector2d start = Eigen::Vector2d::Zero();  // m, begin of the first, right edge
+  Eigen::Vector2d start = Eigen::Vector2d::Zero();  // m, start of the first, right edge
   double angle = 0.0;                               // rad, direction of the track about z
   double friction = 1.0;                            // factor on the kerb
   double road_friction = 1.0;                       // factor beside the kerb

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A road in another place: turned about z by `angle`, its origin moved to `origin`.
+// A road at another position: turned about z by `angle`, its origin moved to `origin`.
 #pragma once
 
 #include <memory>

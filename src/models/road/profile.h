@@ -33,7 +33,7 @@ class Profile {
   explicit Profile(std::vector<Point> points);
 
   Value at(double s) const;
-  /// Returns the area below the profile from its begin to s, m^2. The profile must not be empty.
+  /// Returns the area below the profile from its start to s, m^2. The profile must not be empty.
   double area(double s) const;
   struct Extremes {
     double lowest, highest;  // m
@@ -41,7 +41,7 @@ class Profile {
   /// Returns the extremes over s0 <= s <= s1.
   Extremes between(double s0, double s1) const;
   const std::vector<Point>& points() const { return points_; }
-  /// Evaluates successive, nearby places, each search starting from the last place.
+  /// Evaluates successive, nearby positions; each search starts from the last one.
   class Walk;
   /// Returns the points with s0 <= s <= s1.
   std::span<const Point> points_between(double s0, double s1) const;

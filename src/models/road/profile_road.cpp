@@ -25,7 +25,7 @@ Eigen::Vector2d ProfileRoad::local(double x, double y, double time) const {
   return {forward * cos_ + left * sin_, left * cos_ - forward * sin_};
 }
 
-/// Returns the number of the repetition to which a place s belongs.
+/// Returns the number of the repetition to which a position s belongs.
 double ProfileRoad::number_at(double s) const {
   const double number = s / settings_.pitch;
   if (settings_.count <= 0) return std::floor(number);
@@ -104,7 +104,7 @@ double ProfileRoad::mean_height(const Eigen::Vector2d& from,
   } else {
     const double first = std::min(begin.x(), begin.x() + way.x()), last = first + std::abs(way.x());
     const double end = number_at(last), start = number_at(first);
-    for (double i = 0.0; i <= end - start; ++i) {  // for distant places start + i may not change
+    for (double i = 0.0; i <= end - start; ++i) {  // for distant positions start + i may not change
                                                    // with i
       const double n = start + i;
       add_corner(n * settings_.pitch - begin.x(), way.x());  // the seam
@@ -139,19 +139,19 @@ GroundPoint ProfileRoad::at(double x, double y, double time) const {
   return ground;
 }
 
-/// Places in order: border, middle, border ... All places are computed first, then all profiles
-/// there, so that no look-up waits for another.
+/// Positions in order: border, middle, border ... All positions are computed first, then all
+/// profiles there, so that no look-up waits for another.
 struct ProfileRoad::RowPlaces {
   static constexpr int kPieces = 16;  // pieces of a row at once
   template <class Value>
   using Of = std::array<Value, 2 * kPieces + 1>;
 
   std::size_t count;
-  Of<double> s, t, number;  // s from the begin of its repetition
+  Of<double> s, t, number;  // s from the start of its repetition
   Of<Profile::Value> along, across;
   Of<double> height;
   Of<double> area;  // area of `along`, if it is level across
-  bool level;       // the factor across is the same at all places and between
+  bool level;       // the factor across is the same at all positions and between them
 };
 
 void ProfileRoad::below(const GroundRow& row, double time, const RowGround& ground) const {

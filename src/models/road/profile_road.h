@@ -59,7 +59,7 @@ class ProfileRoad final : public Road {
   };
   GroundBounds bounds_between(Span s, Span t) const;
   struct RowPlaces;
-  /// Determine the places of the pieces [first, end) of a row and of their borders, the profiles
+  /// Determine the positions of the pieces [first, end) of a row and of their borders, the profiles
   /// there, and the resulting ground.
   void place(const GroundRow& row, int first, int end, double time, RowPlaces& places) const;
   void look_up(RowPlaces& places) const;
@@ -69,7 +69,7 @@ class ProfileRoad final : public Road {
                 double time,
                 const RowPlaces& places,
                 const RowGround& ground) const;
-  /// Returns s and t of a place.
+  /// Returns s and t of a position.
   Eigen::Vector2d local(double x, double y, double time) const;
   double number_at(double s) const;
   /// Returns the mean height by the area below one repetition, if the line stays on it and the

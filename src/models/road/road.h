@@ -21,7 +21,7 @@ struct GroundPoint {
                                                        // faster
 };
 
-/// A row of successive pieces, as of tread: the places of their middles and of the count + 1
+/// A row of successive pieces, as of tread: the positions of their middles and of the count + 1
 /// borders before, between and behind them, m.
 struct GroundRow {
   int count;
@@ -63,7 +63,7 @@ struct GroundBounds {
   bool lines_differ = true;
 };
 
-/// True if heights at two places and between them are practically on one straight line.
+/// True if heights at two points and between them are practically on one straight line.
 inline bool is_straight(double from, double middle, double to) {
   constexpr double kStraight = 1e-6;  // m
   return std::abs(from + to - 2.0 * middle) <= kStraight;
@@ -80,13 +80,13 @@ class Road {
   /// Returns only the height, m, with the same bits as `at`. Enveloping and contact search call
   /// this most often.
   virtual double height(double x, double y, double time) const { return at(x, y, time).height; }
-  /// Returns the mean height along the straight line between two places of the ground, on which a
+  /// Returns the mean height along the straight line between two points of the ground, on which a
   /// piece of tread stands. It is sampled unless a road has a closed form.
   virtual double mean_height(const Eigen::Vector2d& from,
                              const Eigen::Vector2d& to,
                              double time) const;
-  /// Returns an empty text if the road is known at that place; otherwise says what ends there.
-  /// Beyond its data `at` is a guess on which no car should roll without permission
+  /// Returns an empty text if the road is known at that point; otherwise the reason, such as the
+  /// end of a grid. Beyond its data `at` is a guess on which no car should roll without permission
   /// (models/car/car.h).
   virtual std::string beyond(double x, double y) const;
   /// Evaluates a whole row at once; equals `at`, `height` and `mean_height` up to rounding.

@@ -28,7 +28,7 @@
 //   amplitude = "10 mm"                  # amplitude_end, wave_length_end, exponential = true
 //   wave_length = "2 m"
 //
-// friction (of the road) and obstacle_friction (of what stands on it) are factors, default 1.
+// friction (of the road) and obstacle_friction (of an obstacle on it) are factors, default 1.
 #pragma once
 
 #include <memory>

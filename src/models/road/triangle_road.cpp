@@ -36,8 +36,8 @@ bool TriangleRoad::Facet::covers(const Vector2d& p) const {
          cross(a - c, p - c) >= least;
 }
 
-/// Returns the share of a line at which it leaves the triangle; the line starts inside or enters on
-/// the way.
+/// Returns the share of a line at which it leaves the triangle; the line starts inside or enters
+/// further on.
 double TriangleRoad::Facet::end_of(const Vector2d& from, const Vector2d& way) const {
   double end = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
@@ -299,7 +299,7 @@ TriangleRoad::Hit TriangleRoad::find_nearest(const Vector2d& p) const {
   };
   const double outside = (p - within).norm();
   for (int ring = 0; ring <= std::max(columns_, rows_); ++ring) {
-    // A cell of this ring is at least this far from `within`, the nearest place of the grid to the
+    // A cell of this ring is at least this far from `within`, the nearest point of the grid to the
     // point.
     const double away = std::max(ring - 1, 0) * size_.minCoeff();
     if (std::hypot(away, outside) > least) break;

@@ -32,7 +32,7 @@ class TriangleRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
-  /// Reports places beside the mesh and in its holes.
+  /// Reports points beside the mesh and in its holes.
   std::string beyond(double x, double y) const override;
   double mean_height(const Eigen::Vector2d& from,
                      const Eigen::Vector2d& to,
@@ -90,7 +90,7 @@ class TriangleRoad final : public Road {
   std::vector<Facet> facets_;
   Eigen::Vector2d low_, high_, size_;  // bounds of all; size of a cell
   int columns_ = 1, rows_ = 1;
-  std::vector<int> begins_;   // begin of each cell in members_
+  std::vector<int> begins_;   // start of each cell in members_
   std::vector<int> members_;  // facets
   /// Contents of a cell of the grid.
   struct Cell {

@@ -27,7 +27,7 @@ class WaveRoad final : public Road {
   explicit WaveRoad(const Settings& settings);
 
   GroundPoint at(double x, double y, double time) const override;
-  /// Uses Gauss' rule with three places if waves are long relative to the line, to 1e-9 of the
+  /// Uses Gauss' rule with three points if waves are long relative to the line, to 1e-9 of the
   /// height.
   double mean_height(const Eigen::Vector2d& from,
                      const Eigen::Vector2d& to,

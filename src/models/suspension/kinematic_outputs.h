@@ -70,7 +70,7 @@ class KinematicCorner {
   double length_at_rest_ = 0.0, ratio_at_rest_ = 0.0;
 };
 
-/// Returns the outputs of the mirror image, whose rack is moved the other way.
+/// Returns the outputs of the mirror image, whose rack is moved in the opposite direction.
 WheelKinematics mirrored(const WheelKinematics& wheel);
 
 }  // namespace latsch::suspension

@@ -14,7 +14,7 @@
 // between all bodies]
 //
 // The tire is a rigid disk on level ground. The contact point is the lowest point of its middle
-// circle; its vertical velocity is that of the upright's point at this place.
+// circle; its vertical velocity is that of the upright's point at this position.
 #pragma once
 
 #include <Eigen/Core>

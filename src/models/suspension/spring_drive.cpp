@@ -35,7 +35,8 @@ Moved on_upright(const Vector3d& point,
   return moved;
 }
 
-/// Returns the motion of the rod's point on the wishbone, whose ball joint has moved to this place.
+/// Returns the motion of the rod's point on the wishbone, whose ball joint has moved to this
+/// position.
 Moved on_wishbone(const SpringDrive& drive, const Moved& ball) {
   const Vector3d axis = (drive.hinge_rear - drive.hinge_front).normalized();
   const Vector3d was = drive.ball - drive.hinge_front, is = ball.place - drive.hinge_front;

@@ -53,7 +53,7 @@ class Tire {
  public:
   virtual ~Tire() = default;
 
-  /// Radius of the unloaded tire at rest, m, which gives the place of first touch.
+  /// Radius of the unloaded tire at rest, m, which determines the height of first touch.
   virtual double free_radius() const = 0;
   /// Brings the tire to equilibrium with the rim at rest (velocities taken as zero).
   virtual Result<HubForces> settle(const WheelMotion& motion,

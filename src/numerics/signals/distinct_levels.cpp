@@ -11,15 +11,15 @@ constexpr double kLeastShare = 0.015;    // share of the samples; a smaller one 
                                          // between levels
 constexpr double kValley = 0.35;         // share of the lower peak; a density above it separates no
                                          // levels
-constexpr double kStep = 0.25;           // share of the kernel's width: spacing of the density's
-                                         // places
+constexpr double kStep = 0.25;           // share of the kernel's width: spacing of the points of
+                                         // the density
 constexpr double kReach = 4.0;           // kernel widths beyond which a sample adds nothing
 constexpr double kMostKernels = 50'000;  // kernel widths in the span of the values; finer is not
                                          // resolved
 constexpr double kTail = 0.02;           // share of a level's samples on either side that may be
                                          // outliers
 
-/// Returns the density of ascending values at `points` places `step` apart from `first` on.
+/// Returns the density of ascending values at `points` values `step` apart from `first` on.
 std::vector<double> density(
     const std::vector<double>& values, double first, double step, std::size_t points, double h) {
   std::vector<double> sum(points, 0.0);
@@ -35,10 +35,10 @@ std::vector<double> density(
   return sum;
 }
 
-/// Returns the places of the valleys that separate two levels.
+/// Returns the positions of the valleys that separate two levels.
 std::vector<std::size_t> valleys(const std::vector<double>& f) {
   std::vector<std::size_t> found;
-  std::size_t lowest = 0;  // lowest place since the peak of this level
+  std::size_t lowest = 0;  // lowest point since the peak of this level
   double peak = 0.0;
   for (std::size_t k = 0; k < f.size(); ++k) {
     if (f[k] < f[lowest]) lowest = k;

@@ -86,7 +86,7 @@ double bessel_i0(double x) {
 
 constexpr int kTaps = 2 * kInterpolationReach;
 
-/// Returns weights of the samples -reach + 1 .. reach for a place `share` of a sample behind sample
+/// Returns weights of the samples -reach + 1 .. reach for a point `share` of a sample behind sample
 /// 0.
 std::array<double, kTaps> interpolation_weights(double share) {
   constexpr double kBeta = 12.0;  // Kaiser's: side lobes of 1e-6 (118 dB)

@@ -3,9 +3,9 @@
 //
 //   R_xy(l) = sum_n x_n y_(n+l)
 //
-// Between the lags R is the trigonometric polynomial through them, so the place of its maximum is
-// exact for signals below half the sampling rate. It is found by Newton's method from the greatest
-// lag. (A parabola through three lags errs by up to some hundredths of a sample.)
+// Between the lags R is the trigonometric polynomial through them, so the position of its maximum
+// is exact for signals below half the sampling rate. It is found by Newton's method from the
+// greatest lag. (A parabola through three lags errs by up to some hundredths of a sample.)
 #pragma once
 
 #include <span>
@@ -31,7 +31,7 @@ std::vector<double> shifted(std::span<const double> x, double samples);
 /// component below 0.7 of half the sampling rate. Beyond its ends the signal keeps its first or
 /// last sample.
 std::vector<double> values_between(std::span<const double> x, double start, int count);
-/// Returns the values at any places, in any order.
+/// Returns the values at any positions, in any order.
 std::vector<double> values_at(std::span<const double> x, std::span<const double> places);
 inline constexpr int kInterpolationReach = 24;
 

@@ -122,7 +122,7 @@ std::vector<int> fill(Lists& columns) {
 }
 
 /// Returns an order with children before parents, and the child with the most rows last, so that it
-/// may join its parent. The last `interface` columns keep their places.
+/// may join its parent. The last `interface` columns remain the last ones.
 std::vector<int> postorder(const std::vector<int>& parent, const Lists& columns, int interface) {
   const int all = static_cast<int>(parent.size()), n = all - interface;
   Lists children(n + 1);

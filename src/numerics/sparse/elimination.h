@@ -26,7 +26,7 @@ struct Front {
 };
 
 struct Elimination {
-  std::vector<int> position;  // place of every block row of the pattern
+  std::vector<int> position;  // position in the order of every block row of the pattern
   std::vector<Front> fronts;  // children before their parents, the last child right before
   int interface = 0;          // block rows at the end that form the last front alone; 0: none
 };

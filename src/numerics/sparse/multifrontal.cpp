@@ -17,12 +17,12 @@ namespace {
 
 constexpr int kColumnsTogether = 32;  // right-hand sides
 
-/// Successive rows of a front's update that also have successive target places.
+/// Successive rows of a front's update that also have successive target rows.
 struct Run {
   int start, target, length;
 };
 
-/// Sizes and places of a front, in unknowns, known before the numbers.
+/// Sizes and positions of a front, in unknowns, known before the numbers.
 struct FrontPlan {
   int first, pivots, rows;
   int parent;
@@ -35,7 +35,7 @@ struct FrontPlan {
   int below() const { return rows - pivots; }
 };
 
-/// A block of the matrix, column-major, and the place of its first number in the panel.
+/// A block of the matrix, column-major, and the index of its first number in the panel.
 struct Entry {
   int source;
   bool transposed;
@@ -91,15 +91,15 @@ class Multifrontal final : public Factorization::Impl {
   }
 
   int size_, block_;
-  std::vector<int> position_;  // place of every unknown
+  std::vector<int> position_;  // position of every unknown in the order
   std::vector<FrontPlan> fronts_;
   std::vector<std::vector<int>> children_;
   std::vector<Entry> entries_;
   size_t panels_ = 0;  // count of the factor's numbers
   LargeArray<Real> factor_;
   // Updates that wait for their parents, the last on top. One stack holds updates of fronts an even
-  // number of steps from the last front, the other stack all others. So an update goes on one stack
-  // while the updates of its children are read from the other. The stacks exist only during
+  // number of steps from the last front, the other stack all others. So an update is stored on one
+  // stack while the updates of its children are read from the other. The stacks exist only during
   // factorization.
   std::array<LargeArray<Real>, 2> stacks_;
   std::array<size_t, 2> highest_{};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places of the entries of a sparse symmetric matrix that is assembled from elements.
+// Positions of the entries of a sparse symmetric matrix that is assembled from elements.
 //
 // The pattern is built once per mesh from the unknowns that each element couples. Storage is the
 // lower block triangle by block rows. A block is 3 x 3 if the unknowns of a node always appear
 // together (0 1 2, 3 4 5, ...; all free or all held), otherwise 1 x 1; callers need not know which.
-// The scatter map holds the place of every element matrix' numbers, so that assembly is a loop
-// without search.
+// The scatter map holds the position of every number of the element matrices, so that assembly is a
+// loop without search.
 #pragma once
 
 #include <span>

@@ -32,8 +32,8 @@ int level_at(int place, int i, const std::vector<int>& stride, const std::vector
   return place / stride[i] % levels[i];
 }
 
-/// Returns |delta^4 f| / 96 around the cell from place to place + stride; 0 if no five points are
-/// known.
+/// Returns |delta^4 f| / 96 around the cell from index `place` to place + stride; 0 if no five
+/// points are known.
 double missed_by_interpolation(
     const std::vector<double>& f, int place, int level, int count, int stride) {
   double missed = 0.0;

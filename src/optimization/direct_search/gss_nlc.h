@@ -2,8 +2,8 @@
 // GSS-NLC: generating-set search with nonlinear constraints, which an evaluation reports beside the
 // target (Score::constraints, Score::equations).
 //
-//   repeat  minimize  P_k = f + rho_k p(v)  (penalty.h) with gss.h, which keeps bounds and linear
-//           constraints, from the best point so far, down to a step of delta_k
+//   repeat  minimize  P_k = f + rho_k p(v)  (penalty.h) with gss.h, which satisfies bounds and
+//           linear constraints, from the best point so far, down to a step of delta_k
 //   until   v counts as fulfilled and delta_k is the step tolerance, or rho is at its largest
 //   with    rho_k+1 = 10 rho_k while v is not fulfilled, delta_k+1 = delta_k / 4, and a tenth of
 //           the width of smoothing

@@ -10,8 +10,8 @@
 namespace latsch {
 namespace {
 
-// Number of samples beyond the number of coefficients: more smooth kinks, fewer keep the model
-// local.
+// Number of samples beyond the number of coefficients: more samples smooth kinks, fewer samples
+// make the model more local.
 constexpr int kSpareSamples = 4;
 // Largest number of samples, or twice the number of variables plus two if that is larger: many more
 // would be far away, and slow.

@@ -67,7 +67,7 @@ Bound bound_at(double u, double gradient, double way) {
   return Bound::none;
 }
 
-/// Returns the variables whose bound keeps them from a better fit by more than rounding.
+/// Returns the variables whose bound prevents a better fit by more than rounding.
 std::vector<Bound> held_variables(const Linearization& at,
                                   const Eigen::VectorXd& gradient,
                                   double sigma) {
@@ -275,7 +275,7 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
 
 namespace {
 
-/// Returns n rows with the rows of the variables at their places and 0 elsewhere.
+/// Returns n rows with the rows of the variables at their indices and 0 elsewhere.
 Eigen::MatrixXd spread_rows(const Eigen::MatrixXd& part,
                             const std::vector<int>& places,
                             Eigen::Index n) {

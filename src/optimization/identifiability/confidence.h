@@ -27,8 +27,8 @@
 // errors explain. The intervals then follow from J alone, wherever the search began.
 //
 // If s is stated and the residuals are larger than it explains (chance of one in a thousand),
-// either the model cannot follow the measurement or the search has ended early. The intervals then
-// use the observed spread, and `excess` is its ratio to the stated one.
+// either the model cannot reproduce the measurement or the search has ended early. The intervals
+// then use the observed spread, and `excess` is its ratio to the stated one.
 //
 // The result is exact for linear models and Gaussian noise; otherwise a profile (profile.h) is more
 // reliable. The interval is that of the least-squares fit of these residuals.
@@ -102,7 +102,7 @@ struct FreeDirections {
 struct Confidence {
   double sigma;             // deviation of a residual; NaN unless residuals outnumber variables
   double t;                 // Student's quantile, two-sided, of independent residuals
-  std::vector<Bound> held;  // variables that their bound keeps from a better fit
+  std::vector<Bound> held;  // variables whose bound prevents a better fit
   Eigen::VectorXd singular_values;  // descending, of all variables
   Eigen::MatrixXd directions;       // each column a direction of the unit cube
   Eigen::MatrixXd covariance;       // 0 in rows and columns of held variables

@@ -140,9 +140,9 @@ TEST(Confidence, ResidualsLargerThanTheirStatedNoiseWidenTheIntervals) {
   EXPECT_EQ(confidence(at, {.sigma = 2.0}).excess, 1.0);
 }
 
-// A weight of 4 doubles a residual relative to its noise. The fit then follows this value more than
-// its noise justifies, and the interval accounts for the noise. The mean of two values with weights
-// 4 and 1 has the variance (16 + 1) / 25.
+// A weight of 4 doubles a residual relative to its noise. The fit then agrees with this value more
+// than its noise justifies, and the interval accounts for the noise. The mean of two values with
+// weights 4 and 1 has the variance (16 + 1) / 25.
 TEST(Confidence, AWeightIsNotTakenForExactness) {
   Linearization at{Eigen::VectorXd::Constant(1, 0.5), Eigen::Vector2d::Zero(), {}};
   at.J = Eigen::Vector2d(2, 1);

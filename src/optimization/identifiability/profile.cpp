@@ -70,7 +70,7 @@ double crossing(const Profile& p, int start, int direction) {
   return direction * kInfinity;
 }
 
-/// Finds the places where S falls again behind a rise, on one side of the start.
+/// Finds the values at which S falls again behind a rise, on one side of the start.
 void find_minima(Profile& p, int start, int direction) {
   const int end = direction > 0 ? static_cast<int>(p.points.size()) : -1;
   double barrier = p.points[start].S;

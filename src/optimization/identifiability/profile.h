@@ -22,7 +22,7 @@
 // one ended. It may miss a better basin of the other variables, so S_i is an upper bound. If S_i
 // falls outward, the rungs before the fall are therefore refitted from the outer side, and a rise
 // that disappears does not count. A refit that did not converge does not count as a rise either.
-// Linear constraints are kept and end a ladder as bounds do.
+// Linear constraints are satisfied and end a ladder as bounds do.
 #pragma once
 
 #include <string>

@@ -14,8 +14,8 @@
 // one with the least -2 l + 2 p [Akaike, IEEE Trans. Automat. Contr. 19 (1974) 716].
 //
 // Limits: neighbors count as equally far apart, and a curve with fewer than kFewestSamples samples
-// beyond the number of variables counts as white. Deviations that a model cannot follow look like
-// slow noise and are treated as noise.
+// beyond the number of variables counts as white. Deviations that a model cannot reproduce look
+// like slow noise and are treated as noise.
 #pragma once
 
 #include <Eigen/Core>

@@ -41,8 +41,8 @@ class SlopeSearch {
 
   /// Returns the offsets to evaluate; empty when done.
   const std::vector<double>& wanted() const { return wanted_; }
-  /// Takes the residuals at the center and at wanted(), in units of their deviations; nullopt if an
-  /// evaluation failed. `felt` is 0 if nothing is known about the interval.
+  /// Receives the residuals at the center and at wanted(), in units of their deviations; nullopt if
+  /// an evaluation failed. `felt` is 0 if nothing is known about the interval.
   void observe(const Eigen::VectorXd& center,
                double felt,
                const std::vector<std::optional<Eigen::VectorXd>>& residuals);

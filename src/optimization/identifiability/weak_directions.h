@@ -39,8 +39,8 @@ class WeakDirections {
 
   /// Returns points of the unit cube; empty if nothing is to be checked.
   const std::vector<Eigen::VectorXd>& wanted() const { return wanted_; }
-  /// Takes the residuals at wanted(); nullopt if an evaluation failed. Returns J with the confirmed
-  /// slopes.
+  /// Receives the residuals at wanted(); nullopt if an evaluation failed. Returns J with the
+  /// confirmed slopes.
   Eigen::MatrixXd checked(const Linearization& at,
                           const std::vector<std::optional<Eigen::VectorXd>>& residuals);
   /// Returns how the checked J was computed.

@@ -7,7 +7,7 @@
 // V is the part of the Hessian of v / 2 that is never negative. mu is a share of the largest
 // diagonal entry. It grows tenfold if p does not descend and falls to a hundredth if it does. Any
 // descent is accepted without a gain ratio, because evaluating the model costs almost nothing. The
-// caller keeps p within bounds or constraints. The result approaches a local minimum of the model
+// caller restricts p to bounds or constraints. The result approaches a local minimum of the model
 // and is never worse than z = 0. [Levenberg, Q. Appl. Math. 2 (1944) 164]
 #pragma once
 

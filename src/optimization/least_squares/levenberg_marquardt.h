@@ -15,7 +15,7 @@
 //   radius    A gain below 1/4 shortens Delta to the minimum of the parabola through f(u), its
 //             slope and f(u + p), within 1/10 to 1/2 of Delta. A gain above 3/4, or that of a full
 //             step, makes Delta twice |p|.
-//   bend      If residuals and slopes at another point along the way are known, so is the curvature
+//   bend      If residuals and slopes at another point on the path are known, so is the curvature
 //             of the residuals along p (residual_curvature.h): p becomes the damped step, with the
 //             same mu, from r and that curvature. This is Transtrum's and Sethna's geodesic
 //             acceleration without an additional evaluation, up to the turn that they allow.

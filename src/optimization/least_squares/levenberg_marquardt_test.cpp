@@ -97,8 +97,8 @@ Result<Score> bent_valley(const Values& x) {
   return score_of({(rho - 1.0) / kNarrow, phi}, {c / kNarrow, s / kNarrow, -s / rho, c / rho});
 }
 
-/// Counts the steps up the side of the valley that were followed by one that ends still further
-/// along the valley, but ten times nearer to its floor.
+/// Counts the steps up the side of the valley after which the next step ends still further along
+/// the valley, but ten times nearer to its floor.
 int returns(const Search& found) {
   const auto off = [](const Values& x) { return std::abs(std::hypot(x[0], x[1]) - 1.0); };
   int count = 0;

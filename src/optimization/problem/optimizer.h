@@ -33,7 +33,7 @@ class Optimizer {
   /// Returns at most `count` >= 1 different points, most wanted first; empty only when converged.
   virtual std::vector<DesignPoint> propose(int count) const = 0;
 
-  /// Takes the outcome of a point. A Failure is an ordinary outcome: the point is worse than any
+  /// Receives the outcome of a point. A Failure is an ordinary outcome: the point is worse than any
   /// that succeeded.
   virtual void observe(const DesignPoint& point, const Result<Score>& outcome) = 0;
 

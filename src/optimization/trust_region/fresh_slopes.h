@@ -3,7 +3,7 @@
 // suited to noise and ripple (natural_frame.h). Each round probes along the axes of a frame and
 // then takes steps of the resulting model until one promises nothing or several were in vain.
 // Another round follows if the steps gained, or if slopes were wrong by more than noise; its probes
-// go to other places. If the residuals are at noise level, one more round takes longer moves, over
+// go to other points. If the residuals are at noise level, one more round takes longer moves, over
 // which noise counts less.
 //
 // The range of a variable may be so wide that a probe changes the residuals by hundreds of times

@@ -23,7 +23,7 @@ class LostVariableTrials {
   const TrustRegionRun& run() const { return run_; }
   /// Returns the wanted points of the main run or of the trial that replaces it; empty: ended.
   const PendingPoints<Wanted>& wanted() const;
-  /// Takes the outcome of a point, as TrustRegionRun::observe does.
+  /// Receives the outcome of a point, as TrustRegionRun::observe does.
   void observe(const DesignPoint& point,
                const Eigen::VectorXd& u,
                const std::optional<ResidualSample>& sample);

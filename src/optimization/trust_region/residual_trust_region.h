@@ -32,7 +32,7 @@
 //
 // Noise shows in models that disappoint again and again although they interpolate. The models then
 // smooth, with the likeliest variance, and the radius grows if noise exceeds the slopes. A search
-// that followed noise into a small box is not verified at once: up to three times a run the box is
+// that noise led into a small box is not verified at once: up to three times a run the box is
 // widened until curvature is as large as noise, and the search continues from its best point with
 // all its samples. This is a soft restart without new probes.
 //

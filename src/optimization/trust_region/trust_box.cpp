@@ -21,7 +21,8 @@ constexpr double kRoom = 0.5;  // least share of a probe's length that must rema
 // Share of the radius: a shorter step is not worth an evaluation.
 constexpr double kShort = 0.01;
 constexpr double kFlat = 1e-6;    // share of f: a smaller predicted decrease counts as none
-constexpr double kBackOff = 0.5;  // factor of a step that no cut keeps out of a failed region
+constexpr double kBackOff = 0.5;  // factor of a step that no cut prevents from entering a failed
+                                  // region
 // Multiple of a ball's radius that places a step on the cut outside of the ball.
 constexpr double kBeyondBall = 1.001;
 constexpr int kMostCuts = 20;  // cuts of one step by failed regions

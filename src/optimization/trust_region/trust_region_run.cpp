@@ -208,8 +208,8 @@ std::optional<Wanted> TrustRegionRun::another_step(const ResidualKriging& m) {
   return box_.explore(wanted_);
 }
 
-/// If steps followed noise until the box was too small to show anything else, widens it to twice
-/// the radius at which curvature, whose variance in the box goes as radius^4, is as large as noise.
+/// If noise led the steps until the box was too small to show anything else, widens it to twice the
+/// radius at which curvature, whose variance in the box goes as radius^4, is as large as noise.
 bool TrustRegionRun::widen_in_noise() {
   if (box_.noise <= 0.0 || box_.radius >= options_.initial_radius) return false;
   if (widenings_ >= kWidenings) return false;

@@ -21,8 +21,8 @@ class TrustRegionRun {
 
   /// Returns the wanted points in the order proposed; empty: ended or settled.
   const PendingPoints<Wanted>& wanted() const { return wanted_; }
-  /// Takes the outcome of a point; `sample` is empty for a failure. `u` is its position, which is
-  /// outside of the unit cube for a point from another source that lies outside of the bounds.
+  /// Receives the outcome of a point; `sample` is empty for a failure. `u` is its position, which
+  /// is outside of the unit cube for a point from another source that lies outside of the bounds.
   void observe(const DesignPoint& point,
                const Eigen::VectorXd& u,
                const std::optional<ResidualSample>& sample);

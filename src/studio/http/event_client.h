@@ -31,7 +31,7 @@ class EventClient : public std::enable_shared_from_this<EventClient> {
     if (on_their_way_.empty()) write();
   }
 
-  /// Sends `alive` only if no other event is on its way.
+  /// Sends `alive` only if no other event is being sent.
   void send_alive(const EventText& text, Moment now) {
     if (!on_their_way_.empty() && now > since_ + limits_.stalled) return close();
     if (on_their_way_.empty()) send(text);

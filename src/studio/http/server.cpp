@@ -160,8 +160,8 @@ void Server::Impl::run() {
     try {
       io_.run();
       return;
-    } catch (const std::exception& failure) {  // for example no memory; the sweep ends connections
-                                               // under way
+    } catch (const std::exception& failure) {  // for example no memory; the sweep ends open
+                                               // connections
       if (options_.report) options_.report(failure.what());
     }
   }

@@ -184,7 +184,7 @@ void ShelvedStudy::show_stage() {
 }
 
 /// Checks the journal before its first trial is read, and as long as it belongs to another study,
-/// because points of another space have no place in the table.
+/// because points of another space do not fit into the table.
 void ShelvedStudy::check_journal() {
   const bool was_another = !journal_fault_.empty();
   if (!was_another && !table_->rows().empty()) return;

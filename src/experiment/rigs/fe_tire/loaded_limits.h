@@ -38,7 +38,7 @@ const FewMeshes& few_meshes();
 
 /// Adds meshes with columns and sectors halved once and twice, which are extrapolated together, in
 /// some four times the time. Rows are halved once. (On meshes refined 1, 2, 3 times patches would
-/// end at arbitrary places in the few sectors.)
+/// end at arbitrary points of the few sectors.)
 const FewMeshes& thorough_meshes();
 
 /// Selects the meshes of `few_meshes` from those of `thorough_meshes`.

@@ -76,7 +76,7 @@ class TireRig {
   std::optional<Pressed> pressed_;                     // pressed from the state inflated_
 };
 
-/// Default points for shapes: up to 3 sensors across the outer surface at up to 24 places around,
+/// Default points for shapes: up to 3 sensors across the outer surface at up to 24 angles around,
 /// [3 x points], m, wheel frame.
 Eigen::Matrix3Xd default_points(const fe_tire::Mesh& mesh);
 

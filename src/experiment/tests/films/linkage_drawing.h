@@ -60,7 +60,7 @@ class LinkageDrawing {
     int body;
     Eigen::Vector3d in_body;
   };
-  /// Force of a joint, or of a line of a strut; with or without a tension between two places.
+  /// Force of a joint, or of a line of a strut; with or without a tension between two points.
   struct Force {
     int joint, strut = -1, line = 0;
     bool is_axial = true, is_outer = false;

@@ -482,7 +482,7 @@ bool LinearTire::step(const TreadContact* contact,
   if (kept_ == 1) {
     if (!touch_by_heights(*contact, reduced)) return false;
   } else {
-    // After a path was followed, the ground is expected to go on as far again.
+    // After a path was followed, the ground is expected to move as far again.
     w_ = ahead_.size() > 0 ? ahead_ : none;
     ahead_.resize(0);
     if (!touch_by_nodes(*contact, reduced, w_)) return false;

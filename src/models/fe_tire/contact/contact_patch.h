@@ -14,7 +14,7 @@ struct ContactPatch {
     double x, y;              // m, from the point below the wheel center
     double pressure;          // Pa
     double shear_x, shear_y;  // Pa, on the tire
-    double area;              // m^2 for which it stands
+    double area;              // m^2 that it represents
     double length;            // m, its length along the road
     bool sticks;
   };

@@ -46,7 +46,7 @@ struct TreadSurface::Strip {
 struct TreadSurface::MeanAround {
   int place;  // counted in kPlaces a face
   HatMean mean;
-  double theta;   // rad, angle of the place
+  double theta;   // rad, angle of the point
   double moment;  // second moment of the hat function, rad^3
   double share;   // (T.3)
 };

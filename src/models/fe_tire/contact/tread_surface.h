@@ -125,7 +125,7 @@ class TreadSurface {
   /// Returns the motions of all points [3 x points], wheel frame, for a motion of the whole ring [3
   /// x nodes], sector frames.
   Eigen::Matrix3Xd motions(const Eigen::Matrix3Xd& shape) const;
-  /// Returns the deformed area for which a sample stands, m^2.
+  /// Returns the deformed area that a sample represents, m^2.
   double area(const Point& point, const Eigen::Matrix3Xd& positions) const;
   /// Returns the tread nodes outside this surface [3 x any] in the wheel frame, for a check that
   /// none of them touches.

@@ -17,7 +17,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kWindow = 0.4;  // rad, to both sides of the lowest place
+constexpr double kWindow = 0.4;  // rad, to both sides of the lowest point
 
 /// Returns the area of the tread's flat faces with an edge in the window, m^2.
 double area_of_facets(const Mesh& mesh) {

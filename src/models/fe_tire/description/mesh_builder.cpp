@@ -161,7 +161,7 @@ class MeshBuilder {
     }
   }
 
-  /// Chooses the outer nodes at the crown, at both edges of the tread and at both widest places.
+  /// Chooses the outer nodes at the crown, at both edges of the tread and at both widest points.
   void choose_sensors(Mesh& mesh) const {
     const auto nearest = [&](double target) {
       int found = 0;

@@ -40,7 +40,7 @@ class RingMotions {
  private:
   void set_batch(int first, int count, int element, ElementBatch& batch) const;
   void set_modes(int first, int count, int element, std::vector<ElementMotion>& motions) const;
-  /// Reads the element's stored values at `alphas` and returns the place of the next element's.
+  /// Reads the element's stored values at `alphas` and returns the address of the next element's.
   const double* recall_alphas(const double* alphas, std::vector<ElementMotion>& motions) const;
   bool add_differences(int first,
                        int count,

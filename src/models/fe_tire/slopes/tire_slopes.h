@@ -18,7 +18,7 @@
 // number is a central difference, exact for moduli and pressure, in which it is linear. Other
 // numbers need small steps: the law of cords that become taut bends within strains of 1e-4
 // (cord_law.h), and steps of 1e-4 of an angle left errors of 1e-5 in modes of a tire with such
-// cords. For the inflated tire (S.1) is solved for all numbers; masses and the place of the tire
+// cords. For the inflated tire (S.1) is solved for all numbers; masses and the position of the tire
 // are moved along its solution. Matrices are never differenced: their rounding errors, which stiff
 // belts make large, would be divided by the step.
 //

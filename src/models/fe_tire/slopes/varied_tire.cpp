@@ -13,7 +13,7 @@ bool same_rebars(const Element& a, const Element& b) {
   });
 }
 
-/// True if shape, walls and places of cords of an element are the same in two meshes of one
+/// True if shape, walls and positions of cords of an element are the same in two meshes of one
 /// topology.
 bool same_element(const Mesh& mesh, const Mesh& base, std::size_t e) {
   const Element &a = mesh.elements[e], &b = base.elements[e];

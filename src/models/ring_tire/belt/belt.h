@@ -75,7 +75,7 @@ class BeltForces {
   double energy(const NodeValues& q, const RimFrame& rim) const;
   /// True if (30) damps anything.
   bool damped() const { return law_.damping_time > 0.0 || law_.extension_damping_time > 0.0; }
-  /// Computes force = -energy' with nodes at their places `at`; `force` needs kScratch additional
+  /// Computes force = -energy' with nodes at the positions `at`; `force` needs kScratch additional
   /// rows. If the rates of the nodes are given, the damping (30) is subtracted.
   void find_force(const RimRows& at, const RimRows* rate, RimRows& force) const;
   static constexpr int kScratch = 15;

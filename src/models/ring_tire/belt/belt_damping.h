@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derivative of the belt's damping (30) by the places of its nodes. With the viscosity c of a
+// Derivative of the belt's damping (30) by the positions of its nodes. With the viscosity c of a
 // strain e, C = Σ c e_q e_q' and velocities v relative to the rim, the force -Σ c e_q e' has the
-// derivative -D by places and -C by velocities,
+// derivative -D by positions and -C by velocities,
 //   D = Σ c (e' e_qq + e_q (e_qq v)')                                                       (31)
 // D is not symmetric and a small part of a step's tangent, because strains rotate little in a step.
 // Newton's method omits D; derivatives of a step (motion_slopes.h) include it.

@@ -42,7 +42,7 @@ LATSCH_INLINE Lanes bend_at(const double* row, int k) {
 
 /// Evaluates the elements of the segments -2 .. nodes and of the knots -1 .. nodes, with nodes at
 /// x, y, z and their torsions (rows of rim_rows.h). In the rim's axes a × (t_x, 0, t_z) = (t_z, 0,
-/// -t_x). If `damped`, the rates of the nodes' places add the damping.
+/// -t_x). If `damped`, the rates of the nodes' positions add the damping.
 template <bool damped>
 LATSCH_INLINE void strain_of(int nodes,
                              const BeltLaw& law,

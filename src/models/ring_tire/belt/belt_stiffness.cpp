@@ -6,8 +6,8 @@
 //   b_i b_j A + g_i g_j B + b_i g_j C + g_i b_j C'                                          (27)
 //   A = κ n n',  B = κ along² n n' + m ((along/|c|) (t n' + n t') - (s/|c|²) n n'),
 //   C = -κ along n n' - (m/|c|) t n'
-// (4) and (5) add their second and first derivative by s to κ and m. They also couple places in the
-// plane of the rim with torsion and lateral travel: s changes by (b_j - g_j along) n of node j.
+// (4) and (5) add their second and first derivative by s to κ and m. They also couple positions in
+// the plane of the rim with torsion and lateral travel: s changes by (b_j - g_j along) n of node j.
 #include "models/ring_tire/belt/belt.h"
 #include "models/ring_tire/belt/bend_rule.h"
 #include "models/ring_tire/belt/ply_coupling.h"

@@ -28,7 +28,7 @@ inline CyclicBand stiffness_of(const BeltForces& belt, const NodeValues& q, cons
   return K;
 }
 
-/// Returns the forces on the knots, whose places are `knots`, at rest.
+/// Returns the forces on the knots, whose positions are `knots`, at rest.
 inline NodeValues force_of(const SidewallForces& sidewall,
                            const NodeValues& knots,
                            const RimFrame& rim) {

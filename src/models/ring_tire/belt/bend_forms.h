@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The strains of (1) and (3) to (5) at one place of the belt as functions of eight linear forms of
+// The strains of (1) and (3) to (5) at one point of the belt as functions of eight linear forms of
 // its four nodes in the rim's axes. With x, z in the plane of the rim, y lateral, and s from 0 to 1
 // in a segment, the forms are
 //   x', z', x'', z'', y', y'', ψ', ψ
 // The forms keep code short that needs single strains. It runs rarely, unlike the kernels, which
-// process eight places at once.
+// process eight points at once.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ enum BendForm { kSlopeX, kSlopeZ, kBendX, kBendZ, kSlopeY, kBendY, kTwist, kTors
 using BendVector = Eigen::Vector<double, kBendForms>;
 using BendMatrix = Eigen::Matrix<double, kBendForms, kBendForms>;
 
-/// A place at which the forms are evaluated, and its constants from belt.h.
+/// A point at which the forms are evaluated, and its constants from belt.h.
 struct BendPlace {
   const BendRule& rule;
   double share, tilt, tilt_twist, s0;  // Simpson's weight; ζ of (4); ζ of (5) over L0²; s at rest

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Weights of the nodes k-1 .. k+2 at a point where bending, (3) and (4) of belt.h, is evaluated:
-// for the curve's place and for its first and second derivative by s.
+// for the curve's position and for its first and second derivative by s.
 #pragma once
 
 namespace latsch::ring_tire {

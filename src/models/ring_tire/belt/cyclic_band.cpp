@@ -85,7 +85,7 @@ void CyclicBandFactor::clear_border() {
 }
 
 /// Every panel has A(k, k + j) transposed below its diagonal; this function moves the blocks of
-/// border nodes to their places.
+/// border nodes to their positions.
 void CyclicBandFactor::close_ring() {
   for (int j = 1; j <= kReach; ++j)
     for (int k = interior_ - j; k < interior_; ++k) {

@@ -39,7 +39,7 @@ class InnerForces {
   /// Derivatives of the forces on the rim by the nodes, and of those on the nodes by the rim. Both
   /// are projected on the same motions: rim and nodes rotated about the spin axis, or moved along a
   /// unit vector of the rim's axes X, a, Z. The rows are by nodes, in these axes, and belong to the
-  /// last find_force and find_stiffness at the same place. The belt's own forces rotate and move
+  /// last find_force and find_stiffness at the same position. The belt's own forces rotate and move
   /// with it, so only the sidewall's count.
   void find_turned_rim(double scale, RimRows& row);
   void find_moved_rim(const Eigen::Vector3d& along, double scale, RimRows& row);

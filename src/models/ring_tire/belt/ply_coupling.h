@@ -5,7 +5,7 @@
 // Composite Materials]. In the ring D16 also stands for B16 of crossed plies, bending with shear in
 // their plane, which a chain of nodes does not have. D16 is positive if a belt that is flattened
 // and free rotates its sections to smaller ψ from segment to segment in the direction of the nodes;
-// the other way of crossing the plies changes the sign. In addition to (3) and (5) the belt has the
+// the opposite crossing of the plies changes the sign. In addition to (3) and (5) the belt has the
 // energy
 //
 //   (D16/L0^2) (s - s_0) (ψ' + ζ u' s/L0^2)                                                    (32)
@@ -22,8 +22,8 @@
 
 namespace latsch::ring_tire {
 
-/// Adds the force of (32) to `force` with nodes at their places `at`, and its damping (30) if their
-/// rates are given.
+/// Adds the force of (32) to `force` with nodes at the positions `at`, and its damping (30) if
+/// their rates are given.
 void add_ply_force(const BeltLaw& law, const RimRows& at, const RimRows* rate, RimRows& force);
 
 /// Adds scale times minus the derivative of that force to K, as find_stiffness() of belt.h: one law

@@ -24,7 +24,7 @@ void turn_to_rim(
   });
 }
 
-/// Computes rates -= ω × places.
+/// Computes rates -= ω × positions.
 void leave_turning(int nodes, const double* omega, const ConstRows& at, const Rows& rates) {
   around(nodes, [&](auto type, int k) {
     using T = decltype(type);

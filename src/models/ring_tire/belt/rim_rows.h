@@ -24,8 +24,8 @@ class RimRows {
   const double* row(int i) const { return memory_.data() + i * (nodes_ + 2 * kBeyond) + kBeyond; }
   /// Stores positions and torsions.
   void place(const NodeValues& q, const RimFrame& rim);
-  /// Stores velocities relative to the rim's material, v - v_c - ω × (x - c), of nodes at their
-  /// places `at`, and rates of torsion.
+  /// Stores velocities relative to the rim's material, v - v_c - ω × (x - c), of nodes at the
+  /// positions `at`, and rates of torsion.
   void place_rates(const RimRows& at, const NodeValues& v, const RimFrame& rim);
   /// Subtracts `y` from the y of each node.
   void count_from(const std::vector<double>& y);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bending of the belt's section across its width. The node's place and torsion move the section as
-// a straight piece. In addition it has the shapes of a free beam of width w,
+// Bending of the belt's section across its width. The node's position and torsion move the section
+// as a straight piece. In addition it has the shapes of a free beam of width w,
 //   u(y) = Σ γ_i q_i(y),  q_i: bending modes of the free-free beam, ∫ q_i^2 dy = w           (23)
 // Their energy, per length of the circumference, is that of bending and of the belt's tension T0,
 // of which every strip of the width carries its share along the ring:

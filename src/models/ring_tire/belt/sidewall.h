@@ -49,12 +49,12 @@ class SidewallForces {
     bool operator==(const Memory&) const = default;
   };
 
-  /// Relaxes all elements, with the belt in its place at rest.
+  /// Relaxes all elements, with the belt at its position at rest.
   void reset();
   const Memory& memory() const { return memory_; }
   void remember(const Memory& memory) { memory_ = memory; }
-  /// Computes the forces at the end of a step from the last committed state, with knots at their
-  /// places `at` and their rates; `force` has kScratch additional rows.
+  /// Computes the forces at the end of a step from the last committed state, with knots at the
+  /// positions `at` and their rates; `force` has kScratch additional rows.
   void find_force(const RimRows& at,
                   const RimRows& rate,
                   const StepRule& rule,

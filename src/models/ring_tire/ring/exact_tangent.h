@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact tangent -dr/d(place, γ) of a step's residual r, which is (17) followed by the rows of (25);
-// the rotation of dampers with the wheel is left out. K is the factorized tangent and E the part of
-// the blocks' derivatives that K omits, among the unknowns c of the patches:
+// Exact tangent -dr/d(position, γ) of a step's residual r, which is (17) followed by the rows of
+// (25); the rotation of dampers with the wheel is left out. K is the factorized tangent and E the
+// part of the blocks' derivatives that K omits, among the unknowns c of the patches:
 //   (K + E) x = b:  x = K^-1 (b - w),  w = (1 + E S)^-1 E K^-1 b,  S: K^-1 among c
 // This is Woodbury's formula.
 #pragma once

@@ -56,7 +56,7 @@ std::vector<BlockContact> TreadContact::contacts(const NodeValues& q) const {
 
 namespace {
 
-/// A block on a line of the footprint: its place along the line and its depth.
+/// A block on a line of the footprint: its position along the line and its depth.
 struct Dot {
   double at, depth;
 };

@@ -4,9 +4,9 @@
 // rim, r the residual of (17), and ρ the residual of the wheel's own rule:
 //   K dx - (1-θ) g dy = r,   -g' dx + (g' φ + D) dy = ρ                                        (36)
 //   g = df/dy = dT/dx,      D: the wheel's inertia by its rule
-// Moving the rim is equivalent to moving the nodes the other way, and the forces have an energy, so
-// both derivatives are the same g, that of the sidewall alone. With p = K^-1 r, Newton's step at a
-// held rim,
+// Moving the rim is equivalent to moving the nodes in the opposite direction, and the forces have
+// an energy, so both derivatives are the same g, that of the sidewall alone. With p = K^-1 r,
+// Newton's step at a held rim,
 //   dy = (ρ + g' p)/(D + g' φ - (1-θ) g' K^-1 g),   dx = p + (1-θ) K^-1 g dy
 // K^-1 g is approximated by φ s, s = g' φ/(φ' (M/(β h²)) φ + (1-θ) g' φ), which is exact for a ring
 // without a road. dy is small compared with p, so this needs no more iterations than the exact K^-1

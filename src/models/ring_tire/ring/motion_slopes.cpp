@@ -240,7 +240,7 @@ void MotionSlopes::find_rim_motion() {
 /// Derivatives with the nodes held: forces of belt and sidewall rotate with the rim, and fixed
 /// nodes move relative to it by -c - φ × x, with velocities -v_c - ω × x + Ω × c - φ × (their own
 /// velocities relative to the rim). The stiffness contains the rule's share of these velocities by
-/// places.
+/// positions.
 void MotionSlopes::find_held_forces() {
   const Eigen::Index N = q1_.cols();
   NodeValues against = v1_;

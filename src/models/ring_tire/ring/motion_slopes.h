@@ -3,10 +3,10 @@
 // Newton's method has solved r(q1; m) = 0 of (17), so
 //   J dq1/dm = dr/dm,  J = -dr/dq1;  dF/dm = dF/dm at q1 + dF/dq1 dq1/dm                     (29)
 // with v1 and a1 of (16). The rim's part of dr/dm is analytical: moving the rim is equivalent to
-// moving the belt the other way and rotating forces. Frames of the blocks and planes of the road
-// follow the spin axis, so this part uses differences of the blocks' forces. A step divided into
-// parts is differentiated part by part: the motion at the end determines those between, and each
-// part begins with the derivatives of the state before it.
+// moving the belt in the opposite direction and rotating forces. Frames of the blocks and planes of
+// the road follow the spin axis, so this part uses differences of the blocks' forces. A step
+// divided into parts is differentiated part by part: the motion at the end determines those
+// between, and each part begins with the derivatives of the state before it.
 //   Valid: if no block is about to touch, to leave, to slip or to stick, and no friction element
 //   of the sidewall is about to slip. At such a point the derivatives are one-sided, on the side
 //   of the end of the step.

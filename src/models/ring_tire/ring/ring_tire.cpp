@@ -415,7 +415,7 @@ std::string RingTire::solve_step(bool held, double time) {
   constexpr double kViolent = 1000.0;  // N, residual at a node for the guess of a step
   if (held) factor_.turn_to(rim_.axes());
   double last = std::numeric_limits<double>::infinity();
-  // Error of the inertia forces caused by rounding of places, in very short steps far from the
+  // Error of the inertia forces caused by rounding of positions, in very short steps far from the
   // origin.
   const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * rule_.acceleration *
                           mass_.maxCoeff() * q1_.cwiseAbs().maxCoeff();

@@ -83,7 +83,7 @@ bool RingTire::relax() {
   return false;
 }
 
-/// Finds the equilibrium at the rim's place, starting at q_.
+/// Finds the equilibrium at the rim's position, starting at q_.
 Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
   constexpr int kRenewals = 40;  // largest number before it counts as no equilibrium
   // A block on an edge of the road may alternate between its two planes: it keeps its plane after

@@ -16,8 +16,8 @@ class TangentReuse {
   /// Drops the tangent.
   void forget() { *this = {}; }
 
-  /// True if the tangent can be used at the beginning of a step with that d(acceleration)/d(place),
-  /// 1/s^2.
+  /// True if the tangent can be used at the beginning of a step with that
+  /// d(acceleration)/d(position), 1/s^2.
   bool serves(double acceleration) {
     ++age_;
     if (wait_ > 0) {

@@ -23,10 +23,10 @@ struct TreadContact::ProbedPatch {
   TreadContact& tread;
   std::size_t patch;
   BlockStep step;
-  Eigen::Matrix4d place, rate;  // place and rate of the four nodes
+  Eigen::Matrix4d place, rate;  // position and rate of the four nodes
   std::vector<double> columns = {}, kept = {};
 
-  /// Returns the forces at the present place and rate.
+  /// Returns the forces at the present positions and rates.
   Forces forces(bool bends) {
     Forces to = Forces::Zero();
     for (int m = 0; m < 4; ++m) {

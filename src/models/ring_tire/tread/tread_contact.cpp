@@ -329,7 +329,7 @@ std::pair<int, int> TreadContact::find_line(
 
 /// Computes the plane of each cell of a line near an uneven road: mean height, slope along the cell
 /// from end to end, slope across and everything else from the middle. So edges shorter than a cell
-/// take effect gradually. No place of the road is above `highest`.
+/// take effect gradually. No point of the road is above `highest`.
 std::pair<int, int> TreadContact::place_cells(
     std::size_t patch, int line, double highest, const road::Road& road, double time) {
   row_.place_tips(at_stations(kP), lines(patches_[patch].segment), line);

@@ -62,8 +62,8 @@ struct StationStiffness {
 
 /// Derivatives of the forces of a segment's blocks at the end of a step. The forces are those on
 /// its four nodes, four components each, then those on γ of the two nodes in the middle, three
-/// each. They are differentiated by the places of the nodes, whose velocities follow, and by these
-/// γ. N/m and corresponding units.
+/// each. They are differentiated by the positions of the nodes, whose velocities follow, and by
+/// these γ. N/m and corresponding units.
 struct PatchSlopes {
   static constexpr int kNodes = 16, kAll = kNodes + 2 * SectionBending::kModes;
   using Matrix = Eigen::Matrix<double, kAll, kAll>;
@@ -272,7 +272,7 @@ class TreadContact {
     return own;
   }
   BlockLaw block_law() const;
-  /// Fills everything except the places of the forces.
+  /// Fills everything except the positions of the forces.
   BlockStep step_of(std::size_t patch, const NodeValues& q, const NodeValues& v);
   template <class Add>
   void find_stiffness(double scale, const Eigen::Matrix3d& axes, const Add& add);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A line of a segment's blocks over an uneven road: the places of its cells, and the planes below
-// them. The road is evaluated for all cells at once (road::Road::below), planes are computed eight
-// at a time.
+// A line of a segment's blocks over an uneven road: the positions of its cells, and the planes
+// below them. The road is evaluated for all cells at once (road::Road::below), planes are computed
+// eight at a time.
 #pragma once
 
 #include <vector>
@@ -29,7 +29,7 @@ class TreadRow {
   /// For lines of that many stations, a multiple of eight.
   explicit TreadRow(int stride) : stride_(stride), memory_(static_cast<std::size_t>(7 * room())) {}
 
-  /// Computes the places of the tips of a line.
+  /// Computes the positions of the tips of a line.
   void place_tips(const double* columns, const BlockLines& lines, int line);
   /// Computes the borders of the cells [begin, end) of `blocks` cells.
   void place_borders(int begin, int end, int blocks);
