@@ -91,7 +91,7 @@ int run_cli(int argc, char** argv, const experiment::Language& language) {
   } catch (const InputError& error) {
     complain(error.what(), error.place());
     return close_console(kWrongInput);
-  } catch (const std::filesystem::filesystem_error& error) {  // a folder that is not writable
+  } catch (const std::filesystem::filesystem_error& error) {  // the folder is not writable
     const std::string path = error.path1().string();
     complain(path + ": cannot be created or changed: " + error.code().message(), {path, 0});
     return close_console(kWrongInput);

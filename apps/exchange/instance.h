@@ -20,7 +20,7 @@
 
 namespace latsch::exchange {
 
-/// Values that both standards use for it.
+/// Status values that both standards use.
 enum class Status : int { ok = 0, warning = 1, discard = 2, error = 3, fatal = 4 };
 
 class Instance {

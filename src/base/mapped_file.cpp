@@ -77,7 +77,7 @@ off_t copy_all(int from, int to) {
   }
 }
 
-/// The mapping of a copy; nullptr where there is no room for one. Throws if the file changes.
+/// The mapping of a copy; nullptr if there is no room for one. Throws if the file changes.
 void* map_copy(const std::filesystem::path& file, int descriptor, const struct stat& before) {
   const int copy = nameless_file();
   if (copy < 0) return nullptr;

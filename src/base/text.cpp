@@ -51,8 +51,8 @@ std::optional<std::string> nearest(std::string_view name,
     if (candidate.size() > kLongestName) continue;
     const int distance = edit_distance(wanted, lower_case(candidate));
     const std::size_t longer = std::max(name.size(), candidate.size());
-    const int tolerated = longer < 2 ? 0 : static_cast<int>(longer + 2) / 3;  // a letter is never a
-                                                                              // slip
+    // A name of one letter must match exactly.
+    const int tolerated = longer < 2 ? 0 : static_cast<int>(longer + 2) / 3;
     if (distance <= tolerated && (!best || distance < least)) {
       best = candidate;
       least = distance;

@@ -49,7 +49,7 @@ class CarUnit final : public Unit {
   std::optional<Failure> step(double time, double step) override;
   std::unique_ptr<Unit> clone() const override { return std::make_unique<CarUnit>(*this); }
 
-  /// None before start().
+  /// There is no state before start().
   const std::optional<car::CarState>& state() const { return state_; }
 
   static constexpr std::size_t kGiven = 26, kAnswers = 15 + 4 * 10;

@@ -15,7 +15,7 @@ std::string figure(const std::string& heading,
                    const std::string& quiet,
                    const std::string& picture,
                    const std::string& caption) {
-  const bool wide = picture.find("viewBox=\"0 0 520 ") == picture.npos;  // takes the whole row
+  const bool wide = picture.find("viewBox=\"0 0 520 ") == picture.npos;  // whole row
   return fmt::format("<figure{}><b>{} <span>{}</span></b>{}<figcaption>{}</figcaption></figure>\n",
                      wide ? " style=\"grid-column: 1 / -1\"" : "",
                      escape(heading),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chapter of the report on what the data determine: intervals, spectrum, correlations,
-// profiles. The data are plain structs; an empty part is left out.
+// The chapter of the report on identifiability: intervals, spectrum, correlations, profiles. The
+// data are plain structs; an empty part is left out.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures of what the data determine: deviations of the directions, correlations, profiles.
+// Figures of identifiability: deviations of the directions, correlations, profiles.
 #pragma once
 
 #include <string>

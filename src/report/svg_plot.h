@@ -65,7 +65,7 @@ class Axis {
                                  double first_pixel,
                                  double last_pixel);
 
-  double at(double value) const;  // returns the pixel
+  double at(double value) const;  // returns the position in pixels
   double lower() const { return lower_; }
   double upper() const { return upper_; }
   bool logarithmic() const { return logarithmic_; }

@@ -41,8 +41,8 @@ void open_console(const CommonOptions& options, const std::string& verb, const s
 /// Prints the JSON answer and ends the log; returns the exit code.
 int close_console(int exit_code);
 
-/// For a signal handler: writes the JSON answer of a verb that was stopped, without results, where
-/// one is wanted.
+/// For a signal handler: writes the JSON answer of a verb that was stopped, without results, if one
+/// was requested.
 void answer_stopped();
 
 /// Silences this process: it works for another one, and nobody reads its answer.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch check: reads a study, its model and its measurements, and reports how it understood them.
+// latsch check: reads a study, its model and its measurements, and reports its interpretation of
+// them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -263,8 +264,8 @@ std::string verdict() {
                      count == 1 ? "it" : "them");
 }
 
-/// A model alone, in a file of another program: what it is, what was assumed for it, the numbers a
-/// study may vary.
+/// Reports on a model file of another program: its kind, the assumptions made for it, and the
+/// numbers that a study may vary.
 void check_model(const std::string& file, const experiment::Language& language) {
   const experiment::SpecimenKind& kind = language.kind_of_file(file);
   const Document numbers = kind.read(file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch pareto: weighs two experiments against each other, from the trials in the journal.
+// latsch pareto: computes the trade-off between two experiments, from the trials in the journal.
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

@@ -106,7 +106,8 @@ int show(const std::string& file,
   if (shown.ledgers.empty() && !is_recording(file))
     for (const Ledger& ledger : correlation::ledgers_of_file(file, "the model"))
       show_ledger(ledger, true, shown);
-  // First the page: `latsch show FILE --html PAGE | head` ends the program at the tenth line.
+  // The page is written first: `latsch show FILE --html PAGE | head` ends the program at the tenth
+  // line.
   if (!html.empty()) write_text_file(html, shown_page(file, shown));
   answer()["kind"] = shown.kind;
   answer()["facts"] = shown.facts;

@@ -249,7 +249,7 @@ std::optional<Identifiability> recorded_identifiability(const Study& study,
   Identifiability result =
       read_from(identification_start(study, journal, *best, Depth::profiles), options);
   if (!result.identification.is_linearized()) {
-    options.most_centers = 1;  // other centers are unknown or cannot be had at the better point
+    options.most_centers = 1;  // other centers are unknown, or not available at the better point
     result = read_from(*best, options);
   }
   if (!result.identification.is_linearized() && has_slopes) {

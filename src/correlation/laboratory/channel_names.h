@@ -25,7 +25,7 @@ std::string force_without_frame(const std::string& name);
 struct NamedChannel {
   std::string name, frame;  // empty: not found
 };
-/// Returns the channel that `wanted` means: one of this name, of another spelling, or with a frame
+/// Returns the channel called `wanted`: one of this name, of another spelling, or with a frame
 /// appended.
 NamedChannel find_named(const std::vector<std::string>& names, const std::string& wanted);
 

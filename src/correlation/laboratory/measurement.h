@@ -115,8 +115,8 @@ class Measurement {
   bool is_turned(const std::string& channel) const;
   const MeasurementNoise* noise(const std::string& channel) const;
 
-  /// True if a column is called so, whatever its unit. A test that takes a channel as recorded then
-  /// has to use it, or report why it cannot.
+  /// True if a column has this name, whatever its unit. A test that takes a channel as recorded
+  /// then has to use it, or report why it cannot.
   bool could_be(const std::string& channel, const std::string& unit) const;
   /// Returns the ledgers of the files: the meaning of each column, its users, and doubts. They are
   /// complete after all users of the measurement were read.

@@ -53,8 +53,8 @@ Study weighted_stage(const Study& study, int k, const std::optional<StageEnd>& b
 Study with_estimated_noise(const Study& study, const Journal& journal);
 
 /// Returns the first point that the search of a study will evaluate; nullopt if that depends on a
-/// journal. A journal without that trial contains no step of the search, which this shows without
-/// reading its channels.
+/// journal. A journal without a trial of that point contains no step of the search; this check does
+/// not read channels.
 std::optional<DesignPoint> first_point(const Study& study);
 
 /// Returns the stages as far as their journals contain them, without evaluating. `weighted`, if

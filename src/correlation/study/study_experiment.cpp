@@ -69,7 +69,8 @@ std::shared_ptr<const Measurement> read_named_measurement(const Node& table,
       read_measurement(find_file(table, "measurement", context.folder, Measurements::required)));
 }
 
-/// Returns the test of [test.NAME] that an experiment names, after checking that it can be meant.
+/// Returns the test of [test.NAME] that an experiment names, after a check that the test records
+/// `channel`.
 const StudyTest& named_test(const Node& table,
                             const std::vector<StudyTest>& tests,
                             const std::string& channel) {

@@ -220,7 +220,7 @@ Result<StudyReport> study_report(const Study& study,
     return study.specimens->may_repeat() ? Simulated{point, simulate_all(study, point)}
                                          : recorded(journal, point);
   };
-  // A trial does not depend on others, so the two run at the same time.
+  // A trial does not depend on others, so the initial and the best point run at the same time.
   const bool beside = study.specimens->may_repeat() && study.run.workers > 1;
   auto start = std::async(beside ? std::launch::async : std::launch::deferred,
                           [&] { return simulated(study.space.initial()); });

@@ -18,7 +18,7 @@ struct RatedTrial {
   double violation = 0.0;  // violation of the constraints on channels
 };
 
-/// Less violation beyond what counts as fulfilled, or else a smaller target.
+/// True if a has less violation than b beyond what counts as fulfilled, or else a smaller target.
 bool is_better(const RatedTrial& a, const RatedTrial& b);
 
 /// Returns every requested trial that succeeded, with its target, recomputed from the stored

@@ -66,8 +66,8 @@ class StudyTrials {
       }
     }
     reuse_.give_back(std::move(specimen));
-    return trial;  // the objective decides later whether it can be compared: a study may be
-                   // corrected
+    // The objective decides whether the trial can be compared: a study may be corrected later.
+    return trial;
   }
 
  private:
@@ -153,7 +153,7 @@ double noise_alone(const Study& study) {
 Objective objective(const Study& study) {
   const std::vector<StudyExperiment> fitted = fitted_experiments(study);
   const auto common = common_deviation(fitted);
-  std::vector<double> weights;  // with noise every value counts, not every experiment
+  std::vector<double> weights;  // with stated noise the number of values counts, too
   for (const StudyExperiment& experiment : fitted) {
     const double values = common ? static_cast<double>(experiment.values()) : 1.0;
     weights.push_back(experiment.objective.weight * values);
@@ -165,8 +165,8 @@ Objective objective(const Study& study) {
         Score score;
         for (const StudyExperiment& experiment : fitted) {
           auto comparison = experiment.observable->compare(channels, experiment.objective);
-          if (!comparison) return comparison.failure();  // rows may have been added to a
-                                                         // measurement since
+          // A measurement may have got more rows since the trial.
+          if (!comparison) return comparison.failure();
           comparisons.push_back(std::move(*comparison));
           weigh(experiment, common, comparisons.back());
         }

@@ -20,7 +20,7 @@ constexpr const char* kComment =
     "Not measured: computed by the model itself, latsch export --measurements";
 
 /// Returns the study with shapes of modes recorded at the model's sensors, for the experiments that
-/// want shapes but have no measured ones.
+/// compare shapes but have no measured ones.
 Study with_sensors(Study study, experiment::Specimen& specimen) {
   for (StudyExperiment& experiment : study.experiments) {
     if (experiment.shapes_file.empty()) continue;

@@ -207,7 +207,7 @@ std::vector<Row> rows_on_pages(const std::string& database, const std::string& l
   std::map<std::int64_t, Row> rows;
   Pages pages = pages_of(database, page_size_of(database));
   find_rows(pages, rows);
-  // Then rows are searched as if everything in the log had been taken over, damaged or not.
+  // Rows are then searched with all pages of the log in place of those of the file, damaged or not.
   Pages with_log = pages;
   for_each_frame(log, [&](std::string_view frame) {
     with_log[big_endian(frame, 0)] = frame.substr(kFrameHeader);

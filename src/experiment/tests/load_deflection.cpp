@@ -16,7 +16,7 @@ namespace latsch::experiment {
 extern const TestKind kLoadDeflection;
 namespace {
 
-/// A rolling tire, now standing: one state after the other, each settled anew.
+/// Presses a rolling tire that stands: one state after the other, each settled anew.
 Result<Channels> press_rolling(Tire& tire, const LoadDeflection& test) {
   if (test.ground.mu != 0.0)
     throw InputError("a tire that rolls has friction in its own file: expected a test without it");

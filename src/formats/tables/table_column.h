@@ -29,7 +29,7 @@ struct TableColumn {
   int line = 0;              // line of the name, from 1; 0: the file has no lines
   int unit_line = 0;         // line of the unit
   int place = 0;             // among the columns, from 1
-  std::string assumed = {};  // about a unit with several meanings, which one is taken
+  std::string assumed = {};  // for a unit with several meanings, the assumed one
   UnitPlace unit_place = UnitPlace::title;
 
   bool operator==(const TableColumn&) const = default;

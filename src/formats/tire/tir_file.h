@@ -29,7 +29,7 @@ struct TirKey {
   std::string section, key;
   int line = 0;
   std::string parameter;  // or FITTYP, TYRESIDE, USE_MODE; "" if it is not used
-  std::string remark;     // why it is not used, or what alone it affects
+  std::string remark;     // reason why it is not used, or the only modes in which it acts
 };
 
 /// The remark of a key that no dialect here has.

@@ -46,7 +46,7 @@ struct RecognizedName {
   const ChannelMeaning* meaning = nullptr;  // never null
   std::string channel;                      // our name with frame or wheel: "alpha", "FyW", "Fz_FL"
   std::string unit;         // unit at the end of the name, such as "deg"; empty: none
-  bool keeps_name = false;  // a channel of its own elsewhere, such as camber
+  bool keeps_name = false;  // this spelling is another channel elsewhere, as is camber
 };
 /// Returns the channel a written name means; nothing if the name is not known. The caller has to
 /// check that the unit of the values fits.

@@ -37,8 +37,8 @@ void go_on(WheelMotion& motion, const Vector6d& acceleration, double ahead) {
   motion.angular_velocity += ahead * acceleration.tail<3>();
 }
 
-/// Changes the loads by a share of their difference from `to`, or to all of it if the two lists
-/// have different loads.
+/// Changes the loads by a share of their difference from `to`, or replaces them by `to` if the two
+/// lists have different loads.
 void approach(std::vector<multibody::Load>& loads,
               const std::vector<multibody::Load>& to,
               double share) {
@@ -123,8 +123,8 @@ Result<std::unique_ptr<Car>> Car::make(const CarParameters& parameters,
   }
   const std::vector<multibody::Strut> struts = car->mechanism_->struts();
   if (struts.empty()) return car;
-  // With bars in place of the springs it stands as drawn, and the bar forces are those that springs
-  // must carry.
+  // With bars in place of the springs the car stands as drawn, and the bar forces are those that
+  // springs must carry.
   constexpr double kBar = 1e9;  // N/m
   std::vector<multibody::Strut> bars = struts;
   for (int corner = 0; corner < kCorners; ++corner)
@@ -291,7 +291,8 @@ void Car::add_air(const Motion& motion, double speed, std::vector<Wrench>& wrenc
   const std::array<Vector3d, 2> arms = {
       arm(parameters_.front.corner.wheel_center.x(), air.floor_front),
       arm(parameters_.rear.corner.wheel_center.x(), air.floor_rear)};
-  std::array<Vector6d, 2> by_height;  // height by the chassis' motion; effect of a lift
+  std::array<Vector6d, 2> by_height;  // change of a height by the motion of the chassis; wrench of
+                                      // a lift
   for (std::size_t i = 0; i < 2; ++i)
     by_height[i] << Vector3d::UnitZ(), arms[i].cross(Vector3d::UnitZ());
   const auto c = air.at(pose.place.z() + arms[0].z(), pose.place.z() + arms[1].z());

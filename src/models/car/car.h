@@ -231,7 +231,7 @@ class Car {
   CarParts parts_;
   std::unique_ptr<multibody::Equilibrium> statics_;
   std::unique_ptr<multibody::Transient> transient_;
-  Tires tires_;  // at rest, off the road
+  Tires tires_;  // the tires at rest, off the road
 };
 
 }  // namespace latsch::car

@@ -174,7 +174,7 @@ class Builder {
         "the lower wishbone " + name,
         multibody::mass_of_rods(
             {rod(W::kLcaFront, W::kLbj), rod(W::kLcaRear, W::kLbj)}, masses.lower_wishbone, r)));
-    bodies_.push_back({"the upright " + name, c.wheel_center});  // its mass is set below
+    bodies_.push_back({"the upright " + name, c.wheel_center});  // the mass is set below
     bodies_.push_back(body_of(
         "the push-rod " + name,
         multibody::mass_of_rods({rod(W::kPushrodInner, W::kPushrodOuter)}, masses.pushrod, r)));

@@ -123,7 +123,8 @@ class Pass {
       const DualNumber one = DualNumber::variable(0.0, static_cast<int>(j), arena_);
       if (const auto i = variables[j].coefficient) {
         DualNumber& x = p.*kDualMembers[*i];
-        x.slopes = (DualNumber(0.0, x.slopes) + one).slopes;  // requested twice: both
+        x.slopes = (DualNumber(0.0, x.slopes) + one).slopes;  // a coefficient that is requested
+                                                              // twice has both slopes
       } else {
         const SlopeBlock*& slopes = state_.slopes[*variables[j].state];
         slopes = (DualNumber(0.0, slopes) + one).slopes;

@@ -142,7 +142,7 @@ std::string Equilibrium::newton(Rest& rest, const Standing& standing, double sha
 
 bool Equilibrium::go_on(Rest& rest, const Standing& standing, double share) {
   constexpr double kShortest = 1.0 / 256.0;  // share of a correction
-  const BlockElimination J = assembly_.J();  // the trials have tangents of their own
+  const BlockElimination J = assembly_.J();  // copied, because each trial computes another tangent
   const Eigen::VectorXd correction = step_;
   const double turn = turn_of(correction), length = correction.norm();
   const Poses start = rest.poses;

@@ -71,7 +71,7 @@ class CrgRoad final : public Road {
 
   Position locate(double x, double y) const;
   Eigen::Vector2d point(const Position& position) const;
-  /// Empty if the file has no road there.
+  /// Returns nothing if the file has no road there.
   std::optional<double> elevation(const Position& position) const;
   const CrgGrid& grid() const { return grid_; }
 

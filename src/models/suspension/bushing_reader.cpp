@@ -57,7 +57,8 @@ double damping_of(const std::optional<Node>& own,
     if (!node || !node->has("damping")) return std::nullopt;
     return node->quantity("damping", "s", Range::not_negative());
   };
-  const auto common = viscous(all, axis), common_time = time(all);  // known in any case
+  const auto common = viscous(all, axis), common_time = time(all);  // read in any case, so that the
+                                                                    // keys count as known
   const auto value = viscous(own, axis), own_time = time(own);
   if (value) return *value;
   if (own_time) return *own_time * k;

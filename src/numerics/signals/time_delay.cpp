@@ -41,7 +41,8 @@ struct Correlation {
     const int half = length / 2;
     const std::complex<double> turn = std::polar(1.0, 2.0 * kPi * lag / length);
     std::complex<double> e = 1.0;
-    constexpr int kRenew = 64;  // products of `turn` drift, so it is computed anew now and then
+    constexpr int kRenew = 64;  // powers of `turn` accumulate rounding, so the power is recomputed
+                                // after this many
     for (int k = 1; k <= half; ++k) {
       e = k % kRenew == 0 ? std::polar(1.0, 2.0 * kPi * k * lag / length) : e * turn;
       const double omega = 2.0 * kPi * k / length, weight = k == half ? 1.0 : 2.0;

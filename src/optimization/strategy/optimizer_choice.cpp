@@ -37,8 +37,8 @@ const MethodWords& entry(Method method) {
 
 constexpr double kMostFailures = 0.5;  // with more failures, models have too few samples
 // F is 1 for each value in units of the noise; a step of one standard deviation in one variable
-// increases it by as much. A linear model that promises a thousandth of that is a thirtieth of a
-// standard deviation from its minimum.
+// increases it by as much. A linear model that predicts a gain of a thousandth of that is a
+// thirtieth of a standard deviation from its minimum.
 constexpr double kFeltByNobody = 1e-3;
 constexpr int kMostPolled = 40;  // number of variables: a poll needs that many evaluations
 

@@ -14,13 +14,13 @@
 //             and bounds: box_least_squares.h; with linear constraints: polytope_least_squares.h.
 //             gain = (f(c) - f(u)) / (f(c) - expected(u))
 //   radius    It grows after steps with a good gain and shrinks after steps with a bad gain.
-//   verify    If neither a step of the tolerance nor a model of good geometry promises anything,
+//   verify    If neither a step of the tolerance nor a model of good geometry predicts a gain,
 //             slopes are recomputed with lengths that suit noise and ripple (natural_frame.h), and
 //             steps of the resulting model are taken as long as they gain. At noise level this is
 //             repeated over three times the distance, which reduces the weight of noise to a third.
 //             A later gain of a restart is verified again only if it is more than noise makes of
 //             the target, or a tenth of the target.
-//   end       The search ends if these steps promise nothing. ending() reports the reason. Restarts
+//   end       The search ends if these steps predict no gain. ending() reports the reason. Restarts
 //             follow as long as the residuals exceed what noise explains, if noise is known, or
 //             what can be gained.
 //

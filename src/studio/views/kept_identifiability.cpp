@@ -31,7 +31,7 @@ KeptIdentifiability computed(const std::string& id,
   return {study, std::make_shared<const correlation::Identifiability>(std::move(*what)), ""};
 }
 
-/// Changes when a journal grows.
+/// Returns a text that changes when a journal grows.
 std::string state_of_journal(const std::string& journal) {
   std::string state;
   for (const char* of : {"", "-wal"}) {  // the log beside it

@@ -19,7 +19,7 @@ using correlation::Study;
 
 constexpr double kNextToNoWeight = 1e-6;  // share of the largest weight
 constexpr double kAtBound = 1e-3;         // share of the range
-constexpr double kMissed = 0.1;           // error that deserves a remark
+constexpr double kMissed = 0.1;           // error that needs a remark
 
 std::string weight_flag(double weight, double largest) {
   return weight < kNextToNoWeight * largest ? "weight about zero: it does not count" : "";

@@ -51,7 +51,7 @@ Json target_view(const ShelvedStudy& study, const std::string& weights);
 /// Returns single numbers: weight, target, initial and optimized value, and reasons for doubt.
 Json kpi_view(const ShelvedStudy& study, const std::string& weights);
 
-/// Returns what the measurements determine, as far as the journal contains it.
+/// Returns intervals, directions and profiles, as far as the journal contains them.
 Json identifiability_view(const ShelvedStudy& study);
 
 /// Returns the numbers of the model.

@@ -50,8 +50,8 @@ Result<MeshQuantities> loaded_quantities(FeTire& tire,
                                          const Inflated& inflated,
                                          const DiscretizationSettings& settings,
                                          int count) {
-  // Presses in one go: without friction an equilibrium does not depend on the path, and prescribed
-  // steps cost several times as much as those that the loading finds necessary.
+  // Presses in one step: without friction an equilibrium does not depend on the path, and
+  // prescribed steps cost several times as much as those that the loading finds necessary.
   const auto pressed = tire.press(inflated, settings.ground, {settings.deflection});
   if (!pressed) return pressed.failure();
   const Result<std::vector<Mode>> modes = tire.modes(pressed->back(), count);

@@ -195,7 +195,7 @@ class RingTire final : public Tire {
   WheelMotion last_motion_;
   bool settled_ = false;
   MotionSlopes slopes_;
-  std::vector<StepTaken>* taken_ = nullptr;  // set while a caller keeps the steps of an advance
+  std::vector<StepTaken>* taken_ = nullptr;  // set while a caller records the steps of an advance
   FreeRows free_rows_;
   FreeRows* free_ = nullptr;  // while the wheel is free
   RingCounts counts_;

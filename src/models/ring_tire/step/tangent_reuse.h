@@ -40,7 +40,7 @@ class TangentReuse {
     if (evaluations <= alone_) return;
     patience_ = held == 1 ? std::min(2 * patience_ + 1, kLongest) : 0;
     wait_ = patience_;
-    if (age_ > 0) acceleration_ = 0.0;  // it was not dropped within the step, so it is now
+    if (age_ > 0) acceleration_ = 0.0;  // the tangent survived the step, and is dropped now
   }
   int age() const { return age_; }
 
