@@ -267,7 +267,7 @@ int run(const Options& options) {
       }
       report(table, task == 0 ? "rank that leads killed" : "rank killed", counts);
     }
-    if (!options.is_smoke()) array(table);  // waits for Slurm's turns, half a minute
+    if (!options.is_smoke()) array(table);  // half a minute, for the intervals at which Slurm acts
   }
   const long left = processes_of(folder.path());
   table.row("processes left of Slurm", fmt::format("{}", left), "0", left == 0);

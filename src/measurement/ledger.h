@@ -23,7 +23,7 @@ enum class LedgerState {
   used,      // in use; `used_by` names the users
   not_used,  // read or recognized, but not used
   assumed,   // absent from the file; `remark` says which value is assumed and why
-  doubtful,  // its meaning is not certain: "?"; `remark` says why
+  doubtful,  // its meaning is not certain: "?"; `remark` has the reason
 };
 /// Returns "used", "not used", "assumed" or "?".
 const char* name_of(LedgerState state);
@@ -31,7 +31,7 @@ const char* name_of(LedgerState state);
 struct LedgerRow {
   std::string written = {};       // name in the file; empty for an assumed value
   int line = 0, column = 0;       // position of the name, from 1; 0: not known
-  std::string taken_as = {};      // channel or parameter it became; empty: the name is not known
+  std::string taken_as = {};      // channel or parameter; empty: the name is not known
   std::string meaning = {};       // "slip angle"; empty: not known
   std::string unit_written = {};  // unit in the file; empty: the file names none
   std::string unit = {};          // the SI unit after reading

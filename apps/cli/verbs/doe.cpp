@@ -160,7 +160,7 @@ int doe(const std::string& file,
         double level,
         bool retries_failed) {
   Study study = correlation::read_study(file, language);
-  study.asks_slopes = false;  // no search uses them
+  study.asks_slopes = false;  // a design uses no slopes
   if (workers > 0) study.run.workers = workers;
   const StudyDesign design = design_of(study, levels);
   const SamplingPlan plan = correlation::plan(design, study.space);

@@ -32,7 +32,7 @@ struct LabRecord {
   std::vector<Place> places;                            // one for each sample
   std::vector<double> numbers;                          // their numbers, from 1 over all files
   Place header;                                         // the head of the first file
-  std::map<std::string, StatedColumn> written;          // a channel as the file has it
+  std::map<std::string, StatedColumn> written;          // a channel as named in the file
   std::map<std::string, StatedColumn> stated;           // the table `columns` of the study
   std::map<std::string, formats::TableColumn> sources;  // a channel as its file states it
   std::map<std::string, std::string> left_out;          // columns that are no channels, and why

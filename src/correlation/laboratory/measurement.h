@@ -68,7 +68,7 @@ class Measurement {
     std::vector<std::string> one_way;  // steps that cannot be undone: "low_pass", ...
     std::map<std::string, MeasurementNoise> noise;
     std::map<std::string, std::string> left_out;          // columns that are no channels, and why
-    std::map<std::string, StatedColumn> written;          // a channel as the file has it
+    std::map<std::string, StatedColumn> written;          // a channel as named in the file
     std::map<std::string, StatedColumn> stated;           // the table `columns`
     std::map<std::string, formats::TableColumn> sources;  // a channel as its file states it
     std::map<std::string, AxisFrame> turned_from;  // the original frame of each channel that

@@ -13,9 +13,9 @@ namespace latsch::correlation {
 
 struct KnownChannel {
   std::string name;        // "response/z": OUTPUT/QUANTITY
-  std::string unit;        // unit in which people read it
+  std::string unit;        // unit for display
   std::string frame = "";  // "W", "H" or "C" if a rig records this force or moment
-  std::optional<experiment::Regression> regression = {};  // for a slope: how it is computed
+  std::optional<experiment::Regression> regression = {};  // for a slope: its computation
 };
 
 /// Returns nullptr if none has that name.

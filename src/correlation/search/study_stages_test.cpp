@@ -40,7 +40,7 @@ TEST_F(StudyStages, EachBeginsWhereTheOneBeforeEndedAndTheLastHasTheModelAsItIs)
   for (int k : {1, 2}) {
     EXPECT_EQ(fits[k].run.steps.front().point, fits[k - 1].run.best()->point);
   }
-  EXPECT_GT(fits[0].run.best()->outcome->value, 1e-4);  // another model: a trace of it is left
+  EXPECT_GT(fits[0].run.best()->outcome->value, 1e-4);  // another model leaves an error
   const DesignPoint found = fits[2].run.best()->point;
   EXPECT_NEAR(found.values[0], 1.3, 1e-3);
   EXPECT_NEAR(found.values[1], -22.0, 0.05);

@@ -50,7 +50,8 @@ struct Journal::Impl {
   std::filesystem::path file;
   std::optional<JournalLock> lock;  // held by a writer
   std::unique_ptr<SQLite::Database> database;
-  std::optional<SQLite::Statement> insert;  // declared after the database, so destroyed before it
+  std::optional<SQLite::Statement> insert;  // declared after the database, so destroyed before the
+                                            // database
   int format = kFormat;
   StudyIdentity identity;
   Tally tally;

@@ -84,7 +84,7 @@ class PowerLoss {
   struct Image {
     std::string synced;
     std::vector<Change> since;
-    bool entered = false;  // true if its folder was synced with it
+    bool entered = false;  // true if the folder was synced with the new file
     bool removed = false;
   };
   /// SQLite's handle of an open file. The handle of the usual VFS follows it in memory.

@@ -33,8 +33,8 @@ struct ChannelInfo {
   std::string name, unit;   // SI
   std::string frame = "";   // "W", "H" or "C" for a force or moment
   bool is_compared = true;  // false: belongs to another quantity, such as the shape of a mode
-  std::optional<Regression> regression = {};  // variables of which it is the slope, also in a
-                                              // recording
+  std::optional<Regression> regression = {};  // numbers by which the channel is differentiated,
+                                              // also in a recording
 };
 /// Returns the channel of a slope: "dz_by_Fz" for "dz".
 ChannelInfo slope_of(const std::string& moved, const std::string& unit, const SlopesBy& slopes);

@@ -30,7 +30,7 @@ class SlipHistoryTest : public Test {
  public:
   SlipHistoryTest(const std::string& text, const std::string& name, bool is_measured)
       : history_(formats::CsvTable::parse(text, name)), is_measured_(is_measured) {
-    history_.numbers("time", "s");  // fails at once if it is missing
+    history_.numbers("time", "s");  // a missing file fails at once
   }
 
   std::string in_words() const override {

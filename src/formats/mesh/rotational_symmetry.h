@@ -19,7 +19,7 @@ namespace latsch::formats {
 struct Ring {
   Eigen::Matrix3Xd X;              // m
   std::vector<HexNodes> elements;  // node indices; local axes are already those of mesh.h
-  std::vector<std::int64_t> kind;  // for each element; sectors must agree in it
+  std::vector<std::int64_t> kind;  // one for each element; equal in all sectors
   std::vector<char> held;          // for each node
 };
 

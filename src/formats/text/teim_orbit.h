@@ -32,7 +32,7 @@ namespace latsch::formats {
 struct TeimOrbitEntry {
   std::string key;      // in capitals
   std::string value;    // without quotes
-  std::string comment;  // behind the value, without its mark
+  std::string comment;  // comment behind the value, without its mark
   bool quoted = false;
   int line = 0;           // counted from 1
   std::size_t begin = 0;  // bytes of the value in the file, quotes included

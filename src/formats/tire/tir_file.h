@@ -28,7 +28,7 @@ namespace latsch::formats {
 struct TirKey {
   std::string section, key;
   int line = 0;
-  std::string parameter;  // or FITTYP, TYRESIDE, USE_MODE; "" if it is not used
+  std::string parameter;  // parameter, or FITTYP, TYRESIDE, USE_MODE; "" if the key is not used
   std::string remark;     // reason why it is not used, or the only modes in which it acts
 };
 

@@ -53,7 +53,7 @@ struct AxleMasses {
   double upper_wishbone = 0.8, lower_wishbone = 1.0, pushrod = 0.4, trackrod = 0.3;
   double rod_radius = 0.01;                // m
   multibody::MassProperties upright = {};  // m, its center relative to the wheel center
-  double wheel = 0.0;                      // kg, with the tire's mass missing in its model
+  double wheel = 0.0;                      // kg, with the mass of the tire that its model lacks
   double wheel_spin = 0.0;                 // kg m^2 about the spin axis, likewise
   double wheel_across = 0.0;               // kg m^2 about an axis across it
 };

@@ -78,7 +78,7 @@ class CrgRoad final : public Road {
  private:
   struct Interval {
     int number = 0;     // between points number and number + 1
-    double part = 0.0;  // position in it; < 0, > 1 beyond the ends
+    double part = 0.0;  // position in the interval; < 0, > 1 beyond the ends
     double v = 0.0;
     Eigen::Vector2d along_u;  // derivatives of the position by u and v
     Eigen::Vector2d along_v;

@@ -80,7 +80,7 @@ class BroydenFit {
   std::vector<int> free_;
   BroydenFitOptions options_;
   std::optional<Eigen::VectorXd> wanted_;
-  bool moving_ = false;  // the first point is being evaluated; it is accepted whatever its S
+  bool moving_ = false;  // the first point is being evaluated, which is accepted with any S
   double lambda_ = 0.0;
   bool converged_ = false, verified_ = false;
   int failed_steps_ = 0;      // number in a row

@@ -26,7 +26,7 @@ constexpr std::array kMethods{
     MethodWords{Method::gss_nlc, "gss_nlc", "generating-set search with penalties", true},
     MethodWords{Method::nelder_mead, "nelder_mead", "Nelder-Mead", false},
     MethodWords{Method::genetic, "genetic", "genetic algorithm", false},
-    MethodWords{Method::ensemble, "ensemble", "ensemble", true}};  // its members are checked
+    MethodWords{Method::ensemble, "ensemble", "ensemble", true}};  // members are checked one by one
 
 const MethodWords& entry(Method method) {
   const auto is_it = [&](const MethodWords& words) { return words.method == method; };

@@ -25,7 +25,7 @@ class FreshSlopes {
   struct Options {
     double shortest;     // shortest move for slopes, relative to a width
     double noise_alone;  // see ResidualTrustRegionOptions
-    double f_least;      // a value below it is worth no further round
+    double f_least;      // a value below this is worth no further round
   };
 
   /// Starts around the center of the box.

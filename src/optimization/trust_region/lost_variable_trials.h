@@ -40,7 +40,7 @@ class LostVariableTrials {
   void choose();
 
   TrustRegionRun run_;
-  std::optional<LostVariables> lost_;   // present while they are looked for
+  std::optional<LostVariables> lost_;   // present while lost variables are looked for
   Eigen::VectorXd r_settled_;           // residuals where the run settled
   PendingPoints<Wanted> look_;          // the next point of `lost_`; at most one
   std::vector<TrustRegionRun> trials_;  // start where lost variables have an effect

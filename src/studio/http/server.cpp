@@ -150,7 +150,7 @@ Server::Impl::~Impl() {
   stop_.request_stop();
   io_.stop();
   thread_.join();
-  end_connections();  // at once; then the pool waits for its handlers, whose answers nobody
+  end_connections();  // ended at once; then the pool waits for its handlers, whose answers nobody
                       // receives
 }
 

@@ -60,7 +60,7 @@ class ShelvedStudy {
     /// Duration and number of rows since the present run was first seen.
     double run_seconds = 0.0;
     long run_trials = 0;
-    std::string ending;                // why its search ended; empty: it has not, or unknown
+    std::string ending;                // why the search ended; empty: it has not, or unknown
     std::vector<std::string> spoiled;  // faults of the result, in words
   };
   template <class Look>

@@ -21,8 +21,8 @@ namespace latsch {
 /// A limit extrapolated from few meshes.
 struct RoughLimit {
   double value = 0.0;
-  double section = 0.0;  // its change by refining the section
-  double around = 0.0;   // its change by halving sectors alone
+  double section = 0.0;  // change of the value by refining the section
+  double around = 0.0;   // change of the value by halving sectors alone
   double unsure = 0.0;   // further uncertainty of the extrapolation
 };
 

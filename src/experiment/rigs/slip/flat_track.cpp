@@ -12,7 +12,7 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kWheelInertia = 1.0;      // kg m^2, of the wheel that finds its free rolling speed
+constexpr double kWheelInertia = 1.0;      // kg m^2, of the wheel that rolls up to its free speed
 constexpr double kFollow = 20e-3;          // s, time constant with which the axle follows the load
 constexpr double kLeastDeflection = 1e-3;  // m
 

@@ -118,8 +118,8 @@ class LinearTire {
   std::optional<std::vector<std::pair<int, double>>> springs_;
   Eigen::Matrix3Xd u_;     // displacements of the nodes at the last step
   Eigen::VectorXd ahead_;  // first guess of w for the step after a path was followed
-  Eigen::VectorXd w_, g_;  // the nodes' displacement in the last step, reversed; its g
-  Eigen::VectorXd c_;      // the ground's forces at its end
+  Eigen::VectorXd w_, g_;  // the nodes' displacement in the last step, reversed; and g of that step
+  Eigen::VectorXd c_;      // the forces of the ground at the end of the last step
 };
 
 }  // namespace latsch::fe_tire

@@ -46,7 +46,7 @@ class TangentReuse {
 
  private:
   double acceleration_ = 0.0;  // 0: none
-  int age_ = 0;                // steps since it was made
+  int age_ = 0;                // steps since the tangent was computed
   int alone_ = 0;
   int wait_ = 0, patience_ = 0;
 };
