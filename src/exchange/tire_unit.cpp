@@ -53,7 +53,7 @@ std::vector<Variable> table(double height) {
       {"inertial.My", output, "N m", "the same moment, inertial axes"},
       {"inertial.Mz", output, "N m", "the same moment, inertial axes"},
       {"loaded_radius", output, "m", "wheel center to road in the wheel's plane"},
-      {"contact.length", output, "m", "of the footprint; 0 off the road or where it is not known"},
+      {"contact.length", output, "m", "of the footprint; 0 off the road or if it is not known"},
       {"contact.width", output, "m", "of the footprint; likewise"},
       {"contact.area", output, "m^2", "of the footprint; likewise"},
   };

@@ -114,7 +114,7 @@ std::string gain_table(const Identifiability& what) {
 std::string missed_list(const Identifiability& what) {
   if (what.missed.empty()) return "";
   std::string html =
-      "<h3>Missed values <span>by more than three times their noise, 1 % where none is stated; to "
+      "<h3>Missed values <span>by more than three times their noise, 1 % if none is stated; to "
       "first order</span></h3><ul>";
   for (const std::string& sentence : what.missed)
     html += fmt::format("<li>{}</li>", escape(sentence));

@@ -127,7 +127,7 @@ void print_delays(const Study& study, const std::vector<correlation::ExperimentB
 
 void print_missed(const Study& study, const std::vector<correlation::MissedValue>& missed) {
   if (missed.empty()) return;
-  say("\nMissed by more than three times their noise, 1 % where none is stated; to first order\n");
+  say("\nMissed by more than three times their noise, 1 % if none is stated; to first order\n");
   for (const correlation::MissedValue& one : missed) say("  {}\n", one.in_words(study.space));
 }
 

@@ -114,7 +114,8 @@ void print_aborted(const correlation::Study& study,
       study.file.string(),
       failure.reason);
   print_point(study.space, point);
-  say("What was evaluated is in {}; with on_failure = \"proceed\" latsch resume goes on.\n",
+  say("The evaluated trials are in {}; with on_failure = \"proceed\", latsch resume continues "
+      "the run.\n",
       study.run.journal.string());
 }
 

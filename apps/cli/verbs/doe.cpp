@@ -182,7 +182,7 @@ int doe(const std::string& file,
   TrialsThatCount counting(journal);
   const RunEnd end = run_doe(plan, executor, counting, run_options(study, /*length_known=*/true));
   if (end == RunEnd::stopped) {
-    say("Interrupted; {} trials are safe. The same command goes on.\n", journal.size());
+    say("Interrupted; {} trials are safe. The same command continues.\n", journal.size());
     return kStopped;
   }
   if (end == RunEnd::aborted) {

@@ -41,7 +41,7 @@ DesignPoint start(const Study& study, const Journal& journal, const DesignPoint&
 
 void say_interrupted(const Journal& journal) {
   const long refits = correlation::refit_trial_count(journal);
-  say("Interrupted; {} trials are safe{}. The same command goes on.\n",
+  say("Interrupted; {} trials are safe{}. The same command continues.\n",
       journal.size() + refits,
       refits == 0 ? ""
                   : fmt::format(", {} of them, of refits, in {}",
@@ -144,7 +144,7 @@ int identify(const std::string& file,
   }
   workers_of_study.end();
   if (!take_refined(study, **result)) {
-    say("Interrupted before the refined model; the same command goes on.\n");
+    say("Interrupted before the refined model; the same command continues.\n");
     return kStopped;
   }
   answer()["variables"] = answer_of(study, **result);
@@ -186,7 +186,8 @@ void add_identify(CommandLine& app, Program& program) {
       "Starts at the best trial of the journal, holds each variable at other values and fits the "
       "others\nanew. That takes some dozens of trials a variable. They stay in the journal or, "
       "where the model\n"
-      "brings its slopes, in brief in STUDY.latsch.refits beside it; interrupted, even killed, the "
+      "brings its slopes, in reduced form in STUDY.latsch.refits beside it; interrupted, even "
+      "killed, the "
       "same\n"
       "command goes on.");
   auto file = std::make_shared<std::string>();

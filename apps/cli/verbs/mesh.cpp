@@ -242,7 +242,7 @@ void add_mesh(CommandLine& app, Program& program) {
       .between(3, 8);
   verb.add_option("--place-columns",
                   options->place_columns,
-                  "Tire file to write, with columns of elements where they matter");
+                  "Tire file to write, with columns of elements placed by their effect");
   verb.add_option("--unknowns",
                   options->unknowns,
                   "Greatest number of unknowns, for --place-columns; the present number unless "

@@ -112,7 +112,7 @@ void add_road(CommandLine& app, Program& program) {
       "  length = \"25 mm\"\n"
       "POINTS.csv has columns x, y and, for a road that moves, time; their units may stand in "
       "brackets, \"x [mm]\",\n"
-      "and are SI where none is given.\n\n"
+      "and are SI if none is given.\n\n"
       "Examples:\n  latsch road track.crg points.csv > ground.csv\n"
       "  latsch road kerb.toml --triangles kerb.rdf");
   auto options = std::make_shared<RoadOptions>();

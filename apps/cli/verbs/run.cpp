@@ -92,12 +92,12 @@ bool print_values(const Study& study,
                                       counting_options(study, "trials around the best one"));
   if (!result) {
     print_point(study.space, point);
-    say("Interrupted before the intervals; the same command goes on.\n");
+    say("Interrupted before the intervals; the same command continues.\n");
     return false;
   }
   workers.end();
   if (*result && !take_refined(study, **result)) {
-    say("Interrupted before the refined model; the same command goes on.\n");
+    say("Interrupted before the refined model; the same command continues.\n");
     return false;
   }
   if (*result) {

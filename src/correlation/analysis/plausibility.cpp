@@ -327,7 +327,7 @@ void examine_modes(const StudyExperiment& experiment,
     if (same < 1 || (is_pair && same == 1)) continue;
     found.push_back(
         {place(i),
-         fmt::format("{:.4g} Hz, {} stands in the table {}: {}",
+         fmt::format("{:.4g} Hz, {} is in the table {}: {}",
                      f,
                      modes[i].label(),
                      same == 1 ? "twice" : "three times",

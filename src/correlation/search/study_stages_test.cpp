@@ -146,8 +146,8 @@ TEST_F(StudyStages, ComplaintsNameTheStage) {
   says("[stage.a]\nfree = []\n[stage.b]\n", "empty");
   says("[stage.a]\nfree = [\"grip\", \"grip\"]\n[stage.b]\n", "twice");
   says("[stage.a]\nexperiments = [\"heavy\"]\n[stage.b]\n", "expected some of \"light\"");
-  says("noise = \"own_stage\"\n", "no stage comes before the last one");
-  says("noise = \"own_stage\"\n[stage.a]\n", "no stage comes before the last one");
+  says("noise = \"own_stage\"\n", "no stage before the last one");
+  says("noise = \"own_stage\"\n[stage.a]\n", "no stage before the last one");
   says("noise = \"own_stage\"\n[stage.a]\nmodel.PKY2 = 1.6\n[stage.b]\n",
        "with the model as it is");
   says("[stage.a]\nrestart = 2\n[stage.b]\n", "unknown key");

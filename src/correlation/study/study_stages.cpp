@@ -148,8 +148,8 @@ void check_own_stages(const Node& root,
     root.table("experiment")
         .table(wanting->name)
         .reject("noise",
-                "is \"own_stage\", but no stage comes before the last one with the model as it "
-                "is; expected a [stage.NAME] with experiments = [\"" +
+                "is \"own_stage\", but no stage before the last one has the unchanged model; "
+                "expected a [stage.NAME] with experiments = [\"" +
                     wanting->name + "\"] before it, or noise = \"estimated\"");
 }
 

@@ -61,8 +61,7 @@ Suite read_suite(const std::filesystem::path& file,
     Check check;
     check.name = table.name();
     check.source = table.text("source");
-    if (check.source.empty())
-      table.reject("source", "is empty, expected where the limit comes from");
+    if (check.source.empty()) table.reject("source", "is empty, expected the source of the limit");
     if (table.has("kind")) {
       read_experiment_of(table, context, suite.tests, check);
     } else {

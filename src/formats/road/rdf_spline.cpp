@@ -153,7 +153,7 @@ class SplineReading {
     const Vector2d along = at.direction.head<2>().normalized();
     const Vector3d left(-along.y(), along.x(), 0.0);
     if (!left.allFinite())
-      throw InputError(data_.place(), "turns on the spot, expected a road that goes on");
+      throw InputError(data_.place(), "turns on the spot, expected a road that continues");
     for (const double side : {-0.5, 0.0, 0.5})
       mesh.nodes.push_back(at.center + side * at.width * left);
   }

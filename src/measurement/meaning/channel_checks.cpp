@@ -213,9 +213,9 @@ constexpr std::array kPairs = {
     Pair{"alpha", "Fy", -1.0, kInfinity, "a side force acts against its slip angle"},
     Pair{"alpha", "Mz", 1.0, kSmallSlip, "the moment aligns the wheel"},
     Pair{"kappa", "Fx", 1.0, kInfinity, "a driven wheel pushes forward"},
-    Pair{"dx", "Fx", 1.0, kInfinity, "a suspension gives way along the force"},
-    Pair{"dy", "Fy", 1.0, kInfinity, "a suspension gives way along the force"},
-    Pair{"dz", "Fz", 1.0, kInfinity, "a suspension gives way along the force"},
+    Pair{"dx", "Fx", 1.0, kInfinity, "a suspension moves along the force"},
+    Pair{"dy", "Fy", 1.0, kInfinity, "a suspension moves along the force"},
+    Pair{"dz", "Fz", 1.0, kInfinity, "a suspension moves along the force"},
     Pair{"Vx", "omega", 1.0, kInfinity, "a wheel rolls in its direction of travel"},
 };
 

@@ -166,7 +166,8 @@ std::string Car::fault_of_spring(int corner, const std::vector<multibody::Strut>
   const double length = mechanism_->rest_length(unit), force = std::abs(springs[at(unit)].preload);
   if (stiffness * kMost * length > force) return {};
   return fmt::format(
-      "{} carries {:.4g} N at rest, where it has {:.4g} N/m: it would be pressed by more than ten "
+      "{} carries {:.4g} N at rest with a stiffness of {:.4g} N/m: it would be pressed by more "
+      "than ten "
       "times its length of {:.4g} mm",
       springs[at(unit)].name,
       force,
