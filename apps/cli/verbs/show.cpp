@@ -90,6 +90,13 @@ void name_users(const std::string& file, const experiment::Language& language, S
       show_ledger(ledger, true, shown);
 }
 
+/// True if a recording gave no channel at all: texts, unknown units, or no row of numbers.
+bool has_no_channel(const ShownFile& shown) {
+  return std::any_of(shown.facts.begin(), shown.facts.end(), [](const std::string& fact) {
+    return fact.starts_with("no channels: ");
+  });
+}
+
 int show(const std::string& file,
          const std::string& html,
          const std::string& axes,
@@ -123,7 +130,7 @@ int show(const std::string& file,
     say("\n");
     say_written(html);
   }
-  return kDone;
+  return is_recording(file) && has_no_channel(shown) ? kWrongInput : kDone;
 }
 
 }  // namespace

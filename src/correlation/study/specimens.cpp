@@ -175,10 +175,13 @@ Channels measured_conditions(const Node& table,
         conditions.size() == 1 ? table.text("channel", condition.channel) : condition.channel;
     if (std::find(without.begin(), without.end(), condition.channel) != without.end()) continue;
     if (!condition.is_needed && !measurement.could_be(channel, condition.unit)) {
-      take_absent(table, condition, measurement, by);
+      if (condition.ignored.empty()) take_absent(table, condition, measurement, by);
       continue;
     }
-    measurement.note_use(channel, by);
+    if (condition.ignored.empty())
+      measurement.note_use(channel, by);
+    else
+      measurement.note_ignored(channel, by, condition.ignored);
     const auto& values = measurement.values(channel, condition.unit);
     const std::string frame = measurement.frame(channel);
     if (!frame.empty() && !condition.frame.empty() && !is_same_in(channel, frame, condition.frame))
