@@ -71,8 +71,8 @@ class Measurement {
     std::map<std::string, StatedColumn> written;          // a channel as named in the file
     std::map<std::string, StatedColumn> stated;           // the table `columns`
     std::map<std::string, formats::TableColumn> sources;  // a channel as its file states it
-    std::map<std::string, AxisFrame> turned_from;  // the original frame of each channel that
-                                                   // in_frame has turned
+    std::map<std::string, AxisFrame> turned_from;         // the original frame of each channel that
+                                                          // in_frame has turned
     AxisConvention axes = AxisConvention::iso;
     std::shared_ptr<std::vector<Ledger>> ledgers;  // one for each file
     std::map<std::string, std::string> ambiguous;  // channels that two columns claim, in words
