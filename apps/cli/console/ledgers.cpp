@@ -36,16 +36,21 @@ std::size_t warn_of_doubts(const std::vector<Ledger>& ledgers) {
   return count;
 }
 
-std::size_t say_ledgers(const correlation::Study& study,
+std::size_t say_ledgers(const std::vector<Ledger>& ledgers,
                         bool with_lines,
                         const std::string& title) {
-  const auto ledgers = correlation::all_ledgers_of(study);
   if (with_lines && !ledgers.empty() && !title.empty()) say("\n{}\n", title);
   for (const Ledger& ledger : ledgers) answer()["ledgers"].push_back(correlation::json_of(ledger));
   if (with_lines)
     for (const Ledger& ledger : ledgers)
       say("  {}: {}\n", name_among(ledger, ledgers), in_one_line(ledger));
   return warn_of_doubts(ledgers);
+}
+
+std::size_t say_ledgers(const correlation::Study& study,
+                        bool with_lines,
+                        const std::string& title) {
+  return say_ledgers(correlation::all_ledgers_of(study), with_lines, title);
 }
 
 }  // namespace latsch::cli

@@ -18,6 +18,11 @@ std::size_t say_ledgers(const correlation::Study& study,
                         bool with_lines,
                         const std::string& title = "");
 
+/// The same for the ledgers of files that no study names: a model, a test.
+std::size_t say_ledgers(const std::vector<Ledger>& ledgers,
+                        bool with_lines,
+                        const std::string& title = "");
+
 /// Reports the doubts as warnings. Throws InputError for the first that is an error.
 std::size_t warn_of_doubts(const std::vector<Ledger>& ledgers);
 

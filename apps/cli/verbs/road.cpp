@@ -77,8 +77,12 @@ int road(const RoadOptions& options) {
   }
   const formats::RoadFile file = formats::read_road_file(options.road);
   for (const std::string& warning : file.warnings) warn(warning);
-  if (!file.unused.empty())
-    warn(fmt::format("not used: {}", fmt::join(file.unused, ", ")), {options.road, 0});
+  for (const LedgerDoubt& doubt : file.doubts)
+    warn("warning: " + doubt.place.text() + ": " + doubt.sentence, doubt.place);
+  std::vector<std::string> unused;
+  for (const formats::TeimOrbitPart& part : file.unused) unused.push_back(part.name);
+  if (!unused.empty())
+    warn(fmt::format("not used: {}", fmt::join(unused, ", ")), {options.road, 0});
   // The table may be piped on, so it must not contain the kept statements.
   if (!options.output.empty() || answers_in_json())
     for (const std::string& key : file.kept) {

@@ -8,7 +8,7 @@ namespace latsch::formats {
 
 Ledger ledger_of(const TirFile& tir) {
   Ledger ledger{tir.source.file()};
-  const TeimOrbitUnits units = tir.source.units();
+  const TeimOrbitUnits units = tir.source.units(TeimOrbitUnits::Missing::is_si);
   for (const TirKey& key : tir.keys) {
     LedgerRow row;
     row.written = key.key;

@@ -89,7 +89,8 @@ std::string suggestion(const std::string& key) {
 
 class TirReader {
  public:
-  explicit TirReader(TirFile& tir) : tir_(tir), units_(tir.source.units()) {}
+  explicit TirReader(TirFile& tir)
+      : tir_(tir), units_(tir.source.units(TeimOrbitUnits::Missing::is_si)) {}
 
   void read() {
     const TeimOrbitSection* model = tir_.source.find("MODEL");
@@ -417,11 +418,11 @@ class TirReader {
     for (const TeimOrbitTable& table : curve->tables()) {
       for (const TeimOrbitRow& row : table.rows) {
         const std::vector<double> pen_fz = curve->numbers(row, 2);
-        const double deflection = pen_fz[0] * units_.length;
+        const double deflection = pen_fz[0] * units_.length();
         if (!x.empty() && deflection <= x.back())
           throw InputError(curve->place(row.line), "the deflections of the curve do not ascend");
         x.push_back(deflection);
-        tir_.parameters.curve_force.push_back(pen_fz[1] * units_.force);
+        tir_.parameters.curve_force.push_back(pen_fz[1] * units_.force());
       }
     }
     if (x.size() < 2)
@@ -442,11 +443,11 @@ class TirReader {
     if (!assumed.empty())
       note(units->place().line, fmt::format("[UNITS] is silent: {}", fmt::join(assumed, ", ")));
     const bool pressure = found_.contains("INFLPRES") || found_.contains("NOMPRES");
-    if (pressure && !units->has("PRESSURE") && units_.pressure != 1.0)
+    if (pressure && !units->has("PRESSURE") && units_.pressure() != 1.0)
       note(units->place().line,
            fmt::format("[UNITS] has no PRESSURE; taken as FORCE/LENGTH^2, {} Pa",
-                       format_number(units_.pressure)));
-    if (units_.angle != 1.0)
+                       format_number(units_.pressure())));
+    if (units_.angle() != 1.0)
       note(units->find("ANGLE")->line,
            "ANGLE is no radian: it counts for ALPMIN to CAMMAX and YAW_STIFFNESS; coefficients "
            "such as PHY1 and PKY1 are taken in radians");
@@ -493,31 +494,31 @@ double si_factor(ParameterUnit unit, const TeimOrbitUnits& u) {
     case ParameterUnit::one:
       return 1.0;
     case ParameterUnit::length:
-      return u.length;
+      return u.length();
     case ParameterUnit::force:
-      return u.force;
+      return u.force();
     case ParameterUnit::angle:
-      return u.angle;
+      return u.angle();
     case ParameterUnit::mass:
-      return u.mass;
+      return u.mass();
     case ParameterUnit::time:
-      return u.time;
+      return u.time();
     case ParameterUnit::pressure:
-      return u.pressure;
+      return u.pressure();
     case ParameterUnit::velocity:
-      return u.length / u.time;
+      return u.length() / u.time();
     case ParameterUnit::acceleration:
-      return u.length / (u.time * u.time);
+      return u.length() / (u.time() * u.time());
     case ParameterUnit::stiffness:
-      return u.force / u.length;
+      return u.force() / u.length();
     case ParameterUnit::torsional_stiffness:
-      return u.force * u.length / u.angle;
+      return u.force() * u.length() / u.angle();
     case ParameterUnit::damping:
-      return u.force * u.time / u.length;
+      return u.force() * u.time() / u.length();
     case ParameterUnit::inertia:
-      return u.mass * u.length * u.length;
+      return u.mass() * u.length() * u.length();
     case ParameterUnit::frequency:
-      return 1.0 / u.time;
+      return 1.0 / u.time();
   }
   return 1.0;
 }

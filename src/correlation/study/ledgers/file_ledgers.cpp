@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "base/unit_reading.h"
 #include "correlation/laboratory/measurement.h"
+#include "formats/car/bus_file.h"
 #include "formats/road/road_file.h"
 #include "formats/tables/csv_table.h"
 #include "formats/text/letter_case.h"
@@ -183,13 +184,29 @@ Ledger ledger_of_road(const fs::path& file, const std::string& by) {
     Ledger::use(about, by);
     ledger.rows.push_back(std::move(about));
   }
-  for (const auto* names : {&road.unused, &road.kept})
-    for (const std::string& name : *names) {
-      LedgerRow unused;
-      unused.written = name;
-      unused.remark = "does not concern the surface";
-      ledger.rows.push_back(std::move(unused));
-    }
+  for (const formats::TeimOrbitPart& part : road.unused) {
+    LedgerRow unused;
+    unused.written = part.name;
+    unused.line = part.line;
+    unused.remark = "is not used";
+    ledger.rows.push_back(std::move(unused));
+  }
+  for (const std::string& name : road.kept) {
+    LedgerRow unused;
+    unused.written = name;
+    unused.remark = "does not concern the surface";
+    ledger.rows.push_back(std::move(unused));
+  }
+  ledger.doubts = road.doubts;
+  for (const std::string& warning : road.warnings) ledger.doubts.push_back({"", warning, {}});
+  return ledger;
+}
+
+/// A bushing: what its reader made of each part.
+Ledger ledger_of_bushing(const fs::path& file, const std::string& by) {
+  Ledger ledger = formats::read_bus_file(file).ledger;
+  for (LedgerRow& row : ledger.rows)
+    if (row.state == LedgerState::used) row.used_by = {by};
   return ledger;
 }
 
@@ -243,6 +260,8 @@ class Following {
       all_.push_back(formats::ledger_of(formats::read_tir(file)));
     } else if (ending == ".csv" || ending == ".txt") {
       all_.push_back(ledger_of_table(file, by));
+    } else if (ending == ".bus") {
+      all_.push_back(ledger_of_bushing(file, by));
     } else if (ending == ".rdf" || ending == ".crg") {
       all_.push_back(ledger_of_road(file, by));
       for (const fs::path& named : formats::files_of_road(file)) follow(named, by);
