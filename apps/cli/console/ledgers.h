@@ -18,7 +18,7 @@ std::size_t say_ledgers(const correlation::Study& study,
                         bool with_lines,
                         const std::string& title = "");
 
-/// The same for the ledgers of files that no study names: a model, a test.
+/// Reports ledgers of files that no study names, such as a model or a test, in that way.
 std::size_t say_ledgers(const std::vector<Ledger>& ledgers,
                         bool with_lines,
                         const std::string& title = "");

@@ -9,7 +9,7 @@
 // CLEAT_DIRECTION turn a bar counterclockwise from the axle; ROTATION_ANGLE_XY_PLANE turns the road
 // about z; OFFSET lifts it. CLEAT_STARTING_ANGLE is counted from the tire against the rotation of
 // the drum, DEPTH downward. A file that states no LENGTH, or no ANGLE or TIME while it uses one, is
-// refused. Of a triangle that has two coefficients of friction the first, along the road, counts for
+// refused. If a triangle has two coefficients of friction, the first, along the road, counts for
 // both directions. stochastic_uneven is not read, because its random numbers are those of
 // the program that made it.
 #pragma once

@@ -230,7 +230,7 @@ TEST(RdfFile, PartsThatWouldChangeTheSurfaceAreDoubts) {
   EXPECT_EQ(names(units + split), Names{"[ELEMENTS] mu_y:12"});
   EXPECT_EQ(names_of(across.unused), Names{"[ELEMENTS] mu_y"});
   EXPECT_EQ(names(units + "[MODEL]\nMETHOD='2D'\nROAD_TYPE='flat'\n[PARAMETERS]\nMUE=1\n"),
-            Names{"[PARAMETERS] MUE:8"});
+            Names{"[PARAMETERS] MUE:9"});
 }
 
 TEST(RdfFile, TrianglesInAnyOrderOfNodesAndOfWinding) {

@@ -322,19 +322,35 @@ namespace {
 
 /// The keys of [UNITS], the dimension of each, and the names that Adams writes, for messages.
 struct UnitKey {
-  std::string_view key, si, in_words, names, example;
+  std::string_view key, si, in_words, plural, names, example;
 };
 constexpr std::array<UnitKey, 6> kUnitKeys = {{
-    {"LENGTH", "m", "meter", "'meter', 'mm', 'cm', 'km', 'inch', 'foot' or 'mile'", "mm"},
+    {"LENGTH",
+     "m",
+     "meter",
+     "lengths",
+     "'meter', 'mm', 'cm', 'km', 'inch', 'foot' or 'mile'",
+     "mm"},
     {"FORCE",
      "N",
      "newton",
+     "forces",
      "'newton', 'knewton', 'pound_force', 'kilogram_force', 'ounce_force' or 'dyne'",
      "newton"},
-    {"ANGLE", "rad", "radian", "'radians' or 'degrees'", "degrees"},
-    {"MASS", "kg", "kg", "'kg', 'gram', 'megagram', 'pound_mass', 'ounce_mass' or 'slug'", "kg"},
-    {"TIME", "s", "second", "'second', 'millisecond', 'minute' or 'hour'", "second"},
-    {"PRESSURE", "Pa", "pascal", "'pascal', 'kpascal', 'mpascal', 'bar' or 'psi'", "pascal"},
+    {"ANGLE", "rad", "radian", "angles", "'radians' or 'degrees'", "degrees"},
+    {"MASS",
+     "kg",
+     "kg",
+     "masses",
+     "'kg', 'gram', 'megagram', 'pound_mass', 'ounce_mass' or 'slug'",
+     "kg"},
+    {"TIME", "s", "second", "times", "'second', 'millisecond', 'minute' or 'hour'", "second"},
+    {"PRESSURE",
+     "Pa",
+     "pascal",
+     "pressures",
+     "'pascal', 'kpascal', 'mpascal', 'bar' or 'psi'",
+     "pascal"},
 }};
 constexpr std::size_t kPressureKey = 5;
 
@@ -365,19 +381,20 @@ double TeimOrbitUnits::of(std::size_t key) const {
   std::erase(others, std::string(known.key));
   throw InputError(
       place_,
-      fmt::format("{}, so that the unit of the numbers in {} is not known: add the line {} = '{}' "
-                  "{}, with the unit in which the file is written ({}){}",
-                  has_section_ ? fmt::format("[UNITS] has no {}", known.key)
-                               : std::string("there is no section [UNITS]"),
-                  words_for(Unit::of(known.si)).noun,
-                  known.key,
-                  known.example,
-                  has_section_ ? "below it" : "below a line [UNITS]",
-                  known.names,
-                  others.empty() ? ""
-                                 : fmt::format("; {} {} missing, too",
-                                               fmt::join(others, ", "),
-                                               others.size() == 1 ? "is" : "are")));
+      fmt::format(
+          "{}, so that the unit of the {} in this file is not known: add the line {} = '{}' "
+          "{}, with the unit in which the file is written ({}){}",
+          has_section_ ? fmt::format("[UNITS] has no {}", known.key)
+                       : std::string("there is no section [UNITS]"),
+          known.plural,
+          known.key,
+          known.example,
+          has_section_ ? "below it" : "below a line [UNITS]",
+          known.names,
+          others.empty() ? ""
+                         : fmt::format("; {} {} missing, too",
+                                       fmt::join(others, ", "),
+                                       others.size() == 1 ? "is" : "are")));
 }
 
 double TeimOrbitUnits::pressure() const {

@@ -98,9 +98,9 @@ class TeimOrbitSection {
   std::vector<std::string> blocks_;
 };
 
-/// SI values of the units in which a file is written. A unit that the file does not state is refused
-/// at its first use, because a guess would change every number without a word; formats that have SI
-/// as their default ask for it.
+/// SI values of the units in which a file is written. A unit that the file does not state is
+/// refused at its first use, because a guess would change every number without a word; formats that
+/// have SI as their default ask for it. Without a file all units are SI.
 class TeimOrbitUnits {
  public:
   enum class Missing { is_refused, is_si };
@@ -124,9 +124,9 @@ class TeimOrbitUnits {
   double of(std::size_t key) const;
 
   std::array<std::optional<double>, 6> stated_;
-  Missing missing_ = Missing::is_refused;
+  Missing missing_ = Missing::is_si;
   bool has_section_ = false;
-  Place place_;  // of [UNITS], of the file without it
+  Place place_;  // the line [UNITS]; the file if it has none
 };
 
 /// A part of a file that was not read.

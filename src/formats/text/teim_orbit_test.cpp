@@ -68,7 +68,7 @@ TEST(TeimOrbit, TablesWithAndWithoutHeadsAndSubBlocks) {
 }
 
 TEST(TeimOrbit, UnitsInSi) {
-  const TeimOrbitUnits units = parsed_orbit(kFile).units();
+  const TeimOrbitUnits units = parsed_orbit(kFile).units(TeimOrbitUnits::Missing::is_si);
   EXPECT_EQ(units.length(), 1e-3);
   EXPECT_EQ(units.angle(), std::numbers::pi / 180.0);
   EXPECT_EQ(units.force(), 1.0);

@@ -19,6 +19,8 @@
 //   inclination and side force    opposite, at one slip angle
 //   kappa and Fx; dx, dy, dz and the force along them; Vx and omega     equal
 //
+// The signs of toe, camber, caster and steer of a K&C table: suspension_checks.h.
+//
 // A load channel that varies about zero, as on a K&C rig or over a cleat, holds no tire loads, and
 // its sign is not checked.
 //
