@@ -9,9 +9,7 @@
 #include "correlation/study/ledgers/study_ledgers.h"
 
 namespace latsch::cli {
-namespace {
 
-/// Returns the name of a file, with its folders if another file has the same name.
 std::string name_among(const Ledger& ledger, const std::vector<Ledger>& all) {
   const std::filesystem::path file = ledger.file;
   const auto same = std::count_if(all.begin(), all.end(), [&](const Ledger& other) {
@@ -20,8 +18,6 @@ std::string name_among(const Ledger& ledger, const std::vector<Ledger>& all) {
   });
   return same == 0 ? file.filename().string() : file.string();
 }
-
-}  // namespace
 
 std::size_t warn_of_doubts(const std::vector<Ledger>& ledgers) {
   correlation::refuse_doubtful(ledgers);

@@ -331,7 +331,11 @@ class BushingFiles(FileCase):
         self.write("m.csv", "Fx [N],Fy [N],Fz [N],Mz [N m],dz [mm]\n" + "".join(
             f"0,0,{fz},0,{fz / 2000}\n" for fz in (0, 1000, 2000)))
         return self.write("study.toml", """model = "corner.toml"
-vary = ["bushing.ubj.x"]
+[variable.k]
+path = "bushing.ubj.x"
+lower = "10 kN/mm"
+upper = "100 kN/mm"
+initial = "45 kN/mm"
 [measurement.m]
 file = "m.csv"
 [test.rig]
@@ -342,8 +346,6 @@ kind = "curve"
 y = "rig/dz"
 measurement = "m"
 scale = "1 mm"
-[optimizer]
-max_trials = 3
 """)
 
     def test_a_missing_unit_is_refused_by_show_check_and_test(self):

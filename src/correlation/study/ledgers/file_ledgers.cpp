@@ -13,6 +13,8 @@
 #include "base/unit_reading.h"
 #include "correlation/laboratory/measurement.h"
 #include "formats/car/bus_file.h"
+#include "formats/car/car_file_doubts.h"
+#include "formats/deck/inp_doubts.h"
 #include "formats/road/road_file.h"
 #include "formats/tables/csv_table.h"
 #include "formats/text/letter_case.h"
@@ -64,6 +66,7 @@ class DocumentRows {
     take_lines(read_text_file(file));
     take_values(document);
     walk(document.root());
+    ledger.doubts = formats::doubts_of_car_file(document.root());
   }
 
   Ledger ledger;
@@ -202,6 +205,22 @@ Ledger ledger_of_road(const fs::path& file, const std::string& by) {
   return ledger;
 }
 
+/// A finite-element deck: its units, and what in it is doubtful.
+Ledger ledger_of_deck(const fs::path& file, const std::string& by) {
+  const formats::InpDeck deck = formats::read_inp(file);
+  Ledger ledger{file.string()};
+  ledger.rows.push_back(row_of_file(file, by));
+  if (!deck.are_units_stated) {
+    LedgerRow units;
+    units.taken_as = "units";
+    units.state = LedgerState::assumed;
+    units.remark = formats::in_words(deck.units) + ", by the size of the mesh";
+    ledger.rows.push_back(std::move(units));
+  }
+  ledger.doubts = formats::doubts_of_deck(deck);
+  return ledger;
+}
+
 /// A bushing: what its reader made of each part.
 Ledger ledger_of_bushing(const fs::path& file, const std::string& by) {
   Ledger ledger = formats::read_bus_file(file).ledger;
@@ -260,6 +279,8 @@ class Following {
       all_.push_back(formats::ledger_of(formats::read_tir(file)));
     } else if (ending == ".csv" || ending == ".txt") {
       all_.push_back(ledger_of_table(file, by));
+    } else if (ending == ".inp") {
+      all_.push_back(ledger_of_deck(file, by));
     } else if (ending == ".bus") {
       all_.push_back(ledger_of_bushing(file, by));
     } else if (ending == ".rdf" || ending == ".crg") {
