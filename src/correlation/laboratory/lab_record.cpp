@@ -168,10 +168,8 @@ LabRecord join_files(const std::vector<std::filesystem::path>& files,
   LabRecord record;
   for (const std::filesystem::path& file : files) {
     LabRecord more = record_of(formats::read_lab_table(file, units, expected), columns);
-    words.push_back(fmt::format("{}: {} samples of {} channels",
-                                name_of(file),
-                                more.samples(),
-                                more.channels.size()));
+    words.push_back(fmt::format(
+        "{}: {} samples of {} channels", name_of(file), more.samples(), more.channels.size()));
     if (record.channels.empty()) {
       record = std::move(more);
     } else {
