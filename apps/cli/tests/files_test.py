@@ -396,6 +396,29 @@ class RoadFiles(FileCase):
             for command in (("show", road), ("road", road, points)):
                 self.assertIn("LENGTH = 'mm'", self.latsch(*command, code=WRONG_INPUT))
 
+    CRG = ("$ROAD_CRG\nreference_line_increment = 1\n$ROAD_CRG_OPTS\nborder_mode_u = {0}\nborder_mode_v = {0}\n$\n"
+           "$KD_DEFINITION\n#:LRFI\nD:long section at v = -1,m\nD:long section at v = 1,m\n$\n$$$$\n"
+           " 0.1000000 0.1000000\n 0.2000000 0.2000000\n")
+
+    def test_points_beyond_a_road_are_counted_and_have_no_height_where_there_is_no_road(self):
+        """Border mode 0 of OpenCRG refuses the computation, 2 keeps the edge and 3 repeats the grid."""
+        points = self.write("p.csv", "x [m],y [m]\n0.5,0\n3,0\n0.5,-4\n")
+        heights = {}
+        for mode in (0, 1, 2, 3):
+            road = self.write("road.crg", self.CRG.format(mode))
+            text = self.latsch("road", road, points, "-o", self.folder / "out.csv")
+            rows = [line.split(",") for line in (self.folder / "out.csv").read_text().splitlines()[1:]]
+            heights[mode] = [row[2] for row in rows]
+            if mode == 3:
+                self.assertNotIn("lie beyond", text)
+            else:
+                self.assertIn("2 of 3 points lie beyond the data of the road, the first at x = 3 m, y = 0 m", text)
+        self.assertEqual(heights[0][1:], ["", ""])
+        self.assertEqual([float(z) for z in heights[1]], [0.15, 0, 0])
+        self.assertEqual([float(z) for z in heights[2]], [0.15, 0.2, 0.15])
+        self.assertIn("2 of them have no height, because a border mode of 0 says that there is no road", self.latsch(
+            "road", self.write("road.crg", self.CRG.format(0)), points))
+
     def test_what_a_car_drives_over_is_told_of(self):
         shutil.copytree(STUDIES / "kerb", self.folder / "kerb", ignore=shutil.ignore_patterns("*.latsch", "*.html"))
         mesh = ("[MODEL]\nMETHOD = '3D'\n[SCALE]\nX = 1\nY = 1\nZ = 2\n[NODES]\n1 -20 -5 0\n2 40 -5 0\n3 40 5 0\n4 -20 5 0\n"
