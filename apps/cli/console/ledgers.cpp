@@ -9,9 +9,7 @@
 #include "correlation/study/ledgers/study_ledgers.h"
 
 namespace latsch::cli {
-namespace {
 
-/// Returns the name of a file, with its folders if another file has the same name.
 std::string name_among(const Ledger& ledger, const std::vector<Ledger>& all) {
   const std::filesystem::path file = ledger.file;
   const auto same = std::count_if(all.begin(), all.end(), [&](const Ledger& other) {
@@ -20,8 +18,6 @@ std::string name_among(const Ledger& ledger, const std::vector<Ledger>& all) {
   });
   return same == 0 ? file.filename().string() : file.string();
 }
-
-}  // namespace
 
 std::size_t warn_of_doubts(const std::vector<Ledger>& ledgers) {
   correlation::refuse_doubtful(ledgers);
@@ -36,16 +32,21 @@ std::size_t warn_of_doubts(const std::vector<Ledger>& ledgers) {
   return count;
 }
 
-std::size_t say_ledgers(const correlation::Study& study,
+std::size_t say_ledgers(const std::vector<Ledger>& ledgers,
                         bool with_lines,
                         const std::string& title) {
-  const auto ledgers = correlation::all_ledgers_of(study);
   if (with_lines && !ledgers.empty() && !title.empty()) say("\n{}\n", title);
   for (const Ledger& ledger : ledgers) answer()["ledgers"].push_back(correlation::json_of(ledger));
   if (with_lines)
     for (const Ledger& ledger : ledgers)
       say("  {}: {}\n", name_among(ledger, ledgers), in_one_line(ledger));
   return warn_of_doubts(ledgers);
+}
+
+std::size_t say_ledgers(const correlation::Study& study,
+                        bool with_lines,
+                        const std::string& title) {
+  return say_ledgers(correlation::all_ledgers_of(study), with_lines, title);
 }
 
 }  // namespace latsch::cli

@@ -18,6 +18,14 @@ std::size_t say_ledgers(const correlation::Study& study,
                         bool with_lines,
                         const std::string& title = "");
 
+/// Reports ledgers of files that no study names, such as a model or a test, in that way.
+std::size_t say_ledgers(const std::vector<Ledger>& ledgers,
+                        bool with_lines,
+                        const std::string& title = "");
+
+/// Returns the name of a ledger's file, with its folder if another of them has the same name.
+std::string name_among(const Ledger& ledger, const std::vector<Ledger>& all);
+
 /// Reports the doubts as warnings. Throws InputError for the first that is an error.
 std::size_t warn_of_doubts(const std::vector<Ledger>& ledgers);
 

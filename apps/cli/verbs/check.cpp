@@ -21,6 +21,7 @@
 #include "correlation/analysis/beyond_data.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/search/study_method.h"
+#include "correlation/study/ledgers/file_ledgers.h"
 #include "correlation/study/refinement.h"
 #include "correlation/study/study.h"
 #include "correlation/study/study_stages.h"
@@ -281,6 +282,7 @@ void check_model(const std::string& file, const experiment::Language& language) 
     answer()["numbers"].push_back({{"path", path}, {"value", value}, {"unit", unit}});
   }
   print_numbers(numbers, file);
+  say_ledgers(correlation::ledgers_of_file(file, "the model"), true, "Files");
   for (const std::string& note : kind.notes(file)) warn(note, {file, 0});
   warn_beyond_data(kind, numbers, file);
   say("\n{} Next: a test of it, latsch test {} TEST, or a study with model = \"{}\"\n",

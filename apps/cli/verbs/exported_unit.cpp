@@ -6,7 +6,9 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "cli/console/console.h"
+#include "cli/console/ledgers.h"
 #include "cli/run/model_source.h"
+#include "correlation/study/ledgers/file_ledgers.h"
 #include "exchange/fmu_package.h"
 #include "exchange/unit_folder.h"
 #include "experiment/language/capabilities.h"
@@ -37,6 +39,8 @@ void write_fmu(const std::string& file,
   const ModelSource source = model_source(file, language);
   if (!is_study(file))
     for (const std::string& note : source.kind->notes(file)) warn(note, {file, 0});
+  warn_of_doubts(correlation::ledgers_of_file(file, "the model"));
+  if (!road.empty()) warn_of_doubts(correlation::ledgers_of_file(road, "the road"));
   const auto files = exchange::unit_files(*source.kind, source.numbers, road);
   const auto fmi = version == "2.0" ? exchange::FmiVersion::fmi2 : exchange::FmiVersion::fmi3;
   exchange::UnitTitle title;
@@ -60,6 +64,7 @@ void say_sti(const std::string& file, const experiment::Language& language) {
   const Document numbers = kind.read(file);
   kind.check(numbers);
   for (const std::string& note : kind.notes(file)) warn(note, {file, 0});
+  warn_of_doubts(correlation::ledgers_of_file(file, "the model"));
   say("library   {}\nfunction  dtyre_ (Fortran: DTYRE; C: dtyre)\ntire file {}\ntire      {}\n",
       library("latsch_sti.so").string(),
       fs::absolute(file).string(),

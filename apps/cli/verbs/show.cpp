@@ -87,7 +87,7 @@ void name_users(const std::string& file, const experiment::Language& language, S
     if (std::any_of(before.begin(), before.end(), [&](const Ledger& one) {
           return one.file == ledger.file;
         }))
-      show_ledger(ledger, true, shown);
+      show_ledger(ledger, true, shown, known);
 }
 
 /// True if a recording gave no channel at all: texts, unknown units, or no row of numbers.
@@ -111,8 +111,9 @@ int show(const std::string& file,
   else
     name_users(file, language, shown);
   if (shown.ledgers.empty() && !is_recording(file))
-    for (const Ledger& ledger : correlation::ledgers_of_file(file, "the model"))
-      show_ledger(ledger, true, shown);
+    for (const auto ledgers = correlation::ledgers_of_file(file, "the model");
+         const Ledger& ledger : ledgers)
+      show_ledger(ledger, true, shown, ledgers);
   // The page is written first: `latsch show FILE --html PAGE | head` ends the program at the tenth
   // line.
   if (!html.empty()) write_text_file(html, shown_page(file, shown));

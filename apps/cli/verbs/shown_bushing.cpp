@@ -49,7 +49,8 @@ ShownFile shown_bushing(const std::filesystem::path& bus) {
   const BushingParameters& bushing = file.bushing;
   ShownFile shown;
   shown.kind = "Bushing (.bus)";
-  for (const std::string& key : file.unused) shown.facts.push_back("not read: " + key);
+  for (const formats::TeimOrbitPart& part : file.unused)
+    shown.facts.push_back("not read: " + part.name);
   ShownTable table{"Axes, in SI", {"axis", "points", "stiffness at rest", "damping", "unit"}, {}};
   for (int axis = 0; axis < 6; ++axis) {
     const multibody::ForceCurve* curve = curve_of(bushing, axis);

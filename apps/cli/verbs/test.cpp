@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <set>
 
 #include "base/document.h"
 #include "base/error.h"
@@ -18,6 +21,7 @@
 #include "cli/run/model_source.h"
 #include "cli/verbs/shown_page.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/study/ledgers/file_ledgers.h"
 #include "experiment/language.h"
 #include "experiment/language/sign_view.h"
 #include "experiment/tests/drum_cleat.h"
@@ -80,12 +84,34 @@ int say_matrix(const experiment::Language& language) {
   return kDone;
 }
 
-/// Reads a test from a file, or from its keys in braces.
-std::unique_ptr<experiment::Test> test_of(const std::string& text,
-                                          const experiment::Language& language) {
-  if (!text.starts_with('{')) return language.read_test(text);
-  return language.read_test(
+/// Reads a test and the names of its files from a file, or from its keys in braces.
+experiment::ReadTest test_of(const std::string& text, const experiment::Language& language) {
+  if (!text.starts_with('{')) return language.read_identified_test(text);
+  return language.read_identified_test(
       Document::parse("test = " + text, "the test in braces").root().table("test"), {});
+}
+
+/// Warns of every doubt about the files of the model and of the test.
+void warn_of_files(const std::string& model, const experiment::ReadTest& test) {
+  if (!is_study(model)) {
+    warn_of_doubts(correlation::ledgers_of_file(model, "the model"));
+  } else if (const Node study = Document::read(model).root(); study.has("model")) {
+    const auto file = std::filesystem::path(model).parent_path() / study.text("model");
+    warn_of_doubts(correlation::ledgers_of_file(file, "the model"));
+  }
+  const std::vector<Ledger> told = test.test->ledgers("the test");
+  warn_of_doubts(told);
+  std::set<std::string> warned;
+  for (const std::filesystem::path& file : test.files)
+    for (const Ledger& ledger : correlation::ledgers_of_file(file, "the test"))
+      if (std::none_of(told.begin(),
+                       told.end(),
+                       [&](const Ledger& one) {
+                         return std::filesystem::path(one.file).filename() ==
+                                std::filesystem::path(ledger.file).filename();
+                       }) &&
+          warned.insert(ledger.file).second)
+        warn_of_doubts({ledger});
 }
 
 /// Writes the requested output besides the channels.
@@ -203,11 +229,12 @@ int test(const TestOptions& options, const experiment::Language& language) {
         "test: expected a model and a test, such as: latsch test tire.toml test.toml; "
         "latsch test --list says which model can do which");
   const ModelSource model = model_source(options.model, language, options.kind);
-  const auto test = test_of(options.test, language);
+  const experiment::ReadTest read = test_of(options.test, language);
+  const std::unique_ptr<experiment::Test>& test = read.test;
   if (!is_study(options.model)) {
     for (const std::string& note : model.kind->notes(options.model)) warn(note, {options.model, 0});
   }
-  warn_of_doubts(test->ledgers("the test"));
+  warn_of_files(options.model, read);
   refuse_signs(options.signs, *test);
   if (options.convergence) return say_convergence(*model.kind, model.numbers, *test);
   if (options.html.empty() && options.details.empty())

@@ -187,17 +187,23 @@ LabRecord join_files(const std::vector<std::filesystem::path>& files,
     const auto ours = ours_of.find(theirs);
     return dimension_of_name(ours == ours_of.end() ? theirs : ours->second);
   };
+  // Runs in folders of their own often have the same name.
+  const auto name_of = [&](const std::filesystem::path& file) {
+    const auto same = std::count_if(files.begin(), files.end(), [&](const auto& other) {
+      return other.filename() == file.filename();
+    });
+    return same == 1 ? file.filename().string()
+                     : (file.parent_path().filename() / file.filename()).string();
+  };
   LabRecord record;
   for (const std::filesystem::path& file : files) {
     LabRecord more = record_of(formats::read_lab_table(file, units, expected), columns);
-    words.push_back(fmt::format("{}: {} samples of {} channels",
-                                file.filename().string(),
-                                more.samples(),
-                                more.channels.size()));
+    words.push_back(fmt::format(
+        "{}: {} samples of {} channels", name_of(file), more.samples(), more.channels.size()));
     if (record.channels.empty()) {
       record = std::move(more);
     } else {
-      append(more, file.filename().string(), record);
+      append(more, name_of(file), record);
     }
   }
   for (std::size_t i = 0; i < record.samples(); ++i)

@@ -74,7 +74,8 @@ TirFile read_tir(const std::filesystem::path& file) {
 }
 
 std::string tir_text(const TirFile& tir, const Parameters& parameters) {
-  const Spelling spelling{tir.source.units(), tir.pac2002, tir.scales};
+  const Spelling spelling{
+      tir.source.units(TeimOrbitUnits::Missing::is_si), tir.pac2002, tir.scales};
   std::map<std::string_view, const TeimOrbitEntry*> entries;
   std::map<const TeimOrbitEntry*, std::string> values;
   for (const TeimOrbitSection& section : tir.source.sections()) {

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "formats/text/teim_orbit.h"
+#include "measurement/ledger.h"
 #include "models/magic_formula/parameters.h"
 
 namespace latsch::formats {
@@ -43,6 +44,12 @@ struct TirFile {
   std::map<std::string, double, std::less<>> scales;
   /// Odd, unknown or missing keys: one sentence each, with its place.
   std::vector<std::string> notes;
+  /// Statements that contradict the numbers or ask for something that is not computed: a missing
+  /// unit, sizes that no tire has, a range in degrees beside radians, USE_MODE. They are part of
+  /// the ledger and not of the notes.
+  std::vector<LedgerDoubt> doubts;
+  /// Keys of [UNITS] that the file does not state and that are taken as SI, the default of MF-Tyre.
+  std::vector<std::string> assumed_units;
   TeimOrbit source;
 };
 

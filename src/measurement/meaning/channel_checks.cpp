@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "measurement/meaning/channel_words.h"
+#include "measurement/meaning/suspension_checks.h"
 
 namespace latsch {
 namespace {
@@ -419,6 +420,7 @@ std::vector<ChannelDoubt> doubts_about(const Channels& channels,
     check_friction(channels, doubts);
     check_pairs(channels, doubts);
     check_inclination(channels, doubts);
+    for (ChannelDoubt& doubt : suspension_doubts(channels)) doubts.push_back(std::move(doubt));
   }
   check_time(channels, breaks, doubts);
   check_rim(channels, doubts);
