@@ -18,6 +18,18 @@ std::size_t say_ledgers(const correlation::Study& study,
                         bool with_lines,
                         const std::string& title = "");
 
+/// Does so for ledgers of any files. `to`: where the lines go.
+enum class LinesTo { nowhere, output, standard_error };
+std::size_t say_ledgers(const std::vector<Ledger>& ledgers,
+                        LinesTo to,
+                        const std::string& title = "");
+
+/// Returns the ledgers of a model and a test, which can be files, behind those that the test itself
+/// knows. A text that is no file names none.
+std::vector<Ledger> ledgers_of_test(const std::string& model,
+                                    const std::string& test,
+                                    std::vector<Ledger> known);
+
 /// Reports the doubts as warnings. Throws InputError for the first that is an error.
 std::size_t warn_of_doubts(const std::vector<Ledger>& ledgers);
 

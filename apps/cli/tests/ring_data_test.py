@@ -4,6 +4,7 @@
     ring_data_test.py PATH/TO/latsch
 """
 import csv
+import json
 import pathlib
 import re
 import shutil
@@ -12,7 +13,7 @@ import tempfile
 import tomllib
 import unittest
 
-from cli_testing import DONE, LATSCH, WRONG_INPUT, edit
+from cli_testing import DONE, LATSCH, WRONG_INPUT, assert_identifiability, edit
 
 RING = pathlib.Path(__file__).resolve().parents[3] / "studies" / "ring_tires" / "passenger_205_55R16.toml"
 PRESSED = '{kind = "load_deflection", deflections = ["10 mm", "18 mm", "26 mm"]}'
@@ -55,7 +56,8 @@ class RingData(unittest.TestCase):
         """The folder of the study of what a model shows, run to its end, with the ring it found."""
         study = self.folder / "ring" / "study.toml"
         self.latsch("new", study.parent, "--ring-data", model)
-        self.latsch("run", study)
+        found = json.loads(self.latsch("run", study, "--json").stdout)["result"]
+        assert_identifiability(self, study.parent, [one["name"] for one in found["variables"]])
         self.latsch("export", study, "--model", study.parent / "fitted.toml")
         return study.parent
 

@@ -207,7 +207,13 @@ int test(const TestOptions& options, const experiment::Language& language) {
   if (!is_study(options.model)) {
     for (const std::string& note : model.kind->notes(options.model)) warn(note, {options.model, 0});
   }
-  warn_of_doubts(test->ledgers("the test"));
+  const bool gives_data = options.output.empty() && options.html.empty() && options.details.empty();
+  const std::string model_file = is_study(options.model)
+                                     ? study_with_model(options.model, language).model_file.string()
+                                     : options.model;
+  say_ledgers(ledgers_of_test(model_file, options.test, test->ledgers("the test")),
+              gives_data ? LinesTo::standard_error : LinesTo::output,
+              "Files");
   refuse_signs(options.signs, *test);
   if (options.convergence) return say_convergence(*model.kind, model.numbers, *test);
   if (options.html.empty() && options.details.empty())

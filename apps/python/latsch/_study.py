@@ -49,7 +49,8 @@ class Trials:
     """What the journal of a study holds, a row a trial, in the order they finished.
 
     points (N, n); targets (N,), NaN where a trial failed; violations (N,) of constraints; failures: a Failure each, None
-    where it succeeded; seconds (N,); asked (N,): False of what ran ahead of a search and is no result; channels: by
+    where it succeeded; seconds (N,); asked (N,): False of what ran ahead of a search and is no result; own (N,): False of what
+    was run for other measurements, weights or bounds than those of the study as it stands; channels: by
     "TEST/CHANNEL" arrays (N, samples), rows of NaN where failed, or lists of arrays where trials differ in their samples;
     units: of these.
     """
@@ -111,7 +112,10 @@ class Study(_latsch._Study):
         return Trials(self._trials(names, channels is True))
 
     def best(self):
-        """The best trial of the journal: (point, target, violation); None where none has succeeded."""
+        """The best trial of the journal: (point, target, violation); None where none has succeeded.
+
+        Raises InputError where no search has run on the study as it stands: a measurement, a weight or a bound was edited.
+        """
         found = self._best()
         return Best(*found) if found else None
 

@@ -17,6 +17,12 @@ namespace latsch::correlation {
 /// kerb". Reads nothing that is not there; a file that cannot be read has a row with the reason.
 std::vector<Ledger> ledgers_of_file(const std::filesystem::path& file, const std::string& by);
 
+/// The ledgers of the files that a document names, and of those that they name, but for the `known`
+/// ones and the document itself. `by`: "the comparison".
+std::vector<Ledger> ledgers_of_named_files(const std::filesystem::path& document,
+                                           const std::string& by,
+                                           const std::vector<Ledger>& known);
+
 /// The ledgers of the study's model, its tests and their files, but for the `known` ones.
 std::vector<Ledger> ledgers_of_opened_files(const Study& study, const std::vector<Ledger>& known);
 
