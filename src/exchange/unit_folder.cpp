@@ -106,11 +106,12 @@ std::unique_ptr<Unit> unit_of(const experiment::SpecimenKind& kind,
 
 UnitFiles unit_files(const experiment::SpecimenKind& kind,
                      const Document& numbers,
-                     const fs::path& road) {
+                     const fs::path& road,
+                     const std::string& model_text) {
   unit_of(kind, numbers, road);  // errors are reported for the files as written
   UnitFiles files;
   const std::string model = kModel + fs::path(numbers.file()).extension().string();
-  files.emplace_back(model, kind.text(numbers));
+  files.emplace_back(model, model_text.empty() ? kind.text(numbers) : model_text);
   if (road.empty()) {
     files.emplace_back("road.toml", kFlatRoad);
   } else {

@@ -155,6 +155,12 @@ void say_text(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
+void note_text(std::string_view text) {
+  log(text);
+  if (console().options.quiet || console().options.json) return;
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
 void put(std::string_view data) {
   if (console().options.json) return;
   std::fwrite(data.data(), 1, data.size(), stdout);

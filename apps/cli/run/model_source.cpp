@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "cli/console/console.h"
+#include "correlation/search/search_standing.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/best_trial.h"
@@ -47,8 +48,9 @@ Document model_of(const correlation::Study& study) {
   DesignPoint point = study.space.initial();
   if (std::filesystem::exists(study.run.journal)) {
     const Journal journal = Journal::read(study.run.journal, correlation::identity(study));
-    const auto best =
-        correlation::best_trial(correlation::with_estimated_noise(study, journal), journal);
+    const correlation::Study weighted = correlation::with_estimated_noise(study, journal);
+    correlation::require_best(weighted, journal);
+    const auto best = correlation::best_trial(weighted, journal);
     if (best) point = best->point;
     say("{} at {}\n", study.title, best ? "its best point" : "its initial values");
   }

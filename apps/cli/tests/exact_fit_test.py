@@ -101,6 +101,34 @@ class ExactFit(unittest.TestCase):
                 self.assertAlmostEqual(answer["variables"][0]["value"], 2.0, delta=1e-2)
                 self.assertLess(answer["target"], 1e-4)
                 self.assertNotIn("in the noise", words)
+                # Numbers between such bounds differ by more than the data leave open.
+                self.assertRegex(words, r"(?m)^  a .*, set by its bounds$")
+                self.assertIn("The interval of a comes from the bounds alone", words)
+                self.assertNotRegex(words, r"(?m)^  [bc] .*set by its bounds")
+
+    def test_an_interval_that_the_data_tell_is_not_said_to_come_from_the_bounds(self):
+        words, _ = self.fit({"a": (0, 10, 1), "b": (-5, 0, -1), "c": (0, 2, 1)})
+        self.assertNotIn("bounds alone", words)
+        self.assertNotIn("set by its bounds", words)
+
+    def test_exact_values_beside_one_far_off_have_intervals_that_do_not_depend_on_the_start(self):
+        """A robust loss takes the derivatives of the one value away; the others show no noise that neighbors share."""
+        starts = [{"a": (0, 10, 1), "b": (-5, 0, -1), "c": (0, 2, 1)}, {"a": (0, 10, 0), "b": (-5, 0, 0), "c": (0, 2, 2)},
+                  {"a": (0, 10, 10), "b": (-5, 0, -5), "c": (0, 2, 0)}]
+        for loss in ("huber", "cauchy"):
+            for off in (3.0, -50.0):
+                halves = []
+                for start in starts:
+                    words, answer = self.fit(start, measured=lambda t, off=off: exponential(t) + (off if abs(t - 2) < 1e-6 else 0),
+                                             more=f'loss = "{loss}"\nloss_scale = "1 %"')
+                    with self.subTest(f"{loss}, {off}"):
+                        self.assertNotIn("anywhere", words)
+                        self.assertNotIn("share noise", words)
+                        self.assert_known(answer, to=1.0)
+                    halves.append([(row["interval"][1] or 9) - (row["interval"][0] or 0) for row in answer["variables"]])
+                for half in halves[1:]:
+                    for one, other in zip(halves[0], half):
+                        self.assertAlmostEqual(other / one, 1.0, delta=0.1, msg=f"{loss}, {off}")
 
     def test_tied_variables_are_left_open(self):
         words, answer = self.fit({"a": (0.1, 10, 1), "d": (0.1, 10, 1.5), "b": (-5, 0, -1), "c": (0, 2, 1)},

@@ -8,11 +8,13 @@
 
 #include "base/file.h"
 #include "cli/console/console.h"
+#include "cli/console/ledgers.h"
 #include "cli/verbs/compared_models.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/comparison/comparison_page.h"
 #include "correlation/comparison/model_comparison_file.h"
 #include "correlation/comparison/tire_comparison.h"
+#include "correlation/study/ledgers/file_ledgers.h"
 #include "formats/tables/csv_table.h"
 
 namespace latsch::cli {
@@ -47,6 +49,8 @@ void compare(const std::string& name,
              const std::string& measurements,
              std::string output,
              int threads) {
+  say_ledgers(
+      correlation::ledgers_of_named_files(name, "the comparison", {}), LinesTo::output, "Files");
   if (output.empty()) output = fs::path(name).replace_extension(".html").string();
   if (correlation::compares_models(name))
     return compare_models(name, language, measurements, output, threads);

@@ -20,6 +20,7 @@
 #include "correlation/analysis/doe_effects.h"
 #include "correlation/analysis/doe_extent.h"
 #include "correlation/target/best_trial.h"
+#include "correlation/target/trial_ownership.h"
 #include "evaluation/schedule/retried_failures.h"
 
 namespace latsch::cli {
@@ -191,6 +192,7 @@ int doe(const std::string& file,
     }
     return kFailed;
   }
+  correlation::mark_design(study, plan.points, journal);
   const auto points = rated(plan, targets_of(study, journal));
   if (points.empty()) {
     const auto trial = first_failure(journal);

@@ -10,6 +10,7 @@
 #include "cli/console/tables.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/pareto_front.h"
+#include "correlation/search/search_standing.h"
 #include "correlation/search/study_fit.h"
 
 namespace latsch::cli {
@@ -22,6 +23,7 @@ int pareto(const std::string& file,
   auto study = correlation::read_study(file, language);
   const auto journal = Journal::read(study.run.journal, correlation::identity(study));
   study = correlation::with_estimated_noise(study, journal);
+  correlation::require_best(study, journal);
   const auto found = correlation::pareto_front(study, journal, a, b);
   say("{} trials in {}, none was run for this\n\nBest by the weights of the study: target {:.4f} "
       "%\n",

@@ -25,6 +25,7 @@
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/prediction_bands.h"
 #include "correlation/analysis/refit_trials.h"
+#include "correlation/analysis/test_limits.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/study_stages.h"
@@ -247,6 +248,7 @@ int fit(const Asked& asked, const experiment::Language& language) {
   if (workers.served(study, /*in_stages=*/true)) return kDone;
   reject_implausible(study);
   say_ledgers(study, true, "Files");
+  for (const std::string& limit : correlation::limits_of_tests(study)) warn(limit);
   catch_interrupts();
   std::optional<correlation::StageEnd> before;
   Asked once = asked;

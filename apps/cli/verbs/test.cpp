@@ -91,29 +91,6 @@ experiment::ReadTest test_of(const std::string& text, const experiment::Language
       Document::parse("test = " + text, "the test in braces").root().table("test"), {});
 }
 
-/// Warns of every doubt about the files of the model and of the test.
-void warn_of_files(const std::string& model, const experiment::ReadTest& test) {
-  if (!is_study(model)) {
-    warn_of_doubts(correlation::ledgers_of_file(model, "the model"));
-  } else if (const Node study = Document::read(model).root(); study.has("model")) {
-    const auto file = std::filesystem::path(model).parent_path() / study.text("model");
-    warn_of_doubts(correlation::ledgers_of_file(file, "the model"));
-  }
-  const std::vector<Ledger> told = test.test->ledgers("the test");
-  warn_of_doubts(told);
-  std::set<std::string> warned;
-  for (const std::filesystem::path& file : test.files)
-    for (const Ledger& ledger : correlation::ledgers_of_file(file, "the test"))
-      if (std::none_of(told.begin(),
-                       told.end(),
-                       [&](const Ledger& one) {
-                         return std::filesystem::path(one.file).filename() ==
-                                std::filesystem::path(ledger.file).filename();
-                       }) &&
-          warned.insert(ledger.file).second)
-        warn_of_doubts({ledger});
-}
-
 /// Writes the requested output besides the channels.
 void write_details(const TestOptions& options,
                    const experiment::Test& test,
@@ -234,7 +211,13 @@ int test(const TestOptions& options, const experiment::Language& language) {
   if (!is_study(options.model)) {
     for (const std::string& note : model.kind->notes(options.model)) warn(note, {options.model, 0});
   }
-  warn_of_files(options.model, read);
+  const bool gives_data = options.output.empty() && options.html.empty() && options.details.empty();
+  const std::string model_file = is_study(options.model)
+                                     ? study_with_model(options.model, language).model_file.string()
+                                     : options.model;
+  say_ledgers(ledgers_of_test(model_file, options.test, read.files, test->ledgers("the test")),
+              gives_data ? LinesTo::standard_error : LinesTo::output,
+              "Files");
   refuse_signs(options.signs, *test);
   if (options.convergence) return say_convergence(*model.kind, model.numbers, *test);
   if (options.html.empty() && options.details.empty())

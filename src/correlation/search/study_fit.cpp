@@ -9,12 +9,14 @@
 #include "correlation/target/best_trial.h"
 #include "correlation/target/estimated_noise.h"
 #include "correlation/target/study_trials.h"
+#include "correlation/target/trial_ownership.h"
 #include "evaluation/schedule/retried_failures.h"
 #include "optimization/strategy/hopeless_start.h"
 
 namespace latsch::correlation {
 
 Fit fit(const Study& stage, Executor& executor, Journal& journal, const RunOptions& options) {
+  mark_target(stage, journal);
   TrialsThatCount trials(journal);
   if (stage.start.from == StartSettings::From::basins) {
     const auto end = run_doe(plan(*stage.doe, stage.space), executor, trials, options);
@@ -24,6 +26,8 @@ Fit fit(const Study& stage, Executor& executor, Journal& journal, const RunOptio
   Fit result;
   result.run = run_optimizer(search, objective(stage), executor, &trials, options);
   result.hopeless = search.reason();
+  if (result.run.end == RunEnd::converged || result.run.end == RunEnd::max_steps)
+    mark_ended(stage, journal);
   return result;
 }
 

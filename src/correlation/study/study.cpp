@@ -168,15 +168,15 @@ void reject_unknown_table(const std::filesystem::path& file) {
   }
 }
 
-/// Returns the study without notes and formatting, without what changes no step of a search, and
-/// with its measurements. Its tests are in the identity of its journal, wherever they are stated.
-std::string search_key(const Study& study) {
+/// Returns a hash of the study without notes and formatting, without the given tables, and with the
+/// content of its measurements. Its tests are in the identity of its journal, wherever they are
+/// stated.
+std::string key_without(const std::set<std::string>& tables, const Study& study) {
   std::istringstream lines(canonical_text(Document::read(study.file)));
   std::uint64_t state = kHashStart;
   for (std::string line; std::getline(lines, line);) {
     const std::string top = line.substr(0, line.find_first_of(". "));
-    static const std::set<std::string> kChangeNoStep{"run", "doe", "refined", "title", "test"};
-    if (!kChangeNoStep.contains(top)) state = hash(line + "\n", state);
+    if (!tables.contains(top)) state = hash(line + "\n", state);
   }
   for (const StudyExperiment& experiment : study.experiments) {
     std::vector<std::filesystem::path> files{experiment.measurement_file, experiment.shapes_file};
@@ -337,7 +337,8 @@ Study read(const Document& document,
   study.refinement = read_refinement(root, document, study, language, laboratory);
   root.close();
   if (measurements == Measurements::required) refuse_doubtful(ledgers_of(study));
-  study.search_key = search_key(study);
+  study.search_key = key_without({"run", "doe", "refined", "title", "test"}, study);
+  study.target_key = key_without({"run", "doe", "refined", "title", "test", "optimizer"}, study);
   return study;
 }
 

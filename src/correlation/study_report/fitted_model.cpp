@@ -13,6 +13,7 @@
 #include "correlation/analysis/coefficient_levels.h"
 #include "correlation/analysis/identifiability.h"
 #include "correlation/search/own_stages.h"
+#include "correlation/search/search_standing.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/best_trial.h"
@@ -249,6 +250,7 @@ FittedModel fitted_model(const Study& study,
   provenance.measured_at = [study](const std::string& condition) {
     return driven_at(study, condition, /*fitted_only=*/true);
   };
+  if (journal && !wanted) require_best(weighted, *journal);
   std::optional<RatedTrial> best;
   if (journal) best = best_trial(weighted, *journal);
   if (!best || (wanted && *wanted != best->point)) {

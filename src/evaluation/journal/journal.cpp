@@ -71,9 +71,14 @@ struct Journal::Impl {
                "journal kept beside: latsch run STUDY --anew; or, if you know that the results "
                "are the same, keep its trials: latsch resume STUDY --adopt");
       }
-      refuse("belongs to another study: " + *what +
-             ". Take the study it was made with or another journal, or begin anew, with this "
-             "journal kept beside: latsch run STUDY --anew");
+      refuse(
+          fmt::format("belongs to another study: {}. None of its {} trials {} of the study as it "
+                      "stands",
+                      *what,
+                      tally.trials,
+                      tally.trials == 1 ? "is" : "are") +
+          ". Take the study it was made with or another journal, or begin anew, with this "
+          "journal kept beside: latsch run STUDY --anew");
     }
   }
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kWay = 1e-3;  // m or rad
 
-class StaticStiffnessTest : public Test {
+class StaticStiffnessTest : public Test, public TellsLimits {
  public:
   explicit StaticStiffnessTest(StandingTest test) : test_(std::move(test)) {}
 
@@ -66,12 +66,15 @@ class StaticStiffnessTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
-  /// Describes in words what the tire's model neglects on this cleat.
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    return limits_of(specimen, test_.cleat);
+  }
+  /// Tells what the tire's model does not describe on the cleat.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     const auto notes = Test::run_in_blocks(specimen, tell);
     if (!notes) return notes;
-    return limits_of(specimen, test_.cleat);
+    return limits(specimen);
   }
   /// True for a tire that stands; a rolling tire has no slopes.
   bool tells_slopes(const SpecimenKind& kind, const std::string&) const override {

@@ -10,6 +10,7 @@
 #include "base/document_record.h"
 #include "base/error.h"
 #include "correlation/analysis/beyond_data.h"
+#include "correlation/search/search_standing.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/target/best_trial.h"
@@ -91,10 +92,13 @@ Study shown_stage(const Study& study) {
   return correlation::stage(study, 0);
 }
 
-/// Returns why the trials of a journal do not belong to the study; empty if they do.
-std::string journal_fault(const Study& study) {
+/// Returns why the trials of a journal do not belong to the study, and their number; empty if they
+/// do.
+std::string journal_fault(const Study& study, long& trials) {
+  trials = 0;
   try {
     if (!fs::exists(study.run.journal)) return "";
+    trials = Journal::read(study.run.journal).size();
     Journal::read(study.run.journal, correlation::identity(study));
     return "";
   } catch (const std::exception& error) {
@@ -171,7 +175,7 @@ void ShelvedStudy::read_files() {
 
 void ShelvedStudy::show_stage() {
   Study shown = shown_stage(*whole_);
-  journal_fault_ = journal_fault(shown);
+  journal_fault_ = journal_fault(shown, of_another_study_);
   journal_error_.clear();
   const bool is_last = !whole_->stages.empty() && shown.stage == whole_->stages.back().name;
   if ((is_last || correlation::estimates_noise(*whole_)) && fs::exists(whole_->run.journal) &&
@@ -189,7 +193,7 @@ void ShelvedStudy::check_journal() {
   const bool was_another = !journal_fault_.empty();
   if (!was_another && !table_->rows().empty()) return;
   ending_.reset();
-  journal_fault_ = journal_fault(*study_);
+  journal_fault_ = journal_fault(*study_, of_another_study_);
   if (was_another && journal_fault_.empty()) show_stage();
 }
 
@@ -299,6 +303,15 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
   return {.of_study = true, .of_state = true};
 }
 
+/// Returns why the nearest trial is no best point of the study as it stands.
+std::string ShelvedStudy::why_no_best() const {
+  const bool was_replayed = ending_ && ending_->rows == table_->rows().size();
+  return correlation::why_no_best(*study_,
+                                  table_->counts_read(),
+                                  table_->ownership(),
+                                  holder_ || !was_replayed || ending_->has_ended);
+}
+
 ShelvedStudy::Sight ShelvedStudy::sight() const {
   StudyState state = StudyState::stopped;
   if (!is_read_) {
@@ -314,6 +327,8 @@ ShelvedStudy::Sight ShelvedStudy::sight() const {
   }
   Sight sight{.state = state,
               .error = error(),
+              .of_another_study = journal_fault_.empty() ? 0 : of_another_study_,
+              .no_best = study_ ? why_no_best() : "",
               .study = study_,
               .table = table_.get(),
               .holder = holder_,
