@@ -32,6 +32,7 @@
 #include "evaluation/journal/journal.h"
 #include "evaluation/journal/local_file_system.h"
 #include "experiment/language/model_file.h"
+#include "formats/text/pipe.h"
 
 namespace latsch::cli {
 namespace {
@@ -121,7 +122,8 @@ void print_trials_so_far(const Study& study) {
   if (!std::filesystem::exists(study.run.journal)) return;
   const Journal journal = Journal::read(study.run.journal);
   if (const auto what = difference(journal.identity(), correlation::identity(study))) {
-    say("Its journal does not belong to it: {}\n", *what);
+    warn("its journal does not belong to it, and latsch run will refuse it: " + *what,
+         {study.run.journal.string(), 0});
     return;
   }
   const Objective target = correlation::objective(study);
@@ -292,6 +294,7 @@ void check_model(const std::string& file, const experiment::Language& language) 
 /// True if a file is a model of some kind: a car, a suspension, a tire. Any other file is read as a
 /// study, with the error messages of a study.
 bool is_model(const std::string& file, const experiment::Language& language) {
+  formats::expect_no_pipe(file);
   if (!experiment::is_document(file)) return true;
   if (is_study(file)) return false;
   const Node root = Document::read(file).root();
