@@ -79,12 +79,11 @@ void check_forms(const std::string& verb,
     if (std::any_of(chosen.begin(), chosen.end(), [&](const Form* form) { return takes(*form); }))
       continue;
     const std::vector<std::string> ways = ways_to(option, forms);
-    throw InputError(
-        verb + ": " + option + " has no effect here" +
-        (chosen.empty() ? "" : ", because this command " + in_words(chosen)) +
-        (ways.empty() ? "; expected the command without " + option
-                      : "; expected " + option + " beside " + joined(ways, "or") +
-                            ", or the command without it"));
+    throw InputError(verb + ": " + option + " has no effect here" +
+                     (chosen.empty() ? "" : ", because this command " + in_words(chosen)) +
+                     (ways.empty() ? "; expected the command without " + option
+                                   : "; expected " + option + " beside " + joined(ways, "or") +
+                                         ", or the command without it"));
   }
 }
 

@@ -11,9 +11,9 @@ namespace latsch::cli {
 /// One thing that a verb can do. Names of options are long ones, "--drum", or those of a position,
 /// "points". An option that no form of a verb contains belongs to all forms.
 struct Form {
-  std::string in_words;                // predicate of the verb: "writes a study of a car"
-  std::vector<std::string> chosen_by;  // options that choose the form; none: it applies if no
-                                       // other form is chosen
+  std::string in_words;                 // predicate of the verb: "writes a study of a car"
+  std::vector<std::string> chosen_by;   // options that choose the form; none: it applies if no
+                                        // other form is chosen
   std::vector<std::string> takes = {};  // further options that have an effect
   bool alone = true;                    // cannot be combined with another form
 };

@@ -47,8 +47,9 @@ ModelSource model_source(const std::string& file,
                        "the command without --kind");
     return study_source(file, language);
   }
-  const experiment::SpecimenKind& of =
-      kind.empty() ? language.kind_of_file(file) : experiment::kind_for_file(kind, file, language.kinds);
+  const experiment::SpecimenKind& of = kind.empty()
+                                           ? language.kind_of_file(file)
+                                           : experiment::kind_for_file(kind, file, language.kinds);
   return {&of, of.read(file)};
 }
 

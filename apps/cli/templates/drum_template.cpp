@@ -37,7 +37,7 @@ constexpr double kMoreRoom = 5e-3;               // s, added to that share
 constexpr double kQuiet = 15e-3;                 // s before the hit; the mean load ends there
 constexpr double kFarthest = 60e-3;              // s, most between the hits of record and test
 constexpr double kShiftStep = 0.5e-3;            // s
-constexpr double kAlike = 0.5;      // correlation below which a dissimilarity is reported
+constexpr double kAlike = 0.5;  // correlation below which a dissimilarity is reported
 
 const std::vector<RingNumber> kNumbers = {
     {"radial", "sidewall.radial.stiffness", "MN/m^2", 2.0},
@@ -226,11 +226,10 @@ std::string rig_text(const DrumRecordings& recordings,
   text += fmt::format("[plateaus]\nspeeds = [{}]\n", fmt::join(held, ", "));
   const std::vector<std::string> names = run_names(recordings.files);
   for (std::size_t i = 0; i < names.size(); ++i)
-    text += fmt::format("[run.{}]\nfile = {}\n",
-                        names[i],
-                        in_quotes(fs::proximate(fs::absolute(recordings.files[i]),
-                                                fs::absolute(folder))
-                                      .string()));
+    text += fmt::format(
+        "[run.{}]\nfile = {}\n",
+        names[i],
+        in_quotes(fs::proximate(fs::absolute(recordings.files[i]), fs::absolute(folder)).string()));
   return text;
 }
 

@@ -56,10 +56,10 @@ void expect_radius(const Measurement& measured, double radius, bool is_given) {
   const std::string expected = fmt::format(
       "expected the radius of an unloaded tire, {:.0f} mm to {:g} m", 1e3 * kLeast, kMost);
   if (is_given) throw InputError(fmt::format("--radius: {:g} m; {}", radius, expected));
-  throw InputError(measured.place(),
-                   fmt::format("its loaded radius leads to {:g} m without load; {}, or --radius",
-                               radius,
-                               expected));
+  throw InputError(
+      measured.place(),
+      fmt::format(
+          "its loaded radius leads to {:g} m without load; {}, or --radius", radius, expected));
 }
 
 /// Estimates start values directly from the recordings.

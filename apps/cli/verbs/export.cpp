@@ -177,7 +177,8 @@ void export_files(const ExportOptions& options, const experiment::Language& lang
         "export: say what to write: --vtu, --ccx, --model, --fmu, --sti, --bus or "
         "--measurements");
   }
-  if (!options.model.empty()) write_model(options, model_text(options.file, options.model, language));
+  if (!options.model.empty())
+    write_model(options, model_text(options.file, options.model, language));
   if (!mesh) return;
   const MeshedTire tire = meshed_tire(options.file, language);
   if (!options.vtu.empty()) write_vtu(options, tire);

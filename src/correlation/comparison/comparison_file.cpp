@@ -27,8 +27,8 @@ ComparedTire read_tire(const Node& table,
                        const fs::path& folder,
                        const experiment::Language& language) {
   const fs::path file = existing(table, "file", folder);
-  const auto* kind = &experiment::kind_for_file(
-      table.choice("kind", language.kind_names()), file, language.kinds);
+  const auto* kind =
+      &experiment::kind_for_file(table.choice("kind", language.kind_names()), file, language.kinds);
   ComparedTire tire{table.name(), {}, kind, file, kind->read(file), {}, {}};
   kind->check(tire.numbers);  // reports numbers that make no tire before the first test
   tire.title = table.text("title", table.name());
@@ -103,9 +103,10 @@ ComparisonFile read_comparison_file(const fs::path& file, const experiment::Lang
       root.reject("band", "expected two frequencies, the lower one first");
     comparison.band = {ends[0], ends[1]};
     if (third_octave_bands(comparison.band).empty())
-      root.reject("band",
-                  "has no center of a third-octave band between its ends, expected a wider one such "
-                  "as [\"8 Hz\", \"200 Hz\"]");
+      root.reject(
+          "band",
+          "has no center of a third-octave band between its ends, expected a wider one such "
+          "as [\"8 Hz\", \"200 Hz\"]");
   }
   comparison.agreement = root.quantity("agreement", "1", Range::positive(), 3.0);
   if (const auto table = root.find_table("specimen"))

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "report/html_parts.h"
@@ -110,7 +111,8 @@ report::PlotLine density_line(const ComparisonFile& file,
                               int color) {
   report::PlotLine line{name, {}, {}, color, {}};
   for (std::size_t k = 0; k < density.frequency.size(); ++k) {
-    if (density.frequency[k] < file.band.lower || density.frequency[k] > std::min(file.band.upper, highest))
+    if (density.frequency[k] < file.band.lower ||
+        density.frequency[k] > std::min(file.band.upper, highest))
       continue;
     line.x.push_back(density.frequency[k]);
     line.y.push_back(density.value[k]);

@@ -83,9 +83,10 @@ void check_force(const CsvTable& table, const std::string& channel, const std::v
   };
   const auto [least, most] = std::minmax_element(y.begin(), y.end());
   if (*least == *most)
-    reject(fmt::format("is {:g} in all samples of the test, so there is nothing to compare; was "
-                       "its sensor connected? Leave it out of channels",
-                       *least));
+    reject(
+        fmt::format("is {:g} in all samples of the test, so there is nothing to compare; was "
+                    "its sensor connected? Leave it out of channels",
+                    *least));
   if (const auto reason = impossible_load(y)) reject(*reason);
   if (const auto reason = negative_load(channel, y))
     reject(*reason + " Turn its signs to those of the test");

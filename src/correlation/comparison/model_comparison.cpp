@@ -141,28 +141,31 @@ void check_spectrum(const ModelComparisonFile& file,
                        whose,
                        kFewest));
   if (file.segment * rate > static_cast<double>(samples) + 1.0)
-    reject(fmt::format("segment is {:g} s, but {} has {:.4g} s to select it from; expected a "
-                       "shorter segment or a longer test",
-                       file.segment,
-                       whose,
-                       length));
+    reject(
+        fmt::format("segment is {:g} s, but {} has {:.4g} s to select it from; expected a "
+                    "shorter segment or a longer test",
+                    file.segment,
+                    whose,
+                    length));
   const double spacing = rate / welch_of(file, samples, rate).length;
   for (const auto& [name, band] : file.bands) {
     if (band.upper > 0.5 * rate * (1.0 + 1e-6))
-      reject(fmt::format("band.{}.edges ends at {:g} Hz, but the {:g} samples a second of {} hold "
-                         "nothing above {:g} Hz",
-                         name,
-                         band.upper,
-                         rate,
-                         whose,
-                         0.5 * rate));
+      reject(
+          fmt::format("band.{}.edges ends at {:g} Hz, but the {:g} samples a second of {} hold "
+                      "nothing above {:g} Hz",
+                      name,
+                      band.upper,
+                      rate,
+                      whose,
+                      0.5 * rate));
     if (std::floor(band.upper / spacing + 1e-9) * spacing < band.lower - 1e-9)
-      reject(fmt::format("band.{}.edges from {:g} to {:g} Hz has no line of the spectra, which are "
-                         "{:.3g} Hz apart; expected a wider band or a longer segment",
-                         name,
-                         band.lower,
-                         band.upper,
-                         spacing));
+      reject(
+          fmt::format("band.{}.edges from {:g} to {:g} Hz has no line of the spectra, which are "
+                      "{:.3g} Hz apart; expected a wider band or a longer segment",
+                      name,
+                      band.lower,
+                      band.upper,
+                      spacing));
   }
 }
 

@@ -29,8 +29,8 @@ ComparedModel read_compared(const Node& table,
   model.name = table.name();
   model.title = table.text("title", table.name());
   const fs::path file = existing(table, "file", folder);
-  model.kind = &experiment::kind_for_file(
-      table.choice("kind", language.kind_names()), file, language.kinds);
+  model.kind =
+      &experiment::kind_for_file(table.choice("kind", language.kind_names()), file, language.kinds);
   model.numbers = model.kind->read(file);
   model.kind->check(model.numbers);
   return model;

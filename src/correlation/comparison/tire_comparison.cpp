@@ -92,8 +92,7 @@ void judge_band(const ComparisonFile& file,
                 const ComparisonTest& test,
                 const TestComparison& compared,
                 std::vector<std::string>& remarks) {
-  const double spacing =
-      1.0 / (static_cast<double>(compared.time.size()) * test.drum.sample_step);
+  const double spacing = 1.0 / (static_cast<double>(compared.time.size()) * test.drum.sample_step);
   const FrequencyBand band{file.band.lower, std::min(file.band.upper, compared.highest)};
   if (std::floor(band.upper / spacing) * spacing < band.lower)
     throw InputError(

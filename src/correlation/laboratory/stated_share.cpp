@@ -42,10 +42,7 @@ void expect_stated_share(const Node& table,
                    " %\" if that is meant");
 }
 
-double read_share(const Node& table,
-                  const std::string& key,
-                  Range range,
-                  const std::string& unit) {
+double read_share(const Node& table, const std::string& key, Range range, const std::string& unit) {
   const auto text = text_at(table, key);  // first: the last type is recorded
   const double share = table.quantity(key, "1", range);
   expect_stated_share(table, key, text.value_or(""), share, unit);

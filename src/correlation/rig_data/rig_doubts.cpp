@@ -44,10 +44,8 @@ void judge_hits(const RigFile& rig,
                 const ProcessedPlateau& p,
                 std::vector<std::string>& doubts) {
   if (!rig.circumference) return;  // the shortest period was found
-  const auto force =
-      run.record.channel(rig.force).subspan(p.plateau.first, p.plateau.samples());
-  const auto shorter =
-      find_period(force, kShortestHit * run.record.rate, 0.6 * p.period.samples);
+  const auto force = run.record.channel(rig.force).subspan(p.plateau.first, p.plateau.samples());
+  const auto shorter = find_period(force, kShortestHit * run.record.rate, 0.6 * p.period.samples);
   if (!shorter || shorter->strength < kSameHit * p.period.strength) return;
   const double hits = p.period.samples / shorter->samples;
   if (std::abs(hits - std::round(hits)) > kSameTurn * hits) return;

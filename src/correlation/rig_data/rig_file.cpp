@@ -25,8 +25,8 @@ void read_channels(const Node& table, RigFile& rig) {
   rig.force = table.text("force");
   if (table.has("also")) rig.also = table.texts("also");
   for (std::size_t i = 0; i < rig.also.size(); ++i) {
-    const bool again = std::find(rig.also.begin(), rig.also.begin() + i, rig.also[i]) !=
-                       rig.also.begin() + i;
+    const bool again =
+        std::find(rig.also.begin(), rig.also.begin() + i, rig.also[i]) != rig.also.begin() + i;
     if (again || rig.also[i] == rig.force)
       table.reject("also",
                    "names " + in_quotes(rig.also[i]) +

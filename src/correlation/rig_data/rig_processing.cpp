@@ -9,8 +9,8 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "formats/tables/recording.h"
-#include "measurement/meaning/wheel_load.h"
 #include "measurement/bootstrap.h"
+#include "measurement/meaning/wheel_load.h"
 #include "measurement/pulse_speed.h"
 
 namespace latsch::correlation {

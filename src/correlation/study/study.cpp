@@ -367,8 +367,7 @@ Study read(const Document& document,
   if (study.refinement && measurements == Measurements::required)
     for (const StudyExperiment& experiment : study.experiments)
       if (const auto* curve = dynamic_cast<const Curve*>(experiment.observable.get()))
-        check_reach(
-            root, study.refinement->tests, experiment, curve->measured(), " of [refined]");
+        check_reach(root, study.refinement->tests, experiment, curve->measured(), " of [refined]");
   root.close();
   if (measurements == Measurements::required) refuse_doubtful(ledgers_of(study));
   study.search_key = search_key(study);

@@ -34,7 +34,8 @@ constexpr double kLargestExponent = 10.0;
 ObjectiveSettings read_objective(const Node& table) {
   ObjectiveSettings settings;
   settings.weight = table.quantity("weight", "1", Range::not_negative(), settings.weight);
-  settings.exponent = table.quantity("exponent", "1", Range{0.0, kLargestExponent, true}, settings.exponent);
+  settings.exponent =
+      table.quantity("exponent", "1", Range{0.0, kLargestExponent, true}, settings.exponent);
   return settings;
 }
 

@@ -110,8 +110,8 @@ struct Journal::Impl {
       case SQLITE_LOCKED:
         refuse("is locked by another program; close that program");
       default:
-        throw JournalError(fmt::format(
-            "{}: is damaged ({}); {}", name, error.what(), way_out(name)));
+        throw JournalError(
+            fmt::format("{}: is damaged ({}); {}", name, error.what(), way_out(name)));
     }
   }
 
@@ -205,12 +205,11 @@ struct Journal::Impl {
   }
 
   [[noreturn]] void damaged(std::int64_t number, const char* what) const {
-    throw JournalError(
-        fmt::format("{}: trial {} {}: the file is damaged; {}",
-                    file.string(),
-                    number,
-                    what,
-                    way_out(file.string())));
+    throw JournalError(fmt::format("{}: trial {} {}: the file is damaged; {}",
+                                   file.string(),
+                                   number,
+                                   what,
+                                   way_out(file.string())));
   }
 
   void for_each_row(const std::function<void(const Row&)>& visit) const {
