@@ -8,7 +8,9 @@
 #include "correlation/search/study_fit.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/best_trial.h"
+#include "experiment/language/kind_files.h"
 #include "experiment/language/model_file.h"
+#include "formats/text/pipe.h"
 
 namespace latsch::cli {
 namespace {
@@ -30,6 +32,7 @@ correlation::Study study_with_model(const std::string& file, const experiment::L
 }
 
 bool is_study(const std::string& file) {
+  formats::expect_no_pipe(file);
   if (!experiment::is_document(file)) return false;
   const Node root = Document::read(file).root();
   return root.has("model") || root.has("simulator");
@@ -38,9 +41,16 @@ bool is_study(const std::string& file) {
 ModelSource model_source(const std::string& file,
                          const experiment::Language& language,
                          const std::string& kind) {
-  if (is_study(file)) return study_source(file, language);
-  const experiment::SpecimenKind& of =
-      kind.empty() ? language.kind_of_file(file) : *language.find_kind(kind);
+  if (is_study(file)) {
+    if (!kind.empty())
+      throw InputError({file, 0},
+                       "is a study, which states the kind of its model by [model]; expected "
+                       "the command without --kind");
+    return study_source(file, language);
+  }
+  const experiment::SpecimenKind& of = kind.empty()
+                                           ? language.kind_of_file(file)
+                                           : experiment::kind_for_file(kind, file, language.kinds);
   return {&of, of.read(file)};
 }
 

@@ -174,6 +174,10 @@ int place(const TireDescription& tire, const MeshOptions& options) {
 }
 
 int mesh(const MeshOptions& options, const experiment::Language& language) {
+  if (options.thorough && options.deflection.empty())
+    throw InputError(
+        "mesh: --thorough has no effect without a pressed tire; expected --deflection beside it, "
+        "or the command without it");
   const MeshedTire tire = meshed_tire(options.file, language);
   const bool changes =
       options.refinement > 1 || options.convergence || !options.place_columns.empty();
@@ -251,6 +255,16 @@ void add_mesh(CommandLine& app, Program& program) {
   verb.add_option(
           "--modes", options->modes, "Modes to compare, for --convergence and --place-columns")
       .between(1, 100);
+  const bool alone = false;
+  verb.forms({{"prints the counts of a mesh", {}},
+              {"compares with refined meshes",
+               {"--convergence"},
+               {"--deflection", "--thorough", "--finest", "--modes"},
+               alone},
+              {"places columns of elements",
+               {"--place-columns"},
+               {"--deflection", "--choose-sectors", "--unknowns", "--modes"},
+               alone}});
   verb.callback([=, &program] { program.exit_code = mesh(*options, program.language); });
 }
 

@@ -20,6 +20,8 @@ int pareto(const std::string& file,
            const experiment::Language& language,
            const std::string& a,
            const std::string& b) {
+  if (a == b)
+    throw InputError("pareto: an experiment has no front against itself; expected two of them");
   auto study = correlation::read_study(file, language);
   const auto journal = Journal::read(study.run.journal, correlation::identity(study));
   study = correlation::with_estimated_noise(study, journal);

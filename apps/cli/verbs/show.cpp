@@ -14,6 +14,7 @@
 #include "correlation/study/ledgers/file_ledgers.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study.h"
+#include "formats/text/pipe.h"
 
 namespace latsch::cli {
 namespace {
@@ -102,6 +103,10 @@ int show(const std::string& file,
          const std::string& axes,
          const std::string& measurement,
          const experiment::Language& language) {
+  formats::expect_no_pipe(file);
+  if (!axes.empty() && !is_recording(file))
+    throw InputError({file, 0},
+                     "is no recording, so --axes has no effect; expected the command without it");
   ShownFile shown = measurement.empty()
                         ? shown_file(file, axis_convention_of(axes.empty() ? "iso" : axes))
                         : shown_measurements(file, measurement);

@@ -285,6 +285,12 @@ void add_test(CommandLine& app, Program& program) {
   verb.add_flag("--convergence",
                 options->convergence,
                 "For a drum_cleat: effect of half the step, and of half as many segments again");
+  verb.forms(
+      {{"runs a test",
+        {},
+        {"model", "test", "--output", "--kind", "--html", "--details", "--signs"}},
+       {"prints the effects of step and segments", {"--convergence"}, {"model", "test", "--kind"}},
+       {"lists models and tests", {"--list"}}});
   verb.callback([=, &program] { program.exit_code = test(*options, program.language); });
 }
 

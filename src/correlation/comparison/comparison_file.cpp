@@ -6,6 +6,8 @@
 
 #include "base/text.h"
 #include "correlation/study/specimens.h"
+#include "experiment/language/kind_files.h"
+#include "measurement/band_level.h"
 
 namespace latsch::correlation {
 namespace {
@@ -24,8 +26,9 @@ fs::path existing(const Node& table, const char* key, const fs::path& folder) {
 ComparedTire read_tire(const Node& table,
                        const fs::path& folder,
                        const experiment::Language& language) {
-  const auto* kind = language.find_kind(table.choice("kind", language.kind_names()));
   const fs::path file = existing(table, "file", folder);
+  const auto* kind =
+      &experiment::kind_for_file(table.choice("kind", language.kind_names()), file, language.kinds);
   ComparedTire tire{table.name(), {}, kind, file, kind->read(file), {}, {}};
   kind->check(tire.numbers);  // reports numbers that make no tire before the first test
   tire.title = table.text("title", table.name());
@@ -87,13 +90,23 @@ ComparisonFile read_comparison_file(const fs::path& file, const experiment::Lang
   for (const std::string& channel : comparison.channels) {
     if (std::find(kForces.begin(), kForces.end(), channel) == kForces.end())
       root.reject("channels", "has " + in_quotes(channel) + ", expected " + list_of(kForces));
+    const auto& all = comparison.channels;
+    if (std::count(all.begin(), all.end(), channel) > 1)
+      root.reject("channels", "has " + in_quotes(channel) + " twice, expected each once");
   }
+  if (comparison.channels.empty())
+    root.reject("channels", "is empty, expected at least one of " + list_of(kForces));
   comparison.band = {8.0, 200.0};
   if (root.has("band")) {
     const auto ends = root.quantities("band", "Hz", Range::positive());
     if (ends.size() != 2 || ends[0] >= ends[1])
       root.reject("band", "expected two frequencies, the lower one first");
     comparison.band = {ends[0], ends[1]};
+    if (third_octave_bands(comparison.band).empty())
+      root.reject(
+          "band",
+          "has no center of a third-octave band between its ends, expected a wider one such "
+          "as [\"8 Hz\", \"200 Hz\"]");
   }
   comparison.agreement = root.quantity("agreement", "1", Range::positive(), 3.0);
   if (const auto table = root.find_table("specimen"))

@@ -285,6 +285,14 @@ std::string low_pass(LabRecord& record, double frequency, const Place& place) {
                                  frequency,
                                  rate,
                                  0.5 * rate));
+  const double lasts = static_cast<double>(longest->end - longest->first) / rate;
+  if (frequency * lasts < 1.0)
+    throw InputError(place,
+                     fmt::format("low_pass is {:g} Hz, which needs a record of {:.4g} s, but this "
+                                 "one has {:.4g} s without a gap",
+                                 frequency,
+                                 1.0 / frequency,
+                                 lasts));
   const auto sections = numerics::sections_of(
       numerics::butterworth(kOrder, numerics::Band::low_pass, {frequency}, rate));
   const auto least = static_cast<std::size_t>(numerics::forward_backward_padding(sections));

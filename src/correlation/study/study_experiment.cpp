@@ -28,11 +28,14 @@ std::string last_part(const std::string& channel) {
 }
 
 constexpr long kMostModes = 200;
+/// With a larger exponent, errors of some percent give a target that is zero in the printed digits.
+constexpr double kLargestExponent = 10.0;
 
 ObjectiveSettings read_objective(const Node& table) {
   ObjectiveSettings settings;
   settings.weight = table.quantity("weight", "1", Range::not_negative(), settings.weight);
-  settings.exponent = table.quantity("exponent", "1", Range::positive(), settings.exponent);
+  settings.exponent =
+      table.quantity("exponent", "1", Range{0.0, kLargestExponent, true}, settings.exponent);
   return settings;
 }
 
