@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "cli/console/console.h"
+#include "cli/console/implausible.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/best_trial.h"
@@ -14,6 +15,8 @@ namespace {
 
 ModelSource study_source(const std::string& file, const experiment::Language& language) {
   const auto study = study_with_model(file, language);
+  for (const std::string& note : study.specimens->kind()->notes(study.model_file))
+    warn(note, {study.model_file.string(), 0});
   return {study.specimens->kind(), model_of(study)};
 }
 
@@ -40,7 +43,9 @@ ModelSource model_source(const std::string& file,
   if (is_study(file)) return study_source(file, language);
   const experiment::SpecimenKind& of =
       kind.empty() ? language.kind_of_file(file) : *language.find_kind(kind);
-  return {&of, of.read(file)};
+  ModelSource source{&of, of.read(file)};
+  examine_model(of, source.numbers, file);
+  return source;
 }
 
 Document model_of(const correlation::Study& study) {

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "cli/console/console.h"
+#include "cli/console/implausible.h"
 #include "cli/run/model_source.h"
 #include "exchange/fmu_package.h"
 #include "exchange/unit_folder.h"
@@ -35,8 +36,6 @@ void write_fmu(const std::string& file,
                const experiment::Language& language) {
   if (output.empty()) throw InputError("export --fmu: expected the package to write, -o FILE.fmu");
   const ModelSource source = model_source(file, language);
-  if (!is_study(file))
-    for (const std::string& note : source.kind->notes(file)) warn(note, {file, 0});
   const auto files = exchange::unit_files(*source.kind, source.numbers, road);
   const auto fmi = version == "2.0" ? exchange::FmiVersion::fmi2 : exchange::FmiVersion::fmi3;
   exchange::UnitTitle title;
@@ -59,7 +58,7 @@ void say_sti(const std::string& file, const experiment::Language& language) {
     throw InputError({file, 0}, "is a " + kind.in_words() + ", which does not roll");
   const Document numbers = kind.read(file);
   kind.check(numbers);
-  for (const std::string& note : kind.notes(file)) warn(note, {file, 0});
+  examine_model(kind, numbers, file);
   say("library   {}\nfunction  dtyre_ (Fortran: DTYRE; C: dtyre)\ntire file {}\ntire      {}\n",
       library("latsch_sti.so").string(),
       fs::absolute(file).string(),

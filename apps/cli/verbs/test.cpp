@@ -14,6 +14,7 @@
 #include "base/text.h"
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
+#include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
 #include "cli/run/model_source.h"
 #include "cli/verbs/shown_page.h"
@@ -83,9 +84,15 @@ int say_matrix(const experiment::Language& language) {
 /// Reads a test from a file, or from its keys in braces.
 std::unique_ptr<experiment::Test> test_of(const std::string& text,
                                           const experiment::Language& language) {
-  if (!text.starts_with('{')) return language.read_test(text);
-  return language.read_test(
-      Document::parse("test = " + text, "the test in braces").root().table("test"), {});
+  if (!text.starts_with('{')) {
+    auto test = language.read_test(text);
+    reject_impossible(experiment::unusual_numbers(Document::read(text), "test"));
+    return test;
+  }
+  const Document keys = Document::parse("test = " + text, "the test in braces");
+  auto test = language.read_test(keys.root().table("test"), {});
+  reject_impossible(experiment::unusual_numbers(keys));
+  return test;
 }
 
 /// Writes the requested output besides the channels.
@@ -204,9 +211,6 @@ int test(const TestOptions& options, const experiment::Language& language) {
         "latsch test --list says which model can do which");
   const ModelSource model = model_source(options.model, language, options.kind);
   const auto test = test_of(options.test, language);
-  if (!is_study(options.model)) {
-    for (const std::string& note : model.kind->notes(options.model)) warn(note, {options.model, 0});
-  }
   warn_of_doubts(test->ledgers("the test"));
   refuse_signs(options.signs, *test);
   if (options.convergence) return say_convergence(*model.kind, model.numbers, *test);
