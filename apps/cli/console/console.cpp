@@ -54,6 +54,7 @@ void to_standard_error(const std::string& sentence) {
   const bool named = sentence.starts_with("latsch ");  // message such as "latsch run: ...", about
                                                        // arguments
   const std::string line = (named ? "" : "latsch: ") + sentence + "\n";
+  std::fflush(stdout);  // a log of both streams keeps its order
   std::fwrite(line.data(), 1, line.size(), stderr);
   log(line);
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "cli/console/console.h"
+#include "cli/console/implausible.h"
 #include "correlation/search/search_standing.h"
 #include "correlation/search/study_fit.h"
 #include "correlation/study/variables.h"
@@ -17,6 +18,8 @@ namespace {
 
 ModelSource study_source(const std::string& file, const experiment::Language& language) {
   const auto study = study_with_model(file, language);
+  for (const std::string& note : study.specimens->kind()->notes(study.model_file))
+    warn(note, {study.model_file.string(), 0});
   return {study.specimens->kind(), model_of(study)};
 }
 
@@ -51,7 +54,9 @@ ModelSource model_source(const std::string& file,
   const experiment::SpecimenKind& of = kind.empty()
                                            ? language.kind_of_file(file)
                                            : experiment::kind_for_file(kind, file, language.kinds);
-  return {&of, of.read(file)};
+  ModelSource source{&of, of.read(file)};
+  examine_model(of, source.numbers, file);
+  return source;
 }
 
 Document model_of(const correlation::Study& study) {

@@ -23,7 +23,8 @@ correlation::Study study_with_model(const std::string& file, const experiment::L
 
 /// Returns the model of a file: a model's file as it is; a study's model at the best point of its
 /// journal, or at the initial values. `kind`: kind as which the file is read; empty: the kind it
-/// states. Throws InputError for a study of an outside program.
+/// states. Warns of what was assumed for the model and of its unusual numbers. Throws InputError
+/// for a study of an outside program and for numbers that no tire has.
 ModelSource model_source(const std::string& file,
                          const experiment::Language& language,
                          const std::string& kind = "");

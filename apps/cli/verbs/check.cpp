@@ -298,8 +298,7 @@ void check_model(const std::string& file, const experiment::Language& language) 
   }
   print_numbers(numbers, file);
   say_ledgers(correlation::ledgers_of_file(file, "the model"), LinesTo::output, "Files");
-  for (const std::string& note : kind.notes(file)) warn(note, {file, 0});
-  warn_beyond_data(kind, numbers, file);
+  examine_model(kind, numbers, file);
   say("\n{} Next: a test of it, latsch test {} TEST, or a study with model = \"{}\"\n",
       verdict(),
       file,

@@ -8,6 +8,7 @@
 
 #include "base/file.h"
 #include "cli/console/console.h"
+#include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
 #include "cli/verbs/compared_models.h"
 #include "cli/verbs/verbs.h"
@@ -65,6 +66,8 @@ void compare(const std::string& name,
     return compare_models(
         name, language, measurements, output, threads > 0 ? threads : kUsualThreads);
   const ComparisonFile file = correlation::read_comparison_file(name, language);
+  for (const correlation::ComparedTire& tire : file.tires)
+    examine_model(*tire.kind, tire.numbers, tire.file.string());
   if (!measurements.empty()) return write_measurements(file, measurements);
   TireComparison comparison;
   {

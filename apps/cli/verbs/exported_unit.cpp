@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "cli/console/console.h"
+#include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
 #include "cli/console/version.h"
 #include "cli/run/export_date.h"
@@ -48,8 +49,6 @@ void write_fmu(const std::string& file,
         study,
         correlation::fitted_model(study, {version_number(), export_date(calendar_of_system())}));
   }
-  if (!is_study(file))
-    for (const std::string& note : source.kind->notes(file)) warn(note, {file, 0});
   warn_of_doubts(correlation::ledgers_of_file(file, "the model"));
   if (!road.empty()) warn_of_doubts(correlation::ledgers_of_file(road, "the road"));
   const auto files = exchange::unit_files(*source.kind, source.numbers, road, text);
@@ -74,7 +73,7 @@ void say_sti(const std::string& file, const experiment::Language& language) {
     throw InputError({file, 0}, "is a " + kind.in_words() + ", which does not roll");
   const Document numbers = kind.read(file);
   kind.check(numbers);
-  for (const std::string& note : kind.notes(file)) warn(note, {file, 0});
+  examine_model(kind, numbers, file);
   warn_of_doubts(correlation::ledgers_of_file(file, "the model"));
   say("library   {}\nfunction  dtyre_ (Fortran: DTYRE; C: dtyre)\ntire file {}\ntire      {}\n",
       library("latsch_sti.so").string(),

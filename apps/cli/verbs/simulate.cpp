@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
+#include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
 #include "cli/console/parsed.h"
 #include "cli/console/tables.h"
@@ -36,6 +37,7 @@ int simulate(const std::string& file,
   say_ledgers(study, false);
   answer()["variables"] = answer_of(study.space, point);
 
+  reject_implausible(study);
   const auto channels = correlation::simulate_all(study, point);
   if (!channels) {
     complain(channels.failure().reason);

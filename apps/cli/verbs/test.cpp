@@ -17,6 +17,7 @@
 #include "base/text.h"
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
+#include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
 #include "cli/run/model_source.h"
 #include "cli/verbs/shown_page.h"
@@ -86,9 +87,15 @@ int say_matrix(const experiment::Language& language) {
 
 /// Reads a test and the names of its files from a file, or from its keys in braces.
 experiment::ReadTest test_of(const std::string& text, const experiment::Language& language) {
-  if (!text.starts_with('{')) return language.read_identified_test(text);
-  return language.read_identified_test(
-      Document::parse("test = " + text, "the test in braces").root().table("test"), {});
+  if (!text.starts_with('{')) {
+    auto test = language.read_identified_test(text);
+    reject_impossible(experiment::unusual_numbers(Document::read(text), "test"));
+    return test;
+  }
+  const Document keys = Document::parse("test = " + text, "the test in braces");
+  auto test = language.read_identified_test(keys.root().table("test"), {});
+  reject_impossible(experiment::unusual_numbers(keys));
+  return test;
 }
 
 /// Writes the requested output besides the channels.
@@ -208,9 +215,6 @@ int test(const TestOptions& options, const experiment::Language& language) {
   const ModelSource model = model_source(options.model, language, options.kind);
   const experiment::ReadTest read = test_of(options.test, language);
   const std::unique_ptr<experiment::Test>& test = read.test;
-  if (!is_study(options.model)) {
-    for (const std::string& note : model.kind->notes(options.model)) warn(note, {options.model, 0});
-  }
   const bool gives_data = options.output.empty() && options.html.empty() && options.details.empty();
   const std::string model_file = is_study(options.model)
                                      ? study_with_model(options.model, language).model_file.string()

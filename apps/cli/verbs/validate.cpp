@@ -100,6 +100,7 @@ int validate(const std::string& model_file,
           progress.update(done++, static_cast<long>(suite.tests.size()), test);
         });
   }
+  for (const std::string& note : validation.notes) warn(note, {model_file, 0});
   if (page.empty()) page = std::filesystem::path(suite_file).replace_extension(".html").string();
   validation.page.model_file = model_file;
   write_text_file(page, report::html(validation.page));

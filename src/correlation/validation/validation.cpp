@@ -6,6 +6,8 @@
 #include <map>
 
 #include "base/units.h"
+#include "evaluation/trial/trial.h"
+#include "experiment/language/known_limits.h"
 
 namespace latsch::correlation {
 namespace {
@@ -15,9 +17,11 @@ constexpr int kDigits = 4;
 // their last bits.
 constexpr double kRounding = 1e-12;
 
+/// False for a value that is not a number.
 bool is_within(double value,
                const std::optional<double>& lower,
                const std::optional<double>& upper) {
+  if (!std::isfinite(value)) return false;
   const auto room = [](double limit) { return kRounding * std::abs(limit); };
   return (!lower || value >= *lower - room(*lower)) && (!upper || value <= *upper + room(*upper));
 }
@@ -49,7 +53,8 @@ Recorded record(const Suite& suite,
     tell(test.name);
     const auto recording = [&]() -> Result<Channels> {
       try {
-        return test.test->run(specimen);
+        auto run = test.test->run(specimen);
+        return run ? finite(std::move(*run)) : run;
       } catch (const InputError& error) {
         return Failure{error.what()};
       }
@@ -136,7 +141,9 @@ Validation validate(const Suite& suite,
   page.title = suite.title;
   page.study_file = suite.file.string();
   page.tire = kind.describe(numbers);
-  const Recorded recorded = record(suite, *kind.build(numbers), tell);
+  const auto specimen = kind.build(numbers);
+  const Recorded recorded = record(suite, *specimen, tell);
+  validation.notes = experiment::limits_met(*specimen);
   for (const Check& check : suite.checks) {
     const auto values = values_of(check, suite.tests, recorded, page);
     auto results = limits_of(check);

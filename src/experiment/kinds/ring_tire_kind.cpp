@@ -89,6 +89,7 @@ class RingTireKind : public SpecimenKind {
     return std::make_unique<RingSpecimen>(numbers);
   }
   void check(const Document& numbers) const override { RingSpecimen(numbers).tire({}); }
+  bool has_usual_numbers() const override { return true; }
   bool has_body() const override { return true; }
   void draw_body(const Document& numbers,
                  const std::vector<const Test*>&,

@@ -119,13 +119,43 @@ magic_formula::Parameters parameters_of(const Document& numbers) {
   }
   for (const auto& field : magic_formula::parameter_fields()) {
     const bool needed = field.name == "UNLOADED_RADIUS" || field.name == "FNOMIN" ||
-                        field.name == "VERTICAL_STIFFNESS" || field.name == "NOMPRES";
-    const Range range = needed ? Range::positive() : Range{};
+                        field.name == "VERTICAL_STIFFNESS" || field.name == "NOMPRES" ||
+                        field.name == "LONGVL";
+    const Range range = needed                  ? Range::positive()
+                        : field.name == "VXLOW" ? Range::not_negative()
+                                                : Range{};
     if (root.has(field.name)) {
       p.*field.member = root.quantity(field.name, si_unit_of(field.unit), range);
     }
   }
   return p;
+}
+
+std::optional<double> section_height_of(const Parameters& p) {
+  if (!(p.RIM_RADIUS > 0.0 && p.RIM_RADIUS < p.UNLOADED_RADIUS)) return std::nullopt;
+  return p.UNLOADED_RADIUS - p.RIM_RADIUS;
+}
+
+std::optional<SpecimenKind::Size> tir_size(const Document& numbers) {
+  const Parameters p = parameters_of(numbers);
+  const auto height = section_height_of(p);
+  if (!height) return std::nullopt;
+  return SpecimenKind::Size{p.UNLOADED_RADIUS, *height};
+}
+
+std::string no_pressure_in_words() {
+  return "the tire's file has no coefficient of the pressure (PFZ1, PPX1 to PPX4, PPY1 to PPY5, "
+         "PPZ1, PPZ2 ... are 0), so its forces are those at its own pressure";
+}
+
+std::vector<std::string> limits_met_by(const Parameters& parameters,
+                                       const magic_formula::RangeLog& log,
+                                       const Inflation& asked_pressure) {
+  auto sentences = magic_formula::ranges_left(log.inputs(), parameters);
+  if (asked_pressure && *asked_pressure != parameters.INFLPRES &&
+      !magic_formula::pressure_acts(parameters))
+    sentences.push_back("the pressure of the test has no effect: " + no_pressure_in_words());
+  return sentences;
 }
 
 std::string tir_text_of(const Document& numbers) {

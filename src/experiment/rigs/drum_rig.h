@@ -70,6 +70,16 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured = {
 /// Runs any tire; the tire keeps its final state.
 Result<Channels> run(Tire& tire, const DrumTest& test);
 
+/// Returns a sentence if a deflection, m, is deeper than the section of any tire of this radius;
+/// empty if it is not. A tire whose file states its rim refuses less.
+std::string too_deep(const Tire& tire, double deflection);
+
+/// Longest distance, m, that a tire may move in one step: a block of its tread gains and loses
+/// contact within some steps.
+constexpr double kFarthestStep = 0.02;
+/// Throws InputError if a step moves the tire farther at this speed.
+void check_step(const Node& test, double speed, double step);
+
 /// Returns the height of the axle above the road's origin, m, at which the tire carries `load` at
 /// rest.
 Result<double> height_under_load(Tire& tire,

@@ -53,6 +53,7 @@ std::optional<Reach> DrumCleatTest::reach(const std::string& channel) const {
 }
 
 Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
+  refuse_high_cleat(specimen, test_.cleat);
   return experiment::run(*specimen.find<Rolls>()->tire(test_.pressure), test_);
 }
 

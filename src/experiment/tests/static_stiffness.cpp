@@ -87,6 +87,7 @@ class StaticStiffnessTest : public Test, public TellsLimits {
            std::ranges::all_of(test_.directions, is_vertical);
   }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
+    refuse_high_cleat(specimen, test_.cleat);
     if (auto* held = specimen.find<StandsOnGround>())
       return held->stand(test_, has_slopes() ? asked : Asked{});
     return stand(*specimen.find<Rolls>()->tire(test_.pressure), test_);
@@ -114,7 +115,10 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
         root.reject("directions",
                     "has " + in_quotes(name) +
                         R"(, expected "vertical", "longitudinal", "lateral" or "torsional")");
-      test.directions.push_back(static_cast<Direction>(known - kDirections.begin()));
+      const auto direction = static_cast<Direction>(known - kDirections.begin());
+      if (std::ranges::find(test.directions, direction) != test.directions.end())
+        root.reject("directions", "has " + in_quotes(name) + " twice, expected each once");
+      test.directions.push_back(direction);
     }
   }
   test.pressure = read_pressure(root, source.measured);
@@ -124,8 +128,10 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
                 "is for stiffnesses under a load: deflections are those of an upright tire");
   if (root.has("friction"))
     test.friction = root.quantity("friction", "1", Range::between(0.0, 5.0));
-  test.travel = root.quantity("travel", "m", Range::positive(), test.travel);
-  test.twist = root.quantity("twist", "rad", Range::positive(), test.twist);
+  // Beyond these the patch of a tire slides, and its force over the travel is no stiffness.
+  constexpr double kFarthest = 0.02, kMostTwist = 0.1;  // m, rad
+  test.travel = root.quantity("travel", "m", {0.0, kFarthest, true}, test.travel);
+  test.twist = root.quantity("twist", "rad", {0.0, kMostTwist, true}, test.twist);
   if (test.deflections.empty() == test.directions.empty())
     root.reject("deflections", "or load with directions is required, exactly one of the two");
   constexpr double kAlong = 0.5 * std::numbers::pi;  // a bar in the direction of the road

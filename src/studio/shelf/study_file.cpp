@@ -232,7 +232,7 @@ Checked check_study_text(const fs::path& file,
     const auto study = correlation::read_study(read, language);
     checked.ok = true;
     for (const correlation::Finding& finding : correlation::implausible(study)) {
-      message(finding.place.text() + ": " + finding.sentence, finding.place, finding.impossible);
+      message(experiment::in_words(finding), finding.place, finding.impossible);
       checked.ok = checked.ok && !finding.impossible;
     }
     study.specimens->check(study);
