@@ -39,7 +39,7 @@ ShownFile shown_measurements(const std::filesystem::path& study, const std::stri
 /// Adds the ledger of what was read: a table, with its doubts as facts. `with_users` is true for a
 /// study, where the users of a column are known.
 void show_ledger(const Ledger& ledger, bool with_users, ShownFile& shown);
-/// Adds the ledger of a table or recording alone, with its stated axes; if the file is neither, a
+/// Adds only the ledger of a table or recording, with its stated axes; if the file is neither, a
 /// fact says so.
 void show_ledger_of(const std::filesystem::path& file,
                     std::optional<AxisConvention> axes,

@@ -3,7 +3,7 @@
 // by another method.
 //
 //   [stage.coarse]                  # in the order of the file; any name
-//   model.mesh.sectors = 30         # numbers of the model, in this stage alone
+//   model.mesh.sectors = 30         # numbers of the model, only in this stage
 //   step_tolerance = 0.02           # keys of [optimizer] for this stage; a stage that has none is
 //   max_steps = 60                  # run as [optimizer] says
 //

@@ -66,8 +66,8 @@ using MeshQuantities = std::vector<std::pair<std::string, double>>;
 /// Limit of values on three meshes.
 struct MeshLimit {
   double value = 0.0;
-  double order = 0.0;        // like that of a row
-  double uncertainty = 0.0;  // like that of a row
+  double order = 0.0;        // observed order
+  double uncertainty = 0.0;  // as DiscretizationRow::uncertainty
 };
 MeshLimit mesh_limit(const std::array<int, 3>& refinements, const std::array<double, 3>& values);
 

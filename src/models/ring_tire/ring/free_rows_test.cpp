@@ -19,7 +19,7 @@ namespace {
 const road::PlaneRoad kPit({.height = -1.0}), kFlat;
 constexpr double kInertia = 0.8;  // kg m^2, inertia of the wheel
 
-/// Returns a ring of springs alone, with lines and blocks enough for a patch.
+/// Returns a ring that has only springs, with lines and blocks enough for a patch.
 RingParameters undamped_ring() {
   RingParameters ring = passenger_ring();
   for (SidewallElement* of :
