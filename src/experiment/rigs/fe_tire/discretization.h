@@ -67,7 +67,7 @@ using MeshQuantities = std::vector<std::pair<std::string, double>>;
 struct MeshLimit {
   double value = 0.0;
   double order = 0.0;        // observed order
-  double uncertainty = 0.0;  // as DiscretizationRow::uncertainty
+  double uncertainty = 0.0;  // see DiscretizationRow::uncertainty
 };
 MeshLimit mesh_limit(const std::array<int, 3>& refinements, const std::array<double, 3>& values);
 

@@ -328,7 +328,7 @@ TEST(FreeRows, AFreeWheelTakesNoMoreEvaluations) {
             1.05 * static_cast<double>(told.counts().evaluations - first));
 }
 
-// A step longer than the longest is divided, together with the wheel's.
+// A step longer than the limit is divided, and so is the step of the wheel.
 TEST(FreeRows, ALongStepIsTwoShortOnes) {
   constexpr double h = 2e-3;
   const auto run = [](int parts) {
