@@ -129,8 +129,8 @@ class Measurement {
     std::string channel, unit, by, otherwise;
   };
   void note_absent(const Absent& absent) const;
-  /// Returns columns that look like a channel of that unit but were not recognized: `Alhpa` for
-  /// alpha.
+  /// Returns columns that look like a channel of the given unit but were not recognized: `Alhpa`
+  /// for alpha.
   std::vector<std::string> columns_like(const std::string& channel, const std::string& unit) const;
   /// `columns = {alpha = "Alhpa [deg]"}`: the whole table that makes a column a channel in the SI
   /// unit `unit`. It contains the unit only if the file states none.
@@ -169,7 +169,7 @@ MeasuredFile read_measured_file(const std::filesystem::path& file,
 /// Every [measurement.NAME] of a study.
 using Laboratory = std::vector<std::shared_ptr<const Measurement>>;
 Laboratory read_laboratory(const Node& study, const std::filesystem::path& folder);
-/// Returns nullptr if none has that name.
+/// Returns nullptr if none has the given name.
 std::shared_ptr<const Measurement> find(const Laboratory& laboratory, const std::string& name);
 
 }  // namespace latsch::correlation

@@ -49,7 +49,7 @@ struct TydexFile {
   struct Description {
     std::string comment;
     std::string unit;                                                   // text in the file
-    double factor = 1.0, measured_offset = 0.0, physical_offset = 0.0;  // in that unit
+    double factor = 1.0, measured_offset = 0.0, physical_offset = 0.0;  // in `unit`
     int line = 0;
   };
   /// A section like **MODELPARAMETERS, in the order of the file.

@@ -26,7 +26,7 @@ struct DiscretizationSettings {
   std::vector<int> refinements = {
       1, 2, 3, 4};  // refinements for inflation and unloaded modes: cheap, one sector
   /// Extrapolates the loaded ring from few meshes (loaded_limits.h): from three with up to eight
-  /// times the unknowns or, if true, from five with up to sixteen times, in some four times the
+  /// times the unknowns or, if true, from five with up to sixteen times, in about four times the
   /// time.
   bool loaded_thoroughly = false;
 };

@@ -37,7 +37,7 @@ struct FewMeshes {
 const FewMeshes& few_meshes();
 
 /// Adds meshes with columns and sectors halved once and twice, which are extrapolated together, in
-/// some four times the time. Rows are halved once. (On meshes refined 1, 2, 3 times patches would
+/// about four times the time. Rows are halved once. (On meshes refined 1, 2, 3 times patches would
 /// end at arbitrary points of the few sectors.)
 const FewMeshes& thorough_meshes();
 
