@@ -304,7 +304,7 @@ Reader bus_reader() {
           }};
 }
 
-/// Returns a reader of the form alone, as used by callers that know its sections.
+/// Returns a reader of only the form of the file, as used by callers that know its sections.
 Reader teim_orbit_reader() {
   Reader reader = tir_reader();
   reader.name = "TeimOrbit";

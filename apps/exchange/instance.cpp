@@ -49,7 +49,7 @@ std::optional<std::size_t> Instance::variable_of(unsigned reference) const {
 
 Status Instance::set_up(double start, std::optional<double> stop) {
   if (now_.stage != Stage::instantiated)
-    return refuse("the experiment is set up before initialization alone");
+    return refuse("the experiment can be set up only before initialization");
   if (!std::isfinite(start) || (stop && !(*stop >= start)))
     return refuse(
         fmt::format("the experiment begins at {} s: expected a finite time, and an end "
@@ -128,7 +128,7 @@ Status Instance::set(const unsigned* references, std::size_t count, const double
       if (now_.stage == Stage::terminated)
         return refuse(given.name + " cannot be set: the unit is terminated");
       if (given.causality == Causality::parameter && now_.stage == Stage::stepping)
-        return refuse(given.name + " is fixed: it can be set before the unit runs alone");
+        return refuse(given.name + " is fixed: it can be set only before the unit runs");
       if (!std::isfinite(values[i]))
         return say(Status::discard,
                    fmt::format("{} = {}: expected a finite number", given.name, values[i]));

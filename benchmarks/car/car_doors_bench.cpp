@@ -40,8 +40,8 @@ void make_rigid(car::CarParameters& parameters) {
     }
 }
 
-/// Returns the race car with bump stops, downforce of `times` weights at that speed, larger the
-/// lower the floor is, and drag.
+/// Returns the race car with bump stops, downforce of `times` weights at the given speed, larger
+/// the lower the floor is, and drag.
 car::CarParameters pressed(bool rigid, double speed, double times, double drag) {
   car::CarParameters parameters = car::race_car(false);
   if (rigid) make_rigid(parameters);

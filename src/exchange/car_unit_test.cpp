@@ -18,7 +18,7 @@ const std::filesystem::path kCars = std::filesystem::path(LATSCH_SOURCE_DIR) / "
 const std::filesystem::path kCar = kCars / "baseline.toml";  // its tires have no longitudinal force
 const std::filesystem::path kRingCar = kCars / "ring_rigid.toml";
 constexpr double kMass =
-    220.0 + 4.0 * (8.2 + 4.0 + 0.8 + 1.0 + 0.4 + 0.3 + 0.4);  // kg, from that file
+    220.0 + 4.0 * (8.2 + 4.0 + 0.8 + 1.0 + 0.4 + 0.3 + 0.4);  // kg, from the file
 constexpr double kGravity = 9.80665, kCommunication = 1e-3;
 
 /// A unit of the car with access to variables by name.

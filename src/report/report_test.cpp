@@ -284,7 +284,7 @@ TEST(Report, HoldsTheViewsOfTheStudioBesideItsChapters) {
   EXPECT_NE(page.find("<style id=\"studio-style\" media=\"not all\">h1"), std::string::npos);
 }
 
-/// Returns the cells of the row of the value table with that name.
+/// Returns the cells of the row of the value table with the given name.
 std::string value_row(const std::string& html, const std::string& name) {
   const std::size_t begin = html.find("<tr><td>" + name);
   return begin == std::string::npos ? "" : html.substr(begin, html.find("</tr>", begin) - begin);

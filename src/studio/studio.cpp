@@ -244,8 +244,8 @@ class Studio::Impl {
     }
   }
 
-  /// Returns the trials that came since the last event of that study; null if it cannot be read any
-  /// more.
+  /// Returns the trials that came since the last event of the given study; null if it cannot be
+  /// read any more.
   Json trials_event(const ShelvedStudy& shelved) {
     return shelved.look([&](const auto& sight) -> Json {
       if (!sight.table) return nullptr;

@@ -172,7 +172,7 @@ void print_mesh_error(const report::StudyReport& page) {
     sum += std::abs(row.error);
   }
   if (!worst) return;
-  say("\nMesh against the converged tire: {:.1f} % in the mean, worst {:+.1f} % ({})\n",
+  say("\nMesh against the converged tire: {:.1f} % on average, worst {:+.1f} % ({})\n",
       100.0 * sum / static_cast<double>(page.discretization.size()),
       100.0 * worst->error,
       worst->quantity);

@@ -54,7 +54,7 @@ SizeDesignation size_of(const std::string& text) {
   return *size;
 }
 
-/// Half the width of the measuring rim of a tire of that size, m.
+/// Half the width of the measuring rim of a tire of the given size, m.
 double half_rim(const SizeDesignation& size) {
   if (!size.metric) return 0.5 * (size.width - 0.5 * kInch);
   const double aspect = 0.5 * (size.outer_diameter - size.rim_diameter) / size.width;

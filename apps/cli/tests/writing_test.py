@@ -71,7 +71,7 @@ class Writing(unittest.TestCase):
         full = self.folder / "full"
         try:
             os.mknod(full, stat.S_IFCHR | 0o666, os.makedev(1, 7))  # a device like /dev/full, which no test may endanger
-            os.close(os.open(full, os.O_WRONLY))  # some systems forbid its use here
+            os.close(os.open(full, os.O_WRONLY))  # some systems forbid opening devices here
         except OSError as error:
             self.skipTest(f"devices cannot be made here: {error}")
         self.assertIn(f"{full}: the log cannot be written", self.latsch(*self.verbs[0][:3], "--log", full))

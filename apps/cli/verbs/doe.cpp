@@ -35,7 +35,7 @@ constexpr double kNear = 2.0;     // largest ratio of targets to the least one, 
                                   // given
 constexpr double kWhole = 0.999;  // share of a variable's range that counts as the whole range
 
-/// Returns the study's design, or a grid with that number of levels for every variable.
+/// Returns the study's design, or a grid with the given number of levels for every variable.
 StudyDesign design_of(const Study& study, int levels) {
   if (levels > 0) return {.levels = std::vector<int>(study.space.size(), levels)};
   if (study.doe) return *study.doe;

@@ -239,7 +239,7 @@ void add_mesh(CommandLine& app, Program& program) {
   verb.add_flag(
       "--thorough",
       options->thorough,
-      "Judges the pressed tire on five meshes in place of three, in some four times the time");
+      "Judges the pressed tire on five meshes in place of three, in about four times the time");
   verb.add_option("--finest",
                   options->finest,
                   "Compares with meshes refined 2 to this number of times, for --convergence")

@@ -73,7 +73,7 @@ void name_users(const std::string& file, const experiment::Language& language, S
   try {
     known = correlation::ledgers_of(correlation::read_study(file, language));
   } catch (const InputError&) {
-    return;  // the statements of the measurement alone remain
+    return;  // only the statements of the measurement remain
   }
   std::erase_if(shown.tables,
                 [](const ShownTable& table) { return table.heads == ledger_heads(); });

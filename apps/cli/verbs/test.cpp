@@ -202,7 +202,7 @@ int run_and_give(const TestOptions& options,
 void refuse_signs(const std::string& signs, const experiment::Test& test) {
   if (signs == "iso" || experiment::has_sign_views(test)) return;
   throw InputError("--signs " + signs + ": this test (" + test.in_words() +
-                   ") has its channels in the signs of ISO 8855 alone; other signs have the tests "
+                   ") has its channels only in the signs of ISO 8855; other signs have the tests "
                    "of a suspension: kc, axle_kc, kinematics");
 }
 

@@ -275,7 +275,7 @@ void bind_identifiability(py::module_& module) {
                 "Identification",
                 "Confidence intervals and profiles around a fitted point, by ask and tell in "
                 "rounds: each round\nevaluates all points of `wanted`.\n\nsigma, level, "
-                "deviations, curves: as for confidence(). profiles=False: intervals alone. step: "
+                "deviations, curves: as for confidence(). profiles=False: only intervals. step: "
                 "length of\nthe differences, in shares of the ranges.")
       .def(py::init([](const DesignSpace& space,
                        const Array& at,

@@ -157,7 +157,8 @@ def _listener(progress, said):
 def _followed(command, listen):
     """Returns the standard output of the process after its end; passes lines of its standard error to the listener as
     they come."""
-    # The process has a session of its own: the terminal's Ctrl-C reaches this process alone, which passes it on once.
+    # The process has a session of its own: the terminal's Ctrl-C reaches only this process, which
+    # passes it on once.
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                text=True, encoding="utf-8", errors="replace", start_new_session=True)
     output = []

@@ -97,7 +97,7 @@ inline constexpr Row kWords[] = {
     {"count", "1"}, {"counts", "1"},
 };
 
-/// These words are known in this case alone: in another case they mean, or may mean, something
+/// These words are known only in this letter case: in another one they mean, or may mean, something
 /// else.
 inline constexpr Row kExact[] = {
     {"M", "m"},      {"S", "s"},        {"MS", "ms"},      {"H", "h"},

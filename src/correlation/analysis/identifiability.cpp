@@ -165,7 +165,7 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
   }
   if (c.left_to_gain > kEarly * c.threshold()) {
     all.emplace_back(
-        "The search ended early: recomputed derivatives promise a gain larger than an interval, "
+        "The search ended early: recomputed derivatives predict a gain larger than an interval, "
         "so "
         "the point is no minimum yet. latsch identify continues from there.");
   }

@@ -38,7 +38,7 @@ struct Identifiability {
 /// of squares.
 Interval reported_interval(const Study& study, const Identifiability& what, int variable);
 
-/// Returns reported_interval() if `what` is known and belongs to that point.
+/// Returns reported_interval() if `what` is known and belongs to the given point.
 std::optional<Interval> interval_of(const Study& study,
                                     const std::optional<Identifiability>& what,
                                     const DesignPoint& point,

@@ -178,7 +178,7 @@ MeasuredFile read_measured_file(const std::filesystem::path& file,
 /// Every [measurement.NAME] of a study.
 using Laboratory = std::vector<std::shared_ptr<const Measurement>>;
 Laboratory read_laboratory(const Node& study, const std::filesystem::path& folder);
-/// Returns nullptr if none has that name.
+/// Returns nullptr if none has the given name.
 std::shared_ptr<const Measurement> find(const Laboratory& laboratory, const std::string& name);
 
 }  // namespace latsch::correlation

@@ -321,7 +321,7 @@ TEST_F(StudyFile, RejectsTiesThatFollowNothingOrThemselves) {
           "[experiment.stiffness]");
   EXPECT_SAYS(complaint(), "tie.outer.follows is \"angel\", which is no variable and no tie");
   replace("study.toml", "\"angel\"", "\"outer\"");
-  EXPECT_SAYS(complaint(), "study.toml:18: tie.outer.follows goes in a circle");
+  EXPECT_SAYS(complaint(), "study.toml:18: tie.outer.follows is circular");
   replace("study.toml", "\"outer\"", "\"sidewall\"");
   EXPECT_SAYS(complaint(), "tie.outer.path leads to a number in rad, but sidewall");
   replace("study.toml", "\"sidewall\"", "\"angle\"");

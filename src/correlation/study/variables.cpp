@@ -170,7 +170,7 @@ std::pair<DesignVariable*, double> leader(const Tie& tie,
     if (next == &tie || next == at) break;
     at = next;
   }
-  tie.table.reject("follows", "goes in a circle, expected a variable at its end: " + chain);
+  tie.table.reject("follows", "is circular, expected a variable at the end of the ties: " + chain);
 }
 
 void expect_unmoved(const Tie& tie,

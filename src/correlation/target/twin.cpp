@@ -62,7 +62,7 @@ void refuse_to_overwrite_inputs(const Study& study) {
 }
 
 /// Returns the channels an experiment's measurement will hold. If in_frame has turned one force of
-/// a file, these are all forces of the file.
+/// a file, they include all forces of the file.
 std::vector<std::string> answers(const StudyExperiment& experiment) {
   std::vector<std::string> all = experiment.observable->asks();
   if (!experiment.measurement || all.empty()) return all;

@@ -106,8 +106,8 @@ class Test {
   }
   /// Returns the details in these signs.
   virtual Result<Details> details_in(suspension::SignView view, Specimen& specimen) const;
-  /// True if run_with_slopes() returns slopes of this channel in every number for which specimens
-  /// of the kind know them.
+  /// True if run_with_slopes() returns slopes of this channel in every number in which specimens of
+  /// the kind have slopes.
   virtual bool tells_slopes(const SpecimenKind& /*kind*/, const std::string& /*channel*/) const {
     return false;
   }

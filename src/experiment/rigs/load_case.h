@@ -41,7 +41,7 @@ struct InflatedSizeTest {
   std::vector<double> pressures = {};  // Pa, gauge; none: the tire's own
 };
 
-/// Mass and moments of inertia without the rim, but inflated as on the rim.
+/// Mass and moments of inertia of the inflated tire, without the rim.
 struct MassTest {
   Inflation pressure = {};
 };

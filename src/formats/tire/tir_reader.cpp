@@ -486,7 +486,7 @@ class TirReader {
            "steering do not diminish each other's forces");
   }
 
-  /// Reports missing coefficients without which the tire has no force of that kind.
+  /// Reports missing coefficients without which the tire has no force of the given kind.
   void report_missing() {
     const bool new_formula = tir_.parameters.version != Version::mf52;
     std::vector<std::string> expected = {

@@ -56,7 +56,7 @@ Result<Rest> Car::stand(const LineTires& tires,
   const multibody::Standing standing{
       .loads = inputs.loads, .drivers = drivers, .outside = &outside};
   auto found = statics_->solve(standing, from);
-  // If that fails, the load is applied from the drawn position in shares of the whole.
+  // If this start fails, the load is applied from the drawn position in shares of the whole.
   if (!found) found = statics_->solve(standing, statics_->unloaded());
   if (!found)
     return Failure{found.failure().reason + "; " + sunk(statics_->reached(), tires, speed)};

@@ -133,7 +133,7 @@ class Pass {
     return p;
   }
 
-  /// Returns field i of state k alone.
+  /// Returns field i of state k, with its slopes, as one number.
   template <int fields>
   DualNumber alone(const FieldsOfEight<fields>& eight, std::size_t i, int k) {
     const SlopeBlock* of_eight = eight.slopes[i];

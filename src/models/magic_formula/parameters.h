@@ -71,7 +71,7 @@ struct ParameterField {
 
 /// Returns all parameters in the order of the file.
 const std::vector<ParameterField>& parameter_fields();
-/// Returns nullptr if no parameter has that name (capitals).
+/// Returns nullptr if no parameter has the given name (capitals).
 const ParameterField* find_parameter(std::string_view name);
 
 }  // namespace latsch::magic_formula

@@ -53,7 +53,7 @@ class Identification {
   /// Empty when done.
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
   /// Records the outcomes of the wanted points, in their order; a Failure if the evaluation failed.
-  /// `evaluated` may hold the first alone if is_enough() is true for it.
+  /// `evaluated` may hold only the first if is_enough() is true for it.
   void observe(const std::vector<Result<Evaluated>>& evaluated);
   /// True if the first of the wanted points makes the others needless: the center with its slopes.
   bool is_enough(const Result<Evaluated>& first) const {

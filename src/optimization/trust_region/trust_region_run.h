@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One run of the residual trust region from one start, with its restarts: the method of
-// residual_trust_region.h without the look for lost variables, which happens between runs.
+// residual_trust_region.h without the search for lost variables, which happens between runs.
 #pragma once
 
 #include <Eigen/Core>

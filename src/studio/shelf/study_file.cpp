@@ -72,7 +72,7 @@ std::pair<std::size_t, std::size_t> line_around(const std::string& text, std::si
   return {begin, end == std::string::npos ? text.size() : end + 1};
 }
 
-/// Returns the end of the line with that number, the first line being 1.
+/// Returns the end of the line with the given number, the first line being 1.
 std::size_t end_of_line(const std::string& text, int line) {
   std::size_t at = 0;
   for (int k = 0; k < line; ++k) {
