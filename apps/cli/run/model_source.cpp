@@ -6,7 +6,7 @@
 #include "cli/console/console.h"
 #include "cli/console/implausible.h"
 #include "correlation/search/search_standing.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/best_trial.h"
 #include "experiment/language/kind_files.h"

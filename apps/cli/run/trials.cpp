@@ -19,7 +19,7 @@
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/refined_shift.h"
 #include "correlation/search/search_standing.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/study_report/study_report.h"
 #include "correlation/target/trial_ownership.h"
 #include "evaluation/journal/local_file_system.h"

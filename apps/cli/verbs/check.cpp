@@ -21,7 +21,7 @@
 #include "correlation/analysis/beyond_data.h"
 #include "correlation/analysis/test_limits.h"
 #include "correlation/search/search_standing.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/ledgers/file_ledgers.h"
 #include "correlation/study/refinement.h"

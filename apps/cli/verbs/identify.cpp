@@ -18,7 +18,7 @@
 #include "correlation/analysis/identification_start.h"
 #include "correlation/analysis/refit_trials.h"
 #include "correlation/search/search_standing.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/residuals.h"

@@ -11,7 +11,7 @@
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/pareto_front.h"
 #include "correlation/search/search_standing.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 
 namespace latsch::cli {
 namespace {

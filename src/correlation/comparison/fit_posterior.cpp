@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "correlation/analysis/identifiability.h"
 #include "correlation/search/search_standing.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "numerics/dense/self_adjoint_eigen.h"
 #include "optimization/problem/point_vector.h"
 

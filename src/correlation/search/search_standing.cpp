@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "correlation/search/study_fit.h"
-#include "correlation/study/study_stages.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/target/study_trials.h"
 
 namespace latsch::correlation {
@@ -13,9 +12,7 @@ namespace {
 /// True if the journal contains the search of the study as it stands from its start to its end.
 bool has_recorded_ending(const Study& study, const Journal& journal) {
   try {
-    const auto fits = recorded_fit(study, journal);
-    return static_cast<int>(fits.size()) == stage_count(study) &&
-           fits.back().run.end != RunEnd::stopped;
+    return recorded_stages(study, journal).has_ended;
   } catch (const std::exception&) {
     return false;  // a stage is missing, or belongs to another model
   }

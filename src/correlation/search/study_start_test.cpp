@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/search/study_reuse_testing.h"
 #include "correlation/target/best_trial.h"
 #include "evaluation/schedule/scheduler.h"
@@ -69,7 +69,7 @@ TEST_F(StudyStart, AJournalWithoutTheFirstPointKnowsNoStep) {
   evaluate_design(study);
   const Journal journal = Journal::read(study.run.journal);
   for (const Trial& trial : journal.trials()) EXPECT_NE(trial.point, first_point(study));
-  EXPECT_TRUE(recorded_fit(study, journal).empty());
+  EXPECT_TRUE(recorded_stages(study, journal).fits.empty());
 }
 
 TEST_F(StudyStart, WhatWasKnownAtTheStartIsKnownAfterAKillToo) {
@@ -86,7 +86,7 @@ TEST_F(StudyStart, WhatWasKnownAtTheStartIsKnownAfterAKillToo) {
   evaluated_ = 0;
   expect_same(fit_all(study), whole);  // run on a finished journal
   EXPECT_EQ(evaluated_, 0);
-  const auto drawn = recorded_fit(study, Journal::read(study.run.journal));
+  const auto drawn = recorded_stages(study, Journal::read(study.run.journal)).fits;
   expect_same(drawn, whole);
 }
 

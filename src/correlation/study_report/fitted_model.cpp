@@ -14,7 +14,7 @@
 #include "correlation/analysis/identifiability.h"
 #include "correlation/search/own_stages.h"
 #include "correlation/search/search_standing.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/study_trials.h"
