@@ -39,7 +39,7 @@ struct StagesRun {
   Study study;                   // in the state of the last stage: its noise, the experiments that
                                  // count, the variables that move; as far as that is known
   std::vector<Fit> fits = {};    // one for each stage that made a step
-  RunEnd end = RunEnd::stopped;  // of the stage that was run last
+  RunEnd end = RunEnd::stopped;  // end of the stage that was run last
   bool has_ended = false;        // true if that is the last stage, and it was not stopped
 };
 

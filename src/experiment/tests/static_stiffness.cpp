@@ -78,7 +78,7 @@ class StaticStiffnessTest : public Test, public TellsLimits {
   }
   /// True for a tire that stands; a rolling tire has no slopes.
   bool tells_slopes(const SpecimenKind& kind, const std::string&) const override {
-    return has_slopes() && kind.has(StandsOnGround::kName);
+    return has_slopes() && kind.has(IsFeTire::kName);
   }
   /// True if the tire is upright on flat ground without friction.
   bool has_slopes() const {
@@ -88,8 +88,12 @@ class StaticStiffnessTest : public Test, public TellsLimits {
   }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     refuse_high_cleat(specimen, test_.cleat);
-    if (auto* held = specimen.find<StandsOnGround>())
-      return held->stand(test_, has_slopes() ? asked : Asked{});
+    if (auto* held = specimen.find<IsFeTire>()) {
+      const auto press = [this](TireRig& rig, fe_tire::TireSlopes* slopes) {
+        return stand(rig.tire(), rig.own_pressure(), test_, slopes);
+      };
+      return held->drive(press, test_.pressure.has_value(), has_slopes() ? asked : Asked{});
+    }
     return stand(*specimen.find<Rolls>()->tire(test_.pressure), test_);
   }
 
@@ -145,7 +149,7 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
 
 const TestKind kStaticStiffness = {"static_stiffness",
                                    "stands: force over deflection, stiffnesses",
-                                   {StandsOnGround::kName, Rolls::kName},
+                                   {IsFeTire::kName, Rolls::kName},
                                    read_static_test};
 
 }  // namespace latsch::experiment
