@@ -52,6 +52,8 @@ EVERY_TIRE = ["road", "tire"]
 
 # Studies work with models of any kind, so the code shared by all of them knows no model.
 KNOWS_NO_MODEL = "correlation"
+# Nor does any of these know a test: what a test tells beyond its channels is a virtual function of Test.
+KNOW_NO_TEST = ("correlation", "studio", "report")
 # The verbs of the program know no model either, except those that concern one by their purpose.
 VERBS_OF_MODELS = {"export", "exported_bushings", "mesh", "road", "shown_bushing", "shown_file", "shown_tire"}
 KIND_BY_NAME = re.compile(r'name\(\)\s*[!=]=\s*"(fe_tire|ring_tire|rigid_ring|magic_formula)"')
@@ -113,6 +115,9 @@ def faults():
             elif (layer == KNOWS_NO_MODEL and not here.stem.endswith(("_test", "_testing"))
                   and str(used).startswith(("models/", "experiment/kinds/"))):
                 yield f"{here}:{number}: {layer} knows no model: what only a kind can do is a capability or SpecimenKind's"
+            elif (layer in KNOW_NO_TEST and not here.stem.endswith(("_test", "_testing"))
+                  and str(used).startswith("experiment/tests/")):
+                yield f"{here}:{number}: {layer} knows no test: what a test tells is a function of Test"
             elif fault := room_fault(here, used):
                 yield f"{here}:{number}: {fault}"
 
@@ -124,8 +129,8 @@ def models_in_verbs():
             continue
         for number, line in enumerate(file.read_text().splitlines(), 1):
             match = INCLUDE.match(line)
-            if match and match.group(1).startswith(("models/", "experiment/kinds/")):
-                yield f"{file.relative_to(SOURCE.parent)}:{number}: a verb for any model knows none: it asks the language"
+            if match and match.group(1).startswith(("models/", "experiment/kinds/", "experiment/tests/")):
+                yield f"{file.relative_to(SOURCE.parent)}:{number}: a verb for any model and test knows none: it asks the language"
 
 
 def crowds():

@@ -25,8 +25,6 @@
 #include "correlation/study/ledgers/file_ledgers.h"
 #include "experiment/language.h"
 #include "experiment/language/sign_view.h"
-#include "experiment/tests/drum_cleat.h"
-#include "experiment/tests/drum_convergence.h"
 #include "formats/tables/csv_table.h"
 
 namespace latsch::cli {
@@ -41,10 +39,10 @@ struct TestOptions {
 int say_convergence(const experiment::SpecimenKind& kind,
                     const Document& numbers,
                     const experiment::Test& test) {
-  const auto* drum = dynamic_cast<const experiment::DrumCleatTest*>(&test);
-  if (!drum)
+  const auto repeated = test.convergence(kind, numbers);
+  if (!repeated)
     throw InputError("--convergence: expected a test of kind \"drum_cleat\", which steps in time");
-  const auto found = experiment::drum_convergence(kind, numbers, drum->settings());
+  const auto& found = *repeated;
   if (!found) {
     complain(found.failure().reason);
     return kFailed;

@@ -59,13 +59,13 @@ ComparisonTest read_test(const Node& table,
                          bool specimen) {
   const fs::path file = existing(table, "file", folder);
   const auto test = language.read_test(file);
-  const auto* drum = dynamic_cast<const experiment::DrumCleatTest*>(test.get());
+  const auto* drum = test->settings_as<experiment::DrumTest>();
   if (!drum) table.reject("file", "is no drum test, expected kind = \"drum_cleat\" in it");
   for (const experiment::SpecimenKind* kind : kinds)
     if (const auto reason = reason_against(*kind, *test, language)) table.reject("file", *reason);
-  if (drum->settings().frames.size() > 1)
+  if (drum->frames.size() > 1)
     table.reject("file", "is of a test that records several frames, expected one of them in it");
-  ComparisonTest one{table.name(), drum->settings(), {}, table.flag("fitted", false)};
+  ComparisonTest one{table.name(), test->in_words(), *drum, {}, table.flag("fitted", false)};
   if (specimen == table.has("measurement"))
     table.reject("measurement",
                  specimen ? "is given beside [specimen], expected one of them"

@@ -36,7 +36,7 @@
 
 #include "base/document.h"
 #include "experiment/language.h"
-#include "experiment/tests/drum_cleat.h"
+#include "experiment/rigs/drum_rig.h"
 #include "measurement/rig_response_fit.h"
 
 namespace latsch::correlation {
@@ -50,7 +50,7 @@ struct ComparedTire {
 };
 
 struct ComparisonTest {
-  std::string name;
+  std::string name, in_words;
   experiment::DrumTest drum;
   std::filesystem::path measurement;  // empty: the specimen is simulated instead
   bool fitted = false;

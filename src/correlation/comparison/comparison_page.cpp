@@ -170,7 +170,7 @@ std::string test_chapter(const ComparisonFile& file,
   std::string html =
       fmt::format("<section><h2>{}</h2><p>{}{}.</p>",
                   escape(test.name),
-                  escape(experiment::DrumCleatTest(test.drum).in_words()),
+                  escape(test.in_words),
                   test.fitted ? "; the tires were fitted to this test" : "; held out of every fit");
   html += error_table(file, compared) + "<div class=\"figures\">";
   for (std::size_t c = 0; c < file.channels.size(); ++c) {

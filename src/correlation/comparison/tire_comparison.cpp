@@ -10,6 +10,8 @@
 
 #include "base/random.h"
 #include "correlation/comparison/measured_drum.h"
+#include "experiment/language/capabilities.h"
+#include "formats/tables/csv_table.h"
 #include "measurement/band_level.h"
 
 namespace latsch::correlation {
@@ -78,7 +80,9 @@ void find_heard(const ComparisonFile& file,
 }
 
 Channels run_of(const ComparedTire& tire, const ComparisonTest& test) {
-  auto channels = experiment::DrumCleatTest(test.drum).run(*tire.kind->build(tire.numbers));
+  const auto specimen = tire.kind->build(tire.numbers);
+  const auto rolling = specimen->find<experiment::Rolls>()->tire(test.drum.pressure);
+  auto channels = experiment::run(*rolling, test.drum);
   if (!channels) {
     throw std::runtime_error(
         fmt::format("{} in test {}: {}", tire.title, test.name, channels.failure().reason));

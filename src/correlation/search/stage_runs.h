@@ -17,7 +17,7 @@ namespace latsch::correlation {
 
 /// One stage as it is run.
 struct StageRun {
-  int number = 0;  // from 0
+  int number = 0;  // counted from 0
   bool is_last = true;
   bool next_shares_journal = false;  // true if the next stage adds its trials to the same journal
   Study study;  // the study with the model, start, variables, experiments, noise, optimizer, and

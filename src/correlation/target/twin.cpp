@@ -11,7 +11,7 @@
 #include "correlation/laboratory/measurement.h"
 #include "correlation/observable/mode_set.h"
 #include "experiment/language/capabilities.h"
-#include "experiment/tests/modes.h"
+#include "experiment/rigs/load_case.h"
 
 namespace latsch::correlation {
 namespace {
@@ -25,17 +25,17 @@ Study with_sensors(Study study, experiment::Specimen& specimen) {
   for (StudyExperiment& experiment : study.experiments) {
     if (experiment.shapes_file.empty()) continue;
     for (StudyTest& test : study.tests) {
-      const auto* modes = dynamic_cast<const experiment::ModesTest*>(test.test.get());
+      const auto* modes = test.test->settings_as<experiment::ModalTest>();
       if (!modes || test.name != experiment.name) continue;
-      experiment::ModalTest settings = modes->settings();
-      if (settings.points.cols() == 0)
-        settings.points = specimen.find<experiment::Vibrates>()->sensor_points();
+      const Eigen::Matrix3Xd points = modes->points.cols() > 0
+                                          ? modes->points
+                                          : specimen.find<experiment::Vibrates>()->sensor_points();
       experiment.observable =
           std::make_shared<ModeSet>(test.name,
                                     std::vector<ModeRecord>{},
                                     static_cast<std::size_t>(experiment.measured_modes),
-                                    settings.points);
-      test.test = std::make_shared<experiment::ModesTest>(std::move(settings));
+                                    points);
+      test.test = test.test->with_points(points);
     }
   }
   return study;

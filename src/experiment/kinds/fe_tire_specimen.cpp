@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "experiment/kinds/fe_variations.h"
-#include "experiment/tests/modes.h"
 
 namespace latsch::experiment {
 namespace {
@@ -114,9 +113,9 @@ Result<Channels> FeTireSpecimen::print(const FootprintTest& test, const Asked& a
 std::string far_points(const fe_tire::Mesh& mesh, const Test& test) {
   constexpr double kFar = 0.02;  // m; greatest distance between a measured point and the nearest
                                  // point of the model that passes without a remark
-  const auto* modes = dynamic_cast<const ModesTest*>(&test);
-  if (!modes || modes->settings().points.cols() == 0) return "";
-  const double distance = nearest_sensors(mesh, modes->settings().points).largest_distance;
+  const auto* modes = test.settings_as<ModalTest>();
+  if (!modes || modes->points.cols() == 0) return "";
+  const double distance = nearest_sensors(mesh, modes->points).largest_distance;
   if (distance <= kFar) return "";
   return fmt::format("a measured point lies {:.0f} mm from the outer surface of the model",
                      distance * 1e3);

@@ -9,6 +9,7 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
 #include "experiment/rigs/wheel_scheme.h"
+#include "experiment/tests/drum_convergence.h"
 
 namespace latsch::experiment {
 
@@ -66,6 +67,11 @@ Result<std::vector<std::string>> DrumCleatTest::run_in_blocks(
   const auto notes = Test::run_in_blocks(specimen, tell);
   if (!notes) return notes;
   return limits(specimen);
+}
+
+std::optional<Result<std::vector<ChannelConvergence>>> DrumCleatTest::convergence(
+    const SpecimenKind& kind, const Document& numbers) const {
+  return drum_convergence(kind, numbers, test_);
 }
 
 namespace {

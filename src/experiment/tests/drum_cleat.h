@@ -11,7 +11,6 @@ namespace latsch::experiment {
 class DrumCleatTest : public Test, public TellsLimits {
  public:
   explicit DrumCleatTest(const DrumTest& settings) : test_(settings) {}
-  const DrumTest& settings() const { return test_; }
 
   std::string in_words() const override;
   std::vector<ChannelInfo> channels() const override;
@@ -22,8 +21,12 @@ class DrumCleatTest : public Test, public TellsLimits {
   /// Tells what the tire's model does not describe on the cleat.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override;
+  std::optional<Result<std::vector<ChannelConvergence>>> convergence(
+      const SpecimenKind& kind, const Document& numbers) const override;
 
  private:
+  RigSettings rig_settings() const override { return &test_; }
+
   DrumTest test_;
 };
 

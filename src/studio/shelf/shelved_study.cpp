@@ -202,8 +202,10 @@ ShelvedStudy::Changes ShelvedStudy::refresh(long most_trials) {
   if (!study_) return changes;
   const std::string error_before = error();
   try {
-    if (!whole_->stages.empty() &&
-        correlation::begun_stage(*whole_).run.journal != study_->run.journal) {  // the next stage has begun
+    const bool has_next_begun =
+        !whole_->stages.empty() &&
+        correlation::begun_stage(*whole_).run.journal != study_->run.journal;
+    if (has_next_begun) {
       show_stage();
       changes.of_study = true;
     }
