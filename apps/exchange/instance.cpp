@@ -15,7 +15,7 @@ constexpr double kTimeSlack = 1e-6;
 
 }  // namespace
 
-Instance::Instance(std::unique_ptr<Unit> unit, Log log) : log_(std::move(log)) {
+Instance::Instance(std::unique_ptr<ExchangedModel> unit, Log log) : log_(std::move(log)) {
   now_.unit = std::move(unit);
   pristine_ = now_.copy();
 }
@@ -104,7 +104,7 @@ Status Instance::get(const unsigned* references, std::size_t count, double* valu
       }
       const auto variable = variable_of(references[i]);
       if (!variable) return refuse(fmt::format("has no value reference {}", references[i]));
-      const Variable& asked = now_.unit->variables()[*variable];
+      const ExchangedVariable& asked = now_.unit->variables()[*variable];
       if (asked.causality == Causality::output) {
         if (now_.stage == Stage::instantiated)
           return refuse(asked.name + " is not known before initialization");
@@ -122,7 +122,7 @@ Status Instance::set(const unsigned* references, std::size_t count, const double
       const auto variable = variable_of(references[i]);
       if (!variable)
         return refuse(fmt::format("has no value reference {} that can be set", references[i]));
-      const Variable& given = now_.unit->variables()[*variable];
+      const ExchangedVariable& given = now_.unit->variables()[*variable];
       if (given.causality == Causality::output)
         return refuse(given.name + " is an output and cannot be set");
       if (now_.stage == Stage::terminated)

@@ -62,7 +62,7 @@ class Driven {
   }
 
  private:
-  std::unique_ptr<Unit> unit_;
+  std::unique_ptr<ExchangedModel> unit_;
   double time_ = 0.0;
 };
 
@@ -174,7 +174,7 @@ TEST(CarUnit, ACopyGoesOnToTheSameBitsWhateverTheOtherDoes) {
   car.set("speed", 10.0);
   car.start();
   car.go(5);
-  const std::unique_ptr<Unit> copy = car.unit().clone();
+  const std::unique_ptr<ExchangedModel> copy = car.unit().clone();
   auto& other = static_cast<CarUnit&>(*copy);
   EXPECT_TRUE(*other.state() == *car.unit().state());
   car.set("load.Fx", 300.0);

@@ -70,13 +70,13 @@ void add_road(UnitFiles& files, const fs::path& road) {
 struct UnitKind {
   const char* name;
   const char* ability;
-  std::unique_ptr<Unit> (*make)(std::shared_ptr<experiment::Specimen>,
-                                std::shared_ptr<const road::Road>);
+  std::unique_ptr<ExchangedModel> (*make)(std::shared_ptr<experiment::Specimen>,
+                                          std::shared_ptr<const road::Road>);
 };
 
 template <class OfThisKind>
-std::unique_ptr<Unit> make(std::shared_ptr<experiment::Specimen> specimen,
-                           std::shared_ptr<const road::Road> road) {
+std::unique_ptr<ExchangedModel> make(std::shared_ptr<experiment::Specimen> specimen,
+                                     std::shared_ptr<const road::Road> road) {
   return std::make_unique<OfThisKind>(std::move(specimen), std::move(road));
 }
 
@@ -91,9 +91,9 @@ const UnitKind& unit_kind_of(const experiment::SpecimenKind& kind) {
 
 }  // namespace
 
-std::unique_ptr<Unit> unit_of(const experiment::SpecimenKind& kind,
-                              const Document& numbers,
-                              const fs::path& road) {
+std::unique_ptr<ExchangedModel> unit_of(const experiment::SpecimenKind& kind,
+                                        const Document& numbers,
+                                        const fs::path& road) {
   const UnitKind& unit = unit_kind_of(kind);
   std::shared_ptr<const road::Road> surface;
   if (road.empty()) {

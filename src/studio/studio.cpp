@@ -142,7 +142,7 @@ class Studio::Impl {
         {"/api/study", [&](auto& s) { return study_view(s, runs_); }},
         {"/api/convergence",
          [&](auto& s) {
-           const Stretch stretch{
+           const TrialRange stretch{
                query.number("from", 1), query.number("to", 0), query.number("most", 4000)};
            return convergence_view(s, stretch, weights);
          }},

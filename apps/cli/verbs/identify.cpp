@@ -153,7 +153,7 @@ int identify(const std::string& file,
     return kStopped;
   }
   answer()["variables"] = answer_of(study, **result);
-  for (const Profile& profile : (*result)->identification.profiles())
+  for (const TargetProfile& profile : (*result)->identification.profiles())
     answer()["variables"][profile.variable]["verdict"] = in_words(profile);
   if (const auto now = correlation::best_trial(study, journal); now->point != best->point) {
     answer()["target"] = now->target;

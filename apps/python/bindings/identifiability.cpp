@@ -35,7 +35,7 @@ struct SpacedConfidence {
 
 struct SpacedProfile {
   DesignSpace space;
-  Profile found;
+  TargetProfile found;
 };
 
 ConfidenceOptions options(const std::optional<double>& sigma,
@@ -328,7 +328,7 @@ void bind_identifiability(py::module_& module) {
           "profiles",
           [](const I& i) {
             std::vector<SpacedProfile> all;
-            for (const Profile& p : i.found().profiles()) all.push_back({i.space(), p});
+            for (const TargetProfile& p : i.found().profiles()) all.push_back({i.space(), p});
             return all;
           },
           "A list with one Profile for each variable, at the end, if profiles were requested.");

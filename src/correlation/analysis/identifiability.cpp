@@ -170,7 +170,7 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
         "the point is no minimum yet. latsch identify continues from there.");
   }
   int refits = 0, failed = 0;
-  for (const Profile& profile : identification.profiles()) {
+  for (const TargetProfile& profile : identification.profiles()) {
     refits += static_cast<int>(profile.points.size());
     failed += profile.unconverged();
   }
@@ -311,7 +311,7 @@ std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& dire
   return text;
 }
 
-std::string profile_text(const DesignSpace& space, const Profile& profile) {
+std::string profile_text(const DesignSpace& space, const TargetProfile& profile) {
   const Interval beyond_bounds{-1.0, 2.0};
   std::string text = interval_text(space, profile.variable, profile.interval);
   const auto add = [&](const std::optional<double>& end, bool lower) {

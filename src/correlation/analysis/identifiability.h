@@ -94,6 +94,6 @@ std::string shift_text(const Study& study, const Identifiability& what, int vari
 std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction);
 
 /// Returns the interval of a profile and the values beyond which the model fails.
-std::string profile_text(const DesignSpace& space, const Profile& profile);
+std::string profile_text(const DesignSpace& space, const TargetProfile& profile);
 
 }  // namespace latsch::correlation

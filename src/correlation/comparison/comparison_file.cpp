@@ -37,10 +37,10 @@ ComparedTire read_tire(const Node& table,
   return tire;
 }
 
-Specimen read_specimen(const Node& table,
-                       const fs::path& folder,
-                       const experiment::Language& language) {
-  Specimen specimen{read_tire(table, folder, language), 0.0, {}, 1};
+ComparedSpecimen read_specimen(const Node& table,
+                               const fs::path& folder,
+                               const experiment::Language& language) {
+  ComparedSpecimen specimen{read_tire(table, folder, language), 0.0, {}, 1};
   specimen.step = table.quantity("step", "s", Range::positive(), 0.0);
   specimen.seed = table.integer("seed", 0, 1'000'000'000, 1);
   if (const auto noise = table.find_table("noise")) {

@@ -56,7 +56,7 @@ struct ComparisonTest {
   bool fitted = false;
 };
 
-struct Specimen {
+struct ComparedSpecimen {
   ComparedTire tire;
   double step = 0.0;                    // s; 0: the step of the test
   std::map<std::string, double> noise;  // standard deviation, for each channel
@@ -69,7 +69,7 @@ struct ComparisonFile {
   std::vector<std::string> channels;
   FrequencyBand band;
   double agreement = 3.0;  // dB
-  std::optional<Specimen> specimen;
+  std::optional<ComparedSpecimen> specimen;
   std::vector<ComparisonTest> tests;
   std::vector<ComparedTire> tires;
 };

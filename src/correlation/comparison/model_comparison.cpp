@@ -44,8 +44,8 @@ Channels low_passed(const Channels& recording, double edge) {
   if (edge == 0.0) return recording;
   constexpr double kFirst = 0.02;  // s
   const double rate = rate_of(recording);
-  const auto filter =
-      numerics::polynomials_of(numerics::butterworth(2, numerics::Band::low_pass, {edge}, rate));
+  const auto filter = numerics::polynomials_of(
+      numerics::butterworth(2, numerics::FilterBand::low_pass, {edge}, rate));
   const auto rest = numerics::steady_state(filter);
   Channels channels;
   for (Channel channel : recording.all()) {

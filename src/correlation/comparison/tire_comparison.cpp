@@ -213,7 +213,7 @@ TireSummary summary(const ComparisonFile& file, const TireComparison& all, std::
 
 }  // namespace
 
-Channels measure(const Specimen& specimen, const ComparisonTest& test, std::size_t index) {
+Channels measure(const ComparedSpecimen& specimen, const ComparisonTest& test, std::size_t index) {
   ComparisonTest own = test;
   if (specimen.step > 0.0) own.drum.step = specimen.step;
   const Channels clean = run_of(specimen.tire, own);

@@ -62,7 +62,7 @@ struct TireComparison {
 
 /// Returns what the specimen of the file records in one test: time, speed and the channels with
 /// their noise.
-Channels measure(const Specimen& specimen, const ComparisonTest& test, std::size_t index);
+Channels measure(const ComparedSpecimen& specimen, const ComparisonTest& test, std::size_t index);
 
 /// Throws InputError if a measurement does not fit its test, std::runtime_error if a tire fails.
 TireComparison compare_tires(const ComparisonFile& file,

@@ -121,7 +121,7 @@ void append(const LabRecord& more, const std::string& file, LabRecord& record) {
 }
 
 /// Filters between gaps; stretches shorter than `least` become gaps.
-void filter_stretch(const std::vector<numerics::Section>& sections,
+void filter_stretch(const std::vector<numerics::FilterSection>& sections,
                     const Stretch& stretch,
                     std::size_t least,
                     std::vector<double>& values) {
@@ -294,7 +294,7 @@ std::string low_pass(LabRecord& record, double frequency, const Place& place) {
                                  1.0 / frequency,
                                  lasts));
   const auto sections = numerics::sections_of(
-      numerics::butterworth(kOrder, numerics::Band::low_pass, {frequency}, rate));
+      numerics::butterworth(kOrder, numerics::FilterBand::low_pass, {frequency}, rate));
   const auto least = static_cast<std::size_t>(numerics::forward_backward_padding(sections));
   std::vector<bool> kept(record.samples(), true);
   std::size_t left_out = 0;

@@ -504,7 +504,7 @@ class TireReader {
   std::vector<KnownFace> inner_, outer_;
   FaceSet inner_faces_, outer_faces_;
   InpPlacedRebars placed_;
-  Ring ring_;
+  RingOfNodes ring_;
 };
 
 }  // namespace

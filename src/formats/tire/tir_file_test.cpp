@@ -15,8 +15,8 @@
 namespace latsch::formats {
 namespace {
 
+using magic_formula::MeasuredSide;
 using magic_formula::Parameters;
-using magic_formula::Side;
 using magic_formula::Version;
 
 const std::filesystem::path kTires = LATSCH_SOURCE_DIR "/../shared/data/tir";
@@ -145,7 +145,7 @@ TEST(TirFile, UnitsBecomeSiAndTheTwoMassesStayApart) {
   EXPECT_DOUBLE_EQ(p.INFLPRES, 2.5e5);
   EXPECT_NEAR(p.ALPMAX, 0.5235987755982988, 1e-15);
   EXPECT_EQ(p.MASS, 9.3);
-  EXPECT_EQ(p.side, Side::right);
+  EXPECT_EQ(p.side, MeasuredSide::right);
   EXPECT_EQ(p.version, Version::mf61);
   EXPECT_EQ(p.PKY4, 2.0);  // absent from the file
   EXPECT_EQ(p.LMUY, 1.0);
@@ -450,7 +450,7 @@ TEST(TirFile, SampleFilesOfOtherPrograms) {
   const auto read = [](const char* name) { return read_tir(kTires / name); };
   const TirFile mf61 = read("MagicFormula61_Parameters.tir");
   EXPECT_EQ(mf61.parameters.version, Version::mf61);
-  EXPECT_EQ(mf61.parameters.side, Side::right);
+  EXPECT_EQ(mf61.parameters.side, MeasuredSide::right);
   EXPECT_EQ(mf61.parameters.MASS, 17.451);
   EXPECT_EQ(mf61.parameters.use_mode, 124);
   EXPECT_TRUE(mf61.parameters.turn_slip_known());

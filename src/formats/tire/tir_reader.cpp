@@ -21,10 +21,10 @@
 namespace latsch::formats {
 namespace {
 
+using magic_formula::MeasuredSide;
 using magic_formula::ParameterField;
 using magic_formula::Parameters;
 using magic_formula::ParameterUnit;
-using magic_formula::Side;
 using magic_formula::Version;
 
 /// Scaling factors that the equations divide by, or that would remove the tire if they were 0.
@@ -319,8 +319,9 @@ class TirReader {
 
   void read_side(const TeimOrbitSection& model) {
     const std::string side = model.text("TYRESIDE", "LEFT");
-    const std::map<std::string, Side> sides = {
-        {"LEFT", Side::left}, {"RIGHT", Side::right}, {"SYMMETRIC", Side::symmetric}};
+    const std::map<std::string, MeasuredSide> sides = {{"LEFT", MeasuredSide::left},
+                                                       {"RIGHT", MeasuredSide::right},
+                                                       {"SYMMETRIC", MeasuredSide::symmetric}};
     const auto known = sides.find(capitals(side));
     if (known == sides.end()) {
       doubt("TYRESIDE",

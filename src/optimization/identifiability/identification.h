@@ -96,7 +96,7 @@ class Identification {
   /// Returns the linearization at the least sum of squares, after round 2.
   const Linearization& refitted() const { return *best_; }
   /// One profile for each variable that may move, when done and requested.
-  const std::vector<Profile>& profiles() const { return profiles_; }
+  const std::vector<TargetProfile>& profiles() const { return profiles_; }
 
  private:
   void begin_at(const DesignPoint& center);
@@ -145,7 +145,7 @@ class Identification {
   std::optional<BroydenFit> refit_;
   std::vector<ProfileBranch> branches_;  // down and up, variable by variable
   std::vector<int> asked_;               // branches that `wanted_` belongs to
-  std::vector<Profile> profiles_;
+  std::vector<TargetProfile> profiles_;
   std::vector<double> thresholds_;  // one a variable
 };
 

@@ -52,7 +52,7 @@ struct Extremes {
 }  // namespace
 
 Json convergence_view(const ShelvedStudy& study,
-                      const Stretch& stretch,
+                      const TrialRange& stretch,
                       const std::string& weights) {
   return study.look([&](const Sight& sight) {
     const TrialTable& table = table_of(study, sight);

@@ -28,7 +28,7 @@ struct RoughLimit {
 
 /// A set of meshes, and the extrapolation of a quantity's values on them.
 struct FewMeshes {
-  std::vector<fe_tire::Refinement> refinements;  // the first is the mesh itself
+  std::vector<fe_tire::MeshRefinement> refinements;  // the first is the mesh itself
   RoughLimit (*extrapolate)(const std::vector<double>& values);
 };
 

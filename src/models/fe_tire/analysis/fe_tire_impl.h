@@ -164,7 +164,7 @@ struct FeTire::Impl {
   void add_ground(Systems& all,
                   const TreadSurface& tread,
                   const TireState& at,
-                  const RingState& state,
+                  const AssembledState& state,
                   numerics::SymmetricMatrix& tangent);
   std::optional<RingElements> elements_, even_elements_;  // elements of `ring`, of `even`
   std::map<std::pair<bool, int>, std::unique_ptr<Systems>> systems_;

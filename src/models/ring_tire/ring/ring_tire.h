@@ -180,7 +180,7 @@ class RingTire final : public Tire {
   RingSettings settings_;
   NodeAngles angles_;
   InnerForces inner_forces_;
-  TreadContact tread_;
+  RingTreadContact tread_;
   SectionBending section_;
   Eigen::Vector4d mass_;
   Imbalance imbalance_;
