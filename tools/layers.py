@@ -133,6 +133,28 @@ def models_in_verbs():
                 yield f"{file.relative_to(SOURCE.parent)}:{number}: a verb for any model and test knows none: it asks the language"
 
 
+# A type of a module has a name that no other header gives a type; the C interfaces of the two FMI standards keep the
+# standards' names.
+TYPE = re.compile(r"^(?:class|struct|enum class|enum|union)\s+(\w+)\b(?!\s*::)(?!.*;\s*$)|^using\s+(\w+)\s*=")
+NAMES_OF_STANDARDS = {"apps/exchange/fmi2.h", "apps/exchange/fmi3.h"}
+
+
+def names_twice():
+    first = {}
+    root = SOURCE.parent
+    for file in sorted([*SOURCE.rglob("*.h"), *(root / "apps").rglob("*.h")]):
+        name = str(file.relative_to(root))
+        if file.stem.endswith("_testing") or name in NAMES_OF_STANDARDS:
+            continue
+        for number, line in enumerate(file.read_text().splitlines(), 1):
+            if not (match := TYPE.match(line.split("//")[0])):
+                continue
+            type_name = match.group(1) or match.group(2)
+            other = first.setdefault(type_name, name)
+            if other != name:
+                yield f"{name}:{number}: the type {type_name} is also in {other}: one of them needs another name"
+
+
 def crowds():
     for top in ("src", "apps", "benchmarks", "verification", "tools"):
         for folder in [SOURCE.parent / top, *(SOURCE.parent / top).rglob("*")]:
@@ -171,6 +193,6 @@ def writers():
 
 
 if __name__ == "__main__":
-    found = [*faults(), *models_in_verbs(), *crowds(), *wide_comments(), *kinds_by_name(), *writers()]
+    found = [*faults(), *models_in_verbs(), *names_twice(), *crowds(), *wide_comments(), *kinds_by_name(), *writers()]
     print("\n".join(found) or "layers: every #include follows the architecture")
     sys.exit(1 if found else 0)

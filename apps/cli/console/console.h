@@ -21,15 +21,13 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
 #include "base/error.h"
+#include "formats/text/json.h"
 
 namespace latsch::cli {
-
-using Json = nlohmann::ordered_json;
 
 /// Options of every verb.
 struct CommonOptions {

@@ -159,9 +159,12 @@ std::string model_text(const std::string& file,
 
 void write_measurements(const std::string& file, const experiment::Language& language) {
   const auto study = correlation::read_study(file, language, correlation::Measurements::not_yet);
-  for (const auto& path : required(correlation::write_twin(study))) {
-    say_written(path.string());
-  }
+  const correlation::TwinFiles files = required(correlation::write_twin(study));
+  for (const auto& [path, as] : files.kept)
+    warn(fmt::format("{} was measured, or made by another program: it is kept as {}",
+                     path.string(),
+                     as.string()));
+  for (const auto& path : files.written) say_written(path.string());
 }
 
 void export_files(const ExportOptions& options, const experiment::Language& language) {

@@ -116,7 +116,7 @@ void write_example(const fs::path& file, const experiment::Language& language) {
   make_measured(study,
                 "An example, not measured: this tire with " + truth_in_words(study, truth) +
                     ", and 0.3 % scatter. Replace it by your measurement.");
-  for (const fs::path& table : *written) say_written(table.string());
+  for (const fs::path& table : written->written) say_written(table.string());
 }
 
 /// Returns the study's file in a folder that contains none yet.

@@ -64,6 +64,22 @@ TEST_F(StudyStart, TheFirstPointIsThatOfTheFirstStepUnlessAJournalDecides) {
   EXPECT_EQ(first_point(read(kSearch + "start = \"journal\"\n" + kDesign)), std::nullopt);
 }
 
+// Bounds may be narrowed after a run. A trial of the journal that is outside of them is no result.
+TEST_F(StudyStart, TheBestTrialLiesInTheBoundsAsTheyAreWritten) {
+  Study study = read(kDesign);
+  fit_all(study);
+  const Journal journal = Journal::read(study.run.journal);
+  const RatedTrial best = *best_trial(study, journal);
+  std::vector<DesignVariable> narrow = study.space.variables();
+  narrow[0].upper = best.point.values[0] - 1e-6;
+  narrow[0].initial = narrow[0].lower;
+  study.space = DesignSpace(narrow);
+  const auto inside = best_trial(study, journal);
+  ASSERT_TRUE(inside);
+  EXPECT_LT(inside->point.values[0], best.point.values[0]);
+  EXPECT_GT(inside->target, best.target);
+}
+
 TEST_F(StudyStart, AJournalWithoutTheFirstPointKnowsNoStep) {
   const Study study = read(kDesign);
   evaluate_design(study);

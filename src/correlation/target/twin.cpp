@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 
+#include "base/file.h"
 #include "correlation/laboratory/frame_conversion.h"
 #include "correlation/laboratory/measurement.h"
 #include "correlation/observable/mode_set.h"
@@ -104,9 +105,23 @@ void refuse_two_answers(const Study& study, const Channels& trial) {
   }
 }
 
+/// Copies a file that no twin has written to a free name beside it, "curve.measured.csv".
+void keep_measured(const std::filesystem::path& file, std::vector<TwinFiles::Kept>& kept) {
+  if (file.empty() || !std::filesystem::is_regular_file(file)) return;
+  if (read_text_file(file).starts_with(std::string("# ") + kComment)) return;
+  std::filesystem::path as = file;
+  as.replace_extension(".measured" + file.extension().string());
+  for (int number = 2; std::filesystem::exists(as); ++number) {
+    as = file;
+    as.replace_extension(fmt::format(".measured_{}{}", number, file.extension().string()));
+  }
+  std::filesystem::copy_file(file, as);
+  kept.push_back({file, as});
+}
+
 }  // namespace
 
-Result<std::vector<std::filesystem::path>> write_twin(const Study& study) {
+Result<TwinFiles> write_twin(const Study& study) {
   const experiment::SpecimenKind* kind = study.specimens->kind();
   if (!kind) {
     throw InputError(
@@ -129,10 +144,16 @@ Result<std::vector<std::filesystem::path>> write_twin(const Study& study) {
     }
   }
   refuse_two_answers(twin, trial);
-  std::vector<std::filesystem::path> written;
+  TwinFiles files;
+  std::vector<std::filesystem::path>& written = files.written;
   for (const StudyExperiment& experiment : twin.experiments) {
     const bool is_shared =
         std::find(written.begin(), written.end(), experiment.measurement_file) != written.end();
+    for (const auto& file : {experiment.measurement_file, experiment.shapes_file}) {
+      if (std::find(written.begin(), written.end(), file) != written.end()) continue;
+      keep_measured(file, files.kept);
+      allow_to_replace(file);
+    }
     for (auto& file : experiment.observable->write(trial,
                                                    {experiment.measurement_file,
                                                     experiment.shapes_file,
@@ -141,7 +162,7 @@ Result<std::vector<std::filesystem::path>> write_twin(const Study& study) {
                                                     experiment.measurement.get()}))
       if (!is_shared) written.push_back(std::move(file));
   }
-  return written;
+  return files;
 }
 
 }  // namespace latsch::correlation

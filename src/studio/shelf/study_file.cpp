@@ -147,6 +147,7 @@ std::string write_study_text(const fs::path& file,
   if (read_study_text(file).version != version)
     throw ChangedMeanwhile(
         file.string() + " was changed by somebody else meanwhile: load it again before you write");
+  allow_to_replace(file);  // edited on the page
   write_text_file(file, text);
   return version_of(text);
 }

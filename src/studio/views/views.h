@@ -10,12 +10,11 @@
 #include <optional>
 #include <string>
 
+#include "formats/text/json.h"
 #include "studio/shelf/shelf.h"
 #include "studio/shelf/study_runs.h"
 
 namespace latsch::studio {
-
-using Json = nlohmann::ordered_json;
 
 /// Returns the studies of the folder, their states and best targets.
 Json home_view(const Shelf& shelf, const std::string& version, bool has_page);
