@@ -94,6 +94,27 @@ class ExactFit(unittest.TestCase):
                 self.assertNotIn("share noise", words)
                 self.assert_known(answer)
 
+    def test_intervals_without_a_search_are_said_to_be_of_the_best_trial_so_far(self):
+        with tempfile.TemporaryDirectory(prefix="latsch_exact_") as name:
+            folder = pathlib.Path(name)
+            (folder / "sim.py").write_text(SIMULATOR.replace("FORMULA", EXPONENTIAL))
+            (folder / "par.txt").write_text("a = {a}\nb = {b}\nc = {c}\n")
+            (folder / "y.csv").write_text("t [s],y [N]\n" + "".join(f"{0.2 * i},{exponential(0.2 * i)}\n" for i in range(21)))
+            (folder / "study.toml").write_text(STUDY + "".join(
+                f'[variable.{v}]\nunit = "1"\nlower = {low}\nupper = {high}\ninitial = {high}\n'
+                for v, low, high in (("a", 1, 3), ("b", -2, -1), ("c", 0, 1))))
+
+            def latsch(*arguments):
+                run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, text=True)
+                self.assertEqual(run.returncode, DONE, run.stdout + run.stderr)
+                return run.stdout + run.stderr
+
+            study = folder / "study.toml"
+            latsch("doe", study, "--levels", 2)
+            self.assertIn("no search of this study has ended", latsch("identify", study, "--short"))
+            latsch("run", study)
+            self.assertNotIn("no search of this study has ended", latsch("identify", study, "--short"))
+
     def test_a_range_too_wide_is_resolved_or_said_to_be(self):
         for wide in ("1e9", "1e12"):
             with self.subTest(wide):

@@ -387,7 +387,7 @@ class OtherData(MeasuredSpring):
                 self.assertEqual((counts["trials"], counts["foreign"]), (trials, trials))
                 said = self.run_it("run", self.study)
                 self.assertIn(f"{trials} finished trials are reused", said)
-                # Of one fitted experiment there is no front, and its three values on a line fit exactly.
+                # One fitted experiment has no front, and its three values on a line fit exactly.
                 self.assert_open(without=("pareto", "identify") if what == "held out" else ())
                 self.assertNotIn(FOREIGN, self.run_it("check", self.study))
                 stiffness = float(re.search(r"stiffness = \"?([0-9.]+)", (self.folder / "found.toml").read_text()).group(1))

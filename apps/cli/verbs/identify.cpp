@@ -118,10 +118,15 @@ int identify(const std::string& file,
   Workers workers_of_study(study);
   if (workers_of_study.served(study)) return kDone;
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
-  study = correlation::with_estimated_noise(study, journal);
+  const correlation::StagesRun searched = correlation::recorded_stages(study, journal);
+  study = searched.study;
   correlation::require_best(study, journal);
   correlation::mark_target(study, journal);
   say_kind_of_journal(study);
+  if (!searched.has_ended)
+    warn("no search of this study has ended, so intervals and verdicts belong to the best trial so "
+         "far, which need not be at a minimum; run latsch run " +
+         study.file.string() + " first");
   const auto best = correlation::best_trial(study, journal);
   if (!best) {
     complain("no trial in " + study.run.journal.string() + " succeeded");

@@ -16,8 +16,8 @@ struct KnowsLimits {
   virtual ~KnowsLimits() = default;
   /// Returns a sentence for every limit that matters on this cleat; empty if none does.
   virtual std::vector<std::string> limits_on(const Cleat&) const { return {}; }
-  /// Returns a sentence for every limit that matters on a road whose height differs across the width
-  /// of the tire; empty if none does.
+  /// Returns a sentence for every limit that matters on a road whose height differs across the
+  /// width of the tire; empty if none does.
   virtual std::vector<std::string> limits_across() const { return {}; }
   /// Returns a sentence for every limit that the specimen has met since it was built: ranges of its
   /// file that it left, conditions that have no effect on it.
