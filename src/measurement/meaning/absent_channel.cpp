@@ -99,7 +99,8 @@ std::vector<MayBe> columns_that_may_be(std::string_view channel,
   std::vector<MayBe> found, computed;
   for (const OtherColumn& column : columns) {
     const auto known = recognized(column.name);
-    if (!known && (column.is_used || !column.taken_as.empty())) continue;
+    const bool is_stated = !column.taken_as.empty() && column.taken_as != column.name;
+    if (!known && (column.is_used || is_stated)) continue;
     auto one =
         known ? known_name(channel, column, *known, columns) : unknown_name(channel, unit, column);
     if (one) (one->is_as_it_stands ? found : computed).push_back(std::move(*one));

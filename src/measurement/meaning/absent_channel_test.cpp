@@ -27,6 +27,7 @@ TEST(AbsentChannel, AnAngleOfAnotherMeaningMayBeTheSlipAngle) {
   EXPECT_EQ(offered("alpha", "rad", {{"SA", "rad", true, "gamma", true}}), "SA");
   EXPECT_EQ(offered("alpha", "rad", {{"SA", "rad", true, "alpha", true}}), "");
   EXPECT_EQ(offered("alpha", "rad", {{"yaw", "rad", true, "gamma", true}}), "");
+  EXPECT_EQ(offered("alpha", "rad", {{"yaw", "rad", true, "yaw", false}}), "yaw");
 }
 
 TEST(AbsentChannel, SlipsMayBeComputed) {
