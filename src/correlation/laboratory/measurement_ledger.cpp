@@ -134,7 +134,8 @@ std::vector<Ledger> Measurement::ledgers() const {
     const std::string where = told_.is_stated ? "" : " in a [measurement.NAME] of the file";
     ledgers.front().doubts.push_back(
         {first,
-         fmt::format("{}: {} is {}: no column is called {}; may be it: {}. Did you mean {}? Then "
+         fmt::format("{}: {} is {}: no column is called {}; columns that may be it: {}. Did you "
+                     "mean {}? Then "
                      "{}; if it is {} on purpose, say without = [\"{}\"] beside from",
                      absent.by,
                      absent.channel,

@@ -330,14 +330,16 @@ std::vector<LedgerDoubt> suspect_numbers(const LabRecord& record,
   const LabRecord plain = without_suspects(record);
   for (const SuspectSamples& suspect : record.suspects) {
     const auto left = samples_left(record, suspect);
-    const Channel* others = plain.find(suspect.channel);
+    const Channel* found = plain.find(suspect.channel);
     const auto written = record.written.find(suspect.channel);
-    if (left.empty() || !others || written == record.written.end()) continue;
+    if (left.empty() || !found || written == record.written.end()) continue;
     const bool was_seen = std::any_of(selected.begin(), selected.end(), [&](const auto& name) {
       return same_channel(name, suspect.channel);
     });
     const std::string& column = written->second.column;
-    const std::string window = window_around(*others);
+    Channel others = *found;  // without gaps, which are the suspect numbers themselves
+    std::erase_if(others.values, [](double value) { return std::isnan(value); });
+    const std::string window = window_around(others);
     std::string way_out;
     if (was_filtered)
       way_out = "low_pass has spread it over its neighbors: cut the rows off in the file";
@@ -359,7 +361,7 @@ std::vector<LedgerDoubt> suspect_numbers(const LabRecord& record,
                                   record.samples(),
                                   rows_in_words(record, left),
                                   suspect.reason,
-                                  range_in_words(*others),
+                                  window.empty() ? "none" : range_in_words(others),
                                   way_out),
                       record.places[left.front()],
                       suspect.is_certain && !was_seen});

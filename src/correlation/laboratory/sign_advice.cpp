@@ -34,22 +34,33 @@ Channels with_other_sign(const Channels& channels, const std::string& name) {
   return turned;
 }
 
-bool signs_agree(const Channels& channels) {
-  const auto doubts = doubts_about(channels);
-  return std::none_of(
-      doubts.begin(), doubts.end(), [](const ChannelDoubt& doubt) { return doubt.is_of_sign; });
-}
-
-}  // namespace
-
-std::string turned(const LabRecord& record, const std::string& channel) {
+StatedColumn column_turned(const LabRecord& record, const std::string& channel) {
   StatedColumn column{channel, ""};
   if (const auto written = record.written.find(channel); written != record.written.end())
     column.column = written->second.column;
   const auto stated = record.stated.find(channel);
   if (stated != record.stated.end()) column = stated->second;
   column.sign = -column.sign;
-  return columns_hint(record.stated, channel, column);
+  return column;
+}
+
+bool signs_agree(const Channels& channels) {
+  const auto doubts = doubts_about(channels);
+  return std::none_of(
+      doubts.begin(), doubts.end(), [](const ChannelDoubt& doubt) { return doubt.is_of_sign; });
+}
+
+/// Returns why a column has the other sign than the rest of a record in sae axes; empty for a
+/// column of which that is unusual.
+std::string words_beside_sae(const std::string& channel) {
+  if (channel.starts_with("Fz")) return "its loads are written as positive";
+  return channel == "gamma" ? "its inclination has the other sign" : "";
+}
+
+}  // namespace
+
+std::string turned(const LabRecord& record, const std::string& channel) {
+  return columns_hint(record.stated, channel, column_turned(record, channel));
 }
 
 std::vector<std::string> signs_that_agree(const LabRecord& record, bool axes_are_stated) {
@@ -61,17 +72,25 @@ std::vector<std::string> signs_that_agree(const LabRecord& record, bool axes_are
       if (signs_agree(to_iso(channels, axes)))
         advice.push_back("axes = \"" + axis_convention_names()[static_cast<std::size_t>(axes)] +
                          "\"");
-  for (const char* name : {"Fz", "Fy", "alpha", "Mz", "gamma", "kappa", "Fx"}) {
-    const Channel* channel = record.find(name);
-    if (!channel) continue;
-    if (signs_agree(with_other_sign(channels, channel->name)))
-      advice.push_back(turned(record, channel->name));
-  }
-  const Channel* Fz = record.find("Fz");
-  if (!axes_are_stated && Fz &&
-      signs_agree(to_iso(with_other_sign(channels, Fz->name), AxisConvention::sae)))
-    advice.push_back("axes = \"sae\" and, because its loads are written as positive, " +
-                     turned(record, Fz->name));
+  std::vector<std::string> names;
+  for (const char* name : {"Fz", "Fy", "alpha", "Mz", "gamma", "kappa", "Fx"})
+    if (const Channel* channel = record.find(name)) names.push_back(channel->name);
+  for (const std::string& name : names)
+    if (signs_agree(with_other_sign(channels, name))) advice.push_back(turned(record, name));
+  if (!axes_are_stated)
+    for (const std::string& name : names)
+      if (const std::string also = words_beside_sae(name);
+          !also.empty() &&
+          signs_agree(to_iso(with_other_sign(channels, name), AxisConvention::sae)))
+        advice.push_back("axes = \"sae\" and, because " + also + ", " + turned(record, name));
+  if (!advice.empty()) return advice;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    for (std::size_t k = i + 1; k < names.size(); ++k) {
+      if (!signs_agree(with_other_sign(with_other_sign(channels, names[i]), names[k]))) continue;
+      auto stated = record.stated;
+      stated[names[i]] = column_turned(record, names[i]);
+      advice.push_back(columns_hint(stated, names[k], column_turned(record, names[k])));
+    }
   return advice;
 }
 

@@ -13,8 +13,9 @@
 namespace latsch::correlation {
 
 /// Returns statements of a [measurement.NAME] with which the signs agree, the shortest ones first:
-/// `axes = "sae"`, `columns = {gamma = "-IA"}`, `axes = "sae", columns = {Fz = "-FZ"}`. Axes are
-/// tried only if none are stated. Empty if the signs agree as they are or no statement helps.
+/// `axes = "sae"`, `columns = {gamma = "-IA"}`, `axes = "sae"` with `columns = {Fz = "-FZ"}`. Two
+/// columns are turned only if no other statement helps. Axes are tried only if none are stated.
+/// Empty if the signs agree as they are or no statement helps.
 std::vector<std::string> signs_that_agree(const LabRecord& record, bool axes_are_stated);
 
 /// Returns the table `columns` with which a channel has the other sign.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <optional>
 
 #include "base/units.h"
@@ -17,10 +18,16 @@ namespace {
 struct Relative {
   std::string_view missing, other, words;
   std::string_view with = {};  // second channel, without which the other does not help
+  bool is_as_it_stands = false;
 };
 constexpr std::array kRelatives = {
-    Relative{"alpha", "toe", "a toe angle, the slip angle of a wheel that rolls straight on"},
-    Relative{"alpha", "steer", "a steer angle, the slip angle of a wheel that rolls straight on"},
+    Relative{
+        "alpha", "toe", "a toe angle, the slip angle of a wheel that rolls straight on", "", true},
+    Relative{"alpha",
+             "steer",
+             "a steer angle, the slip angle of a wheel that rolls straight on",
+             "",
+             true},
     Relative{"alpha", "Vy", "with Vx: alpha = atan(Vy / Vx)", "Vx"},
     Relative{"kappa", "SL", "slip of the loaded radius, which is not kappa itself"},
     Relative{"kappa", "omega", "with Vx: kappa = omega R_e / Vx - 1", "Vx"},
@@ -29,9 +36,13 @@ constexpr std::array kRelatives = {
 std::vector<std::string_view> words_of(std::string_view name) {
   constexpr std::string_view kBetween = " _-./()[]{}|*^+=,:;#<>'\"";
   std::vector<std::string_view> words;
+  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
   while (!name.empty()) {
     const std::size_t begin = std::min(name.find_first_not_of(kBetween), name.size());
-    const std::size_t end = std::min(name.find_first_of(kBetween, begin), name.size());
+    std::size_t end = std::min(name.find_first_of(kBetween, begin), name.size());
+    for (std::size_t i = begin + 1; i < end; ++i)  // "AlphaDeg" has two words
+      if (is_small(name[i - 1]) && is_capital(name[i])) end = i;
     if (end > begin) words.push_back(name.substr(begin, end - begin));
     name.remove_prefix(end);
   }
@@ -55,6 +66,21 @@ std::vector<std::string_view> channels_within(std::string_view name) {
   return found;
 }
 
+/// True if a name says that its numbers are a function of what it names: "tan alpha".
+bool is_function(std::string_view name) {
+  constexpr std::array<std::string_view, 9> kFunctions = {
+      "tan", "sin", "cos", "abs", "sqrt", "log", "rate", "std", "var"};
+  const auto words = words_of(name);
+  return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+    return std::any_of(kFunctions.begin(), kFunctions.end(), [&](std::string_view function) {
+      return word.size() == function.size() &&
+             std::equal(word.begin(), word.end(), function.begin(), [](char a, char b) {
+               return std::tolower(static_cast<unsigned char>(a)) == b;
+             });
+    });
+  });
+}
+
 std::optional<MayBe> unknown_name(std::string_view channel,
                                   std::string_view unit,
                                   const OtherColumn& column) {
@@ -63,9 +89,10 @@ std::optional<MayBe> unknown_name(std::string_view channel,
   if (!within.empty() && !is_within) return std::nullopt;
   const bool fits = !column.has_unit || column.unit.empty() ||
                     Unit::of(column.unit).same_dimension(Unit::of(unit));
+  if (is_within && (!fits || is_function(column.name)))
+    return MayBe{column.name, "a function of it?", false};
   if (fits) return MayBe{column.name, ""};
-  if (!is_within) return std::nullopt;
-  return MayBe{column.name, "of another dimension: a function of it?", false};
+  return std::nullopt;
 }
 
 std::optional<MayBe> known_name(std::string_view channel,
@@ -87,7 +114,7 @@ std::optional<MayBe> known_name(std::string_view channel,
   };
   for (const Relative& relative : kRelatives)
     if (relative.missing == channel && relative.other == known.meaning->name && has(relative.with))
-      return MayBe{column.name, std::string(relative.words), relative.with.empty()};
+      return MayBe{column.name, std::string(relative.words), relative.is_as_it_stands};
   return std::nullopt;
 }
 
@@ -99,7 +126,8 @@ std::vector<MayBe> columns_that_may_be(std::string_view channel,
   std::vector<MayBe> found, computed;
   for (const OtherColumn& column : columns) {
     const auto known = recognized(column.name);
-    if (!known && (column.is_used || !column.taken_as.empty())) continue;
+    const bool is_stated = !column.taken_as.empty() && column.taken_as != column.name;
+    if (!known && (column.is_used || is_stated)) continue;
     auto one =
         known ? known_name(channel, column, *known, columns) : unknown_name(channel, unit, column);
     if (one) (one->is_as_it_stands ? found : computed).push_back(std::move(*one));

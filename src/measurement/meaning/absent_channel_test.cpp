@@ -27,6 +27,7 @@ TEST(AbsentChannel, AnAngleOfAnotherMeaningMayBeTheSlipAngle) {
   EXPECT_EQ(offered("alpha", "rad", {{"SA", "rad", true, "gamma", true}}), "SA");
   EXPECT_EQ(offered("alpha", "rad", {{"SA", "rad", true, "alpha", true}}), "");
   EXPECT_EQ(offered("alpha", "rad", {{"yaw", "rad", true, "gamma", true}}), "");
+  EXPECT_EQ(offered("alpha", "rad", {{"yaw", "rad", true, "yaw", false}}), "yaw");
 }
 
 TEST(AbsentChannel, SlipsMayBeComputed) {
@@ -36,7 +37,7 @@ TEST(AbsentChannel, SlipsMayBeComputed) {
   EXPECT_EQ(offered("kappa", "1", {column("omega", "rad/s")}), "");
   EXPECT_EQ(
       offered("kappa", "1", {column("omega", "rad/s"), column("Vx", "m/s"), column("SL", "1")}),
-      "SL, omega");
+      "omega, SL");
   EXPECT_EQ(offered("alpha", "rad", {column("Vy", "m/s"), column("Vx", "m/s")}), "Vy");
   EXPECT_EQ(offered("kappa", "1", {column("NFX", "1"), column("NFY", "1")}), "");
 }
@@ -47,7 +48,12 @@ TEST(AbsentChannel, ANameThatContainsAChannelIsOfferedForThatOneOnly) {
   EXPECT_EQ(offered("kappa", "1", tangent), "");
   EXPECT_EQ(offered("alpha", "rad", tangent), "tan alpha");
   EXPECT_FALSE(columns_that_may_be("alpha", "rad", tangent).front().is_as_it_stands);
+  EXPECT_FALSE(
+      columns_that_may_be("alpha", "rad", {column("tan(alpha)", "")}).front().is_as_it_stands);
   EXPECT_EQ(offered("gamma", "rad", {column("mean slip angle", "rad")}), "");
+  EXPECT_EQ(offered("gamma", "rad", {column("WheelSlipAngle", "rad")}), "");
+  EXPECT_EQ(offered("alpha", "rad", {column("AlphaDeg", "")}), "AlphaDeg");
+  EXPECT_EQ(offered("kappa", "1", {column("AlphaDeg", "")}), "");
   EXPECT_EQ(offered("kappa", "1", {column("sqrt(FZ)", "")}), "");
 }
 

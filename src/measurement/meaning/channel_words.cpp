@@ -222,9 +222,12 @@ std::string folded(std::string_view text) {
        {"Ω", "omega"}}};
   std::string result;
   while (!text.empty()) {
-    const auto letter = std::find_if(kLetters.begin(), kLetters.end(), [&](const auto& one) {
-      return text.starts_with(one.first);
-    });
+    const bool is_ascii = static_cast<unsigned char>(text.front()) < 0x80;
+    const auto letter = is_ascii
+                            ? kLetters.end()
+                            : std::find_if(kLetters.begin(), kLetters.end(), [&](const auto& one) {
+                                return text.starts_with(one.first);
+                              });
     if (letter != kLetters.end()) {
       result += letter->second;
       text.remove_prefix(letter->first.size());
@@ -292,8 +295,13 @@ std::optional<RecognizedName> word(std::string_view text) {
                             spelling.keeps_name || (is_our_own && text != spelling.channel)};
   if (const std::string force = force_of(key); !force.empty())
     return RecognizedName{find_meaning(force.substr(0, 2)), force, ""};
-  for (const ChannelMeaning& meaning : kMeanings)
-    if (folded(meaning.name) == key) return RecognizedName{&meaning, std::string(meaning.name), ""};
+  static const std::vector<std::string> kFolded = [] {
+    std::vector<std::string> names;
+    for (const ChannelMeaning& meaning : kMeanings) names.push_back(folded(meaning.name));
+    return names;
+  }();
+  for (std::size_t i = 0; i < kMeanings.size(); ++i)
+    if (kFolded[i] == key) return RecognizedName{&kMeanings[i], std::string(kMeanings[i].name), ""};
   return std::nullopt;
 }
 

@@ -308,7 +308,8 @@ Ledger ledger_of_states(const formats::CsvTable& table,
     if (may_be.empty()) continue;
     ledger.doubts.push_back(
         {may_be.front().column,
-         fmt::format("{}: {} is taken as {}: no column is called {}; may be it: {}. Did you mean "
+         fmt::format("{}: {} is taken as {}: no column is called {}; columns that may be it: {}. "
+                     "Did you mean "
                      "{}? Then {} {}",
                      by,
                      state.name,
