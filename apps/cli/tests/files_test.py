@@ -406,7 +406,7 @@ class RoadFiles(FileCase):
         heights = {}
         for mode in (0, 1, 2, 3):
             road = self.write("road.crg", self.CRG.format(mode))
-            text = self.latsch("road", road, points, "-o", self.folder / "out.csv")
+            text = self.latsch("road", road, points, "--output", self.folder / "out.csv")
             rows = [line.split(",") for line in (self.folder / "out.csv").read_text().splitlines()[1:]]
             heights[mode] = [row[2] for row in rows]
             if mode == 3:
