@@ -413,7 +413,7 @@ class RoadFiles(FileCase):
                 self.assertNotIn("lie beyond", text)
             else:
                 self.assertIn("2 of 3 points lie beyond the data of the road, the first at x = 3 m, y = 0 m", text)
-        self.assertEqual(heights[0][1:], ["", ""])
+        self.assertEqual(heights[0][1:], ["nan", "nan"])
         self.assertEqual([float(z) for z in heights[1]], [0.15, 0, 0])
         self.assertEqual([float(z) for z in heights[2]], [0.15, 0.2, 0.15])
         self.assertIn("2 of them have no height, because a border mode of 0 says that there is no road", self.latsch(
