@@ -63,7 +63,7 @@ TEST(InpDoubts, ANegativePressureAndASecondSectionAreTold) {
           "one that inflates the tire is positive\n");
   std::string twice = good;
   const std::size_t section = twice.find("*SOLID SECTION,ELSET=SOLID0,");
-  const std::size_t end = twice.find('\n', section) + 1;
+  const std::size_t end = twice.find('\n', twice.find("*SOLID SECTION,ELSET=SOLID1,")) + 1;
   twice.insert(end, "*SOLID SECTION,ELSET=SOLID0,MATERIAL=SOLID1\n");
   const std::string said = deck_doubts(twice);
   EXPECT_EQ(said.find("tire.inp:" + std::to_string(line_of(twice, end)) + " *SOLID SECTION "), 0u)
@@ -75,7 +75,7 @@ TEST(InpDoubts, ANegativePressureAndASecondSectionAreTold) {
       << said;
   // The repeated section changes nothing.
   std::string same = good;
-  same.insert(end, good.substr(section, end - section));
+  same.insert(end, good.substr(section, good.find('\n', section) + 1 - section));
   EXPECT_EQ(deck_doubts(same), "");
 }
 

@@ -398,7 +398,7 @@ TEST(RdfSpline, SaysWhatIsNotReadAndWhy) {
   expect_road_message(
       kSplineHead + "0 0 0 4 0 1 1 OBSTACLE1\n3 0 0 4 0\n", "road.rdf:16: ", "obstacle");
   expect_road_message(kSplineHead + "0 0 0 4 0\n", "road.rdf:14: ", "expected 2 at least");
-  expect_road_message(kSplineHead + "0 0 0 4 0\n0 0 1 4 0\n", "road.rdf:17: ", "once more");
+  expect_road_message(kSplineHead + "0 0 0 4 0\n0 0 1 4 0\n", "road.rdf:17: ", "repeats the point before");
 }
 
 TEST(RoadFile, TomlSaysInWordsWhatStandsOnTheRoad) {
