@@ -381,6 +381,97 @@ scale = "1 mm"
         self.assertIn("[FX_CURVE] has 500 N at the deflection 0: a preload", self.latsch("check", corner))
 
 
+class SignsOfFiles(FileCase):
+    """Signs that contradict mechanics are told by check and run with file and line."""
+
+    def corner_table(self, **flips):
+        """The motion of a compliant corner on a K&C rig, with changed signs of columns."""
+        rig = ('{kind = "kc", Fx = ["0 N", "2 kN", "-2 kN", "0 N", "0 N", "0 N", "0 N", "0 N", "0 N"], '
+               'Fy = ["0 N", "0 N", "0 N", "2 kN", "-2 kN", "0 N", "0 N", "0 N", "0 N"], '
+               'Fz = ["2 kN", "2 kN", "2 kN", "2 kN", "2 kN", "2 kN", "2 kN", "1 kN", "3 kN"], '
+               'Mz = ["0 N m", "0 N m", "0 N m", "0 N m", "0 N m", "99 N m", "-99 N m", "0 N m", "0 N m"]}')
+        shutil.copy(STUDIES / "compliance" / "corner.toml", self.folder)
+        self.latsch("test", self.folder / "corner.toml", rig, "-o", self.folder / "right.csv")
+        head, *rows = (line.split(",") for line in (self.folder / "right.csv").read_text().splitlines())
+        signs = [flips.get(name.split(" ")[0], 1) for name in head]
+        return self.write("table.csv", ",".join(head) + "\n" + "".join(
+            ",".join(f"{sign * float(cell):.9g}" for sign, cell in zip(signs, row, strict=True)) + "\n" for row in rows))
+
+    def study(self):
+        return self.write("study.toml", """model = "corner.toml"
+[variable.k]
+path = "bushing.lca_front.x"
+lower = "10 kN/mm"
+upper = "100 kN/mm"
+initial = "45 kN/mm"
+[measurement.m]
+file = "table.csv"
+[test.rig]
+kind = "kc"
+loads = {from = "measurement.m"}
+[experiment.toe]
+kind = "curve"
+y = "rig/toe"
+measurement = "m"
+scale = "0.1 deg"
+""")
+
+    def test_a_kc_table_in_iso_is_in_order_and_each_flipped_sign_is_told(self):
+        study = self.study()
+        self.corner_table()
+        text = self.latsch("check", study)
+        self.assertIn("Everything is in order", text)
+        self.assertIn("positive is toe front inboard, camber top outboard, caster top of the kingpin rearward", text)
+        self.assertIn("axes iso, because none are stated: x forward, y to the left, z up", text)
+        for name in ("toe", "camber", "Mz", "Fy", "caster", "Fx", "dy", "dz"):
+            self.corner_table(**{name: -1})
+            self.assertIn("warning: ", self.latsch("check", study), name)
+
+    def test_axes_of_adams_are_named_and_read_by_their_columns(self):
+        study = self.study()
+        self.corner_table(Fx=-1, Fy=-1, dx=-1, dy=-1)
+        text = self.latsch("check", study)
+        self.assertIn('"caster" falls as Fx rises', text)
+        self.assertIn('columns = {Fx = "-Fx", Fy = "-Fy", dx = "-dx", dy = "-dy"}', text)
+        edit(study, ('file = "table.csv"', 'file = "table.csv"\ncolumns = {Fx = "-Fx", Fy = "-Fy", dx = "-dx", dy = "-dy"}'))
+        self.assertIn("Everything is in order", self.latsch("check", study))
+
+    def test_a_car_whose_air_lifts_and_whose_damper_drives_is_told_of(self):
+        shutil.copytree(STUDIES / "kerb", self.folder / "kerb", ignore=shutil.ignore_patterns("*.latsch", "*.html"))
+        car = self.folder / "kerb" / "baseline.toml"
+        text = self.latsch("check", car)
+        self.assertNotIn("aero.map", text)
+        car.write_text(car.read_text().replace('"-1.3 kN"', '"1.3 kN"')
+                       + '\n[aero]\narea = "1 m^2"\nmap = [["0 mm", "0 mm", -1.0, -2.0]]\n')
+        test = '{kind = "four_post", duration = "0.5 s", from = "5 Hz"}'
+        for text in (self.latsch("check", car), self.latsch("show", car), self.latsch("test", car, test)):
+            self.assertRegex(text, r"baseline\.toml:\d+: front\.spring\.damper falls from 1300 N at -0\.5 m/s")
+            self.assertRegex(text, r"baseline\.toml:\d+: aero\.map has a coefficient below 0 in 1 of 1 rows")
+
+    def test_a_tire_file_tells_its_assumed_units_ranges_and_mode(self):
+        tir = (STUDIES / "tire_model_comparison" / "magic_formula.tir").read_text()
+        tire = self.write("tire.tir", tir)
+        self.assertNotIn("assumed", self.latsch("check", tire))
+        self.write("tire.tir", re.sub(r"USE_MODE *= *14", "USE_MODE = 2", without(tir, "LENGTH"))
+                   + "\n[SLIP_ANGLE_RANGE]\nALPMIN = -15\nALPMAX = 15\n")
+        text = self.latsch("check", tire)
+        for said in ("[UNITS] is silent: LENGTH is taken as meter", "1 assumed: LENGTH is taken as meter",
+                     "ALPMIN is -15 rad", "USE_MODE is 2: it asks for Fy, Mx and Mz without longitudinal force"):
+            self.assertIn(said, text)
+
+    def test_runs_of_one_name_are_shown_with_their_folder(self):
+        self.corner_table()
+        for folder in ("a", "b"):
+            (self.folder / folder).mkdir()
+            shutil.copy(self.folder / "table.csv", self.folder / folder / "run.csv")
+        study = self.study()
+        edit(study, ('file = "table.csv"', 'files = ["a/run.csv", "b/run.csv"]'))
+        for command in ("check", "show"):
+            text = self.latsch(command, study)
+            for name in ("a/run.csv: ", "b/run.csv: "):
+                self.assertIn(name, text)
+
+
 class RoadFiles(FileCase):
     """Units and unread parts of a road are told wherever it is used."""
 
@@ -406,16 +497,17 @@ class RoadFiles(FileCase):
         heights = {}
         for mode in (0, 1, 2, 3):
             road = self.write("road.crg", self.CRG.format(mode))
-            text = self.latsch("road", road, points, "-o", self.folder / "out.csv")
+            text = self.latsch("road", road, points, "--output", self.folder / "out.csv")
             rows = [line.split(",") for line in (self.folder / "out.csv").read_text().splitlines()[1:]]
             heights[mode] = [row[2] for row in rows]
             if mode == 3:
                 self.assertNotIn("lie beyond", text)
             else:
                 self.assertIn("2 of 3 points lie beyond the data of the road, the first at x = 3 m, y = 0 m", text)
-        self.assertEqual(heights[0][1:], ["", ""])
-        self.assertEqual([float(z) for z in heights[1]], [0.15, 0, 0])
-        self.assertEqual([float(z) for z in heights[2]], [0.15, 0.2, 0.15])
+        self.assertEqual(heights[0][1:], ["nan", "nan"])
+        for mode, expected in ((1, (0.15, 0, 0)), (2, (0.15, 0.2, 0.15))):
+            for z, right in zip(heights[mode], expected, strict=True):
+                self.assertAlmostEqual(float(z), right, delta=1e-15)
         self.assertIn("2 of them have no height, because a border mode of 0 says that there is no road", self.latsch(
             "road", self.write("road.crg", self.CRG.format(0)), points))
 

@@ -156,6 +156,24 @@ LedgerRow row_of(const std::string& written, int line, const std::string& taken_
   return row;
 }
 
+/// Doubts a deflection that no bushing reaches: a unit of [UNITS] is wrong.
+void doubt_reach(const TeimOrbitSection& section,
+                 std::size_t axis,
+                 const std::vector<ForceCurve::Point>& points,
+                 Ledger& ledger) {
+  constexpr double kFarthest = 0.3;  // m; the widest rubber mounts move by a tenth of this
+  constexpr double kMostTurn = 3.2;  // rad, 180 degrees
+  const double most = std::max(std::abs(points.front().first), std::abs(points.back().first));
+  if (most <= (axis < 3 ? kFarthest : kMostTurn)) return;
+  ledger.doubts.push_back({"[" + section.name() + "]",
+                           fmt::format("[{}] reaches {}, which no bushing does: is {} of [UNITS] "
+                                       "right?",
+                                       section.name(),
+                                       format_quantity(most, axis < 3 ? "m" : "rad", 4),
+                                       axis < 3 ? "LENGTH" : "ANGLE"),
+                           section.place()});
+}
+
 /// Doubts about a curve that resists on the whole.
 void doubt_curve(const TeimOrbitSection& section,
                  std::size_t axis,
@@ -257,6 +275,7 @@ class BusReading {
     result_.ledger.rows.push_back(std::move(row));
     result_.ledger.rows.push_back(
         row_of("[DAMPING] " + key, dampings.find(key)->line, "damper " + along));
+    doubt_reach(section, axis, points, result_.ledger);
     doubt_curve(section, axis, points, result_.ledger);
   }
 

@@ -30,7 +30,8 @@ struct BusFile {
   multibody::BushingParameters bushing;
   std::vector<TeimOrbitPart> unused;  // parts without a meaning here
   /// A row for each curve, damping and unit, and for each unused part. A doubt for each part that
-  /// another program may use, for a curve with a force at rest and for one that falls in between.
+  /// another program may use, for a curve with a force at rest, one that falls in between and one
+  /// that reaches farther than any bushing.
   Ledger ledger;
 };
 

@@ -243,6 +243,18 @@ TEST(BusFile, TheLedgerHasARowForEachCurveAndDamping) {
   EXPECT_NEAR(about_z->factor, 1e-3 / kDegree, 1e-15);
 }
 
+TEST(BusFile, ADeflectionThatNoBushingReachesIsTold) {
+  const std::string meters = doubts_of(changed(kRubber, "'mm'", "'meter'"));
+  EXPECT_NE(meters.find("rubber.bus:19 [FX_CURVE] reaches 2 m, which no bushing does: is LENGTH of "
+                        "[UNITS] right?"),
+            std::string::npos)
+      << meters;
+  const std::string radians = doubts_of(changed(kRubber, "'degrees'", "'radians'"));
+  EXPECT_NE(radians.find("[TX_CURVE] reaches 10 rad, which no bushing does: is ANGLE of [UNITS]"),
+            std::string::npos)
+      << radians;
+}
+
 TEST(BusFile, APreloadAndAFallingPieceOfACurveAreTold) {
   const std::string preload =
       doubts_of(changed(kRubber, " 0.0   0.0\n 1.0   800.0", " 0.0   50.0\n 1.0   850.0"));

@@ -63,19 +63,19 @@ TEST(InpDoubts, ANegativePressureAndASecondSectionAreTold) {
           "one that inflates the tire is positive\n");
   std::string twice = good;
   const std::size_t section = twice.find("*SOLID SECTION,ELSET=SOLID0,");
-  const std::size_t end = twice.find('\n', section) + 1;
-  twice.insert(end, "*SOLID SECTION,ELSET=SOLID0,MATERIAL=SOLID1\n");
+  const std::size_t end = twice.find('\n', twice.find("*SOLID SECTION,ELSET=GROUNDBLOCK,")) + 1;
+  twice.insert(end, "*SOLID SECTION,ELSET=SOLID0,MATERIAL=RIGID\n");
   const std::string said = deck_doubts(twice);
   EXPECT_EQ(said.find("tire.inp:" + std::to_string(line_of(twice, end)) + " *SOLID SECTION "), 0u)
       << said;
   EXPECT_NE(said.find("elements of SOLID0 are in the *SOLID SECTION of line " +
                       std::to_string(line_of(twice, section)) +
-                      ", too: here they have the material SOLID1 of the last one, not SOLID0"),
+                      ", too: here they have the material RIGID of the last one, not SOLID0"),
             std::string::npos)
       << said;
   // The repeated section changes nothing.
   std::string same = good;
-  same.insert(end, good.substr(section, end - section));
+  same.insert(end, good.substr(section, good.find('\n', section) + 1 - section));
   EXPECT_EQ(deck_doubts(same), "");
 }
 

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "base/text.h"
+#include "base/units.h"
 #include "formats/road/rdf_spline.h"
 #include "formats/road/road_file.h"
 #include "formats/text/letter_case.h"
@@ -166,7 +167,19 @@ class RdfReading {
   double place(const char* key, double fallback = 0.0) {
     return number(key, Of::length, -kLargestRoad, kLargestRoad, fallback);
   }
-  double height(const char* key) { return number(key, Of::length, -kLargestRoad, kLargestRoad); }
+  /// Reads a height of an obstacle or wave. One above a meter is told: a unit may be wrong.
+  double height(const char* key) {
+    constexpr double kHighest = 1.0;  // m
+    const double value = number(key, Of::length, -kLargestRoad, kLargestRoad);
+    if (std::abs(value) > kHighest)
+      result_.doubts.push_back(
+          {"[PARAMETERS] " + std::string(key),
+           fmt::format("{} is {}, higher than any obstacle: is LENGTH of [UNITS] right?",
+                       key,
+                       format_quantity(value, "m", 4)),
+           parameters_->place(find(key)->line)});
+    return value;
+  }
   double friction(const char* key) { return number(key, Of::ratio, 0.0, 100.0, 1.0); }
 
   void read_2d() {

@@ -208,6 +208,17 @@ TEST(RdfFile, AMissingUnitOfAQuantityThatTheRoadHasIsRefused) {
   EXPECT_NE(complaint_of_road("", spline).find("there is no section [UNITS]"), std::string::npos);
 }
 
+TEST(RdfFile, AnObstacleHigherThanAMeterIsTold) {
+  const std::string rest =
+      "[MODEL]\nMETHOD='2D'\nROAD_TYPE='plank'\n[PARAMETERS]\nHEIGHT=20\nSTART=1\nLENGTH=50\n";
+  EXPECT_TRUE(rdf("[UNITS]\nLENGTH='mm'\n" + rest).doubts.empty());
+  const std::vector<LedgerDoubt> doubts = rdf("[UNITS]\nLENGTH='meter'\n" + rest).doubts;
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0].place.line, 7);
+  EXPECT_EQ(doubts[0].sentence,
+            "HEIGHT is 20 m, higher than any obstacle: is LENGTH of [UNITS] right?");
+}
+
 TEST(RdfFile, PartsThatWouldChangeTheSurfaceAreDoubts) {
   const std::string units = "[UNITS]\nLENGTH='m'\nANGLE='radian'\nTIME='second'\n";
   const std::string mesh =
@@ -398,7 +409,8 @@ TEST(RdfSpline, SaysWhatIsNotReadAndWhy) {
   expect_road_message(
       kSplineHead + "0 0 0 4 0 1 1 OBSTACLE1\n3 0 0 4 0\n", "road.rdf:16: ", "obstacle");
   expect_road_message(kSplineHead + "0 0 0 4 0\n", "road.rdf:14: ", "expected 2 at least");
-  expect_road_message(kSplineHead + "0 0 0 4 0\n0 0 1 4 0\n", "road.rdf:17: ", "once more");
+  expect_road_message(
+      kSplineHead + "0 0 0 4 0\n0 0 1 4 0\n", "road.rdf:17: ", "repeats the point before");
 }
 
 TEST(RoadFile, TomlSaysInWordsWhatStandsOnTheRoad) {

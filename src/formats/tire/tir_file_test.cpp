@@ -350,7 +350,7 @@ TEST(TirFile, ScalesRangesAndStrayLinesAreCheckedForWhatTheyMean) {
       tir_complaint(replaced("ALPMAX=30", "ALPMIN=40\nALPMAX=30")).find("ALPMIN is above ALPMAX"),
       std::string::npos);
   EXPECT_NE(tir_complaint(replaced("[VERTICAL]\nFNOMIN=4", "[UNITS]\nFNOMIN=4"))
-                .find("FNOMIN stands in [UNITS], expected [VERTICAL]"),
+                .find("FNOMIN is in [UNITS], expected [VERTICAL]"),
             std::string::npos);
   EXPECT_NE(tir_complaint(replaced("[UNITS]\n", "[DIMENSION]\n"))
                 .find("is a unit and stands in [DIMENSION]"),

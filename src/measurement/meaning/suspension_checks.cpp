@@ -72,12 +72,10 @@ struct ClearSlope {
   std::string motion, load;  // names in the table
   double correlation = 0.0;  // +1 or -1 of a slope that the table itself states
   bool rises() const { return correlation > 0.0; }
+  /// To follow the name of the motion.
   std::string words() const {
-    return fmt::format("{} {} as {} rises (correlation {:+.2f})",
-                       motion,
-                       rises() ? "rises" : "falls",
-                       load,
-                       correlation);
+    return fmt::format(
+        "{} as {} rises (correlation {:+.2f})", rises() ? "rises" : "falls", load, correlation);
   }
 };
 
@@ -209,11 +207,12 @@ class WheelTable {
       if (evidence[i].side != evidence[0].side) {
         doubts.push_back(
             {evidence[i].slope.motion,
-             fmt::format("{}, as on a {} wheel, while {}, as on a {} wheel ({}): is the sign of "
+             fmt::format("{}, as on a {} wheel, while {} {}, as on a {} wheel ({}): is the sign of "
                          "one of the four another one, or axes not as stated (Adams has x rearward "
                          "and y to the right)?",
                          evidence[i].slope.words(),
                          words(evidence[i].side),
+                         evidence[0].slope.motion,
                          evidence[0].slope.words(),
                          words(evidence[0].side),
                          kSigns)});
