@@ -139,7 +139,7 @@ class Shares(Data):
 
     def test_a_prior_is_a_share_or_has_a_unit(self):
         prior = 'prior = "200 N/mm"\nprior_sigma = 20\n'
-        self.write("study.toml", STUDY.replace('initial = "180 N/mm"\n', 'initial = "180 N/mm"\n' + prior))
+        self.write("study.toml", STUDY.replace('initial = "180 N/mm"\n', 'initial = "180 N/mm"\n' + prior) + 'noise = "20 N"\n')
         self.assert_says(self.latsch("check", "study.toml", code=WRONG_INPUT), "prior_sigma", "2000 %")
 
     def test_a_whole_number_is_no_variable(self):
