@@ -139,7 +139,7 @@ class Shares(Data):
 
     def test_a_prior_is_a_share_or_has_a_unit(self):
         prior = 'prior = "200 N/mm"\nprior_sigma = 20\n'
-        self.write("study.toml", STUDY.replace('initial = "180 N/mm"\n', 'initial = "180 N/mm"\n' + prior))
+        self.write("study.toml", STUDY.replace('initial = "180 N/mm"\n', 'initial = "180 N/mm"\n' + prior) + 'noise = "20 N"\n')
         self.assert_says(self.latsch("check", "study.toml", code=WRONG_INPUT), "prior_sigma", "2000 %")
 
     def test_a_whole_number_is_no_variable(self):
@@ -156,6 +156,13 @@ class Shares(Data):
         self.assertNotIn("did you mean", self.latsch("check", "study.toml", code=WRONG_INPUT))
         self.write("study.toml", STUDY.replace("base.tir", "http://x/base.tir"))
         self.assert_says(self.latsch("check", "study.toml", code=WRONG_INPUT), '"http://x/base.tir"')
+
+    def test_a_low_pass_needs_a_record(self):
+        self.write("t.csv", "time [s],Fz [N]\n" + "".join(f"{i / 500},{4000 + i % 7}\n" for i in range(61)))
+        measurement = '[measurement.run]\nfile = "t.csv"\nlow_pass = "{}"\n'
+        self.assert_says(self.checked(measurement.format("0.01 Hz")), "needs a record of 100 s")
+        self.assert_says(self.checked(measurement.format("300 Hz")), "has to be below 250 Hz")
+        self.checked(measurement.format("50 Hz"), code=DONE)
 
     def test_a_refined_test_has_to_reach_over_the_measurement(self):
         said = self.checked('[refined.test.pressed]\nkind = "load_deflection"\ndeflections = ["1 mm", "2 mm"]\n')
@@ -262,6 +269,18 @@ class Comparison(Data):
                                  ("none", [], "no row"), ("one", self.rows[:1], "one row")):
             with self.subTest(what):
                 self.assert_says(self.compare(rows, code=WRONG_INPUT), "measured.csv", part)
+
+    def test_a_spectrum_of_a_study_ends_at_half_the_rate(self):
+        self.compare()
+        study = ('model = {file = "base.tir", kind = "rigid_ring"}\n[test.drum]\nfile = "drum.toml"\n[variable.k]\n'
+                 'path = "VERTICAL_STIFFNESS"\nlower = "150 N/mm"\nupper = "250 N/mm"\ninitial = "180 N/mm"\n'
+                 '[experiment.c]\nkind = "curve"\nx = "drum/time"\ny = "drum/Fz"\nmeasurement = "measured.csv"\n'
+                 'compare = "psd"\n')
+        for more, part in (('band = ["5 Hz", "3000 Hz"]\n', "nothing above 500 Hz"), ('segment = "10 s"\n', "the record has 0.2 s")):
+            self.write("study.toml", study + more)
+            self.assert_says(self.latsch("check", "study.toml", code=WRONG_INPUT), part)
+        self.write("study.toml", study + 'band = ["5 Hz", "500 Hz"]\nsegment = "0.2 s"\n')
+        self.latsch("check", "study.toml")
 
     def test_channels_and_kinds(self):
         channels = 'channels = ["Fx", "Fz"]'

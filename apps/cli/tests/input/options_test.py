@@ -6,13 +6,14 @@ written.
 """
 import pathlib
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-from cli_testing import DONE, WRONG_INPUT, Coarse
+from cli_testing import LATSCH, WRONG_INPUT, Coarse
 
 STUDIES = pathlib.Path(__file__).resolve().parents[4] / "studies"
 FE_TIRE = STUDIES / "tires" / "passenger_205_55R16.toml"
@@ -60,7 +61,7 @@ class Options(unittest.TestCase):
                           ["--output", "x.tir", "--model", "y.tir"], ["--pressure", "3 bar", "--sti"]):
             with self.subTest(arguments):
                 self.refused(arguments[0], "export", TIR, *arguments, says=["has no effect here"])
-        self.refused("--vtu", "export", STUDIES / "tire_b_twin" / "study.toml", "--measurements", "--vtu", "x.vtu")
+        self.refused("--vtu", "export", "s.toml", "--measurements", "--vtu", "x.vtu")
 
     def test_export_takes_them_beside_a_form_that_uses_them(self):
         self.latsch("export", FE_TIRE, "--ccx", "x.inp", "--pressure", "3 bar", "--model", "y.toml", cwd=self.folder)
@@ -87,6 +88,20 @@ class Options(unittest.TestCase):
             with self.subTest(arguments):
                 self.refused(option, *arguments)
         self.latsch("compare", drum, "--threads", "-3", code=WRONG_INPUT)
+
+    def test_show_simulate_and_pareto(self):
+        study = STUDIES / "tire_b_twin" / "study.toml"
+        self.refused("--axes", "show", TIR, "--axes", "sae", says=["no effect"])
+        self.refused("--set", "simulate", study, "--set", "matrix=12 N/mm^2", "--set", "matrix=13 N/mm^2", says=["matrix is set twice"])
+        self.refused("pareto", "pareto", study, "modes", "modes", says=["against itself"])
+
+    def test_serve_names_its_address_with_quiet_and_refuses_a_model(self):
+        served = subprocess.Popen([LATSCH, "serve", self.folder, "--no-browser", "--quiet"], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(served.stdout.close)
+        self.assertIn("http://", served.stdout.readline())
+        served.terminate()
+        served.wait(timeout=30)
+        self.refused("no study", "serve", TIR, "--no-browser")
 
     def test_an_empty_text_is_no_value(self):
         for arguments in (["test", TIR, "{}", "-o", ""], ["export", TIR, "--model", ""], ["report", ""],
