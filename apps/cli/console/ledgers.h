@@ -18,7 +18,9 @@ std::size_t say_ledgers(const correlation::Study& study,
                         bool with_lines,
                         const std::string& title = "");
 
-/// Does so for ledgers of any files. `to`: where the lines go.
+/// Does so for ledgers of any files. `to`: where the lines go. Standard error, beside a table on
+/// standard output, gets only the lines of files in which something is assumed, not used or
+/// doubtful.
 enum class LinesTo { nowhere, output, standard_error };
 std::size_t say_ledgers(const std::vector<Ledger>& ledgers,
                         LinesTo to,
