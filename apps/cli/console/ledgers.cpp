@@ -22,6 +22,18 @@ std::string name_among(const Ledger& ledger, const std::vector<Ledger>& all) {
   return same == 0 ? file.filename().string() : file.string();
 }
 
+namespace {
+
+/// True if something in a file is assumed, not used or doubtful.
+bool leaves_something_open(const Ledger& ledger) {
+  return !ledger.doubts.empty() ||
+         std::any_of(ledger.rows.begin(), ledger.rows.end(), [](const LedgerRow& row) {
+           return row.state != LedgerState::used;
+         });
+}
+
+}  // namespace
+
 std::size_t warn_of_doubts(const std::vector<Ledger>& ledgers) {
   correlation::refuse_doubtful(ledgers);
   std::size_t count = 0;
@@ -46,7 +58,8 @@ std::size_t say_ledgers(const std::vector<Ledger>& ledgers, LinesTo to, const st
   for (const Ledger& ledger : ledgers) answer()["ledgers"].push_back(correlation::json_of(ledger));
   std::string lines;
   for (const Ledger& ledger : ledgers)
-    lines += fmt::format("  {}: {}\n", name_among(ledger, ledgers), in_one_line(ledger));
+    if (to != LinesTo::standard_error || leaves_something_open(ledger))
+      lines += fmt::format("  {}: {}\n", name_among(ledger, ledgers), in_one_line(ledger));
   if (!lines.empty() && !title.empty()) lines = fmt::format("\n{}\n{}", title, lines);
   if (to == LinesTo::output) say_text(lines);
   if (to == LinesTo::standard_error) note_text(lines);

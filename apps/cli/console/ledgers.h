@@ -19,7 +19,8 @@ std::size_t say_ledgers(const correlation::Study& study,
                         bool with_lines,
                         const std::string& title = "");
 
-/// Says where the lines go.
+/// Says where the lines go. Standard error, beside a table on standard output, gets only the lines
+/// of files in which something is assumed, not used or doubtful.
 enum class LinesTo { nowhere, output, standard_error };
 /// Reports ledgers of any files in that way.
 std::size_t say_ledgers(const std::vector<Ledger>& ledgers,

@@ -268,10 +268,10 @@ int write_report(const correlation::Study& study,
   answer()["report"] = file.string();
   const correlation::TrialCounts counts = correlation::count_trials(weighted, journal);
   answer_counts(counts);
-  say("\nJournal: {}, {}\nReport: {}\n",
+  say("\nReport: {}\nJournal: {}, {}\n",
+      file.string(),
       journal.file().string(),
-      correlation::in_words(counts),
-      file.string());
+      correlation::in_words(counts));
   return kDone;
 }
 

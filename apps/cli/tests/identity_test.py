@@ -338,7 +338,6 @@ class MeasuredSpring(unittest.TestCase):
                 "test": ("test", self.study, PULL),
                 "validate": ("validate", self.study, self.folder / "suite.toml"),
                 "report": ("report", self.study),
-                "pareto": ("pareto", self.study, "each", "curve"),
                 "identify": ("identify", self.study, "--short")}
 
     def assert_refused(self, foreign):
@@ -387,13 +386,29 @@ class OtherData(MeasuredSpring):
                 self.assertEqual((counts["trials"], counts["foreign"]), (trials, trials))
                 said = self.run_it("run", self.study)
                 self.assertIn(f"{trials} finished trials are reused", said)
-                # One fitted experiment has no front, and its three values on a line fit exactly.
-                self.assert_open(without=("pareto", "identify") if what == "held out" else ())
+                # Three values on a line fit exactly, and the rest is held out.
+                self.assert_open(without=("identify",) if what == "held out" else ())
                 self.assertNotIn(FOREIGN, self.run_it("check", self.study))
                 stiffness = float(re.search(r"stiffness = \"?([0-9.]+)", (self.folder / "found.toml").read_text()).group(1))
                 if what == "bounds":  # trials outside of them are there, and better
                     self.assertLessEqual(stiffness, 19.0)
             file.write_text(text)
+
+    def test_a_front_of_foreign_trials_is_drawn_and_its_least_target_not_called_the_best(self):
+        self.run_it("run", self.study)
+        call = ("pareto", self.study, "each", "curve")
+        self.assertIn("Best by the weights of the study", self.run_it(*call))
+        self.assertIn("target", self.answer(*call)["result"])
+        edit(self.study, (r"\[experiment.curve\]", "[experiment.curve]\nweight = 3"))
+        said, page = self.run_it(*call), self.folder / "study.pareto.html"
+        for text in (said, page.read_text()):
+            self.assertIn(FOREIGN, text)
+            self.assertNotIn("est by the weights", text.replace("nearest by", "").replace("nearest one by", ""))
+        answer = self.answer(*call)["result"]
+        self.assertNotIn("target", answer)
+        self.assertIn("target", answer["nearest"])
+        self.run_it("run", self.study)
+        self.assertIn("Best by the weights of the study", self.run_it(*call))
 
     def test_what_changes_no_target_keeps_the_best_point(self):
         self.run_it("run", self.study)

@@ -140,7 +140,7 @@ class MagicFormula(unittest.TestCase):
             told += 1
         self.assertGreaterEqual(told, 28)
         self.assertGreaterEqual(inside, 0.85 * told)  # 95 % each
-        assert_identifiability(self, folder, [one["name"] for one in found["variables"]])
+        assert_identifiability(self, folder, found)
         self.latsch("export", folder / "study.toml", "--model", folder / "fitted.tir")
         self.latsch("test", folder / "fitted.tir", self.base / "steady.toml", "-o", folder / "fitted.csv", "--quiet")
         columns = {}
