@@ -61,7 +61,7 @@ std::string undisturbed(const fs::path& study) {
   return trajectory(correlation::read_study(copy, experiment::language()));
 }
 
-/// Kills `latsch run` with kill -9 on that task of the step that runs the study.
+/// Kills `latsch run` with kill -9 on the given task of the step that runs the study.
 void kill_task(const fs::path& study, int task) {
   for (const pid_t pid : processes_with(study.string())) {
     const fs::path process = fs::path("/proc") / std::to_string(pid);
@@ -267,7 +267,7 @@ int run(const Options& options) {
       }
       report(table, task == 0 ? "rank that leads killed" : "rank killed", counts);
     }
-    if (!options.is_smoke()) array(table);  // waits for Slurm's turns, half a minute
+    if (!options.is_smoke()) array(table);  // half a minute, for the intervals at which Slurm acts
   }
   const long left = processes_of(folder.path());
   table.row("processes left of Slurm", fmt::format("{}", left), "0", left == 0);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "cli/console/console.h"
 #include "cli/console/version.h"
 #include "cli/verbs/verbs.h"
@@ -86,12 +87,13 @@ int run(int argc, char** argv, const experiment::Language& language) {
 }  // namespace
 
 int run_cli(int argc, char** argv, const experiment::Language& language) {
+  protect_read_files();
   try {
     return close_console(run(argc, argv, language));
   } catch (const InputError& error) {
     complain(error.what(), error.place());
     return close_console(kWrongInput);
-  } catch (const std::filesystem::filesystem_error& error) {  // a folder that is not writable
+  } catch (const std::filesystem::filesystem_error& error) {  // the folder is not writable
     const std::string path = error.path1().string();
     complain(path + ": cannot be created or changed: " + error.code().message(), {path, 0});
     return close_console(kWrongInput);

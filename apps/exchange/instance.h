@@ -20,14 +20,14 @@
 
 namespace latsch::exchange {
 
-/// Values that both standards use for it.
+/// Status values that both standards use.
 enum class Status : int { ok = 0, warning = 1, discard = 2, error = 3, fatal = 4 };
 
 class Instance {
  public:
   using Log = std::function<void(Status, const char* category, const std::string& message)>;
 
-  Instance(std::unique_ptr<Unit> unit, Log log);
+  Instance(std::unique_ptr<ExchangedModel> unit, Log log);
 
   /// Sets the beginning and, if any, the end of time, s.
   Status set_up(double start, std::optional<double> stop);
@@ -53,7 +53,7 @@ class Instance {
  private:
   enum class Stage { instantiated, initializing, stepping, terminated };
   struct State {
-    std::unique_ptr<Unit> unit;
+    std::unique_ptr<ExchangedModel> unit;
     Stage stage = Stage::instantiated;
     double time = 0.0;
     std::optional<double> stop = {};

@@ -34,7 +34,7 @@ struct Seat {
   std::mutex busy;
   std::unique_ptr<SteppedTire> tire;
   std::string description;
-  std::shared_ptr<const road::Road> road;  // if it is read from a file
+  std::shared_ptr<const road::Road> road;  // set if the road is read from a file
   std::string message;
 };
 

@@ -183,7 +183,7 @@ std::vector<TireState> stand_on(FeTire& tire,
 /// solution.
 FeTire exact_tire(const TireDescription& description) {
   SolverSettings settings{.element = description.element};
-  settings.tolerance = 1e-10;  // a third of it is left by rounding where the tread touches
+  settings.tolerance = 1e-10;  // a third of it remains as rounding errors where the tread touches
   settings.mode_tolerance = 1e-9;
   return {build_mesh(description), build_materials(description), settings};
 }

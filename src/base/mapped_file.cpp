@@ -77,7 +77,7 @@ off_t copy_all(int from, int to) {
   }
 }
 
-/// The mapping of a copy; nullptr where there is no room for one. Throws if the file changes.
+/// The mapping of a copy; nullptr if there is no room for one. Throws if the file changes.
 void* map_copy(const std::filesystem::path& file, int descriptor, const struct stat& before) {
   const int copy = nameless_file();
   if (copy < 0) return nullptr;
@@ -121,6 +121,7 @@ MappedFile::MappedFile(const std::filesystem::path& file, std::size_t limit) {
     throw InputError({file.string(), 0}, fmt::format("is larger than {} bytes", limit));
   if (size > kInMemory) mapping_ = map_copy(file, descriptor, about);
   if (mapping_) {
+    note_read(descriptor);
     view_ = {static_cast<const char*>(mapping_), size};
     ::madvise(mapping_, size, MADV_SEQUENTIAL);
     return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words for messages: the nearest name, numbers, and the user's own text made fit to print.
+// Words for messages: the nearest name, numbers, and the user's own text made printable.
 #pragma once
 
 #include <optional>

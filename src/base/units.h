@@ -68,7 +68,7 @@ std::string format_quantity(double si, std::string_view unit, int digits = 6);
 /// Returns the SI unit of a dimension: "Pa", "N/m", "kg/m^3".
 std::string si_unit(const Unit::Dimension& dimension);
 
-/// Name of values of a dimension, with an example: `an angle such as "22 deg"`.
+/// Name and example of a quantity of that dimension: `an angle such as "22 deg"`.
 struct DimensionWords {
   std::string noun;     // "an angle"
   std::string example;  // "22 deg"

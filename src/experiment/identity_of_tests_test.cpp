@@ -188,7 +188,7 @@ TEST_F(IdentityOfTests, EveryKeyCounts) {
       const auto key = keys.find(line.path);
       if (key == keys.end() || !key->second.files.empty()) continue;  // another test varies it
       if (key->second.choices.size() == 1 || line.path == "kind") continue;
-      if (line.path.ends_with(".from")) continue;  // another test varies it
+      if (line.path.ends_with(".from")) continue;  // the key is varied in another test
       std::vector<std::string> candidates = others(line.value, key->second);
       if (sample.others.contains(line.path)) candidates = {sample.others.at(line.path)};
       int accepted = 0;
@@ -220,7 +220,7 @@ TEST_F(IdentityOfTests, EveryFileCountsByItsContent) {
               return one.name == named.filename().string();
             });
         ASSERT_NE(file, sample_files().end()) << named;
-        if (file->other.empty()) continue;  // it only refers to the next file
+        if (file->other.empty()) continue;  // the key only refers to the next file
         write_text_file(folder_ / file->name, file->other);
         const auto after = identity(sample.keys);
         ASSERT_TRUE(after) << file->name;

@@ -70,6 +70,12 @@ const SpecimenKind* Language::find_kind(const std::string& name) const {
   return nullptr;
 }
 
+const TestKind* Language::find_test(const std::string& name) const {
+  for (const TestKind* test : tests)
+    if (test->name == name) return test;
+  return nullptr;
+}
+
 const SpecimenKind& Language::kind_of_file(const std::filesystem::path& file) const {
   if (is_document(file)) {
     const Document document = Document::read(file);

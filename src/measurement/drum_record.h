@@ -13,7 +13,7 @@ struct DrumRecord {
   std::string source;  // the file, for messages
   double rate = 0.0;   // Hz
   double start = 0.0;  // s, time of the first sample
-  Channels channels;   // channels without the time, `samples` values each
+  Channels channels;   // channels without the time; each has `samples` values
   int samples = 0;
 
   double time(double sample) const { return start + sample / rate; }

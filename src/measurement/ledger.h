@@ -23,7 +23,7 @@ enum class LedgerState {
   used,      // in use; `used_by` names the users
   not_used,  // read or recognized, but not used
   assumed,   // absent from the file; `remark` says which value is assumed and why
-  doubtful,  // its meaning is not certain: "?"; `remark` says why
+  doubtful,  // its meaning is not certain: "?"; `remark` has the reason
 };
 /// Returns "used", "not used", "assumed" or "?".
 const char* name_of(LedgerState state);
@@ -31,7 +31,7 @@ const char* name_of(LedgerState state);
 struct LedgerRow {
   std::string written = {};       // name in the file; empty for an assumed value
   int line = 0, column = 0;       // position of the name, from 1; 0: not known
-  std::string taken_as = {};      // channel or parameter it became; empty: the name is not known
+  std::string taken_as = {};      // channel or parameter; empty: the name is not known
   std::string meaning = {};       // "slip angle"; empty: not known
   std::string unit_written = {};  // unit in the file; empty: the file names none
   std::string unit = {};          // the SI unit after reading
@@ -60,10 +60,10 @@ struct Ledger {
   std::vector<LedgerRow> rows = {};
   std::vector<LedgerDoubt> doubts = {};
 
-  /// Returns the row with that name in the file; nullptr if there is none.
+  /// Returns the row with the given name in the file; nullptr if there is none.
   LedgerRow* find_written(const std::string& name);
   const LedgerRow* find_written(const std::string& name) const;
-  /// Returns the row that became that channel or parameter; nullptr if there is none.
+  /// Returns the row that became the given channel or parameter; nullptr if there is none.
   LedgerRow* find_taken(const std::string& name);
   const LedgerRow* find_taken(const std::string& name) const;
   /// Marks a row as used by `by`; a repeated name counts once.

@@ -151,7 +151,7 @@ TEST(Passages, AverageDownTheNoiseWithTheRootOfTheirNumber) {
   }
   const auto count = static_cast<double>(passages.starts.size());
   const auto length = static_cast<double>(with.mean.size());
-  // Interpolation passes nearly all of the noise, that below half the rate.
+  // Interpolation passes nearly all of the noise below half the rate.
   EXPECT_NEAR(std::sqrt(sum / length), 40.0 / std::sqrt(count), 0.1 * 40.0 / std::sqrt(count));
   EXPECT_NEAR(std::sqrt(spread / length), 40.0, 3.0);
   // The coherence is 1 where the tire responds, 1/count where there is noise alone.

@@ -14,7 +14,7 @@ namespace latsch::report {
 
 using Point = Eigen::Vector2d;
 
-enum class Anchor { start, middle, end };
+enum class TextAnchor { start, middle, end };
 
 /// SVG picture under construction. Lengths are in CSS pixels, y points downward.
 class Svg {
@@ -38,7 +38,7 @@ class Svg {
   void path(std::string_view data, std::string_view attributes);
   void text(Point at,
             std::string_view words,
-            Anchor anchor = Anchor::start,
+            TextAnchor anchor = TextAnchor::start,
             std::string_view css_class = "note");
   void vertical_text(Point at, std::string_view words);
 
@@ -65,7 +65,7 @@ class Axis {
                                  double first_pixel,
                                  double last_pixel);
 
-  double at(double value) const;  // returns the pixel
+  double at(double value) const;  // returns the position in pixels
   double lower() const { return lower_; }
   double upper() const { return upper_; }
   bool logarithmic() const { return logarithmic_; }

@@ -81,7 +81,7 @@ std::string report_answers(const std::filesystem::path& file,
   const auto hold = [&](const std::string& request, const std::function<Json()>& view) {
     try {
       answers[request] = view();
-    } catch (const InputError&) {  // there is nothing to show
+    } catch (const InputError&) {  // the view has nothing to show
     }
   };
   hold("study", [&] { return study_view(study, no_runs); });

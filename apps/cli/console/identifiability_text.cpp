@@ -53,7 +53,7 @@ void print_correlations(const Study& study, const Confidence& c) {
 
 void print_verdicts(const Study& study, const Identifiability& result) {
   say("\nProfiles: each variable held at other values, all others fitted anew\n");
-  for (const Profile& profile : result.identification.profiles()) {
+  for (const TargetProfile& profile : result.identification.profiles()) {
     const DesignVariable& v = study.space[profile.variable];
     say("  {:<16} {}\n", v.name, in_words(profile));
     say("  {:<16} 95 %: {}\n", "", correlation::profile_text(study.space, profile));
@@ -127,7 +127,7 @@ void print_delays(const Study& study, const std::vector<correlation::ExperimentB
 
 void print_missed(const Study& study, const std::vector<correlation::MissedValue>& missed) {
   if (missed.empty()) return;
-  say("\nMissed by more than three times their noise, 1 % where none is stated; to first order\n");
+  say("\nMissed by more than three times their noise, 1 % if none is stated; to first order\n");
   for (const correlation::MissedValue& one : missed) say("  {}\n", one.in_words(study.space));
 }
 

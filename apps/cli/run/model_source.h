@@ -31,7 +31,7 @@ ModelSource model_source(const std::string& file,
 
 /// Returns the model of a study at the best point of its journal, or at the initial values. Throws
 /// InputError if the journal belongs to another study, or to this one before it was edited, because
-/// a best point found for other numbers does not apply to this model.
+/// a best point found for other numbers or measurements does not apply to this model.
 Document model_of(const correlation::Study& study);
 
 }  // namespace latsch::cli

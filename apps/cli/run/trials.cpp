@@ -11,14 +11,17 @@
 
 #include "base/file.h"
 #include "base/progress.h"
+#include "cli/console/answers.h"
 #include "cli/console/console.h"
 #include "cli/console/tables.h"
 #include "cli/run/interrupt.h"
 #include "cli/run/live_script.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/refined_shift.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/search_standing.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/study_report/study_report.h"
+#include "correlation/target/trial_ownership.h"
 #include "evaluation/journal/local_file_system.h"
 #include "evaluation/journal/readable_journal.h"
 #include "evaluation/schedule/retried_failures.h"
@@ -45,6 +48,7 @@ ProcessOptions worker_processes(const correlation::Study& study) {
 
 Journal open_for_trials(const correlation::Study& study, bool retries_failed) {
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
+  correlation::mark_target(study, journal);
   const TrialLimits limits{.timeout = study.run.timeout,
                            .program_timeout = study.specimens->own_timeout(),
                            .memory = study.run.memory};
@@ -114,7 +118,8 @@ void print_aborted(const correlation::Study& study,
       study.file.string(),
       failure.reason);
   print_point(study.space, point);
-  say("What was evaluated is in {}; with on_failure = \"proceed\" latsch resume goes on.\n",
+  say("The evaluated trials are in {}; with on_failure = \"proceed\", latsch resume continues "
+      "the run.\n",
       study.run.journal.string());
 }
 
@@ -167,7 +172,7 @@ void print_mesh_error(const report::StudyReport& page) {
     sum += std::abs(row.error);
   }
   if (!worst) return;
-  say("\nMesh against the converged tire: {:.1f} % in the mean, worst {:+.1f} % ({})\n",
+  say("\nMesh against the converged tire: {:.1f} % on average, worst {:+.1f} % ({})\n",
       100.0 * sum / static_cast<double>(page.discretization.size()),
       100.0 * worst->error,
       worst->quantity);
@@ -250,8 +255,8 @@ int write_report(const correlation::Study& study,
     throw InputError({file.string(), 0},
                      "may not be written here: latsch report " + study.file.string() +
                          " -o FILE writes the report elsewhere");
-  const auto page = correlation::study_report(
-      correlation::with_estimated_noise(study, journal), journal, thoroughness);
+  const correlation::Study weighted = correlation::with_estimated_noise(study, journal);
+  const auto page = correlation::study_report(weighted, journal, thoroughness);
   if (!page) {
     complain(page.failure().reason);
     return kFailed;
@@ -261,7 +266,12 @@ int write_report(const correlation::Study& study,
   write_text_file(file, report_page(study, *page, language));
   answer()["target"] = page->target;
   answer()["report"] = file.string();
-  say("\nReport: {}\n", file.string());
+  const correlation::TrialCounts counts = correlation::count_trials(weighted, journal);
+  answer_counts(counts);
+  say("\nJournal: {}, {}\nReport: {}\n",
+      journal.file().string(),
+      correlation::in_words(counts),
+      file.string());
   return kDone;
 }
 

@@ -61,12 +61,12 @@ Workers::Workers(const correlation::Study& study) {
 
 bool Workers::served(const correlation::Study& study, bool in_stages) {
   if (refused_) return true;
-  if (in_stages) expected_ = correlation::stage_count(study);
+  const std::vector<correlation::Study> parts =
+      in_stages ? correlation::stages_of(study) : std::vector{study};
+  expected_ = static_cast<int>(parts.size());
   if (!job_ || job_->rank() == 0) return false;
   be_silent();
-  for (int k = 0; k < expected_; ++k) {
-    serve_rank(*job_, worker_processes(in_stages ? correlation::stage(study, k) : study));
-  }
+  for (const correlation::Study& part : parts) serve_rank(*job_, worker_processes(part));
   return true;
 }
 

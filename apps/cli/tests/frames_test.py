@@ -210,7 +210,7 @@ class Frames(unittest.TestCase):
         self.assertIn("Mx cannot be turned from axes H into W without Fy and Fz and gamma and loaded_radius", refused)
         self.record(wheel, "H")
         refused = self.latsch("check", self.study('in_frame = "W"', '"W"', ("Mx",)), code=WRONG_INPUT).stderr
-        self.assertIn("not said in which axes", refused)
+        self.assertIn("the axes of the recorded forces are not stated", refused)
 
     def test_other_axes_are_refused_with_both_ways_out(self):
         self.record(Wheel(5), "C")

@@ -76,7 +76,7 @@ class Magnitudes(Coarse):
         modes = self.folder / "modes.csv"
         modes.write_text("frequency [Hz], n, type\n46, 0, lateral\n46, 0, lateral\n50, 2, lateral\n50, 2, lateral\n")
         text = self.latsch("check", self.study)
-        self.assert_says(text, "modes.csv:3: ", "stands in the table twice", "warning")
+        self.assert_says(text, "modes.csv:3: ", "is in the table twice", "warning")
         self.assertNotIn("modes.csv:5", text)  # a pair of modes
         modes.write_text("frequency [Hz], n, type\n" + 3 * "46, 1, lateral\n")
         self.assert_says(self.latsch("check", self.study, code=WRONG_INPUT), "modes.csv:4: ", "three times")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch as shipped by somebody who has added a model: the same program with another language.
+// A program of somebody who has added a model: the same program with another language.
 #include "correlation/study/spring_testing.h"
 
 #include "cli/run_cli.h"

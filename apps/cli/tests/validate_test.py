@@ -93,7 +93,7 @@ class Validated(unittest.TestCase):
                             (TESTS + FORCES + 'largest_error = "5 N"\n', "5 N"),
                             (TESTS + FORCES + limit + "weight = 2\n", "belongs in a study"),
                             (TESTS + FORCES + limit + 'lagest_error = "3 %"\n', 'did you mean "largest_error"'),
-                            (TESTS + LAST.replace("drawing 7", "") + 'upper = "2 N"\n', "where the limit comes from"),
+                            (TESTS + LAST.replace("drawing 7", "") + 'upper = "2 N"\n', "the source of the limit"),
                             (TESTS, "expected a suite"),
                             (TESTS + "[check]\n", "expected a suite"),
                             (FORCES + limit, "[test.")):

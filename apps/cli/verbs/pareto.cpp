@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch pareto: weighs two experiments against each other, from the trials in the journal.
+// latsch pareto: computes the trade-off between two experiments, from the trials in the journal.
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -10,7 +10,8 @@
 #include "cli/console/tables.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/pareto_front.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/search_standing.h"
+#include "correlation/search/stage_runs.h"
 
 namespace latsch::cli {
 namespace {
@@ -19,9 +20,12 @@ int pareto(const std::string& file,
            const experiment::Language& language,
            const std::string& a,
            const std::string& b) {
+  if (a == b)
+    throw InputError("pareto: an experiment has no front against itself; expected two of them");
   auto study = correlation::read_study(file, language);
   const auto journal = Journal::read(study.run.journal, correlation::identity(study));
   study = correlation::with_estimated_noise(study, journal);
+  correlation::require_best(study, journal);
   const auto found = correlation::pareto_front(study, journal, a, b);
   say("{} trials in {}, none was run for this\n\nBest by the weights of the study: target {:.4f} "
       "%\n",

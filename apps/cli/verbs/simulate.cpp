@@ -2,7 +2,10 @@
 // latsch simulate: runs one trial and prints every experiment beside its measurement.
 
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "base/error.h"
+#include "base/text.h"
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
 #include "cli/console/implausible.h"
@@ -22,7 +25,13 @@ int simulate(const std::string& file,
              const std::vector<std::string>& assignments) {
   const Study study = correlation::read_study(file, language);
   DesignPoint point = study.space.initial();
-  for (const std::string& assignment : assignments) set_variable(study.space, assignment, point);
+  std::set<std::string> set;
+  for (const std::string& assignment : assignments) {
+    const std::string name(trimmed(std::string_view(assignment).substr(0, assignment.find('='))));
+    if (!set.insert(name).second)
+      throw InputError("--set: " + name + " is set twice, expected each variable once");
+    set_variable(study.space, assignment, point);
+  }
   say("{}\n\n", study.title);
   print_point(study.space, point);
   say_ledgers(study, false);

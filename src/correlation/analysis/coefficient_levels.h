@@ -18,7 +18,7 @@ struct UntoldCoefficient {
   std::string variable;
   std::string reason;      // for example "PPY4 is of order 2 in the pressure, of which there are 2
                            // levels: ..."
-  std::string stage = {};  // the stage that frees it; empty: no stages
+  std::string stage = {};  // the stage that frees the coefficient; empty: no stages
 };
 
 /// Returns the coefficients in the order of the variables. Levels are counted over the

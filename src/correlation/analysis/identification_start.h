@@ -3,9 +3,9 @@
 // continues.
 //
 // An identification begins at the best trial of a journal and may find a better one. If it were
-// begun there after an interruption, it would want other trials than those it had run. So a mark in
-// the journal keeps where it began. The mark holds as long as the best trial is that point, or one
-// that the identification from there has found itself; after a better trial from elsewhere, a
+// begun there after an interruption, it would need other trials than those that have run. So a mark
+// in the journal keeps where it began. The mark holds as long as the best trial is that point, or
+// one that the identification from there has found itself; after a better trial from elsewhere, a
 // search with more steps for example, an identification begins anew.
 #pragma once
 

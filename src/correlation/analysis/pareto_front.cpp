@@ -10,6 +10,8 @@
 #include "base/units.h"
 #include "correlation/analysis/identifiability.h"
 #include "correlation/target/study_trials.h"
+#include "correlation/target/trial_ownership.h"
+#include "evaluation/journal/asked_trials.h"
 #include "report/html_text.h"
 #include "report/page_style.h"
 #include "report/svg_plot.h"
@@ -38,7 +40,12 @@ std::vector<ParetoTrial> all_trials(const Study& study,
                                     const StudyExperiment& b) {
   const Objective target = objective(study);
   std::vector<ParetoTrial> trials;
-  journal.for_each_asked([&](const Trial& trial) {
+  const AskedTrials asked(journal.marks());
+  const TrialOwnership ownership(study, journal.marks());
+  long next = 0;
+  journal.for_each([&](const Trial& trial) {
+    const long row = next++;
+    if (!asked.contains(row, trial.point) || !ownership.can_be_best(row, trial.point)) return;
     if (!trial.outcome.result || !study.space.contains(trial.point)) return;
     const Channels& channels = *trial.outcome.result;
     const auto score = target(trial.point, channels);

@@ -13,7 +13,7 @@
 #include "correlation/observable/force_curve.h"
 #include "correlation/observable/mode_set.h"
 #include "experiment/language/usual_numbers.h"
-#include "experiment/tests/modes.h"
+#include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
 
 namespace latsch::correlation {
@@ -221,7 +221,7 @@ void examine_modes(const StudyExperiment& experiment,
     if (same < 1 || (is_pair && same == 1)) continue;
     found.push_back(
         {place(i),
-         fmt::format("{:.4g} Hz, {} stands in the table {}: {}",
+         fmt::format("{:.4g} Hz, {} is in the table {}: {}",
                      f,
                      modes[i].label(),
                      same == 1 ? "twice" : "three times",
@@ -235,8 +235,8 @@ void examine_modes(const StudyExperiment& experiment,
 bool hangs_free(const Study& study, const ModeSet& modes) {
   const std::string name = test_of(modes.asks().front());
   for (const StudyTest& test : study.tests) {
-    const auto* of = dynamic_cast<const experiment::ModesTest*>(test.test.get());
-    if (of && test.name == name) return !of->settings().loaded();
+    const auto* of = test.test->settings_as<experiment::ModalTest>();
+    if (of && test.name == name) return !of->loaded();
   }
   return false;
 }

@@ -5,8 +5,8 @@
 //
 // Units have been checked before (a pressure is a pressure), but magnitudes have not: 240 bar for
 // 240 kPa, kN read as N, the density of air, a deflection deeper than the section is high. An
-// unusual number may be meant and is a warning; a number that no tire has is impossible. The checks
-// also find numbers that two variables set, and modes and experiments that are stated twice.
+// unusual number may be intended and is a warning; a number that no tire has is impossible. The
+// checks also find numbers that two variables set, and modes and experiments that are stated twice.
 //
 // The ranges cover tires from a bicycle's to an earthmover's; they are orders of magnitude, not
 // tolerances. A wrong number of a plausible size is not detected.

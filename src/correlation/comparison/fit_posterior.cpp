@@ -8,7 +8,8 @@
 
 #include "base/text.h"
 #include "correlation/analysis/identifiability.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/search_standing.h"
+#include "correlation/search/stage_runs.h"
 #include "numerics/dense/self_adjoint_eigen.h"
 #include "optimization/problem/point_vector.h"
 
@@ -51,7 +52,8 @@ Eigen::MatrixXd axes_of(const Identifiability& what, double held_out) {
     axes.conservativeResize(axis.size(), axes.cols() + 1);
     axes.rightCols(1) = axis;
   };
-  constexpr double kWorthwhile = 0.1;  // share of the rise that ends an interval: less is not added
+  constexpr double kWorthwhile = 0.1;  // share of the rise that ends an interval; a smaller
+                                       // distance is not added
   if (c.left_to_gain > kWorthwhile * c.threshold()) add(c.free.axes * c.free.left);
   for (int i = 0; i < u.size(); ++i)
     if (c.held[static_cast<std::size_t>(i)] != Bound::none) add(held_axis(u, c, i));
@@ -83,6 +85,7 @@ FitPosterior fit_posterior(const FitSource& source, double segment) {
     throw refuse(in_quotes(file.string()) + ", the journal of its study, does not exist; " + run);
   const Journal journal = Journal::read(file, identity(*source.study));
   const Study study = with_estimated_noise(*source.study, journal);
+  if (const std::string why = why_no_best(study, journal); !why.empty()) throw refuse(why);
   const auto what = recorded_identifiability(study, journal);
   if (!what) throw refuse("its journal does not show how certain its variables are; " + run);
   const Confidence& c = what->identification.confidence();

@@ -12,8 +12,8 @@ namespace latsch::correlation {
 /// is unknown.
 std::string our_name(const std::string& name, const std::string& unit);
 
-/// Returns the SI unit that a column of that name must have; empty if the name is ambiguous, as a
-/// single letter is.
+/// Returns the SI unit that a column of the given name must have; empty if the name is ambiguous,
+/// as a single letter is.
 std::string dimension_of_name(const std::string& name);
 
 /// Returns the force or moment without its frame: "Fy", "FyW", "MZH" -> "Fy", "Fy", "Mz"; empty for
@@ -25,7 +25,7 @@ std::string force_without_frame(const std::string& name);
 struct NamedChannel {
   std::string name, frame;  // empty: not found
 };
-/// Returns the channel that `wanted` means: one of this name, of another spelling, or with a frame
+/// Returns the channel called `wanted`: one of this name, of another spelling, or with a frame
 /// appended.
 NamedChannel find_named(const std::vector<std::string>& names, const std::string& wanted);
 

@@ -148,7 +148,7 @@ std::string turn_into_frame(LabRecord& record,
                                   what_letters_mean(from, to)));
   }
   if (!is_told)
-    return stated.empty() ? "it is not said in which axes the forces were recorded; add frame = "
+    return stated.empty() ? "the axes of the recorded forces are not stated; add frame = "
                             "\"H\", or \"W\" or \"C\""
                           : "no force or moment was recorded";
   const auto left = forces_in(record, name_of(to), to);

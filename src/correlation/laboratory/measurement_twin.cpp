@@ -23,7 +23,7 @@ void refuse_what_cannot_be_undone(const Measurement& measurement) {
   };
   if (!measurement.one_way().empty())
     refuse("it has " + list_of(measurement.one_way()) +
-           ", which cannot be undone; write into a [measurement.NAME] without");
+           ", which cannot be undone; use a [measurement.NAME] without it");
   if (measurement.files().size() != 1) refuse("it consists of several files");
   if (measurement.files()[0].extension() != ".csv")
     refuse(in_quotes(measurement.files()[0].filename().string()) + " is no .csv");

@@ -13,12 +13,12 @@ namespace latsch::correlation {
 
 struct KnownChannel {
   std::string name;        // "response/z": OUTPUT/QUANTITY
-  std::string unit;        // unit in which people read it
+  std::string unit;        // unit for display
   std::string frame = "";  // "W", "H" or "C" if a rig records this force or moment
-  std::optional<experiment::Regression> regression = {};  // for a slope: how it is computed
+  std::optional<experiment::Regression> regression = {};  // for a slope: its computation
 };
 
-/// Returns nullptr if none has that name.
+/// Returns nullptr if none has the given name.
 const KnownChannel* find(const std::vector<KnownChannel>& channels, const std::string& name);
 /// Returns the channel `name`, which `table` states under `key`. Throws InputError if there is
 /// none.

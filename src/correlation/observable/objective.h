@@ -98,7 +98,7 @@ void scale_by_noise(Comparison& comparison,
 double target(const std::vector<Comparison>& comparisons, const std::vector<double>& weights);
 
 /// Returns the kind of mean that a target with these exponents is and, if the exponents are equal,
-/// the error it stands for: "mean of the errors", "mean square of the errors, its root 2.45 %". A
+/// the corresponding error: "mean of the errors", "mean square of the errors, its root 2.45 %". A
 /// mean of squares of 0.06 % belongs to errors of some 2.5 %.
 std::string target_in_words(const std::vector<double>& exponents, double target);
 

@@ -63,14 +63,13 @@ class OwnStages : public FittedStudy {
     std::filesystem::remove(folder_ / "study.latsch");
     fit_all(study);
     const Journal journal = Journal::read(study.run.journal);
-    Study weighted = study;
-    const auto fits = recorded_fit(study, journal, &weighted);
-    const auto best = best_trial(weighted, journal);
+    const StagesRun stages = recorded_stages(study, journal);
+    const auto best = best_trial(stages.study, journal);
     const Comparison force = compare(study.experiments[0], *evaluator(study)(best->point));
-    return {fits.back().own,
+    return {stages.fits.back().own,
             own_measure(study.experiments[0], force),
-            spoiled_experiments(weighted, fits, journal),
-            weighted};
+            spoiled_experiments(stages, journal),
+            stages.study};
   }
 };
 

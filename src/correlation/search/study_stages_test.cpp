@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "correlation/analysis/pareto_front.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/search/study_reuse_testing.h"
 
 namespace latsch::correlation {
@@ -40,7 +40,7 @@ TEST_F(StudyStages, EachBeginsWhereTheOneBeforeEndedAndTheLastHasTheModelAsItIs)
   for (int k : {1, 2}) {
     EXPECT_EQ(fits[k].run.steps.front().point, fits[k - 1].run.best()->point);
   }
-  EXPECT_GT(fits[0].run.best()->outcome->value, 1e-4);  // another model: a trace of it is left
+  EXPECT_GT(fits[0].run.best()->outcome->value, 1e-4);  // another model leaves an error
   const DesignPoint found = fits[2].run.best()->point;
   EXPECT_NEAR(found.values[0], 1.3, 1e-3);
   EXPECT_NEAR(found.values[1], -22.0, 0.05);
@@ -73,7 +73,7 @@ TEST_F(StudyStages, AKillInAnyStageChangesNoBit) {
     expect_same(fit_all(study), whole);
     EXPECT_LE(evaluated_, all - killed_after + 1);  // nothing finished is repeated
   }
-  expect_same(recorded_fit(study, Journal::read(study.run.journal)), whole);
+  expect_same(recorded_stages(study, Journal::read(study.run.journal)).fits, whole);
 }
 
 TEST_F(StudyStages, WorkersChangeNoBit) {
@@ -130,7 +130,7 @@ TEST_F(StudyStages, ARunThatIsHopelessSaysWhy) {
   const Fit ended = fit(study, executor, journal, {});
   EXPECT_EQ(ended.hopeless, "no license for 3 seats");
   EXPECT_LE(journal.size(), 15);
-  EXPECT_EQ(recorded_fit(study, journal).front().hopeless, ended.hopeless);
+  EXPECT_EQ(recorded_fit(study, journal)->hopeless, ended.hopeless);
 }
 
 TEST_F(StudyStages, ComplaintsNameTheStage) {
@@ -146,8 +146,8 @@ TEST_F(StudyStages, ComplaintsNameTheStage) {
   says("[stage.a]\nfree = []\n[stage.b]\n", "empty");
   says("[stage.a]\nfree = [\"grip\", \"grip\"]\n[stage.b]\n", "twice");
   says("[stage.a]\nexperiments = [\"heavy\"]\n[stage.b]\n", "expected some of \"light\"");
-  says("noise = \"own_stage\"\n", "no stage comes before the last one");
-  says("noise = \"own_stage\"\n[stage.a]\n", "no stage comes before the last one");
+  says("noise = \"own_stage\"\n", "no stage before the last one");
+  says("noise = \"own_stage\"\n[stage.a]\n", "no stage before the last one");
   says("noise = \"own_stage\"\n[stage.a]\nmodel.PKY2 = 1.6\n[stage.b]\n",
        "with the model as it is");
   says("[stage.a]\nrestart = 2\n[stage.b]\n", "unknown key");

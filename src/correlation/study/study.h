@@ -97,9 +97,11 @@ struct Study {
   std::vector<int> free = {};               // indices of the variables that this stage moves;
                                             // empty: all
   std::optional<DesignPoint> held_at = {};  // values of the held variables in this stage, if known
-  bool asks_slopes = false;                 // true if trials shall bring slopes: study_slopes.h
+  bool asks_slopes = false;                 // true if trials must record slopes: study_slopes.h
   std::string search_key = {};              // everything a search depends on, for the journal's
                                             // marks
+  std::string target_key = {};              // the part of it on which the targets of trials and
+                                            // the choice of the best one depend
 };
 
 /// Returns the tests that fitted experiments and constraints name.

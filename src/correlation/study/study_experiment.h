@@ -58,9 +58,9 @@ struct StudyExperiment {
   ObjectiveSettings objective;
   bool fitted = true;                     // false: predicted only
   std::optional<MeasurementNoise> noise;  // standard deviation of a measured value
-  bool estimates_noise = false;           // true if the fit estimates it (target/estimated_noise.h)
-  bool noise_of_own_stage = false;        // true if it is the least error that an earlier stage
-                                          // left
+  bool estimates_noise = false;           // noise from the fit: target/estimated_noise.h
+  bool noise_of_own_stage = false;        // true if the noise is the least error that an earlier
+                                          // stage left
   RobustLoss loss = {};
   std::filesystem::path measurement_file;  // first file of a [measurement.NAME]; empty: none
   std::shared_ptr<const Measurement> measurement = {};  // nullptr: the observable read the file

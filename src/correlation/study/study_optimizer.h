@@ -9,9 +9,9 @@
 //   step_tolerance = 0.001        # of the range of a variable, as initial_step = 0.1;
 //                                 # levenberg_marquardt 0.000001 and 0.5
 //   progress_tolerance = 0.001    # levenberg_marquardt: least gain of three steps together,
-//                                 # as a share of the target, if the slopes promise little more;
+//                                 # as a share of the target, if the slopes predict little more;
 //                                 # that of one measured value unless given
-//   outstanding = 1               # points decided on at once: gss, gss_nlc, residual_trust_region
+//   outstanding = 1               # points chosen ahead: gss, gss_nlc, residual_trust_region
 //   max_steps = 1000              # outcomes the optimizer may observe
 //   contraction = 0.25            # gss; gss_nlc 0.5
 //   sufficient_decrease = 0.01    # gss, gss_nlc

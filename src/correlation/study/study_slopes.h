@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes of a study's residuals: the trials bring them if the model knows them exactly, for every
+// Slopes of a study's residuals: trials record them if the model knows them exactly, for every
 // fitted experiment in every variable. They are complete or absent, because a search cannot use a
 // Jacobian with gaps.
 #pragma once
@@ -12,7 +12,7 @@
 
 namespace latsch::correlation {
 
-/// Returns the reason, for a person, why trials bring no slopes; nullopt if they do.
+/// Returns the reason, for a person, why trials record no slopes; nullopt if they do.
 std::optional<std::string> reason_without_slopes(const Study& study);
 
 /// True if the search uses slopes; otherwise they would only fill the journal.

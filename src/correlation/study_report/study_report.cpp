@@ -11,7 +11,7 @@
 #include "correlation/analysis/beyond_data.h"
 #include "correlation/analysis/coefficient_levels.h"
 #include "correlation/analysis/doe_surface.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/variables.h"
@@ -220,7 +220,7 @@ Result<StudyReport> study_report(const Study& study,
     return study.specimens->may_repeat() ? Simulated{point, simulate_all(study, point)}
                                          : recorded(journal, point);
   };
-  // A trial does not depend on others, so the two run at the same time.
+  // A trial does not depend on others, so the initial and the best point run at the same time.
   const bool beside = study.specimens->may_repeat() && study.run.workers > 1;
   auto start = std::async(beside ? std::launch::async : std::launch::deferred,
                           [&] { return simulated(study.space.initial()); });
@@ -253,7 +253,7 @@ Result<StudyReport> study_report(const Study& study,
       initial.channels = score.failure();
   }
   page.run = run_facts(study, journal);
-  const std::vector<Fit> fits = recorded_fit(study, journal);
+  const std::vector<Fit> fits = recorded_stages(study, journal).fits;
   add_convergence(study, fits, page);
   page.is_of_design = !page.convergence;
   std::vector<ExperimentBand> bands;

@@ -19,10 +19,10 @@ namespace {
 
 using Steady = std::chrono::steady_clock;
 
-// Number of successive ends before being ready after which the program is no worker.
+// A program whose processes end this often in a row before they are ready is no worker.
 constexpr int kMostFailedStarts = 3;
-// Number of successive kills from outside after which the cause, such as a lack of memory, counts
-// as permanent.
+// A cause that kills this many processes in a row from outside, such as a lack of memory, counts as
+// permanent.
 constexpr int kMostKilledStarts = 20;
 
 Steady::duration seconds(double s) {

@@ -17,7 +17,7 @@ namespace latsch {
 struct JournalReport {
   int format = 0;                          // 0: not known, or no journal at all
   long expected = -1;                      // number of trials in its own tally; -1: not readable
-  std::optional<StudyIdentity> identity;   // set if it is intact
+  std::optional<StudyIdentity> identity;   // set if the identity is intact
   std::vector<journal_format::Row> rows;   // intact rows, unpacked, in the order of their numbers
   std::vector<JournalMark> marks = {};     // set if all of them are intact
   std::vector<std::string> findings = {};  // one sentence each; empty: everything is as written

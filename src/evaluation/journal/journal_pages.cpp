@@ -106,8 +106,8 @@ std::int64_t read_integer(std::string_view bytes, std::size_t at, std::size_t si
   return size == 0 ? 0 : static_cast<std::int64_t>(value << unused) >> unused;
 }
 
-/// Returns how many bytes of a record of that size lie on the page of the row itself; a page has
-/// `usable` bytes.
+/// Returns how many bytes of a record of the given size lie on the page of the row itself; a page
+/// has `usable` bytes.
 std::size_t local_size(std::uint64_t size, std::size_t usable) {
   const std::size_t most = usable - 35;
   if (size <= most) return size;
@@ -207,7 +207,7 @@ std::vector<Row> rows_on_pages(const std::string& database, const std::string& l
   std::map<std::int64_t, Row> rows;
   Pages pages = pages_of(database, page_size_of(database));
   find_rows(pages, rows);
-  // Then rows are searched as if everything in the log had been taken over, damaged or not.
+  // Rows are then searched with all pages of the log in place of those of the file, damaged or not.
   Pages with_log = pages;
   for_each_frame(log, [&](std::string_view frame) {
     with_log[big_endian(frame, 0)] = frame.substr(kFrameHeader);

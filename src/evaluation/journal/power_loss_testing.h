@@ -56,7 +56,8 @@ class PowerLoss {
   /// Returns the number of sectors lost at the last loss.
   long sectors_lost() const { return sectors_lost_; }
 
-  /// Leaves in the files what the disk kept. Must be called when no database is open any more.
+  /// Reduces the files to the data that the disk has kept. Must be called when no database is open
+  /// any more.
   void come_back() {
     for (auto& [path, image] : images_) {
       std::filesystem::remove(path + "-shm");  // shared memory in the form of a file
@@ -83,7 +84,7 @@ class PowerLoss {
   struct Image {
     std::string synced;
     std::vector<Change> since;
-    bool entered = false;  // true if its folder was synced with it
+    bool entered = false;  // true if the folder was synced with the new file
     bool removed = false;
   };
   /// SQLite's handle of an open file. The handle of the usual VFS follows it in memory.

@@ -181,7 +181,7 @@ std::string told(const std::string& argument, const fs::path& file) {
   std::error_code error;
   const auto size = fs::file_size(file, error);
   if (error) return "";
-  if (size > kLargestRead) {  // a program packed with all it needs; its date is used
+  if (size > kLargestRead) {  // a packed program contains all it needs, so its date suffices
     const auto time = fs::last_write_time(file, error).time_since_epoch().count();
     return fmt::format("{}: {} bytes, written {}\n", argument, size, time);
   }

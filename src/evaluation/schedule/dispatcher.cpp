@@ -18,7 +18,7 @@ constexpr std::size_t kTimesForMedian = 5;  // least number of times from which 
 constexpr std::size_t kRecentTimes = 101;   // number of times in the median, because a model may
                                             // become slower during a run
 
-/// Returns the target function of an outcome; a score that is not a number is no score.
+/// Returns the target function of an outcome; a target that is not a number counts as none.
 Result<Score> score(const Objective& objective, const DesignPoint& point, const Outcome& outcome) {
   if (!outcome.result) return outcome.result.failure();
   if (!objective) return Score{};
@@ -284,7 +284,7 @@ bool Dispatcher::is_repeated(Running& running, const Trial& trial) {
     ++attempts.failures;
     attempts.failure = trial;
   }
-  // A worker may have been slow where another is not; other failures belong to the point.
+  // One worker may be slow and another not; other failures belong to the point.
   const bool is_told = cause != Cause::transient && cause != Cause::timeout;
   if (running.copies > 0) return !is_told || attempts.failures <= options_.on_failure.retries;
   return attempts.failures <= options_.on_failure.retries && attempts.starts < most_starts();

@@ -87,8 +87,8 @@ class Dispatcher {
   struct Attempts {
     int starts = 0;
     int failures = 0;                   // failures that did not count
-    bool copied = false;                // true if a copy was started because it straggled
-    std::optional<Trial> failure = {};  // last failure that says something about the point
+    bool copied = false;                // true if a copy was started because the point straggled
+    std::optional<Trial> failure = {};  // last failure that describes the point
   };
   struct Running {
     DesignPoint point;

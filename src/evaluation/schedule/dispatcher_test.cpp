@@ -112,7 +112,7 @@ TEST(FailurePolicy, AWorkerThatIsLostBeforeItBeginsCostsNoStart) {
     const auto script = [&](int allowed) -> Scripted::Script {
       return [=](const DesignPoint& point, int attempt) -> Scripted::Answer {
         if (point.values[0] != 3.0) return {};
-        // A worker tries every second attempt and dies of it.
+        // A worker starts every second attempt and crashes.
         if (attempt % 2 == 1) return {1.0, Failure{"no worker", Cause::not_begun}};
         if (attempt / 2 <= allowed) return {1.0, Failure{"killed", Cause::transient}};
         return {};

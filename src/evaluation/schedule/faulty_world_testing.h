@@ -20,7 +20,7 @@
 
 namespace latsch {
 
-/// The master died: everything that is not in the store is lost.
+/// The master has ended: everything that is not in the store is lost.
 struct MasterDied : std::exception {};
 
 /// Shares of trials, messages or commits with each fault.
@@ -39,7 +39,7 @@ struct Faults {
   double master = 0.0;  // share of calls in which the master dies while it listens
 };
 
-/// Keeps what it acknowledged, and counts events that must never happen.
+/// Stores the acknowledged trials, and counts events that must never happen.
 class FaultyStore : public TrialStore {
  public:
   FaultyStore(double refused, std::uint64_t seed) : refused_(refused), random_(seed, 1) {}
@@ -151,7 +151,7 @@ class FaultyWorld : public Executor {
   int most_starts() const { return most_starts_; }
 
   static constexpr double kStall = 50.0;
-  static constexpr double kTooLong = 1e5;  // s; a search takes about ten
+  static constexpr double kTooLong = 1e5;  // s, far beyond the ten seconds of a search
 
  private:
   static constexpr int kNobody = -1;

@@ -41,7 +41,8 @@ bool may_lack_memory(const Failure& failure) {
 }
 
 bool concerns(const std::string& what, const Failure& failure) {
-  const bool is_program = says(failure, "allowed to it");  // text from outside_program.cpp
+  const bool is_program = says(failure, "allowed to it");  // part of the message in
+                                                           // outside_program.cpp
   if (what == kTimeout) return failure.cause == Cause::timeout && !is_program;
   if (what == kProgramTimeout) return failure.cause == Cause::timeout && is_program;
   if (what == kMemory) return failure.cause != Cause::timeout && may_lack_memory(failure);

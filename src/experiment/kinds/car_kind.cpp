@@ -103,6 +103,9 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
         const std::string key = side == 1 && numbers.root().has(right) ? right : part;
         const Document tire = part_of(numbers, key);
         auto specimen = tire_kind(numbers.root(), tire, key).build(tire);
+        if (const auto* knows = specimen->find<KnowsLimits>(); knows && (side == 0 || key == right))
+          for (const std::string& limit : knows->limits_across())
+            limits_across_.push_back(key + ": " + limit);
         tires_[2 * axle + side] = mounted(specimen->find<Rolls>()->tire(),
                                           side_of(tire),
                                           side == 0 ? TireSide::left : TireSide::right);
@@ -129,6 +132,10 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
     (*car)->guide.drives = file_.drives;
     return car;
   }
+
+  /// No car rolls over a single cleat.
+  std::vector<std::string> limits_on(const Cleat&) const override { return {}; }
+  std::vector<std::string> limits_across() const override { return limits_across_; }
 
   Result<Channels> load(const AxleKcTest& test, const Asked& asked) const override {
     const auto car = on_rig(test);
@@ -177,6 +184,7 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   car::CarFile file_;
   car::Tires tires_;
   std::vector<std::pair<std::string, std::unique_ptr<Specimen>>> built_from_;  // tires by key, side
+  std::vector<std::string> limits_across_;
 };
 
 class CarKind : public SpecimenKind {

@@ -16,7 +16,7 @@
 namespace latsch::experiment {
 
 struct InpModel {
-  formats::InpDeck deck;  // has the numbers of the document
+  formats::InpDeck deck;  // true if the document has these numbers
   formats::InpTire tire;
   std::string text;  // text of the file
 };

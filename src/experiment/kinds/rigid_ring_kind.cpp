@@ -37,6 +37,12 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
         "this rigid ring senses the road along one line (ELLIPS_NWIDTH is below 2): an oblique "
         "cleat acts on it like a longer straight one; more tracks sense the width"};
   }
+  std::vector<std::string> limits_across() const override {
+    if (parameters_.ELLIPS_NWIDTH >= 2.0) return {};
+    return {
+        "this rigid ring feels the road along one line (ELLIPS_NWIDTH is below 2): an edge below a "
+        "part of its width is felt wholly or not at all; more tracks feel the width"};
+  }
 
  private:
   magic_formula::Parameters parameters_;

@@ -166,7 +166,7 @@ LinePlot told_by_knowledge(JudgedPlot one, const SlipKnowledge& knowledge) {
   const auto reached =
       one.varied ? ends_of_values(knowledge.measured_at(magic_formula::channel_of(*one.varied)))
                  : std::nullopt;
-  constexpr double kEnd = 1e-3;  // share of a value by which it may lie beyond the data
+  constexpr double kEnd = 1e-3;  // share of a value by which the value may lie beyond the data
   for (std::size_t k = 0; k < plot.lines.size(); ++k) {
     report::PlotLine& line = plot.lines[k];
     const double value = k < one.values.size() ? one.values[k] : one.nominal;

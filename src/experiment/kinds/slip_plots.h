@@ -13,7 +13,7 @@
 
 namespace latsch::experiment {
 
-/// Knowledge about a tire that its fit has given.
+/// Knowledge about a tire from its fit.
 struct SlipKnowledge {
   std::set<std::string> coefficients;  // fitted or stated by a file; others are assumed
   /// Returns the values (SI) of a condition in the fitted tests; none if these do not state it.

@@ -11,9 +11,9 @@
 namespace latsch::experiment {
 namespace {
 
+using magic_formula::MeasuredSide;
 using magic_formula::Parameters;
 using magic_formula::ParameterUnit;
-using magic_formula::Side;
 using magic_formula::Version;
 
 const char* si_unit_of(ParameterUnit unit) {
@@ -111,7 +111,7 @@ magic_formula::Parameters parameters_of(const Document& numbers) {
   const Node root = numbers.root();
   Parameters p;
   p.version = static_cast<Version>(index_of(root, "formula", {"5.2", "6.1", "6.2"}));
-  p.side = static_cast<Side>(index_of(root, "side", {"left", "right", "symmetric"}));
+  p.side = static_cast<MeasuredSide>(index_of(root, "side", {"left", "right", "symmetric"}));
   p.use_mode = static_cast<int>(root.integer("use_mode", -1'000'000, 1'000'000));
   if (root.has("curve_deflection")) {
     p.curve_deflection = root.quantities("curve_deflection", "m");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits of a tire model in a test, reported beside the result of the test.
+// Limits of a tire model in a test, told beside the result of the test and before a study runs it.
 #pragma once
 
 #include <optional>
@@ -16,11 +16,22 @@ struct KnowsLimits {
   virtual ~KnowsLimits() = default;
   /// Returns a sentence for every limit that matters on this cleat; empty if none does.
   virtual std::vector<std::string> limits_on(const Cleat&) const { return {}; }
+  /// Returns a sentence for every limit that matters on a road whose height differs across the
+  /// width of the tire; empty if none does.
+  virtual std::vector<std::string> limits_across() const { return {}; }
   /// Returns a sentence for every limit that the specimen has met since it was built: ranges of its
   /// file that it left, conditions that have no effect on it.
   virtual std::vector<std::string> limits_met() const { return {}; }
   /// Returns the height of the section, m; nullopt if the specimen's file does not say.
   virtual std::optional<double> section_height() const { return std::nullopt; }
+};
+
+/// A test that knows when such a limit counts in it.
+struct TellsLimits {
+  virtual ~TellsLimits() = default;
+  /// Returns a sentence for every limit of the specimen that counts in this test, without running
+  /// it.
+  virtual std::vector<std::string> limits(Specimen& specimen) const = 0;
 };
 
 /// Angle of a cleat, rad, below which it acts like a straight cleat over the tire's width.

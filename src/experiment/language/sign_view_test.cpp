@@ -36,7 +36,7 @@ TEST(SignView, OutAndInAreInverse) {
       turned += out[channel.name] != channel.values;
     }
   }
-  EXPECT_GT(turned, 20u);  // so the test covers the channels that change their sign
+  EXPECT_GT(turned, 20u);  // so the test covers the channels with a changed sign
 }
 
 }  // namespace

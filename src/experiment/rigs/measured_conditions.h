@@ -26,9 +26,10 @@ namespace latsch::experiment {
 /// A condition that a test reads from a measurement of its study.
 struct MeasuredCondition {
   std::string channel, unit;   // SI
-  bool is_needed = false;      // false: left out if it was not recorded
+  bool is_needed = false;      // false: the condition is left out if it was not recorded
   std::string frame = "";      // for a force
-  std::string otherwise = "";  // assumed value if it was not recorded: "0"
+  std::string otherwise = "";  // value assumed if the condition was not recorded: "0"
+  std::string ignored = "";    // why the test computes without it; empty: the test uses it
 };
 
 /// Returns the channels that a table such as {from = "measurement.cornering"} names. Throws

@@ -19,10 +19,10 @@
 // segments of a belt and blocks of a tread do not count.
 //
 // Forces are those on the wheel in C, whose axes stay with the wheel: x to the front, y to the
-// left, z up (NOTATION.md). Rolling forward the wheel turns clockwise if its right side is looked
-// at. With F the mean of Fy rolling forward, B rolling backward,
-//   conicity   (F + B)/2,  keeps its side
-//   ply steer  (F - B)/2,  changes its side
+// left, z up (NOTATION.md). Rolling forward the wheel turns clockwise as seen from its right side.
+// With F the mean of Fy rolling forward, B rolling backward,
+//   conicity   (F + B)/2,  has the same side in both directions
+//   ply steer  (F - B)/2,  changes sides with the direction
 // they are half the sum and half the difference of the lateral shifts, clockwise and
 // counterclockwise. Such machines are the subject of SAE J332. Beyond some m/s imbalance and modes
 // of the tire contribute to the variations, as on machines for high speeds.

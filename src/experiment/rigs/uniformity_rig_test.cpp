@@ -15,7 +15,7 @@ namespace latsch::experiment {
 namespace {
 
 /// A spring on a wheel with run-out, a side force whose side does not depend on the direction of
-/// rolling, one whose side does, and one of two periods a turn; it rolls with a stiff slip.
+/// rolling, one whose side does, and one of two periods a turn; the slip stiffness is high.
 class UnevenSpring final : public Tire {
  public:
   double free_radius() const override { return 0.3; }

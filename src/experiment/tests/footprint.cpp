@@ -42,7 +42,7 @@ class StandingFootprintTest : public Test {
   }
 
   std::optional<long> samples() const override {
-    if (!test_.sensors.empty()) return std::nullopt;  // their channels have more values
+    if (!test_.sensors.empty()) return std::nullopt;  // the channels of sensors have more values
     return std::ssize(test_.loads) + std::ssize(test_.deflections);
   }
 

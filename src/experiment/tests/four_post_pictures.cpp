@@ -68,7 +68,7 @@ const std::vector<PostFrame>& histories() {
       {"Push-rods", "pushrod", "force [kN]", 1e-3, "Compression positive."},
       {"Tires", "Fz", "force [kN]", 1e-3, "Of the road on the tire, upward."},
       {"Hubs", "hub", "acceleration [m/s²]", 1.0, "Of the wheel center, upward."},
-      {"Springs", "spring", "extension [mm]", 1e3, "Of the spring units, against rest."},
+      {"Springs", "spring", "extension [mm]", 1e3, "Of the spring units, relative to rest."},
   };
   return all;
 }

@@ -129,7 +129,7 @@ std::unique_ptr<Test> read_slip_sweep(const Node& root, const TestSource& source
                     : root.quantity("load", "N", Range::positive());
   sweep.pressure = read_pressure(root, source.measured);
   sweep.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
-  if (root.choice("axle", {"load", "height"}, "load") == "height") sweep.axle = Axle::height;
+  if (root.choice("axle", {"load", "height"}, "load") == "height") sweep.axle = AxleHold::height;
   sweep.frames = read_frames(root, sweep.frames);
   if (root.has("alpha") == root.has("kappa"))
     root.reject("alpha", "or kappa is required, exactly one of the two");

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kWay = 1e-3;  // m or rad
 
-class StaticStiffnessTest : public Test {
+class StaticStiffnessTest : public Test, public TellsLimits {
  public:
   explicit StaticStiffnessTest(StandingTest test) : test_(std::move(test)) {}
 
@@ -66,16 +66,19 @@ class StaticStiffnessTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
-  /// Describes in words what the tire's model neglects on this cleat.
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    return limits_of(specimen, test_.cleat);
+  }
+  /// Tells what the tire's model does not describe on the cleat.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     const auto notes = Test::run_in_blocks(specimen, tell);
     if (!notes) return notes;
-    return limits_of(specimen, test_.cleat);
+    return limits(specimen);
   }
   /// True for a tire that stands; a rolling tire has no slopes.
   bool tells_slopes(const SpecimenKind& kind, const std::string&) const override {
-    return has_slopes() && kind.has(StandsOnGround::kName);
+    return has_slopes() && kind.has(IsFeTire::kName);
   }
   /// True if the tire is upright on flat ground without friction.
   bool has_slopes() const {
@@ -85,8 +88,12 @@ class StaticStiffnessTest : public Test {
   }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     refuse_high_cleat(specimen, test_.cleat);
-    if (auto* held = specimen.find<StandsOnGround>())
-      return held->stand(test_, has_slopes() ? asked : Asked{});
+    if (auto* held = specimen.find<IsFeTire>()) {
+      const auto press = [this](TireRig& rig, fe_tire::TireSlopes* slopes) {
+        return stand(rig.tire(), rig.own_pressure(), test_, slopes);
+      };
+      return held->drive(press, test_.pressure.has_value(), has_slopes() ? asked : Asked{});
+    }
     return stand(*specimen.find<Rolls>()->tire(test_.pressure), test_);
   }
 
@@ -142,7 +149,7 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
 
 const TestKind kStaticStiffness = {"static_stiffness",
                                    "stands: force over deflection, stiffnesses",
-                                   {StandsOnGround::kName, Rolls::kName},
+                                   {IsFeTire::kName, Rolls::kName},
                                    read_static_test};
 
 }  // namespace latsch::experiment

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
-/// True if the text can be a bare key of TOML, which it becomes.
+/// True if the text can be used as a bare key of TOML.
 bool is_name(const std::string& text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
@@ -62,7 +62,8 @@ std::vector<Hardpoint> read_hardpoints(const std::filesystem::path& file,
   table.expect_only({"of", "name", "x", "y", "z"});
   const auto chosen = chosen_rows(table, of);
   const auto names = table.texts("name");
-  table.numbers({{"x", "m"}, {"y", "m"}, {"z", "m"}});  // checks that all of them are lengths
+  table.numbers({{"x", "m"}, {"y", "m"}, {"z", "m"}});  // also checks that all coordinates are
+                                                        // lengths
   std::vector<Hardpoint> points;
   std::map<std::string, int> lines;
   for (int row = 0; row < table.rows(); ++row) {

@@ -87,7 +87,8 @@ std::map<int, InpTie> InpEquations::ties(const std::map<int, Eigen::Vector3d>& n
     const Eigen::Vector3d &a = nodes.at(tie.lower), &b = nodes.at(tie.upper);
     if ((nodes.at(number) - a - tie.at * (b - a)).norm() > kOnTheLine * (b - a).norm())
       throw InputError(tie.place,
-                       fmt::format("node {} does not lie where its weights place it between nodes "
+                       fmt::format("node {} does not lie at the position that its weights give "
+                                   "between nodes "
                                    "{} and {}",
                                    number,
                                    tie.lower,

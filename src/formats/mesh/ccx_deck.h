@@ -18,7 +18,7 @@
 namespace latsch::formats {
 
 struct CcxGround {
-  double radius = 0.0;        // m, from wheel center to ground before it moves
+  double radius = 0.0;        // m, from wheel center to ground before the ground moves
   double travel = 0.0;        // m, of the ground toward the wheel center
   double stiffness = 2.0e10;  // Pa/m
   double mu = 0.0;

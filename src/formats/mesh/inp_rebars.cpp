@@ -170,7 +170,7 @@ class Placer {
     double depth = 0.0;
     for (const int e : candidates(element, x.rowwise().mean())) {
       const auto zeta = depth_in(e, x);
-      if (!zeta || (host >= 0 && *zeta <= depth)) continue;  // the inner of two hosts
+      if (!zeta || (host >= 0 && *zeta <= depth)) continue;  // the inner one of two hosts
       host = e;
       depth = *zeta;
     }

@@ -381,7 +381,8 @@ class TireReader {
     mesh.sensors = choose_sensors(mesh);
     try {
       fe_tire::check(mesh);
-    } catch (const InputError& error) {  // the reader does not know the file's name
+    } catch (const InputError& error) {  // the reader of the deck does not know the name of the
+                                         // file
       throw InputError({deck_.file, 0}, error.what());
     }
   }
@@ -503,7 +504,7 @@ class TireReader {
   std::vector<KnownFace> inner_, outer_;
   FaceSet inner_faces_, outer_faces_;
   InpPlacedRebars placed_;
-  Ring ring_;
+  RingOfNodes ring_;
 };
 
 }  // namespace

@@ -26,7 +26,7 @@ namespace latsch::formats {
 
 /// Flat ground with its motion in the file.
 struct InpGround {
-  double radius = 0.0;     // m, from wheel center to ground before it moves
+  double radius = 0.0;     // m, from wheel center to ground before the ground moves
   double travel = 0.0;     // m, toward the wheel center
   double stiffness = 0.0;  // Pa/m
   double mu = 0.0;

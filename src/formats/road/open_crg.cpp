@@ -16,7 +16,7 @@
 namespace latsch::formats {
 namespace {
 
-/// Without a format line the standard assumes KRBI; data in digits cannot be that.
+/// Without a format line the standard assumes KRBI; data in digits cannot have this format.
 void settle_format(const std::string& bytes, OpenCrgHeader& header) {
   if (!header.format.empty()) return;
   const auto is_text = [](unsigned char c) { return (c >= 32 && c < 127) || c == 10 || c == 13; };

@@ -206,8 +206,10 @@ class GridBuilding {
     // The error of the backward sum is the same at all points: the gap at the end.
     const Vector2d gap = *end - grid_.line[last];
     if (gap.norm() > 0.1 * step * last) {
-      fail(fmt::format("has a reference line that ends {:.3g} m from where the header says",
-                       gap.norm()));
+      fail(
+          fmt::format("has a reference line that ends {:.3g} m from the end that the header "
+                      "states",
+                      gap.norm()));
     }
     const std::vector<Vector2d> forward = grid_.line;
     for (int i = 1; i <= last; ++i) {

@@ -74,8 +74,9 @@ class RecordReading {
       if (!padded_) fields = (text.size() + width - 1) / width;
       if (padded_ && text.size() > fields * width &&
           !trimmed(text.substr(fields * width)).empty()) {
-        fail(line,
-             fmt::format("goes on behind column {}, expected {} numbers", fields * width, fields));
+        fail(
+            line,
+            fmt::format("continues behind column {}, expected {} numbers", fields * width, fields));
       }
       for (std::size_t i = 0; i < fields; ++i) {
         if (text.size() <= i * width) {

@@ -26,9 +26,9 @@ namespace latsch::formats {
 /// A file with data, and the options and modifiers that apply to it.
 struct ResolvedCrg {
   std::string bytes;                         // the file with the data
-  OpenCrgHeader header;                      // its head, with the options and modifiers that apply
+  OpenCrgHeader header;                      // head, options and modifiers that apply
   std::vector<std::filesystem::path> files;  // all that were opened, the first one first
-  std::vector<Place> named_in;               // file and line that name each of them
+  std::vector<Place> named_in;               // file and line that name each of these files
 };
 
 /// Throws InputError: a file that does not exist or refers to itself, a variable that is not set,

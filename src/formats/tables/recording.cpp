@@ -26,7 +26,7 @@ struct Column {
   TableColumn source;
   Unit read = Unit::of("1");
   bool is_si = true;       // no conversion
-  std::string fault = {};  // fault of its unit: the column is left out
+  std::string fault = {};  // fault of a unit, for which the column is left out
   std::vector<double> values = {};
 };
 

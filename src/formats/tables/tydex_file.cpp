@@ -88,7 +88,7 @@ class Reading {
     }
     if (!seen_.contains("**HEADER")) fail(0, "has no line **HEADER, expected a TYDEX file");
     if (keyword_ != "**END") {
-      fail(line_, "is where the file ends, expected **END: the file is incomplete");
+      fail(line_, "is the end of the file, expected **END: the file is incomplete");
     }
     finish();
   }

@@ -20,7 +20,7 @@ namespace latsch::formats {
 
 struct TirDialect {
   magic_formula::Version version = magic_formula::Version::mf61;
-  bool pac2002 = false;            // true: its spellings are used for keys added to the file
+  bool pac2002 = false;            // true: new keys get the spellings of PAC2002
   std::vector<std::string> notes;  // interpretations, each with its place
 };
 

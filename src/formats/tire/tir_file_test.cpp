@@ -15,8 +15,8 @@
 namespace latsch::formats {
 namespace {
 
+using magic_formula::MeasuredSide;
 using magic_formula::Parameters;
-using magic_formula::Side;
 using magic_formula::Version;
 
 const std::filesystem::path kTires = LATSCH_SOURCE_DIR "/../shared/data/tir";
@@ -145,15 +145,23 @@ TEST(TirFile, UnitsBecomeSiAndTheTwoMassesStayApart) {
   EXPECT_DOUBLE_EQ(p.INFLPRES, 2.5e5);
   EXPECT_NEAR(p.ALPMAX, 0.5235987755982988, 1e-15);
   EXPECT_EQ(p.MASS, 9.3);
-  EXPECT_EQ(p.side, Side::right);
+  EXPECT_EQ(p.side, MeasuredSide::right);
   EXPECT_EQ(p.version, Version::mf61);
   EXPECT_EQ(p.PKY4, 2.0);  // absent from the file
   EXPECT_EQ(p.LMUY, 1.0);
 }
 
+/// The doubts of a file, one a line.
+std::string doubts_of(const std::string& text) {
+  std::string all;
+  for (const LedgerDoubt& doubt : ledger_of(parse_tir(text, "t.tir")).doubts)
+    all += doubt.place.text() + ": " + doubt.sentence + "\n";
+  return all;
+}
+
 TEST(TirFile, WhatIsOddIsNamed) {
-  EXPECT_EQ(parse_tir(replaced("'Right'", "'Upper'"), "t.tir").notes.at(1),
-            "t.tir:10: TYRESIDE is \"Upper\", expected LEFT, RIGHT or SYMMETRIC; taken as LEFT");
+  EXPECT_EQ(doubts_of(replaced("'Right'", "'Upper'")),
+            "t.tir:10: TYRESIDE is \"Upper\", expected LEFT, RIGHT or SYMMETRIC; taken as LEFT\n");
   const TirFile tir = parse_tir(kSmall, "t.tir");
   ASSERT_FALSE(tir.notes.empty());
   EXPECT_EQ(
@@ -361,13 +369,64 @@ TEST(TirFile, AFileWithoutUnitsAndAMirroredModeAreTold) {
   text.replace(text.find("TYRESIDE"), 8, "USE_MODE=-12\nTYRESIDE");
   const TirFile tir = parse_tir(text, "t.tir");
   EXPECT_EQ(tir.parameters.use_mode, 12);
-  const auto told = [&](const std::string& part) {
-    for (const std::string& note : tir.notes)
-      if (note.find(part) != std::string::npos) return true;
-    return false;
+  EXPECT_NE(doubts_of(text).find("there is no section [UNITS]; all numbers are taken as SI"),
+            std::string::npos);
+  EXPECT_NE(doubts_of(text).find("USE_MODE is -12: the minus asks for the tire's mirror image"),
+            std::string::npos);
+}
+
+TEST(TirFile, EachUnitThatIsAssumedStandsInTheLedger) {
+  EXPECT_EQ(doubts_of(kSmall), "");
+  std::string text = kSmall;
+  const std::size_t at = text.find("LENGTH");
+  text.erase(at, text.find('\n', at) + 1 - at);
+  EXPECT_NE(doubts_of(text).find("[UNITS] is silent: LENGTH is taken as meter"), std::string::npos);
+  // 0.3 m are written as 300 mm.
+  EXPECT_NE(doubts_of(text).find("UNLOADED_RADIUS is 300 m, where tires have"), std::string::npos);
+  const Ledger ledger = ledger_of(parse_tir(text, "t.tir"));
+  EXPECT_EQ(ledger.rows.back().state, LedgerState::assumed);
+  EXPECT_EQ(ledger.rows.back().taken_as, "LENGTH");
+  EXPECT_NE(in_one_line(ledger).find("1 assumed: LENGTH is taken as meter"), std::string::npos);
+}
+
+TEST(TirFile, ARangeInDegreesBesideRadiansIsTold) {
+  const auto with_range = [](const std::string& angle, const std::string& range) {
+    std::string text = kSmall;
+    const std::size_t at = text.find("ANGLE");
+    text.replace(at, text.find('\n', at) - at, "ANGLE = '" + angle + "'");
+    return text.replace(text.find("ALPMAX=30"), 9, range);
   };
-  EXPECT_TRUE(told("there is no section [UNITS]; all numbers are taken as SI"));
-  EXPECT_TRUE(told("USE_MODE is -12: the minus asks for the tire's mirror image"));
+  const std::string said = doubts_of(with_range("radians", "ALPMIN=-15\nALPMAX=15"));
+  EXPECT_NE(said.find("ALPMIN is -15 rad, that are -859 degrees: is it in degrees"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("-15 degrees are -0.2618"), std::string::npos) << said;
+  EXPECT_NE(doubts_of(with_range("radians", "CAMMIN=-6\nCAMMAX=6")).find("CAMMIN is -6 rad"),
+            std::string::npos);
+  EXPECT_EQ(doubts_of(with_range("degrees", "ALPMIN=-15\nALPMAX=15")), "");
+  EXPECT_EQ(doubts_of(with_range("radians", "ALPMIN=-3.15\nALPMAX=3.15")), "");
+}
+
+TEST(TirFile, AUseModeThatIsNotComputedIsTold) {
+  const auto in_mode = [](int mode) {
+    std::string text = kSmall;
+    return text.replace(text.find("TYRESIDE"), 8, fmt::format("USE_MODE={}\nTYRESIDE", mode));
+  };
+  for (const int mode : {4, 14, 114}) EXPECT_EQ(doubts_of(in_mode(mode)), "") << mode;
+  for (const auto& [mode, asked] : std::vector<std::pair<int, std::string>>{
+           {0, "asks for the vertical force alone, in steady state; all forces are computed here"},
+           {1, "asks for Fx and My without side force"},
+           {12, "asks for Fy, Mx and Mz without longitudinal force, with relaxation"},
+           {3, "asks for all forces without interaction of the slips"},
+           {15, "turn slip is computed only if a test asks for it"},
+           {24, "the relaxation lengths here do not depend on the slip"},
+           {134, "a belt is computed here only in a model of kind = \"rigid_ring\""},
+           {214, "the contact with the road is that of the model here"}})
+    EXPECT_NE(doubts_of(in_mode(mode)).find(asked), std::string::npos)
+        << mode << " " << doubts_of(in_mode(mode));
+  const Ledger ledger = ledger_of(parse_tir(in_mode(14), "t.tir"));
+  EXPECT_NE(ledger.find_written("USE_MODE")->meaning.find("all forces in combined slip"),
+            std::string::npos);
 }
 
 TEST(TirFile, ANewFileAndAChangedOneReadBackTheSame) {
@@ -391,7 +450,7 @@ TEST(TirFile, SampleFilesOfOtherPrograms) {
   const auto read = [](const char* name) { return read_tir(kTires / name); };
   const TirFile mf61 = read("MagicFormula61_Parameters.tir");
   EXPECT_EQ(mf61.parameters.version, Version::mf61);
-  EXPECT_EQ(mf61.parameters.side, Side::right);
+  EXPECT_EQ(mf61.parameters.side, MeasuredSide::right);
   EXPECT_EQ(mf61.parameters.MASS, 17.451);
   EXPECT_EQ(mf61.parameters.use_mode, 124);
   EXPECT_TRUE(mf61.parameters.turn_slip_known());

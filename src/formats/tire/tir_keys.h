@@ -21,8 +21,8 @@ struct TirReason {
 /// all. `value` is the text in the file; a key whose value means "off" need not be reported.
 std::optional<TirReason> reason_unused(std::string_view key, std::string_view value);
 
-/// Says what a parameter affects that has an effect only in some models or modes; "" if it always
-/// has one.
+/// Returns the effect of a parameter that acts only in some models or modes; "" if it always
+/// acts.
 std::string_view acts_only(std::string_view parameter);
 
 /// Returns keys with a reason, for suggestions.

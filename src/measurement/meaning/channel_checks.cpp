@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "measurement/meaning/channel_words.h"
+#include "measurement/meaning/suspension_checks.h"
 #include "measurement/meaning/natural_unit.h"
 
 namespace latsch {
@@ -195,6 +196,7 @@ std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
                                     reach_in_words(channel, "N")),
                         below.first,
                         true,
+                        true,
                         true};
   const Counted odd =
       count_where(channel.values, [&](double value) { return value < -kHop * most; });
@@ -251,9 +253,9 @@ constexpr std::array kPairs = {
     Pair{"alpha", "Fy", -1.0, kInfinity, "a side force acts against its slip angle"},
     Pair{"alpha", "Mz", 1.0, kSmallSlip, "the moment aligns the wheel"},
     Pair{"kappa", "Fx", 1.0, kInfinity, "a driven wheel pushes forward"},
-    Pair{"dx", "Fx", 1.0, kInfinity, "a suspension gives way along the force"},
-    Pair{"dy", "Fy", 1.0, kInfinity, "a suspension gives way along the force"},
-    Pair{"dz", "Fz", 1.0, kInfinity, "a suspension gives way along the force"},
+    Pair{"dx", "Fx", 1.0, kInfinity, "a suspension moves along the force"},
+    Pair{"dy", "Fy", 1.0, kInfinity, "a suspension moves along the force"},
+    Pair{"dz", "Fz", 1.0, kInfinity, "a suspension moves along the force"},
     Pair{"Vx", "omega", 1.0, kInfinity, "a wheel rolls in its direction of travel"},
 };
 
@@ -272,7 +274,49 @@ void check_pairs(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
                                   pair.sign < 0.0 ? "the same" : "not the same",
                                   a->name,
                                   r,
-                                  pair.law)});
+                                  pair.law),
+                      0,
+                      false,
+                      false,
+                      true});
+  }
+}
+
+/// Checks that a horizontal force is at most three times the load.
+void check_friction(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
+  constexpr double kMostFriction = 3.0;
+  constexpr double kLeastLoad = 0.2;  // share of the median load: below it the wheel nearly hops
+  const Channel* Fz = only(channels, "Fz");
+  if (!Fz || Fz->unit != "N") return;
+  std::vector<double> loads;
+  for (const double value : Fz->values)
+    if (value > 0.0) loads.push_back(value);
+  if (2 * loads.size() <= Fz->values.size()) return;  // changes of a load, not loads
+  const auto middle = loads.begin() + static_cast<std::ptrdiff_t>(loads.size() / 2);
+  std::nth_element(loads.begin(), middle, loads.end());
+  const double least = kLeastLoad * *middle;
+  for (const char* name : {"Fx", "Fy"}) {
+    const Channel* force = only(channels, name);
+    if (!force || force->unit != "N") continue;
+    std::size_t count = 0, first = 0, all = 0;
+    double most = 0.0;
+    for (std::size_t i = 0; i < std::min(force->values.size(), Fz->values.size()); ++i) {
+      if (!(Fz->values[i] >= least) || std::isnan(force->values[i])) continue;
+      ++all;
+      const double friction = std::abs(force->values[i]) / Fz->values[i];
+      most = std::max(most, friction);
+      if (friction > kMostFriction && count++ == 0) first = i;
+    }
+    if (count == 0) continue;
+    doubts.push_back({force->name,
+                      fmt::format("is more than {} times the load {} {}, at most {} times: no "
+                                  "tire has such a friction; is one of the two in another unit, or "
+                                  "a spike?",
+                                  kMostFriction,
+                                  Fz->name,
+                                  of_samples(count, all),
+                                  format_number(most, 3)),
+                      first});
   }
 }
 
@@ -320,21 +364,60 @@ void check_inclination(const Channels& channels, std::vector<ChannelDoubt>& doub
                                 "iso axes a tire whose top leans to the right pulls to the right: "
                                 "is the sign of the inclination wrong?",
                                 x[1] * std::numbers::pi / 180.0,
-                                alpha->name)});
+                                alpha->name),
+                    0,
+                    false,
+                    false,
+                    true});
 }
 
-/// Checks that the time increases.
-void check_time(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
+/// Checks that the time rises from each sample to the next one of its run.
+void check_time(const Channels& channels,
+                const std::vector<std::size_t>& breaks,
+                std::vector<ChannelDoubt>& doubts) {
   const Channel* time = only(channels, "time");
-  if (!time || time->unit != "s" || time->values.size() < 3) return;
-  std::size_t back = 0, first = 0;
-  for (std::size_t i = 1; i < time->values.size(); ++i)
-    if (time->values[i] < time->values[i - 1] && back++ == 0) first = i;
-  if (2 * back < time->values.size()) return;  // a file of several runs
-  doubts.push_back(
-      {time->name,
-       fmt::format("goes backward {}: is its sign wrong?", of_samples(back, time->values.size())),
-       first});
+  if (!time || time->unit != "s") return;
+  const std::vector<double>& t = time->values;
+  constexpr std::size_t kShortestRun = 3;  // samples
+  std::size_t back = 0, first_back = 0, same = 0, first_same = 0, steps = 0, begin = 0;
+  // A run of at least three samples, behind which the time begins where it began, is followed by
+  // another run.
+  const auto begins_anew = [&](std::size_t i) {
+    return i - begin >= kShortestRun && std::abs(t[i] - t[begin]) <= t[begin + 1] - t[begin];
+  };
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    if (std::isnan(t[i]) || std::isnan(t[i - 1]) ||
+        std::find(breaks.begin(), breaks.end(), i) != breaks.end()) {
+      begin = i;
+      continue;
+    }
+    ++steps;
+    if (t[i] < t[i - 1] && begins_anew(i)) {
+      begin = i;
+      continue;
+    }
+    if (t[i] < t[i - 1] && back++ == 0) first_back = i;
+    if (t[i] == t[i - 1] && same++ == 0) first_same = i;
+  }
+  const auto in_words = [&](std::size_t i) {
+    return fmt::format("from {} to {} s", format_number(t[i - 1], 9), format_number(t[i], 9));
+  };
+  if (back > 0)
+    doubts.push_back(
+        {time->name,
+         fmt::format("goes back {}, first {}: {}",
+                     of_samples(back, t.size()),
+                     in_words(first_back),
+                     2 * back < steps ? "are the rows not in order, or does another run begin?"
+                                      : "is its sign wrong?"),
+         first_back});
+  if (same > 0)
+    doubts.push_back({time->name,
+                      fmt::format("repeats {}, first at {} s: did a row come twice, or is it "
+                                  "rounded?",
+                                  of_samples(same, t.size()),
+                                  format_number(t[first_same], 9)),
+                      first_same});
 }
 
 /// Checks two lengths of a header: the rim must be smaller than its tire.
@@ -355,7 +438,8 @@ void check_rim(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
 
 }  // namespace
 
-std::vector<ChannelDoubt> doubts_about(const Channels& channels) {
+std::vector<ChannelDoubt> doubts_about(const Channels& channels,
+                                       const std::vector<std::size_t>& breaks) {
   std::vector<ChannelDoubt> doubts;
   for (const Channel& channel : channels.all()) {
     const std::string name = base_name(channel);
@@ -375,10 +459,12 @@ std::vector<ChannelDoubt> doubts_about(const Channels& channels) {
   const bool is_turned = std::any_of(
       doubts.begin(), doubts.end(), [](const ChannelDoubt& one) { return one.all_loads_negative; });
   if (!is_turned) {
+    check_friction(channels, doubts);
     check_pairs(channels, doubts);
     check_inclination(channels, doubts);
+    for (ChannelDoubt& doubt : suspension_doubts(channels)) doubts.push_back(std::move(doubt));
   }
-  check_time(channels, doubts);
+  check_time(channels, breaks, doubts);
   check_rim(channels, doubts);
   return doubts;
 }

@@ -21,10 +21,10 @@ struct AeroLoaders {
 struct LoaderSolution {
   Eigen::Vector3d downforce;           // F, N
   Eigen::Vector4d left;                // N, p minus the forces of the car with the loaders
-  Eigen::Vector4d unreachable;         // unit vector: combination of the four that they cannot
-                                       // produce
+  Eigen::Vector4d unreachable;         // unit vector: the combination of the four forces that no
+                                       // loaders can produce
   Eigen::Matrix<double, 4, 3> slopes;  // S
-  CarState state;                      // at rest with them, at that speed
+  CarState state;                      // state at rest with the loaders, at the requested speed
 
   /// Returns F and the remainder for other forces nearby.
   std::pair<Eigen::Vector3d, Eigen::Vector4d> near(const Eigen::Vector4d& pushrods) const;

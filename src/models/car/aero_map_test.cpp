@@ -106,7 +106,7 @@ TEST(AeroMap, ACarAtSpeedCarriesWhatTheMapSaysOfTheHeightsItIsAt) {
   const double qA = 0.5 * 1.2 * 40.0 * 40.0 * 1.3;
   const Vector2d c = coefficients(fast.front_height, fast.rear_height);
   const Eigen::Array4d more = fast.Fz - still.Fz;
-  EXPECT_LT(fast.front_height, still.front_height - 1e-3);  // it is pressed down
+  EXPECT_LT(fast.front_height, still.front_height - 1e-3);  // the downforce presses the car down
   // Statics are accurate to 1e-5 of the weight at each tire.
   EXPECT_NEAR(more[kFL] + more[kFR], qA * c[0], 1e-3 * qA);
   EXPECT_NEAR(more[kRL] + more[kRR], qA * c[1], 1e-3 * qA);

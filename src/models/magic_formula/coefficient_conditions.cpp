@@ -89,8 +89,8 @@ constexpr Row kRows[] = {
     {"SSZ3", camber, 1},
     {"SSZ4", camber, 1},
     {"SSZ4", load, 1},
-    // Mx, My, friction over speed at one load QSX10 has the same form as QSX2, and QSX13 as
-    // QSX3
+    // Mx, My, friction over speed. At one load QSX10 has the same form as QSX2, and QSX13 the
+    // same as QSX3.
     {"QSX2", camber, 1},
     {"QSX10", camber, 1},
     {"QSX10", load, 1},

@@ -12,7 +12,7 @@
 namespace latsch::magic_formula {
 namespace {
 
-constexpr double kNoSlip = 1e-4;      // below it the formula is linear
+constexpr double kNoSlip = 1e-4;      // slip below which the formula counts as linear
 constexpr double kLeastSigma = 0.01;  // m: shorter than any contact patch
 
 Conventions for_mode(Conventions conventions, int use_mode) {
@@ -25,7 +25,7 @@ bool transient(int use_mode) { return use_mode / 10 % 10 > 0; }
 double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
   if (at <= 0.0) return 0.0;
   auto i = std::upper_bound(x.begin(), x.end(), at) - x.begin();
-  i = std::clamp<std::ptrdiff_t>(i, 1, std::ssize(x) - 1);  // the last piece continues
+  i = std::clamp<std::ptrdiff_t>(i, 1, std::ssize(x) - 1);  // the last piece is extended
   return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
 }
 

@@ -81,7 +81,7 @@ TEST(Transient, AMaxwellPartIsItsDifferentialEquation) {
   const auto slope = [](const Vector3d& y) -> Vector3d {
     return {y[1], (-800.0 * y[0] - y[2]) / 2.0, 400.0 * y[1] - y[2] / 0.05};
   };
-  Vector3d y(1e-3, 0.0, 400.0 * 1e-3);  // the part was stretched with it at once
+  Vector3d y(1e-3, 0.0, 400.0 * 1e-3);  // the part was also stretched, by the same distance
   const int n = 100000;
   for (int i = 0; i < n; ++i) {
     const double h = 1.0 / n;

@@ -229,7 +229,7 @@ magic_formula::RoadPlane RigidRingTire::plane_ahead(const WheelMotion& motion,
   then.head<6>() += ahead * state_.segment<6>(6);
   const WheelMotion belt = belt_motion(then, motion);
   const Vector3d forward = belt.carrier.col(1).cross(Vector3d::UnitZ());
-  if (forward.norm() < 1e-3) return plane_;  // lies flat: `touch` reports it
+  if (forward.norm() < 1e-3) return plane_;  // the belt lies flat; `touch` reports it
   const double Fz = std::max(forces_.Fz + ahead * load_rate_, kLeastShare * parameters_.FNOMIN);
   const SteadyState patch =
       formula_.evaluate({Fz, 0.0, 0.0, 0.0, 0.0, parameters_.LONGVL, settings_.pressure});

@@ -165,7 +165,7 @@ struct Folded {
 
 /// Returns the position that the border mode uses for a position beyond 0 ... length.
 Folded fold(double way, double length, Border border) {
-  if (!std::isfinite(way)) way = 0.0;  // too large for a number
+  if (!std::isfinite(way)) way = 0.0;  // infinite if it is too large for a double
   if (way >= 0.0 && way <= length) return {way};
   if (border == Border::repeat) return {way - length * std::floor(way / length)};
   if (border == Border::reflect) {

@@ -71,14 +71,14 @@ class CrgRoad final : public Road {
 
   Position locate(double x, double y) const;
   Eigen::Vector2d point(const Position& position) const;
-  /// Empty if the file has no road there.
+  /// Returns nothing if the file has no road there.
   std::optional<double> elevation(const Position& position) const;
   const CrgGrid& grid() const { return grid_; }
 
  private:
   struct Interval {
     int number = 0;     // between points number and number + 1
-    double part = 0.0;  // position in it; < 0, > 1 beyond the ends
+    double part = 0.0;  // position in the interval; < 0, > 1 beyond the ends
     double v = 0.0;
     Eigen::Vector2d along_u;  // derivatives of the position by u and v
     Eigen::Vector2d along_v;

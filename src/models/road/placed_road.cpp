@@ -88,7 +88,7 @@ GroundBounds PlacedRoad::bounds(const GroundBox& box, double time) const {
   }
   GroundBounds bounds = road_->bounds({low.x(), high.x(), low.y(), high.y()}, time);
   bounds.highest += origin_.z();
-  bounds.cylinder.reset();  // its axis is no longer parallel to y
+  bounds.cylinder.reset();  // the axis need not be parallel to y any more
   return bounds;
 }
 

@@ -91,8 +91,8 @@ class Road {
   virtual std::string beyond(double x, double y) const;
   /// Evaluates a whole row at once; equals `at`, `height` and `mean_height` up to rounding.
   virtual void below(const GroundRow& row, double time, const RowGround& ground) const;
-  /// Returns bounds for tires that evaluate thousands of points a step. Without an override nothing
-  /// is promised.
+  /// Returns bounds for tires that evaluate thousands of points a step. Without an override there
+  /// are no bounds.
   virtual GroundBounds bounds(const GroundBox&, double) const { return {}; }
 };
 

@@ -190,7 +190,7 @@ double area_within(const std::array<Vector2d, 3>& corners,
 }  // namespace
 
 /// A cell has no hole if the triangles of a mesh without overlaps fill its area. If some overlap,
-/// the sum is larger and nothing is promised.
+/// the sum is larger, and the cell counts as one with holes.
 void TriangleRoad::find_covered() {
   constexpr double kRounding = 1e-9;
   highest_ = facets_.front().highest();

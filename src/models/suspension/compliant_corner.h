@@ -28,7 +28,7 @@ namespace latsch::suspension {
 struct CompliantCorner {
   std::vector<multibody::Body> bodies;
   std::vector<multibody::Joint> joints;
-  int upright = 0;                        // its origin is the wheel center
+  int upright = 0;                        // index; the origin of the body is the wheel center
   Eigen::Vector3d wheel_center, contact;  // m
   WheelPoints wheel;
 };

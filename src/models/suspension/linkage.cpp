@@ -147,7 +147,7 @@ bool MovingLinkage::try_step(double travel, double rack) {
     }
     before = left;
     const Vector6d correction = factors.solve(-e.residual);
-    if (!(correction.tail<3>().norm() < kFarTurn)) return false;  // also if it is not a number
+    if (!(correction.tail<3>().norm() < kFarTurn)) return false;  // true for NaN, too
     pose.move(correction);
   }
   return false;

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 using Velocities = Matrix<double, 3, 2>;  // slopes by travel, by rack
 
 constexpr double kNear = 1e-3;       // m
-constexpr double kNoArm = 1e-3;      // m; a rod that passes the axis nearer than this turns nothing
+constexpr double kNoArm = 1e-3;      // m; a rod nearer to the axis than this cannot turn the lever
 constexpr double kPastReach = 1e-9;  // excess of the cosine that rounding may cause at rest
 
 struct Moved {

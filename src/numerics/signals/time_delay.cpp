@@ -41,7 +41,8 @@ struct Correlation {
     const int half = length / 2;
     const std::complex<double> turn = std::polar(1.0, 2.0 * kPi * lag / length);
     std::complex<double> e = 1.0;
-    constexpr int kRenew = 64;  // products of `turn` drift, so it is computed anew now and then
+    constexpr int kRenew = 64;  // powers of `turn` accumulate rounding, so the power is recomputed
+                                // after this many
     for (int k = 1; k <= half; ++k) {
       e = k % kRenew == 0 ? std::polar(1.0, 2.0 * kPi * k * lag / length) : e * turn;
       const double omega = 2.0 * kPi * k / length, weight = k == half ? 1.0 : 2.0;
@@ -89,7 +90,7 @@ constexpr int kTaps = 2 * kInterpolationReach;
 /// Returns weights of the samples -reach + 1 .. reach for a point `share` of a sample behind sample
 /// 0.
 std::array<double, kTaps> interpolation_weights(double share) {
-  constexpr double kBeta = 12.0;  // Kaiser's: side lobes of 1e-6 (118 dB)
+  constexpr double kBeta = 12.0;  // Kaiser window: side lobes of 1e-6 (118 dB)
   static const double whole = bessel_i0(kBeta);
   std::array<double, kTaps> weights{};
   for (int i = 0; i < kTaps; ++i) {

@@ -255,7 +255,7 @@ template <class Scalar>
 bool Lanczos<Scalar>::converged() const {
   if (done_ < wanted_) return false;
   for (int k = done_ - wanted_; k < done_; ++k) {
-    if (!(theta_[k] > 0.0)) return false;  // also if it is not a number
+    if (!(theta_[k] > 0.0)) return false;  // true for NaN, too
     const double tolerance = tolerance_of(done_ - 1 - k);
     if (pool_ > 0 && !((B_ * S_.col(k)).norm() <= tolerance * theta_[k])) return false;
   }

@@ -53,7 +53,7 @@ SamplingPlan full_factorial(const DesignSpace& space, const std::vector<int>& le
     }
     plan.points.push_back(space.from_unit(u));
     for (int i = 0; i < space.size(); ++i) {
-      if (levels[i] == 1) plan.points.back().values[i] = space[i].initial;  // its exact bits
+      if (levels[i] == 1) plan.points.back().values[i] = space[i].initial;  // exact bits
     }
   }
   return plan;

@@ -13,7 +13,7 @@ constexpr double kRhoGrowth = 10.0;
 constexpr double kAlphaDecay = 0.1;
 constexpr double kLeastAlpha = 1e-5;  // less than the violation that counts as fulfilled
 constexpr double kDeltaDecay = 0.25;
-constexpr double kNextStep = 4.0;  // first step of the next search over delta
+constexpr double kNextStep = 4.0;  // first step of the next search, as a multiple of delta
 
 void check(const GssNlcOptions& options) {
   const OptionCheck check("GSS-NLC");

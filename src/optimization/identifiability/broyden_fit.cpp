@@ -187,7 +187,7 @@ void BroydenFit::plan_step() {
   wanted_.reset();
   converged_ = free_.empty();
   if (converged_) return;
-  // A step shortened by lambda always promises little, so the full step decides.
+  // A step shortened by lambda always predicts little gain, so the full step decides.
   const auto full = step_from(best_.u, best_.r, 0.0);
   if (!full) return;
   const bool has_enough = !promises(*full);

@@ -11,11 +11,12 @@
 // so no derivatives are evaluated until two steps in a row fail. Then J is recomputed by
 // differences with the lengths `differences`. The corrections know J only along the path taken, so
 // `refresh` names the variables whose columns are recomputed once before the fit may converge away
-// from the start. The fit has converged if a step promises less than `tolerance` of S. It ends
-// without convergence after `most_evaluations`, or if evaluations fail whatever the step. With
-// linear constraints the step is a quadratic program, and a difference for which neither side has
-// room leaves its column of J to the corrections. If the evaluations bring the model's own slopes,
-// J is that of the best point: nothing is corrected or recomputed, and the steps are Levenberg's.
+// from the start. The fit has converged if the predicted gain of a step is less than `tolerance` of
+// S. It ends without convergence after `most_evaluations`, or if evaluations fail whatever the
+// step. With linear constraints the step is a quadratic program, and a difference for which neither
+// side has room leaves its column of J to the corrections. If the evaluations bring the model's own
+// slopes, J is that of the best point: nothing is corrected or recomputed, and the steps are
+// Levenberg's.
 //
 // Ask and tell: evaluate wanted() and pass the outcome to observe(), until wanted() is empty.
 #pragma once
@@ -56,7 +57,7 @@ class BroydenFit {
 
   /// False if the first point with the moved variable failed, so there is no fit at its value.
   bool fitted() const { return !moving_; }
-  /// True if no step promised an improvement; false while the fit wants a point or if it gave up.
+  /// True if no step predicts an improvement; false while the fit wants a point or if it gave up.
   bool converged() const { return converged_; }
   /// Returns the point with the least S so far, and J as far as it is known there.
   const Linearization& best() const { return best_; }
@@ -79,7 +80,7 @@ class BroydenFit {
   std::vector<int> free_;
   BroydenFitOptions options_;
   std::optional<Eigen::VectorXd> wanted_;
-  bool moving_ = false;  // the first point is being evaluated; it is accepted whatever its S
+  bool moving_ = false;  // the first point is being evaluated, which is accepted with any S
   double lambda_ = 0.0;
   bool converged_ = false, verified_ = false;
   int failed_steps_ = 0;      // number in a row

@@ -27,7 +27,7 @@ struct DOptimality {
   int candidate = 0;       // index in the list
   double shrinkage = 1.0;  // volume of the ellipsoid before over after, >= 1
   double widest_before = 0.0, widest_after = 0.0;  // standard deviation of the widest direction
-  Eigen::VectorXd deviations;                      // after it, for every variable; in ranges
+  Eigen::VectorXd deviations;                      // with the measurement, by variable; in ranges
 };
 
 /// Returns the candidates, most useful first. `J` belongs to the present data, each row divided by

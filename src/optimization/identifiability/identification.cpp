@@ -167,7 +167,7 @@ bool Identification::center_observed(const std::vector<Result<Evaluated>>& evalu
     }
   }
   const auto rows = used(evaluated.front());
-  assert(rows);  // a later center was evaluated before
+  assert(rows);  // every center but the first was evaluated as a trial point
   r_ = rows->r;
   least_ = r_->squaredNorm();
   least_point_ = center_;
@@ -276,7 +276,7 @@ void Identification::weak_directions_observed(const std::vector<Result<Evaluated
   at_->J = std::move(J);
   wanted_.clear();
   if (is_other) confidence_ = latsch::confidence(*at_, options_.confidence);
-  // Wrong slopes had led to other directions than the weak ones.
+  // Because of wrong slopes other directions than the weak ones were checked.
   if (is_other && ++weak_rounds_ < kMostWeakRounds && ask_weak_directions()) return;
   weak_.reset();
   after_slopes();

@@ -83,7 +83,7 @@ class SlopeSearch {
   std::vector<Point> points_;
   std::vector<Tried> tried_;
   double planned_ = 0.0;
-  int shortened_ = 0;  // number of times, because of failures
+  int shortened_ = 0;  // number of shortenings because of failures
   SlopeQuality quality_ = SlopeQuality::unknown;
   Eigen::VectorXd slope_;
   std::vector<Term> terms_;

@@ -22,7 +22,7 @@ constexpr double kPoorGain = 0.25;          // gain below which the radius is sh
 constexpr double kGainToExpand = 0.75;      // gain above which the radius is lengthened
 constexpr double kExpansionOfRadius = 2.0;  // radius over the step
 constexpr double kAfterFailure = 0.25;      // radius over the step that failed
-constexpr double kWorthReturning = 0.1;     // share of what the step had promised
+constexpr double kWorthReturning = 0.1;     // share of the gain that the step predicted
 // If a step leaves less than this share of f, the search is not on a valley's floor.
 constexpr double kSteepDescent = 0.1;
 constexpr double kExpansionOnReturn = 10.0, kRadiusOnReturn = 4.0;  // multiples of the step
@@ -30,7 +30,8 @@ constexpr double kExpansionOnReturn = 10.0, kRadiusOnReturn = 4.0;  // multiples
 constexpr double kAlong = 0.8;
 // Largest turn of a step by curvature, relative to the step [Transtrum & Sethna, alpha = 0.75].
 constexpr double kMostTurn = 0.375;
-constexpr double kWorthBending = 0.1;              // share of what the straight step promises
+constexpr double kWorthBending = 0.1;              // share of the gain that the straight step
+                                                   // predicts
 constexpr double kLeastCut = 0.1, kMostCut = 0.5;  // limits of the factor that shortens Delta
 constexpr double kPromisesNothing = 1e-10;         // share of f, for a step in the radius
 constexpr double kPromisesMuch = 1e-6;             // share of f
@@ -39,7 +40,7 @@ constexpr double kRoundingIsLeft = 1e-10;  // share of the first f: five digits,
 // Share of the tolerance: so short a radius finds nothing.
 constexpr double kExhaustedStep = 0.01;
 // A range is too wide for the tolerance if the full step is shorter than the tolerance and yet
-// promises kPromisesAllTheSame of f, while f exceeds kMuchIsLeft.
+// predicts a gain of kPromisesAllTheSame of f, while f exceeds kMuchIsLeft.
 constexpr double kPromisesAllTheSame = 0.1;  // share of f
 constexpr double kMuchIsLeft = 1e-6;         // share of the first f
 constexpr double kNumbersOfTheCube = 1e-16;  // distance of neighboring numbers in the unit cube
@@ -168,8 +169,8 @@ struct LevenbergMarquardt::State {
     return true;
   }
 
-  /// Returns the step to the residuals that the linear model had promised, and not beyond: a step
-  /// free to continue along the valley would leave its floor again.
+  /// Returns the step to the residuals that the linear model predicted, and not beyond: a step free
+  /// to continue along the valley would leave its floor again.
   LevenbergMarquardtStep return_from(const Linear& at,
                                      const LevenbergMarquardtStep& step,
                                      const Eigen::VectorXd& goal) const {
@@ -178,7 +179,7 @@ struct LevenbergMarquardt::State {
     return back.length > step.length ? steps.within(step.length) : back;
   }
 
-  /// Judges a step together with its returns.
+  /// Judges a step together with the returns after it.
   void judge_returns(const Attempt& tried, double gain) {
     const LevenbergMarquardtStep& step = *tried.step;
     if (gain > kGainToExpand) {
@@ -216,7 +217,7 @@ struct LevenbergMarquardt::State {
   }
 
   /// True if recent steps gained little. Along a long valley far from its end steps gain as little,
-  /// but the linear model promises much.
+  /// but the linear model predicts a large gain.
   bool is_slow(const LevenbergMarquardtSteps& steps) const {
     constexpr std::size_t kSteps = 3;
     const double little = options.progress_tolerance * x.f;
@@ -340,21 +341,21 @@ std::string LevenbergMarquardt::ending() const {
     case LevenbergMarquardtEnding::none:
       return "";
     case LevenbergMarquardtEnding::flat:
-      return "at a minimum: the slopes of the residuals promise nothing better";
+      return "at a minimum: the slopes of the residuals predict no improvement";
     case LevenbergMarquardtEnding::short_step:
       return "at a minimum: the next step is shorter than the tolerance";
     case LevenbergMarquardtEnding::nothing_left:
       return "with nothing left: the residuals have vanished";
     case LevenbergMarquardtEnding::slow:
       return "in a bent valley or at a kink: three steps together gained less than the noise of "
-             "one measured value, and the slopes promise no more";
+             "one measured value, and the slopes predict no more";
     case LevenbergMarquardtEnding::edge:
       return "at the edge of failed trials: steps that would gain fail";
     case LevenbergMarquardtEnding::rounding:
       return "with next to nothing left: the residuals are below the accuracy of the trials";
     case LevenbergMarquardtEnding::rough:
-      return "where steps, however short, do not bring what the derivatives promise: these are "
-             "wrong or the residuals are not smooth";
+      return "on rough ground: steps, however short, do not bring the gain that the derivatives "
+             "predict: these are wrong or the residuals are not smooth";
     case LevenbergMarquardtEnding::hopeless:
       return "without a result: every trial failed";
   }

@@ -62,10 +62,11 @@ struct LevenbergMarquardtOptions {
   /// are exact.
   double initial_step = 0.5;
   double step_tolerance = 1e-6;
-  /// The search ends if the full step of the linear model promises less than this share of f.
+  /// The search ends if the linear model predicts a gain of less than this share of f for the full
+  /// step.
   double gain_tolerance = 1e-10;
-  /// The search ends if three accepted steps together gain less than this share of f and the full
-  /// step of the linear model promises less than half of that: the path along a curved valley or a
+  /// The search ends if three accepted steps together gain less than this share of f and the linear
+  /// model predicts less than half of that for the full step: the path along a curved valley or a
   /// kink may be long. 0 accepts any gain; a study may set it from its noise
   /// [optimizer_choice.cpp].
   double progress_tolerance = 0.0;

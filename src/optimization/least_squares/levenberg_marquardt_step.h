@@ -47,11 +47,11 @@ class LevenbergMarquardtSteps {
   LevenbergMarquardtStep within(double radius) const;
   /// Returns the solution of (1) for a given mu.
   LevenbergMarquardtStep damped(double mu) const;
-  /// Upper limit of what a step inside the bounds promises: the value for the variables not held,
-  /// without bounds.
+  /// Upper limit of the gain that a step inside the bounds predicts: the value for the variables
+  /// not held, without bounds.
   double most_promised() const { return most_promised_; }
-  /// Returns what the best move of a single free variable promises at least. If J loses rank, joint
-  /// steps of all variables promise an improvement that no step brings.
+  /// Returns a lower limit of the gain predicted for the best move of a single free variable. If J
+  /// loses rank, joint steps of all variables predict an improvement that no step achieves.
   double promised_by_one() const { return promised_by_one_; }
 
  private:

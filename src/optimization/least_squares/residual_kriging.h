@@ -27,8 +27,9 @@
 //   s^2 = sum over residuals d' K^-1 d / N
 //
 // (K with its diagonal of (2), k without noise), so |r_hat(z)|^2 + v(z) is the expected value: the
-// more a step relies on regions without samples, the less it promises. To first order |r|^2 changes
-// by 2 r_c'd. With this in place of d, s^2 noise is the variance of the target caused by noise.
+// more a step relies on regions without samples, the less gain it predicts. To first order |r|^2
+// changes by 2 r_c'd. With this in place of d, s^2 noise is the variance of the target caused by
+// noise.
 //
 // This is not the Gauss-Newton method of DFO-LS [Cartis, Fiala, Marteau, Roberts, ACM TOMS 45
 // (2019) 32], whose models of residuals are linear: here the models have curvature, any number of

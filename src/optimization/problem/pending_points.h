@@ -35,8 +35,8 @@ class PendingPoints {
 
   bool contains(const DesignPoint& point) const { return find(point) != points_.end(); }
 
-  /// Removes and returns the first pending entry at that point; nullopt if the method does not wait
-  /// for that point.
+  /// Removes and returns the first pending entry at the given point; nullopt if the method does not
+  /// wait for it.
   std::optional<Pending> take(const DesignPoint& point) {
     const auto found = find(point);
     if (found == points_.end()) return std::nullopt;

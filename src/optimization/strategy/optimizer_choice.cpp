@@ -26,7 +26,7 @@ constexpr std::array kMethods{
     MethodWords{Method::gss_nlc, "gss_nlc", "generating-set search with penalties", true},
     MethodWords{Method::nelder_mead, "nelder_mead", "Nelder-Mead", false},
     MethodWords{Method::genetic, "genetic", "genetic algorithm", false},
-    MethodWords{Method::ensemble, "ensemble", "ensemble", true}};  // its members are checked
+    MethodWords{Method::ensemble, "ensemble", "ensemble", true}};  // members are checked one by one
 
 const MethodWords& entry(Method method) {
   const auto is_it = [&](const MethodWords& words) { return words.method == method; };
@@ -37,8 +37,8 @@ const MethodWords& entry(Method method) {
 
 constexpr double kMostFailures = 0.5;  // with more failures, models have too few samples
 // F is 1 for each value in units of the noise; a step of one standard deviation in one variable
-// increases it by as much. A linear model that promises a thousandth of that is a thirtieth of a
-// standard deviation from its minimum.
+// increases it by as much. A linear model that predicts a gain of a thousandth of that is a
+// thirtieth of a standard deviation from its minimum.
 constexpr double kFeltByNobody = 1e-3;
 constexpr int kMostPolled = 40;  // number of variables: a poll needs that many evaluations
 

@@ -10,9 +10,9 @@ constexpr double kReach = 2.0;    // longest step, in axes of the frame
 constexpr double kShorter = 0.3;  // factor of the range of steps after a disappointing one
 constexpr int kMostMisses = 3;    // steps in a row without success that end a round
 constexpr double kFarther = 3.0;  // factor of lengths if the residuals are at noise level
-/// Share of the deviation of the target caused by noise. A disappointing step that promised less
-/// carries no information about slopes. A smaller share lets every such step count, a larger one
-/// only steps far above noise.
+/// Share of the deviation of the target caused by noise. A disappointing step with a smaller
+/// predicted gain carries no information about slopes. A smaller share lets every such step count,
+/// a larger one only steps far above noise.
 constexpr double kTelling = 0.5;
 constexpr double kWorthARound = 1.0 - 1e-5;  // share of the value below which another round follows
 constexpr int kMostRounds = 8;               // more rounds cost evaluations

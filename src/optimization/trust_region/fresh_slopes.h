@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recomputes slopes at the end of a search, when no step promises an improvement, with lengths
+// Recomputes slopes at the end of a search, when no step predicts an improvement, with lengths
 // suited to noise and ripple (natural_frame.h). Each round probes along the axes of a frame and
-// then takes steps of the resulting model until one promises nothing or several were in vain.
-// Another round follows if the steps gained, or if slopes were wrong by more than noise; its probes
-// go to other points. If the residuals are at noise level, one more round takes longer moves, over
-// which noise counts less.
+// then takes steps of the resulting model until one predicts no gain or several have failed to
+// gain. Another round follows if the steps gained, or if slopes were wrong by more than noise; its
+// probes go to other points. If the residuals are at noise level, one more round takes longer
+// moves, over which noise counts less.
 //
 // The range of a variable may be so wide that a probe changes the residuals by hundreds of times
 // their size, or makes them explode. Such a probe does not help to judge a minimum. The axis is
@@ -25,7 +25,7 @@ class FreshSlopes {
   struct Options {
     double shortest;     // shortest move for slopes, relative to a width
     double noise_alone;  // see ResidualTrustRegionOptions
-    double f_least;      // a value below it is worth no further round
+    double f_least;      // a value below this is worth no further round
   };
 
   /// Starts around the center of the box.
@@ -39,12 +39,12 @@ class FreshSlopes {
   void observe_failed_step();
   /// `change` is the change of the residuals relative to their size, if the probe has residuals.
   void observe_failed_probe(double change);
-  /// `is_bad` is true if the step gained almost nothing of what it promised.
+  /// `is_bad` is true if the step gained almost nothing of the predicted gain.
   void observe_step(bool is_bad, double promise);
 
   /// Value of the target at the beginning of this round.
   double f_begin() const { return f_begin_; }
-  /// True if moves had to be shortened to suit the residuals: no search in a box follows from
+  /// True if moves had to be shortened to suit the residuals: no search in a box starts from
   /// there.
   bool is_sharp() const { return is_sharp_; }
   /// Valid once the verification has ended.

@@ -15,7 +15,8 @@ constexpr double kTest = 0.1;
 /// Evaluations of each trial from a point at which lost variables have an effect, in units of n +
 /// 1. One unit is for the probes, so two are left for steps.
 constexpr int kAllotment = 3;
-constexpr double kWorthIt = 0.9;  // share of the value below which the trials count as worth it
+constexpr double kWorthIt = 0.9;  // share of the value below which the trials count as an
+                                  // improvement
 
 }  // namespace
 

@@ -28,7 +28,7 @@ class LostVariableTrials {
                const Eigen::VectorXd& u,
                const std::optional<ResidualSample>& sample);
   /// Outcome assumed for a point when planning ahead for idle workers: the models' prediction, and
-  /// for a look for lost variables an outcome without information.
+  /// for a search for lost variables an outcome without information.
   ResidualSample expected(const DesignPoint& point) const;
   /// Sets the number of points proposed at a time from now on.
   void widen(int count) { run_.widen(count); }
@@ -40,7 +40,7 @@ class LostVariableTrials {
   void choose();
 
   TrustRegionRun run_;
-  std::optional<LostVariables> lost_;   // present while they are looked for
+  std::optional<LostVariables> lost_;   // present while lost variables are looked for
   Eigen::VectorXd r_settled_;           // residuals where the run settled
   PendingPoints<Wanted> look_;          // the next point of `lost_`; at most one
   std::vector<TrustRegionRun> trials_;  // start where lost variables have an effect

@@ -10,7 +10,7 @@ namespace latsch {
 namespace {
 
 constexpr double kAvoided = 0.25;  // share of the distance to the nearest success
-// Multiple of the median of the values around: no model holds up to so large a value.
+// Multiple of the median of the values around: no model is valid up to so large a value.
 constexpr double kExploded = 1e6;
 // Distances in a natural frame, where the residuals change by their own size over a distance of 1:
 constexpr double kNearInFrame = 0.1;  // nearer samples show noise alone

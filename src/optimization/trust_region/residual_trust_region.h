@@ -14,13 +14,13 @@
 //             and bounds: box_least_squares.h; with linear constraints: polytope_least_squares.h.
 //             gain = (f(c) - f(u)) / (f(c) - expected(u))
 //   radius    It grows after steps with a good gain and shrinks after steps with a bad gain.
-//   verify    If neither a step of the tolerance nor a model of good geometry promises anything,
+//   verify    If neither a step of the tolerance nor a model of good geometry predicts a gain,
 //             slopes are recomputed with lengths that suit noise and ripple (natural_frame.h), and
 //             steps of the resulting model are taken as long as they gain. At noise level this is
 //             repeated over three times the distance, which reduces the weight of noise to a third.
 //             A later gain of a restart is verified again only if it is more than noise makes of
 //             the target, or a tenth of the target.
-//   end       The search ends if these steps promise nothing. ending() reports the reason. Restarts
+//   end       The search ends if these steps predict no gain. ending() reports the reason. Restarts
 //             follow as long as the residuals exceed what noise explains, if noise is known, or
 //             what can be gained.
 //
@@ -46,8 +46,8 @@
 // evaluations starts afresh, and the best of the trials and the run continues. The trials count as
 // restarts unless they brought a clearly better value.
 //
-// If a Score brings a Jacobian, its slopes replace the geometry, and samples contribute curvature
-// alone: there are no probes and no fresh slopes at the end.
+// If a Score brings a Jacobian, its slopes replace the geometry, and samples contribute only
+// curvature: there are no probes and no fresh slopes at the end.
 //
 // Parallel evaluation: `outstanding` points are being evaluated at any time. The second and later
 // ones are steps in boxes of other sizes, then points around the best predicted one. Idle workers

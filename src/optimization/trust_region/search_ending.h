@@ -8,14 +8,14 @@ namespace latsch {
 
 enum class Ending {
   none,       // not ended
-  verified,   // fresh slopes promise nothing
-  noise,      // fresh slopes promise nothing above noise and ripple
+  verified,   // fresh slopes predict no gain
+  noise,      // fresh slopes predict no gain above noise and ripple
   edge,       // steps that would gain fail
-  rough,      // steps do not gain what fresh slopes promise
+  rough,      // steps do not achieve the gain that fresh slopes predict
   blind,      // along some direction no slope could be computed
-  known,      // the model's own slopes promise nothing
+  known,      // the model's own slopes predict no gain
   explained,  // almost nothing is left of the residuals
-  hopeless    // nothing ever succeeded
+  hopeless    // no point ever succeeded
 };
 
 std::string in_words(Ending ending);

@@ -86,7 +86,7 @@ std::optional<Wanted> TrustRegionRun::next() {
   return look_around();
 }
 
-/// Handles geometry, model, step and radius; returns nullopt if nothing is promised.
+/// Handles geometry, model, step and radius; returns nullopt if no step predicts a gain.
 std::optional<Wanted> TrustRegionRun::next_of_search() {
   while (box_.radius >= options_.step_tolerance && !is_hopeless()) {
     const bool bears_probes = !box_.has_center() || failures_ < kFailuresToGiveUp;
@@ -244,7 +244,7 @@ bool TrustRegionRun::begin_verification() {
   return verification_.has_value();
 }
 
-/// Returns the next point of the verification, or a restart if nothing is promised above noise.
+/// Returns the next point of the verification, or a restart if no gain above noise is predicted.
 std::optional<Wanted> TrustRegionRun::next_to_verify() {
   if (auto point = verification_->next(box_, wanted_)) return point;
   if (!wanted_.empty()) return look_around();
@@ -336,10 +336,10 @@ void TrustRegionRun::start_again(const Eigen::VectorXd& failed) {
     return;
   }
   const double reach = options_.initial_radius * (1.0 + failures_ / n());
-  constexpr int kTries = 100;  // the region may be thin
+  constexpr int kTries = 100;  // many random points may be infeasible in a thin region
   for (int k = 0; k < kTries; ++k) {
     const Eigen::VectorXd u = box_.drawn_near(failed, reach);
-    if (box_.memory.has_failed_near(u)) continue;  // same bits as before
+    if (box_.memory.has_failed_near(u)) continue;  // a failed point repeated with the same bits
     box_.move_to(u);
     wanted_.push_back(box_.at(u, Kind::start));
     return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One run of the residual trust region from one start, with its restarts: the method of
-// residual_trust_region.h without the look for lost variables, which happens between runs.
+// residual_trust_region.h without the search for lost variables, which happens between runs.
 #pragma once
 
 #include <Eigen/Core>
@@ -81,7 +81,7 @@ class TrustRegionRun {
   // Increase of f at an initial radius off the best point, from the last time it was the center.
   double rise_ = 0.0;
   double f_first_ = std::numeric_limits<double>::infinity();     // at the start, or first success
-  double f_verified_ = std::numeric_limits<double>::infinity();  // below it, verify once more
+  double f_verified_ = std::numeric_limits<double>::infinity();  // lower values are verified
   bool is_geometry_doubted_ = false;                             // a step disappointed
   bool has_widened_ = false;  // widened the radius for noise since the last outcome
   int disappointments_ = 0;   // number in a row
@@ -90,11 +90,11 @@ class TrustRegionRun {
   int widenings_ = 0;         // number of widenings of the radius, for a search at noise level
   int restarts_ = 0;
   Eigen::MatrixXd flat_;      // directions without effect at the best point of all
-  int scouts_ = 0;            // number of points along them left in this restart
+  int scouts_ = 0;            // number of points along these directions left in this restart
   bool is_scouting_ = false;  // the start being evaluated is a scout
   bool is_over_ = false;      // the last restart failed
   bool has_settled_ = false;
-  double f_settled_ = std::numeric_limits<double>::infinity();   // best value when it last settled
+  double f_settled_ = std::numeric_limits<double>::infinity();   // best value when the run settled
   double f_released_ = std::numeric_limits<double>::infinity();  // best value at the last release
   PendingPoints<Wanted> wanted_;
 };

@@ -39,7 +39,7 @@ class StudyRuns {
     bool is_ours = false;  // started from this page
     bool is_alive = false;
     std::optional<int> exit_code;
-    bool was_stopped = false;      // on request: its exit code is no failure
+    bool was_stopped = false;      // the run was stopped on request: its exit code is no failure
     RunVerb verb = RunVerb::run;   // verb of a run that this server started
     std::vector<std::string> log;  // last lines
   };

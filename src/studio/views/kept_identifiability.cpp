@@ -31,10 +31,10 @@ KeptIdentifiability computed(const std::string& id,
   return {study, std::make_shared<const correlation::Identifiability>(std::move(*what)), ""};
 }
 
-/// Changes when a journal grows.
+/// Returns a text that changes when a journal grows.
 std::string state_of_journal(const std::string& journal) {
   std::string state;
-  for (const char* of : {"", "-wal"}) {  // the log beside it
+  for (const char* of : {"", "-wal"}) {  // "-wal": the write-ahead log
     std::error_code none;
     const auto size = std::filesystem::file_size(journal + of, none);
     const auto written = std::filesystem::last_write_time(journal + of, none);

@@ -19,7 +19,7 @@ using correlation::Study;
 
 constexpr double kNextToNoWeight = 1e-6;  // share of the largest weight
 constexpr double kAtBound = 1e-3;         // share of the range
-constexpr double kMissed = 0.1;           // error that deserves a remark
+constexpr double kMissed = 0.1;           // error that needs a remark
 
 std::string weight_flag(double weight, double largest) {
   return weight < kNextToNoWeight * largest ? "weight about zero: it does not count" : "";
@@ -74,7 +74,9 @@ Row mean_row(const std::string& experiment,
   return row;
 }
 
-Row mode_row(const report::ModalComparison& modes, const report::ModePair& pair, double weight) {
+Row mode_row(const report::ModalComparison& modes,
+             const report::ComparedModes& pair,
+             double weight) {
   Row row{pair.label, modes.experiment, "Hz", weight};
   const double error = (pair.simulated - pair.measured) / pair.measured;
   row.target = finite(pair.measured);
@@ -100,7 +102,8 @@ Row value_row(const report::MeasuredValue& value) {
   return row;
 }
 
-std::vector<double> force_errors(const report::ForceCurve& curve, const std::vector<double>& of) {
+std::vector<double> force_errors(const report::ComparedForces& curve,
+                                 const std::vector<double>& of) {
   std::vector<double> errors;
   for (std::size_t k = 0; k < of.size(); ++k)
     errors.push_back((curve.measured[k] - of[k]) / curve.measured[k]);

@@ -10,12 +10,11 @@
 #include <optional>
 #include <string>
 
+#include "formats/text/json.h"
 #include "studio/shelf/shelf.h"
 #include "studio/shelf/study_runs.h"
 
 namespace latsch::studio {
-
-using Json = nlohmann::ordered_json;
 
 /// Returns the studies of the folder, their states and best targets.
 Json home_view(const Shelf& shelf, const std::string& version, bool has_page);
@@ -25,11 +24,11 @@ Json study_view(const ShelvedStudy& study, StudyRuns& runs);
 
 /// Target over trials, at most `most` of them: the least and the greatest of every stretch. Trials
 /// are numbered from 1; `to` = 0 means the last.
-struct Stretch {
+struct TrialRange {
   long from = 1, to = 0, most = 4000;
 };
 Json convergence_view(const ShelvedStudy& study,
-                      const Stretch& stretch,
+                      const TrialRange& stretch,
                       const std::string& weights);
 
 /// Rows of the table of trials.
@@ -51,7 +50,7 @@ Json target_view(const ShelvedStudy& study, const std::string& weights);
 /// Returns single numbers: weight, target, initial and optimized value, and reasons for doubt.
 Json kpi_view(const ShelvedStudy& study, const std::string& weights);
 
-/// Returns what the measurements determine, as far as the journal contains it.
+/// Returns intervals, directions and profiles, as far as the journal contains them.
 Json identifiability_view(const ShelvedStudy& study);
 
 /// Returns the numbers of the model.

@@ -203,7 +203,7 @@ void serve_rank(MpiJob& job, ProcessOptions options) {
   try {
     serve(job, std::move(options));
   } catch (...) {
-    job.ends_alone();  // others continue, and MPI_Finalize would wait for them
+    job.ends_alone();  // the other ranks continue, and MPI_Finalize would wait for them
     throw;
   }
 }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording of the four-post rig over frequency: spectral densities, and transfer functions from
-// what the posts do together to every sensor. Densities by Welch's method (signals/welch.h: Hann
+// the joint motion of the posts to every sensor. Densities by Welch's method (signals/welch.h: Hann
 // window, mean of each segment removed, one-sided; segments overlap by seven eighths, as a sweep
-// passes a line within one or two of them). Transfer functions and coherences of the whole
-// record by local polynomials (numerics/signals/local_response.h): segments would cut off what
-// enters a line before them, which at the low end of a sweep is most of it. So the record has to
-// end at rest: the posts stand still behind what moves them (FourPostTest::still).
-// Two runs are needed, y+ and one with the posts upside down, y-. The response is that of
-// (y+ - y-)/2, which has no even powers of u: a sweep's second harmonic and the mean that a bent
-// law shifts reach other lines before or after the posts do, and where the response is small they
-// are larger than it. (y+ + y-)/2 follows no linear law and lowers the coherence.
+// passes a line within one or two of them). Transfer functions and coherences of the whole record
+// by local polynomials (numerics/signals/local_response.h): segments would cut off the part of a
+// line's response to earlier motion, which is most of it at the low end of a sweep. So the record
+// has to end at rest: after their motion the posts rest for a time (FourPostTest::still). Two runs
+// are needed, y+ and one with the posts upside down, y-. The response is that of (y+ - y-)/2, which
+// has no even powers of u: the second harmonic of a sweep and the shift of the mean by a nonlinear
+// law contribute to lines at which the posts do not move at that time, and exceed a small response
+// there. (y+ + y-)/2 follows no linear law and lowers the coherence.
 //   u = (±h_FL ± h_FR ± h_RL ± h_RR)/4      the mode's signal, m: in a sweep that of the post FL
 //   H                                       y by u; phase positive if y leads
 // Heave: ++++, pitch: ++--, roll: +-+-, warp: +--+. If posts also move otherwise, the response to

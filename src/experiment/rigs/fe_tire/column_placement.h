@@ -27,10 +27,10 @@
 namespace latsch {
 
 struct ColumnPlacementSettings {
-  int unknowns = 0;  // most in the mesh; 0: as many as it has
+  int unknowns = 0;  // greatest number in the mesh; 0: the present one
   int modes = 20;
   int rounds = 6;               // most rounds of moving columns
-  bool choose_sectors = false;  // true: their number is chosen too, even, within the same unknowns
+  bool choose_sectors = false;  // true: chooses an even number of sectors, too
   double deflection = 0.0;      // m; > 0: columns and sectors are then exchanged according to
                                 // errors on the ground
 };

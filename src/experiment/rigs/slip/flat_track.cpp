@@ -12,7 +12,7 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kWheelInertia = 1.0;      // kg m^2, of the wheel that finds its free rolling speed
+constexpr double kWheelInertia = 1.0;      // kg m^2, of the wheel that rolls up to its free speed
 constexpr double kFollow = 20e-3;          // s, time constant with which the axle follows the load
 constexpr double kLeastDeflection = 1e-3;  // m
 
@@ -50,7 +50,7 @@ class Track {
     auto hub = tire_.settle(motion_, belt_, 0.0);
     if (!hub) return hub.failure();
     FreeWheel wheel;
-    if (sweep_.axle == Axle::load) wheel.height = axle(*hub);
+    if (sweep_.axle == AxleHold::load) wheel.height = axle(*hub);
     wheel.spin = {.inertia = kWheelInertia,
                   .place = motion_.spin,
                   .rate = motion_.spin_rate,

@@ -24,11 +24,14 @@
 
 namespace latsch {
 
-/// Returns the columns as conditions from a measurement: Fz, in W, is required.
-std::vector<experiment::MeasuredCondition> measured_states();
+/// Returns the columns as conditions from a measurement: Fz, in W, is required. `no_turn_slip` says
+/// why the test ignores phit; empty if the test uses it.
+std::vector<experiment::MeasuredCondition> measured_states(const std::string& no_turn_slip = "");
 
 /// Says how each column of such a table is interpreted, what is assumed, and what is doubtful.
-Ledger ledger_of_states(const formats::CsvTable& table, const std::string& by);
+Ledger ledger_of_states(const formats::CsvTable& table,
+                        const std::string& by,
+                        const std::string& no_turn_slip = "");
 
 struct SlipStates {
   std::vector<magic_formula::State> states;

@@ -25,7 +25,8 @@ struct KinematicsTest {
   bool with_rates = false, with_anti_roll_bar = false;
   double outer_share = 0.5;                        // share of the lateral force on the outer wheel,
                                                    // for the force-based roll center
-  std::optional<suspension::VehicleData> vehicle;  // for anti-dive ...
+  std::optional<suspension::VehicleData> vehicle;  // for anti-dive and the other shares of the load
+                                                   // transfer
   std::optional<double> wheelbase;                 // m; for Ackermann
   std::optional<double> rack_per_turn;             // m per turn of the steering wheel
 };
@@ -35,7 +36,7 @@ struct KinematicState {
   double travel, other_travel, rack;
   suspension::WheelKinematics own, other;
   suspension::AxleKinematics axle;
-  double steer_inner, steer_outer, ackermann;  // if the test has a wheelbase
+  double steer_inner, steer_outer, ackermann;  // set if the test has a wheelbase
 };
 
 struct KinematicChannel {

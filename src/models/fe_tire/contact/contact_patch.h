@@ -14,8 +14,8 @@ struct ContactPatch {
     double x, y;              // m, from the point below the wheel center
     double pressure;          // Pa
     double shear_x, shear_y;  // Pa, on the tire
-    double area;              // m^2 that it represents
-    double length;            // m, its length along the road
+    double area;              // m^2 that the point represents
+    double length;            // m, length of that area along the road
     bool sticks;
   };
   std::vector<Point> points;

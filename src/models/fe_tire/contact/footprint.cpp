@@ -10,7 +10,7 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr double kNear = 3e-4;       // m, lower of the heights at which (F.1) is fitted
-constexpr double kRatio = 4.0;       // ratio of the other height to it
+constexpr double kRatio = 4.0;       // ratio of the other height to this one
 constexpr double kBeyondRest = 4.0;  // least ratio of the lower height to the samples' rest
                                      // distance
 
@@ -19,7 +19,8 @@ constexpr double kBeyondRest = 4.0;  // least ratio of the lower height to the s
 double half_length(double s_1, double s_2, double ratio) {
   const auto f = [](double t) { return t * std::sqrt(t * t - 1.0) - std::acosh(t); };
   if (s_2 * s_2 >= ratio * s_1 * s_1) return 0.0;
-  double low = 0.0, high = s_1;  // the ratio grows from (s_2 / s_1)^2 to infinity between them
+  double low = 0.0, high = s_1;  // the ratio grows from (s_2 / s_1)^2 to infinity between these
+                                 // bounds
   for (int k = 0; k < 40; ++k) {
     const double a = 0.5 * (low + high);
     (f(s_2 / a) < ratio * f(s_1 / a) ? low : high) = a;

@@ -73,9 +73,9 @@ class TreadSurface {
     double around;                                     // m, length of the undeformed surface around
                                                        // the tire
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // m, wheel frame: added by (T.1)
-    bool is_own_image = false;                         // half of it belongs to its image
+    bool is_own_image = false;                         // half of the point belongs to its image
     int cell = 0;                                      // points of a cell depend on the same nodes
-    int first_around = 0, arounds = 0;                 // the means across that it is a sum of
+    int first_around = 0, arounds = 0;                 // means across whose sum the point is
   };
   static constexpr int kSamples = 8;  // samples along each side of a face
 

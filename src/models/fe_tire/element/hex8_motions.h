@@ -23,7 +23,7 @@ namespace latsch::fe_tire {
 struct ElementMotion {
   static constexpr int kLanes = ElementBatch::kLanes, kMost = 24;  // kMost: motions at a time
 
-  bool has_mode = true;                        // else L has its second term only
+  bool has_mode = true;                        // false: only the second term of L is computed
   alignas(64) double mode[24][kLanes];         // phi
   alignas(64) double mode_alpha[8][kLanes];    // a_phi
   alignas(64) double second_alpha[8][kLanes];  // a_2

@@ -79,7 +79,8 @@ void add_pressure(
   for (int k = 0; k < 4; ++k) {
     if (!(open_edges >> k & 1)) continue;
     const int a = k, b = (k + 1) % 4;
-    const int node[4] = {b, a, -1, -1};  // passes the edge in the sense opposite to the face
+    const int node[4] = {b, a, -1, -1};  // the direction of the edge is opposite to that of the
+                                         // face
     V strip[12];
     for (int i = 0; i < 3; ++i) {
       strip[i] = x[3 * b + i];

@@ -18,7 +18,8 @@ std::optional<std::vector<int>> mirrored_nodes(const Mesh& mesh) {
   const int n = mesh.nodes_per_sector();
   std::vector<int> mirror(n, -1);
   for (int i = 0; i < n; ++i) {
-    if (std::abs(mesh.X(0, i)) > kSamePlace) return std::nullopt;  // not in the plane of its sector
+    // Every node must lie in the plane of its sector.
+    if (std::abs(mesh.X(0, i)) > kSamePlace) return std::nullopt;
     const Eigen::Vector3d image(0.0, -mesh.X(1, i), mesh.X(2, i));
     for (int j = 0; j < n && mirror[i] < 0; ++j) {
       if ((mesh.X.col(j) - image).squaredNorm() < kSamePlace * kSamePlace) mirror[i] = j;

@@ -59,8 +59,8 @@ double ground_stiffness(const TreadSurface& tread,
 
 Failure on_friction(double mu) {
   return Failure{fmt::format(
-      "slopes: the tire stands with friction of {:.3g}, where the result depends on the load "
-      "path: expected a state on ground without friction, or differences of trials",
+      "slopes: the tire stands with friction of {:.3g}, so the result depends on the load path:  "
+      "expected a state on ground without friction, or differences of trials",
       mu)};
 }
 

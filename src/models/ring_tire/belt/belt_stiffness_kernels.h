@@ -13,7 +13,7 @@ LATSCH_INLINE Lanes weighted(const double* row, int k, const double (&w)[4]) {
   return sum;
 }
 
-/// s of (3) and the values it depends on. In the rim's axes n = a × (t_x, 0, t_z) = (t_z, 0, -t_x).
+/// s of (3), which depends on these. In the rim's axes n = a × (t_x, 0, t_z) = (t_z, 0, -t_x).
 struct Bend {
   Lanes tx, tz, shorter, s, along;
 };

@@ -60,7 +60,7 @@ class InnerForces {
   SidewallForces sidewall_;
   RimRows nodes_, node_rates_, knots_, knot_rates_;
   RimRows of_belt_, of_sidewall_;  // forces
-  RimRows at_knots_;               // for a row of the rim
+  RimRows at_knots_;               // used for a row of the rim
   StiffnessRows stiffness_;
 };
 

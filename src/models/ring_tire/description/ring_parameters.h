@@ -92,7 +92,7 @@ struct Harmonic {
 struct Uniformity {
   double imbalance = 0.0;                // kg, on the belt
   double imbalance_angle = 0.0;          // rad, as in Harmonic
-  std::vector<Harmonic> radial_runout;   // run-out of the tread, outward: it is thicker there
+  std::vector<Harmonic> radial_runout;   // outward run-out: the tread is thicker there
   std::vector<Harmonic> lateral_runout;  // run-out of the belt at rest, to the left
 };
 

@@ -184,7 +184,7 @@ double young_modulus_of_shore_a(double hardness) {
 
 RingParameters read_ring_tire(const Node& root) {
   root.choice("kind", {"ring_tire"});
-  root.choice("side", {"left", "right"}, "left");  // used by car_kind.cpp
+  root.choice("side", {"left", "right"}, "left");  // also used by car_kind.cpp
   root.text("title", "");
   RingParameters ring;
   const Node belt = root.table("belt");

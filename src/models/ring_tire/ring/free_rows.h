@@ -45,7 +45,7 @@ class FreeRows {
                     const NodeValues& q,
                     double acceleration,
                     long which);
-  /// True if g belongs to that tangent.
+  /// True if g belongs to the tangent `which`.
   bool knows_tangent(long which) const;
   /// Changes p to dx and updates the motion. Returns false if the wheel's rule has no solution.
   bool correct(const RimFrame& rim, const NodeValues& q, NodeValues& p);
@@ -70,7 +70,7 @@ class FreeRows {
   FreeWheel wheel_;
   WheelMotion motion_;
   double time_ = 0.0, step_ = 0.0;
-  FreeWheel::Pair rates_ = FreeWheel::Pair::Zero(), forces_ = rates_;  // at the solution
+  FreeWheel::Pair rates_ = FreeWheel::Pair::Zero(), forces_ = rates_;  // values at the solution
   std::vector<RimRows> rows_;                                          // g, in the rim's axes
   double follows_[kWays] = {0.0, 0.0};                                 // s
   long tangent_[kWays] = {0, 0};

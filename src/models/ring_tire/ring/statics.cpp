@@ -65,7 +65,7 @@ bool RingTire::advance_along(const NodeValues& direction) {
 /// Minimizes the energy from q_ with frames, road and friction limits fixed.
 bool RingTire::relax() {
   constexpr int kMost = 60;
-  constexpr double kOfTolerance = 0.3;  // share of the static tolerance at which it ends
+  constexpr double kOfTolerance = 0.3;  // share of the static tolerance at which the loop ends
   double shift = 0.0;
   for (int i = 0; i < kMost; ++i) {
     evaluate(q_, v1_);

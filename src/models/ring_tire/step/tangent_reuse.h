@@ -40,13 +40,13 @@ class TangentReuse {
     if (evaluations <= alone_) return;
     patience_ = held == 1 ? std::min(2 * patience_ + 1, kLongest) : 0;
     wait_ = patience_;
-    if (age_ > 0) acceleration_ = 0.0;  // it was not dropped within the step, so it is now
+    if (age_ > 0) acceleration_ = 0.0;  // the tangent survived the step, and is dropped now
   }
   int age() const { return age_; }
 
  private:
   double acceleration_ = 0.0;  // 0: none
-  int age_ = 0;                // steps since it was made
+  int age_ = 0;                // steps since the tangent was computed
   int alone_ = 0;
   int wait_ = 0, patience_ = 0;
 };

@@ -22,7 +22,7 @@ struct BlockSpan {
 struct SegmentStations {
   int stride, begin, end;        // [begin, end): stations at work, multiples of eight
   const double* nodes[4];        // positions and torsions of the four nodes
-  const double* rates[4];        // and their rates
+  const double* rates[4];        // rates of these positions and torsions
   const double* weights;         // weights w of position and d of its derivative: four columns each
   const double* halves;          // half of the increase of w along a block's cell: four columns
   const double* lift;            // m, 0 at a block's own station, else far above any road

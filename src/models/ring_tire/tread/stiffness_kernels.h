@@ -115,7 +115,7 @@ void sum_pairs(const StationStiffness* stations,
     Lanes sums[10] = {};
     for (int j = begin; j < end; ++j) {
       const StationStiffness& M = stations[j];
-      if (M.ww(0, 0) + M.ww(1, 1) + M.ww(2, 2) == 0.0) continue;  // no block touches
+      if (M.ww(0, 0) + M.ww(1, 1) + M.ww(2, 2) == 0.0) continue;  // no block of the station touches
       const Lanes ww = lanes(M.ww.data() + half), wd = lanes(M.wd.data() + half),
                   dw = lanes(M.dw.data() + half), dd = lanes(M.dd.data() + half);
       const double* of = weights + 40 * j;
