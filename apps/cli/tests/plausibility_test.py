@@ -197,6 +197,34 @@ class ModelsAlone(unittest.TestCase):
             self.assertIn(says, run.stderr, arguments)
         self.assertIn("Nothing is refused, but there ", self.run_it("check", study))
 
+    def test_a_wrong_sign_is_told_as_one_within_the_data(self):
+        tir = self.changed(self.TIR, (r"PKY1 +=.*", "PKY1 = 8.9"))
+        self.assertIn("within the data already, ", self.run_it("check", tir))
+        rising = self.changed(self.TIR, (r"LMUY +=.*|PDY1 +=.*", "PDY1 = 100"))  # a sibling, told by a test, too
+        self.assertIn("beyond the data", self.run_it("test", rising, self.PRESSED))
+
+    def test_a_mode_cannot_be_a_variable(self):
+        (self.folder / "f.csv").write_text("deflection [mm], force [N]\n10, 1700\n20, 3500\n")
+        shutil.copy(self.TIR, self.folder / "base.tir")
+        study = self.folder / "study.toml"
+        study.write_text('model = "base.tir"\n[variable.mode]\npath = "use_mode"\nlower = 0\nupper = 100\ninitial = 14\n'
+                         '[experiment.pressed]\nkind = "load_deflection"\nmeasurement = "f.csv"\n')
+        self.assertIn("leads to a whole number, a mode or a count", self.run_it("check", study, code=WRONG_INPUT))
+
+    def test_what_a_table_of_states_lacks_is_told(self):
+        states = self.folder / "states.csv"
+        test = '{kind = "steady_states", states = "%s"}' % states
+        states.write_text("Fz [N]\n4000\n")
+        self.assertIn("kappa = 0, alpha = 0, gamma = 0, Vx = 11.11 m/s, p = 2.4 bar are taken", self.run_it("test", self.TIR, test))
+        states.write_text("Fz [N],alpha [deg],phit [1/m],p [bar]\n4000,2,0.1,1\n")
+        text = self.run_it("test", self.TIR, test)
+        self.assertIn('column phit has no effect: turn_slip is "off"', text)
+        self.assertIn("column p has no effect", text)
+        self.assertIn("kappa = 0, gamma = 0, Vx = 11.11 m/s are taken", text)
+        self.assertNotIn("-0,", text.replace("-0.", ""))
+        states.write_text("Fz [N],gamma [deg]\n4000,90\n4000,90\n")
+        self.assertIn("is outside of -65 .. 65 deg", self.run_it("test", self.TIR, test))
+
     def test_a_log_of_both_streams_keeps_whole_lines(self):
         with open(self.folder / "log", "w") as log:
             subprocess.run([LATSCH, "check", self.TIR], stdout=log, stderr=log, check=True)

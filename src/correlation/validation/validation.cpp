@@ -53,8 +53,7 @@ Recorded record(const Suite& suite,
     tell(test.name);
     const auto recording = [&]() -> Result<Channels> {
       try {
-        auto run = test.test->run(specimen);
-        return run ? finite(std::move(*run)) : run;
+        return test.test->run(specimen);
       } catch (const InputError& error) {
         return Failure{error.what()};
       }
@@ -104,6 +103,10 @@ Result<std::vector<double>> values_of(const Check& check,
   for (const std::string& channel : channels_of(check)) {
     const auto failure = recorded.failures.find(test_of(channel));
     if (failure != recorded.failures.end()) return Failure{failure->second};
+    Channels asked;
+    if (const Channel* found = recorded.channels.find(channel)) asked.add(*found);
+    const auto numbers = finite(std::move(asked));
+    if (!numbers) return numbers.failure();
   }
   if (!check.experiment) {
     const auto value = value_of(check.number, recorded.channels);

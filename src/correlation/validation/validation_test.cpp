@@ -66,7 +66,7 @@ TEST(Validation, AValueThatIsNotANumberIsNeverAccepted) {
   for (const CheckResult& one : validation.results) {
     EXPECT_FALSE(one.accepted);
     EXPECT_FALSE(one.value.has_value());
-    EXPECT_NE(one.reason.find("channel \"force\" is nan at sample 2"), std::string::npos)
+    EXPECT_NE(one.reason.find("channel \"run/force\" is nan at sample 2"), std::string::npos)
         << one.reason;
   }
 }

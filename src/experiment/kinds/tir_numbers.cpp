@@ -152,7 +152,9 @@ std::vector<std::string> limits_met_by(const Parameters& parameters,
                                        const magic_formula::RangeLog& log,
                                        const Inflation& asked_pressure) {
   auto sentences = magic_formula::ranges_left(log.inputs(), parameters);
-  if (asked_pressure && *asked_pressure != parameters.INFLPRES &&
+  constexpr double kRounding = 1e-9;
+  const double own = parameters.INFLPRES;
+  if (asked_pressure && std::abs(*asked_pressure - own) > kRounding * own &&
       !magic_formula::pressure_acts(parameters))
     sentences.push_back("the pressure of the test has no effect: " + no_pressure_in_words());
   return sentences;

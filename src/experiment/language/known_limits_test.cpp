@@ -84,6 +84,15 @@ TEST(KnownLimits, EveryRollingTestTellsTheRangesThatTheTireLeaves) {
       told_by("magic_formula", kSweep + ", camber = \"5 deg\"", {"CAMMAX = 0.05"}).says("CAMMAX"));
 }
 
+TEST(KnownLimits, AStandingTireIsNotToldToRollSlowly) {
+  const auto told = told_by("rigid_ring",
+                            "kind = \"static_stiffness\", load = \"4 kN\", directions = "
+                            "[\"lateral\"]",
+                            {"VXLOW = 3"});
+  EXPECT_EQ(told.failure + told.refusal, "");
+  EXPECT_TRUE(told.notes.empty());
+}
+
 TEST(KnownLimits, ATireWithinItsRangesSaysNothing) {
   for (const std::string& keys : {kRolling, kSweep, kDrum})
     for (const char* kind : {"magic_formula", "rigid_ring"})

@@ -217,11 +217,11 @@ Result<double> height_under_load(Tire& tire,
       z = 0.5 * (z + z0);
       continue;
     }
-    if (!hub) return failure(z, "there is " + hub.failure().reason);
+    if (!hub) return failure(z, "it has no state of rest (" + hub.failure().reason + ")");
     const double F = (carrier * hub->force).z();
     if (std::abs(F - load) <= kClose * load) {
       const std::string why = too_deep(tire, free - z);
-      if (!why.empty()) return failure(z, "there is " + why);
+      if (!why.empty()) return failure(z, "it has no state of rest (" + why + ")");
       return z;
     }
     const double slope = z != z0 && F != F0 ? (F - F0) / (z - z0) : -kFirstStiffness;

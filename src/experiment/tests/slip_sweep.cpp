@@ -15,7 +15,7 @@
 //   kappa = [-0.1, 0.1]              # from, to
 //   run_in = "0.3 s"                 # default, as the next three
 //   duration = "1 s"
-//   step = "0.5 ms"
+//   step = "0.5 ms"                  # moves the tire by 20 mm at most
 //   sample_step = "5 ms"             # of the record; a multiple of step, default step
 #include <fmt/format.h>
 

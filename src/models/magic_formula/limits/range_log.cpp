@@ -79,7 +79,8 @@ std::vector<std::string> ranges_left(const InputExtremes& inputs, const Paramete
   below("gamma", inputs.gamma.from, "CAMMIN", p.CAMMIN, kDegrees, " deg");
   above("The pressure", inputs.p.to, "PRESMAX", p.PRESMAX, 1e-5, " bar");
   below("The pressure", inputs.p.from, "PRESMIN", p.PRESMIN, 1e-5, " bar");
-  if (inputs.speed.to < p.VXLOW)
+  constexpr double kStands = 0.5;  // m/s; a tire that is slower is meant to stand or to be parked
+  if (inputs.speed.to > kStands && inputs.speed.to < p.VXLOW)
     sentences.push_back(
         fmt::format("The tire rolls at {:.3g} m/s at most in this test, below VXLOW = {:.3g} m/s "
                     "of its file: its forces fade there as at rest",
