@@ -32,8 +32,8 @@ struct RoadFile {
   std::vector<std::string> kept;      // statements of a .crg that do not concern its surface
   std::vector<std::string> warnings;  // with file and line
   std::unique_ptr<const road::Road> road;
-  const road::CrgRoad* crg = nullptr;             // not nullptr if the road is of that kind
-  const road::TriangleRoad* triangles = nullptr;  // not nullptr if the road is of that kind
+  const road::CrgRoad* crg = nullptr;             // `road` as OpenCRG; nullptr: another kind
+  const road::TriangleRoad* triangles = nullptr;  // `road` as triangles; nullptr: another kind
 };
 
 /// Returns a file that read_road_file() has read, and the files it refers to.
