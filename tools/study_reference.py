@@ -33,7 +33,7 @@ SECTIONS = [
     ("pressure of a test", "rigs/inflation"),
     ('Test "inflation": dimensions under pressures', "tests/inflation"),
     ("[cleat] of a test", "cleat"),
-    ('Test "footprint": where it touches the ground', "footprint_rig"),
+    ('Test "footprint": contact patch on the ground', "footprint_rig"),
     ('Test "mass_properties": mass, moments of inertia', "mass_properties"),
     ('Test "steady_states": a table of states', "steady_states"),
     ('Test "slip_history": slips as recorded, lagging', "slip_history"),
@@ -117,7 +117,7 @@ def literal(text, known):
 
 def unit_words(unit):
     if not unit.startswith('"'):
-        return "a quantity in the unit of what it belongs to"
+        return "a quantity in the unit of the number it belongs to"
     unit = unit.strip('"')
     word = WORDS.get(unit, f"a quantity in {unit}")
     return word + (f" such as `\"{EXAMPLES[unit]}\"`" if unit in EXAMPLES else "")

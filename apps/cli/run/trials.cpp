@@ -217,9 +217,9 @@ void print_errors(const report::StudyReport& page) {
   for (const report::ExperimentRow& row : page.experiments)
     if (row.is_spoiled)
       warn(
-          fmt::format("{} is worse than an earlier stage had it: {} {:.3g} %, but {:.3g} % at the "
-                      "end of stage {}. noise = \"own_stage\" in every experiment keeps what "
-                      "earlier stages had",
+          fmt::format("{} is worse than after an earlier stage: {} {:.3g} %, but {:.3g} % at the "
+                      "end of stage {}. noise = \"own_stage\" in every experiment preserves "
+                      "the errors of the earlier stages",
                       row.name,
                       row.measure,
                       100.0 * row.error,

@@ -104,7 +104,7 @@ bounds = 0.4
     @contextlib.contextmanager
     def running_with_trials(self, finished):
         """Runs `latsch run` in the background; the body of the `with` begins once its journal
-        holds that many trials."""
+        holds the given number of trials."""
         journal = self.folder / "study.latsch"
         run = subprocess.Popen([LATSCH, "run", self.study], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         try:

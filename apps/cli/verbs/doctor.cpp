@@ -54,7 +54,7 @@ int examine(const std::string& named,
     std::optional<StudyIdentity> identity;
     if (!study.empty()) identity = correlation::identity(correlation::read_study(study, language));
     salvage_journal(report, identity, salvaged);
-    say("{} trials are saved in {}; put it in the place of the damaged file and go on with "
+    say("{} trials are saved in {}; replace the damaged file by it and continue with "
         "latsch resume\n",
         report.rows.size(),
         salvaged);

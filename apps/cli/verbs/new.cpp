@@ -335,7 +335,7 @@ void add_new(CommandLine& app, Program& program) {
   verb.add_option("--cleat", options->cleat, "Height and length, \"10 mm x 20 mm\"; with --drum");
   verb.add_option("--drum-diameter",
                   options->diameter,
-                  "\"2.5 m\"; by the speed and the period of the passages unless given");
+                  "\"2.5 m\"; unless given, from the speed and the period of the passages");
   verb.add_option("--teeth",
                   options->teeth,
                   "Number of teeth of a wheel that was recorded in "

@@ -99,7 +99,7 @@ TEST_F(OwnStages, AMeasureOfAnotherExponentIsToldAsWell) {
   const Told told = told_by(read(text));
   EXPECT_GT(told.force, 1.05 * told.own[0].error);
   EXPECT_THAT(told.words,
-              ElementsAre(HasSubstr("light is worse than an earlier stage had it: mean")));
+              ElementsAre(HasSubstr("light is worse than after an earlier stage: mean")));
 }
 
 TEST_F(OwnStages, StatedNoiseThatIsNotExceededIsNoFault) {

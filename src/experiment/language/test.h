@@ -136,8 +136,8 @@ class Test {
   }
   /// True if film() shows anything.
   virtual bool has_film() const { return false; }
-  /// Adds to a scene the motion of the specimen in this test, in at most that many steps. Returns a
-  /// Failure if the run fails.
+  /// Adds to a scene the motion of the specimen in this test, in at most the given number of steps.
+  /// Returns a Failure if the run fails.
   virtual Result<bool> film(Specimen&, int /*most_steps*/, report::Scene&) const { return true; }
   /// Returns the positive direction of a channel or a detail, for conversion into the signs of
   /// another convention; nullopt: the test does not say.

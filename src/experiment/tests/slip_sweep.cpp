@@ -8,7 +8,7 @@
 //                                    # means of its Vx and Fz
 //   pressure = "2.6 bar"             # the tire's own unless given (rigs/inflation.h)
 //   camber = "2 deg"                 # default 0
-//   axle = "load"                    # the quantity it keeps; or "height": that of the axle
+//   axle = "load"                    # what the rig holds constant; or "height": the axle's
 //   frame = "W"                      # of the forces recorded (hub_frame.h); "W", "H", "C" or
 //                                    # several: ["C", "W"] records "FyC" and "FyW"
 //   alpha = ["-10 deg", "10 deg"]    # from, to

@@ -90,7 +90,7 @@ class Equilibrium {
   const Mechanism& mechanism_;
   EquilibriumSettings settings_;
   Assembly assembly_;
-  Eigen::VectorXd step_, held_;  // held: compensates the unbalance of the start; empty: none
+  Eigen::VectorXd step_, held_;  // held: compensates the imbalance of the start; empty: none
   Rest reached_;
   double share_ = 0.0;
   std::vector<double> drivers_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The points whose outcomes an ask/tell method waits for (optimizer.h), most wanted first, each
+// The points whose outcomes an ask/tell method waits for (optimizer.h), most urgent first, each
 // with the data the method needs when its outcome arrives; and the plan of different points that
 // the method proposes.
 #pragma once

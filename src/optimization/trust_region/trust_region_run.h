@@ -42,7 +42,7 @@ class TrustRegionRun {
   const ResidualTrustRegionOptions& options() const { return options_; }
   TrustBox& box() { return box_; }
   const TrustBox& box() const { return box_; }
-  /// Requires that a point succeeded.
+  /// Requires that a point has succeeded.
   const ResidualSample& best() const { return box_.memory[box_.best()]; }
 
  private:
