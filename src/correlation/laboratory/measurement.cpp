@@ -290,6 +290,20 @@ std::string columns_in_words(const Measurement::Told& told) {
   return count > kMost ? text + fmt::format(" and {} more", count - kMost) : text;
 }
 
+/// Says what a channel of another dimension most likely is where an angle is expected.
+std::string about_angle(const std::string& channel,
+                        const std::string& written,
+                        const std::string& si_unit_read,
+                        const std::string& expected) {
+  if (expected != "rad") return "";
+  if (written == "min") return " (minutes of arc are \"arcmin\")";
+  if (written == "s" || written == "sec") return " (seconds of arc are \"arcsec\")";
+  const bool is_toe = channel.starts_with("toe") || channel.starts_with("Toe");
+  if (!is_toe || si_unit_read != "m") return "";
+  return " (a toe in millimeters depends on the diameter d at which it was measured: its angle is "
+         "asin(toe / d), or half of that for the toe of both wheels)";
+}
+
 void take(LabRecord record, Measurement::Told& told) {
   told.channels = record.table();
   told.left_out = std::move(record.left_out);
@@ -440,7 +454,8 @@ std::string Measurement::other_dimension(const std::string& found,
   std::string text = fmt::format("column {} is in {}, expected {}: correct the unit in its file",
                                  in_quotes(column.column),
                                  in_quotes(column.unit),
-                                 noun);
+                                 noun) +
+                     about_angle(found, column.unit, told_.channels.find(found)->unit, unit);
   if (others.empty()) return text;
   const auto first = std::find_if(told_.written.begin(), told_.written.end(), [&](auto& one) {
     return one.second.column == others.front();

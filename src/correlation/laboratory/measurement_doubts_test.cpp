@@ -127,6 +127,23 @@ TEST_F(MeasurementDoubts, AMissingStateNamesTheColumnsThatMayBeIt) {
   EXPECT_NE(said(exchanged, "`SA` (stated to be gamma)"), "");
 }
 
+TEST_F(MeasurementDoubts, AToeInMinutesOrMillimetersIsExplained) {
+  const auto complaint = [&](const std::string& title) {
+    try {
+      (void)read(sweep(fmt::format("time [s],FZ [N],{},FY [N]", title), 1.0), "")
+          .values("toe", "rad");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing");
+  };
+  EXPECT_NE(complaint("toe [mm]").find("asin(toe / d)"), std::string::npos)
+      << complaint("toe [mm]");
+  EXPECT_NE(complaint("toe [min]").find("\"arcmin\""), std::string::npos) << complaint("toe [min]");
+  EXPECT_NE(complaint("Toe [mm]").find("asin(toe / d)"), std::string::npos);
+  EXPECT_EQ(complaint("toe [arcmin]"), "nothing");
+}
+
 TEST_F(MeasurementDoubts, AnAssumedEncodingIsARowOfTheLedger) {
   const auto encoding_of = [&](const std::string& table) {
     const std::vector<Ledger> ledgers = read(table, "").ledgers();
