@@ -427,6 +427,14 @@ scale = "0.1 deg"
             self.corner_table(**{name: -1})
             self.assertIn("warning: ", self.latsch("check", study), name)
 
+    def test_a_table_of_the_other_side_than_the_model_is_told(self):
+        study = self.study()
+        self.corner_table(toe=-1, camber=-1)
+        text = self.latsch("check", study)
+        self.assertRegex(text, r"study\.toml:8: measurement\.m has the signs of a right wheel .* the model is a left one")
+        edit(study, ('file = "table.csv"', 'file = "table.csv"\ncolumns = {toe = "-toe", camber = "-camber"}'))
+        self.assertIn("Everything is in order", self.latsch("check", study))
+
     def test_axes_of_adams_are_named_and_read_by_their_columns(self):
         study = self.study()
         self.corner_table(Fx=-1, Fy=-1, dx=-1, dy=-1)

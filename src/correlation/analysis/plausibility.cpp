@@ -15,6 +15,7 @@
 #include "experiment/language/usual_numbers.h"
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
+#include "measurement/meaning/suspension_checks.h"
 
 namespace latsch::correlation {
 namespace {
@@ -266,6 +267,29 @@ void examine_repetitions(const Study& study, const Document& file, std::vector<F
   }
 }
 
+/// Compares the side of the wheel on a K&C rig, which the signs of toe and camber tell, with the
+/// side that the model states.
+void examine_sides(const Study& study, const Document& file, std::vector<Finding>& found) {
+  const Node root = study.model.root();
+  const std::string side = root.has("side") ? root.text("side") : "";
+  if (side != "left" && side != "right") return;
+  for (const auto& measurement : study.laboratory) {
+    const int measured = side_of_wheel(measurement->channels());
+    if (measured == 0 || (measured > 0) == (side == "left")) continue;
+    found.push_back(
+        {written_at(file, "measurement." + measurement->name() + ".file").place,
+         fmt::format("measurement.{} has the signs of a {} wheel (toe over Mz, camber over Fy), "
+                     "but the model is a {} one. If the wheel is the {} one, the signs of toe and "
+                     "camber are exchanged (front inboard and top outboard are positive): columns "
+                     "= {{toe = \"-toe\", camber = \"-camber\"}}",
+                     measurement->name(),
+                     measured > 0 ? "left" : "right",
+                     side,
+                     side),
+         false});
+  }
+}
+
 }  // namespace
 
 std::vector<Finding> implausible(const Study& study) {
@@ -277,6 +301,7 @@ std::vector<Finding> implausible(const Study& study) {
   examine_variables(study, file, found);
   examine_counts(study, found);
   examine_repetitions(study, file, found);
+  examine_sides(study, file, found);
   const auto size = kind ? kind->size(study.model) : std::nullopt;
   if (size) examine_deflections(file, *size, found);
   for (const StudyExperiment& experiment : study.experiments) {

@@ -97,6 +97,15 @@ class WheelTable {
     check_travel(doubts);
   }
 
+  int side() const {
+    int side = 0;
+    for (const Evidence& one : evidence_of_side()) {
+      if (side != 0 && one.side != side) return 0;
+      side = one.side;
+    }
+    return side;
+  }
+
  private:
   const Channel* find(std::string_view name, std::string_view unit) const {
     const Channel* found = channels_.find(std::string(name) + end_);
@@ -174,18 +183,24 @@ class WheelTable {
                         "of the kingpin rearward, which is positive: is its sign another one?"});
   }
 
+  struct Evidence {
+    ClearSlope slope;
+    int side;  // side of the wheel to which the slope belongs
+  };
+
   /// The slopes of toe and camber tell the side of the wheel.
-  void check_side(std::vector<ChannelDoubt>& doubts) const {
-    struct Evidence {
-      ClearSlope slope;
-      int side;  // side of the wheel to which the slope belongs
-    };
+  std::vector<Evidence> evidence_of_side() const {
     std::vector<Evidence> evidence;
     for (const auto& [motion, load] : {std::pair{"toe", "Mz"}, {"camber", "Mx"}, {"camber", "Fy"}})
       if (auto slope = slope_of(motion, load)) {
         const int side = slope->rises() ? -1 : 1;
         evidence.push_back({std::move(*slope), side});
       }
+    return evidence;
+  }
+
+  void check_side(std::vector<ChannelDoubt>& doubts) const {
+    const std::vector<Evidence> evidence = evidence_of_side();
     constexpr const char* kSigns =
         "toe is positive with the front inboard, camber with the top outboard, Mz turns to the "
         "left and Fy points to the left in iso axes";
@@ -258,14 +273,24 @@ class WheelTable {
   int side_;
 };
 
+/// Loads of a rolling wheel follow other laws.
+bool wheel_rolls(const Channels& channels) {
+  for (const char* rolling : {"Vx", "omega", "alpha", "kappa"})
+    if (channels.find(rolling)) return true;
+  return false;
+}
+
 }  // namespace
 
 std::vector<ChannelDoubt> suspension_doubts(const Channels& channels) {
   std::vector<ChannelDoubt> doubts;
-  for (const char* rolling : {"Vx", "omega", "alpha", "kappa"})
-    if (channels.find(rolling)) return doubts;  // loads of a rolling wheel follow other laws
+  if (wheel_rolls(channels)) return doubts;
   for (const WheelEnd& wheel : kWheelEnds) WheelTable(channels, wheel).check(doubts);
   return doubts;
+}
+
+int side_of_wheel(const Channels& channels) {
+  return wheel_rolls(channels) ? 0 : WheelTable(channels, kWheelEnds[0]).side();
 }
 
 }  // namespace latsch

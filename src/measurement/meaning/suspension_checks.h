@@ -17,7 +17,8 @@
 //
 // Each slope is a partial one: the other loads of the table are held. A slope counts only if the
 // load explains most of what the other loads leave of the motion. A table of which all signs are
-// those of the other side cannot be told from that other side.
+// those of the other side cannot be told from that other side; a study compares it with the side of
+// its model by side_of_wheel().
 #pragma once
 
 #include <vector>
@@ -30,5 +31,9 @@ namespace latsch {
 /// Checks channels in SI and iso, under our names; gaps are NaN. Returns nothing if the table has
 /// no toe, camber, caster or steer, or if a speed or a slip says that the wheel rolls.
 std::vector<ChannelDoubt> suspension_doubts(const Channels& channels);
+
+/// Returns the side of the wheel by the slopes of toe and camber: +1 for a left wheel, -1 for a
+/// right one, 0 if no slope is clear or if they disagree. Names with a side are passed over.
+int side_of_wheel(const Channels& channels);
 
 }  // namespace latsch

@@ -105,6 +105,15 @@ TEST(SuspensionChecks, AKnownSideDecidesForEachSlope) {
   EXPECT_EQ(names_of_doubts(kc_table(1, {{"toe", -1}}, "_FL")), "toe_FL");
 }
 
+TEST(SuspensionChecks, ToeAndCamberTellTheSide) {
+  EXPECT_EQ(side_of_wheel(kc_table(1)), 1);
+  EXPECT_EQ(side_of_wheel(kc_table(-1)), -1);
+  EXPECT_EQ(side_of_wheel(kc_table(1, {{"toe", -1}, {"camber", -1}})), -1);
+  EXPECT_EQ(side_of_wheel(kc_table(1, {{"toe", -1}})), 0);  // the two disagree
+  EXPECT_EQ(side_of_wheel(kc_table(1, {}, "_left")), 0);
+  EXPECT_EQ(side_of_wheel({}), 0);
+}
+
 TEST(SuspensionChecks, ATableOfSlopesIsCheckedAlike) {
   const auto slopes = [](double toe, double camber, double caster) {
     Channels channels;
