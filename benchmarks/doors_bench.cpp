@@ -77,6 +77,8 @@ Reading read_tire(const fs::path& file) {
   reading.numbers["version"] = {static_cast<double>(tire.parameters.version)};
   reading.numbers["side"] = {static_cast<double>(tire.parameters.side)};
   reading.told = tire.notes;
+  for (const LedgerDoubt& doubt : tire.doubts)
+    reading.told.push_back(doubt.name + ": " + doubt.sentence);
   return reading;
 }
 

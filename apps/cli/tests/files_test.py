@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Heights of roads, display of files, and processing of recordings of a rig.
+"""Heights of roads, display of files, processing of recordings of a rig, reports about bushings and roads.
 
     files_test.py PATH/TO/latsch
 """
@@ -14,21 +14,45 @@ import unittest
 from cli_testing import DONE, LATSCH, WRONG_INPUT, edit
 
 
-class Files(unittest.TestCase):
-    """Checks heights of roads and the display of files."""
+STUDIES = pathlib.Path(__file__).resolve().parents[3] / "studies"
+UNITS = "LENGTH = 'mm'\nANGLE = 'degrees'\nFORCE = 'newton'\nMASS = 'kg'\nTIME = 'second'\n"
+POINTS = "x [m],y [m]\n0,0\n1.2,0\n"
+
+
+def bushing(units=UNITS, more="", stiffness=38000):
+    """A bushing of `stiffness` N/mm and 200 N m/rad in mm and degrees."""
+    text = f"[MDI_HEADER]\nFILE_TYPE = 'bus'\nFILE_VERSION = 4.0\nFILE_FORMAT = 'ASCII'\n[UNITS]\n{units}[DAMPING]\n"
+    text += "".join(f"{axis}_DAMPING = 0\n" for axis in ("FX", "FY", "FZ", "TX", "TY", "TZ"))
+    for axis in "XYZ":
+        text += f"[F{axis}_CURVE]\n{{x force}}\n" + "".join(f"{x} {stiffness * x}\n" for x in (-1, 0, 1))
+    for axis in "XYZ":
+        text += f"[T{axis}_CURVE]\n{{angle torque}}\n" + "".join(f"{x} {3490.658504 * x}\n" for x in (-1, 0, 1))
+    return text + more
+
+
+def without(text, key):
+    """The text without the lines that begin with `key`."""
+    return "".join(line for line in text.splitlines(True) if not line.startswith(key))
+
+
+class FileCase(unittest.TestCase):
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_cli_"))
         self.addCleanup(shutil.rmtree, self.folder)
 
     def latsch(self, *arguments, code=DONE):
-        run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, text=True, timeout=60)
+        run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, text=True, timeout=300)
         self.assertEqual(run.returncode, code, run.stdout + run.stderr)
         return run.stdout + run.stderr
 
     def write(self, name, text):
         (self.folder / name).write_text(text)
         return self.folder / name
+
+
+class Files(FileCase):
+    """Checks heights of roads and the display of files."""
 
     def test_a_ring_tire_rolls_on_the_drum(self):
         tire = pathlib.Path(__file__).resolve().parents[3] / "studies" / "ring_tires" / "passenger_205_55R16.toml"
@@ -290,6 +314,226 @@ class Drum(unittest.TestCase):
             text = self.process(bad, code=WRONG_INPUT)
             for part in (name, *parts):
                 self.assertIn(part, text)
+
+
+class BushingFiles(FileCase):
+    """Units and unread parts of the files that a suspension names are told by show, check, test and run."""
+
+    def suspension(self, text):
+        """A corner with one bushing from a file, and a study that loads it."""
+        self.write("rubber.bus", text)
+        source = (STUDIES / "compliance" / "corner.toml").read_text()
+        head, tail = source.split("[bushing.lca_front]\n", 1)
+        rest = tail[tail.index("\n["):] if "\n[" in tail else ""
+        return self.write("corner.toml", head + '[bushing.lca_front]\nfile = "rubber.bus"\n' + rest)
+
+    def study(self):
+        self.write("m.csv", "Fx [N],Fy [N],Fz [N],Mz [N m],dz [mm]\n" + "".join(
+            f"0,0,{fz},0,{fz / 2000}\n" for fz in (0, 1000, 2000)))
+        return self.write("study.toml", """model = "corner.toml"
+[variable.k]
+path = "bushing.ubj.x"
+lower = "10 kN/mm"
+upper = "100 kN/mm"
+initial = "45 kN/mm"
+[measurement.m]
+file = "m.csv"
+[test.rig]
+kind = "kc"
+loads = {from = "measurement.m"}
+[experiment.dz]
+kind = "curve"
+y = "rig/dz"
+measurement = "m"
+scale = "1 mm"
+""")
+
+    def test_a_missing_unit_is_refused_by_show_check_and_test(self):
+        for key, line in (("LENGTH", "LENGTH = 'mm'"), ("ANGLE", "ANGLE = 'degrees'"), ("FORCE", "FORCE = 'newton'")):
+            corner = self.suspension(bushing(without(UNITS, key)))
+            for command in (("show", self.folder / "rubber.bus"), ("check", corner), ("check", self.study()),
+                            ("test", corner, '{kind = "kc", Fz = ["1 kN"]}')):
+                text = self.latsch(*command, code=WRONG_INPUT)
+                self.assertIn(f"rubber.bus:5: [UNITS] has no {key}", text)
+                self.assertIn(f"add the line {line}", text)
+        # A mass has no part in a bushing, a time none in one without damping.
+        self.latsch("check", self.suspension(bushing(without(without(UNITS, "MASS"), "TIME"))))
+
+    def test_unread_parts_are_told_wherever_the_bushing_is_used(self):
+        corner = self.suspension(bushing(more="[PRELOAD]\nFX = 100\n"))
+        said = "[PRELOAD] is not read: the bushing is as if the file did not contain it"
+        study = self.study()
+        for command in (("show", self.folder / "rubber.bus"), ("check", corner), ("check", study), ("run", study),
+                        ("test", corner, '{kind = "kc", Fz = ["1 kN"]}'), ("test", study, '{kind = "kc", Fz = ["1 kN"]}')):
+            text = self.latsch(*command)
+            self.assertIn(said, text, command)
+            self.assertIn("rubber.bus:", text)
+        self.assertIn("rubber.bus: 18 statements: 17 used, 1 not used (`[PRELOAD]`)", self.latsch("check", study))
+        self.assertNotIn("not used", "".join(
+            line for line in self.latsch("check", self.suspension(bushing())).splitlines() if "rubber.bus" in line))
+
+    def test_a_second_curve_of_an_axis_is_told(self):
+        corner = self.suspension(bushing(more="[FX_CURVE]\n{x force}\n-1 -1\n1 1\n"))
+        self.assertIn("a second [FX_CURVE] is not read", self.latsch("check", corner))
+
+    def test_a_preload_is_told(self):
+        corner = self.suspension(bushing().replace("0 0\n", "0 500\n", 1))
+        self.assertIn("[FX_CURVE] has 500 N at the deflection 0: a preload", self.latsch("check", corner))
+
+
+class SignsOfFiles(FileCase):
+    """Signs that contradict mechanics are told by check and run with file and line."""
+
+    def corner_table(self, **flips):
+        """The motion of a compliant corner on a K&C rig, with changed signs of columns."""
+        rig = ('{kind = "kc", Fx = ["0 N", "2 kN", "-2 kN", "0 N", "0 N", "0 N", "0 N", "0 N", "0 N"], '
+               'Fy = ["0 N", "0 N", "0 N", "2 kN", "-2 kN", "0 N", "0 N", "0 N", "0 N"], '
+               'Fz = ["2 kN", "2 kN", "2 kN", "2 kN", "2 kN", "2 kN", "2 kN", "1 kN", "3 kN"], '
+               'Mz = ["0 N m", "0 N m", "0 N m", "0 N m", "0 N m", "99 N m", "-99 N m", "0 N m", "0 N m"]}')
+        shutil.copy(STUDIES / "compliance" / "corner.toml", self.folder)
+        self.latsch("test", self.folder / "corner.toml", rig, "-o", self.folder / "right.csv")
+        head, *rows = (line.split(",") for line in (self.folder / "right.csv").read_text().splitlines())
+        signs = [flips.get(name.split(" ")[0], 1) for name in head]
+        return self.write("table.csv", ",".join(head) + "\n" + "".join(
+            ",".join(f"{sign * float(cell):.9g}" for sign, cell in zip(signs, row, strict=True)) + "\n" for row in rows))
+
+    def study(self):
+        return self.write("study.toml", """model = "corner.toml"
+[variable.k]
+path = "bushing.lca_front.x"
+lower = "10 kN/mm"
+upper = "100 kN/mm"
+initial = "45 kN/mm"
+[measurement.m]
+file = "table.csv"
+[test.rig]
+kind = "kc"
+loads = {from = "measurement.m"}
+[experiment.toe]
+kind = "curve"
+y = "rig/toe"
+measurement = "m"
+scale = "0.1 deg"
+""")
+
+    def test_a_kc_table_in_iso_is_in_order_and_each_flipped_sign_is_told(self):
+        study = self.study()
+        self.corner_table()
+        text = self.latsch("check", study)
+        self.assertIn("Everything is in order", text)
+        self.assertIn("positive is toe front inboard, camber top outboard, caster top of the kingpin rearward", text)
+        self.assertIn("axes iso, because none are stated: x forward, y to the left, z up", text)
+        for name in ("toe", "camber", "Mz", "Fy", "caster", "Fx", "dy", "dz"):
+            self.corner_table(**{name: -1})
+            self.assertIn("warning: ", self.latsch("check", study), name)
+
+    def test_a_table_of_the_other_side_than_the_model_is_told(self):
+        study = self.study()
+        self.corner_table(toe=-1, camber=-1)
+        text = self.latsch("check", study)
+        self.assertRegex(text, r"study\.toml:8: measurement\.m has the signs of a right wheel .* the model is a left one")
+        edit(study, ('file = "table.csv"', 'file = "table.csv"\ncolumns = {toe = "-toe", camber = "-camber"}'))
+        self.assertIn("Everything is in order", self.latsch("check", study))
+
+    def test_axes_of_adams_are_named_and_read_by_their_columns(self):
+        study = self.study()
+        self.corner_table(Fx=-1, Fy=-1, dx=-1, dy=-1)
+        text = self.latsch("check", study)
+        self.assertIn('"caster" falls as Fx rises', text)
+        self.assertIn('columns = {Fx = "-Fx", Fy = "-Fy", dx = "-dx", dy = "-dy"}', text)
+        edit(study, ('file = "table.csv"', 'file = "table.csv"\ncolumns = {Fx = "-Fx", Fy = "-Fy", dx = "-dx", dy = "-dy"}'))
+        self.assertIn("Everything is in order", self.latsch("check", study))
+
+    def test_a_car_whose_air_lifts_and_whose_damper_drives_is_told_of(self):
+        shutil.copytree(STUDIES / "kerb", self.folder / "kerb", ignore=shutil.ignore_patterns("*.latsch", "*.html"))
+        car = self.folder / "kerb" / "baseline.toml"
+        text = self.latsch("check", car)
+        self.assertNotIn("aero.map", text)
+        car.write_text(car.read_text().replace('"-1.3 kN"', '"1.3 kN"')
+                       + '\n[aero]\narea = "1 m^2"\nmap = [["0 mm", "0 mm", -1.0, -2.0]]\n')
+        test = '{kind = "four_post", duration = "0.5 s", from = "5 Hz"}'
+        for text in (self.latsch("check", car), self.latsch("show", car), self.latsch("test", car, test)):
+            self.assertRegex(text, r"baseline\.toml:\d+: front\.spring\.damper falls from 1300 N at -0\.5 m/s")
+            self.assertRegex(text, r"baseline\.toml:\d+: aero\.map has a coefficient below 0 in 1 of 1 rows")
+
+    def test_a_tire_file_tells_its_assumed_units_ranges_and_mode(self):
+        tir = (STUDIES / "tire_model_comparison" / "magic_formula.tir").read_text()
+        tire = self.write("tire.tir", tir)
+        self.assertNotIn("assumed", self.latsch("check", tire))
+        self.write("tire.tir", re.sub(r"USE_MODE *= *14", "USE_MODE = 2", without(tir, "LENGTH"))
+                   + "\n[SLIP_ANGLE_RANGE]\nALPMIN = -15\nALPMAX = 15\n")
+        text = self.latsch("check", tire)
+        for said in ("[UNITS] is silent: LENGTH is taken as meter", "1 assumed: LENGTH is taken as meter",
+                     "ALPMIN is -15 rad", "USE_MODE is 2: it asks for Fy, Mx and Mz without longitudinal force"):
+            self.assertIn(said, text)
+
+    def test_runs_of_one_name_are_shown_with_their_folder(self):
+        self.corner_table()
+        for folder in ("a", "b"):
+            (self.folder / folder).mkdir()
+            shutil.copy(self.folder / "table.csv", self.folder / folder / "run.csv")
+        study = self.study()
+        edit(study, ('file = "table.csv"', 'files = ["a/run.csv", "b/run.csv"]'))
+        for command in ("check", "show"):
+            text = self.latsch(command, study)
+            for name in ("a/run.csv: ", "b/run.csv: "):
+                self.assertIn(name, text)
+
+
+class RoadFiles(FileCase):
+    """Units and unread parts of a road are told wherever it is used."""
+
+    PLANK = ("[MODEL]\nMETHOD = '2D'\nROAD_TYPE = 'plank'\n[PARAMETERS]\nMU = 0.8\nHEIGHT = 20\nSTART = 1000\n"
+             "LENGTH = 500\nDIRECTION = 0\n")
+
+    def test_a_road_without_a_unit_of_length_is_refused(self):
+        points = self.write("p.csv", POINTS)
+        good = self.write("good.rdf", "[UNITS]\n" + UNITS + self.PLANK)
+        self.assertIn("0.02", self.latsch("road", good, points))
+        for name, units in (("none.rdf", ""), ("silent.rdf", "[UNITS]\n" + without(UNITS, "LENGTH"))):
+            road = self.write(name, units + self.PLANK)
+            for command in (("show", road), ("road", road, points)):
+                self.assertIn("LENGTH = 'mm'", self.latsch(*command, code=WRONG_INPUT))
+
+    CRG = ("$ROAD_CRG\nreference_line_increment = 1\n$ROAD_CRG_OPTS\nborder_mode_u = {0}\nborder_mode_v = {0}\n$\n"
+           "$KD_DEFINITION\n#:LRFI\nD:long section at v = -1,m\nD:long section at v = 1,m\n$\n$$$$\n"
+           " 0.1000000 0.1000000\n 0.2000000 0.2000000\n")
+
+    def test_points_beyond_a_road_are_counted_and_have_no_height_where_there_is_no_road(self):
+        """Border mode 0 of OpenCRG refuses the computation, 2 keeps the edge and 3 repeats the grid."""
+        points = self.write("p.csv", "x [m],y [m]\n0.5,0\n3,0\n0.5,-4\n")
+        heights = {}
+        for mode in (0, 1, 2, 3):
+            road = self.write("road.crg", self.CRG.format(mode))
+            text = self.latsch("road", road, points, "--output", self.folder / "out.csv")
+            rows = [line.split(",") for line in (self.folder / "out.csv").read_text().splitlines()[1:]]
+            heights[mode] = [row[2] for row in rows]
+            if mode == 3:
+                self.assertNotIn("lie beyond", text)
+            else:
+                self.assertIn("2 of 3 points lie beyond the data of the road, the first at x = 3 m, y = 0 m", text)
+        self.assertEqual(heights[0][1:], ["nan", "nan"])
+        for mode, expected in ((1, (0.15, 0, 0)), (2, (0.15, 0.2, 0.15))):
+            for z, right in zip(heights[mode], expected, strict=True):
+                self.assertAlmostEqual(float(z), right, delta=1e-15)
+        self.assertIn("2 of them have no height, because a border mode of 0 says that there is no road", self.latsch(
+            "road", self.write("road.crg", self.CRG.format(0)), points))
+
+    def test_what_a_car_drives_over_is_told_of(self):
+        shutil.copytree(STUDIES / "kerb", self.folder / "kerb", ignore=shutil.ignore_patterns("*.latsch", "*.html"))
+        mesh = ("[MODEL]\nMETHOD = '3D'\n[SCALE]\nX = 1\nY = 1\nZ = 2\n[NODES]\n1 -20 -5 0\n2 40 -5 0\n3 40 5 0\n4 -20 5 0\n"
+                "[ELEMENTS]\n{node_1 node_2 node_3 mu_x mu_y}\n1 2 3 0.9 0.7\n1 3 4 0.9 0.7\n")
+        self.write("kerb/level.rdf", "[UNITS]\n" + UNITS.replace("'mm'", "'meter'") + mesh)
+        test = self.write("kerb/drive.toml", 'kind = "kerb"\nspeed = "30 m/s"\nrun_in = "0.04 s"\nduration = "0.05 s"\n'
+                          '[road]\nfile = "level.rdf"\n')
+        car = self.folder / "kerb" / "baseline.toml"
+        braces = ('{kind = "kerb", speed = "30 m/s", run_in = "0.04 s", duration = "0.05 s", '
+                  f'road = {{file = "{self.folder}/kerb/level.rdf"}}}}')
+        for text in (self.latsch("test", car, test), self.latsch("test", car, braces),
+                     self.latsch("show", self.folder / "kerb" / "level.rdf"),
+                     self.latsch("road", self.folder / "kerb" / "level.rdf", self.write("p.csv", POINTS))):
+            self.assertIn("level.rdf:9: [SCALE] is not read here", text)
+            self.assertIn("level.rdf:20: the friction across the road differs from that along it", text)
 
 
 if __name__ == "__main__":

@@ -81,6 +81,42 @@ class Ledger(unittest.TestCase):
         answer = json.loads(subprocess.run([LATSCH, "simulate", study, "--json"], capture_output=True, text=True).stdout)
         return answer["result"]["experiments"][0]["curve"]["simulated"]
 
+    def test_the_head_of_a_test_says_what_was_read_and_assumed(self):
+        """On standard error where the table goes to standard output, so that a pipe gets the table alone."""
+        (self.folder / "states.csv").write_text("Fz [N],alpha [deg]\n4000,1\n4000,2\n")
+        (self.folder / "steady.toml").write_text('kind = "steady_states"\nstates = "states.csv"\n')
+        call = [LATSCH, "test", self.folder / "tire.tir", self.folder / "steady.toml"]
+        run = subprocess.run(call, capture_output=True, text=True)
+        self.assertEqual(run.returncode, DONE, run.stderr)
+        self.assertNotIn("states.csv", run.stdout)
+        for words in ("states.csv: 2 columns: 2 used", "kappa is taken as 0", "tire.tir: "):
+            self.assertIn(words, run.stderr)
+        self.assertNotIn("steady.toml: ", run.stderr)  # all of it is used as written
+        said = self.latsch(*call[1:], "-o", self.folder / "out.csv")
+        for words in ("kappa is taken as 0", "tire.tir: ", "steady.toml: "):
+            self.assertIn(words, said)
+        self.assertNotIn("2 columns", subprocess.run([*call, "--quiet"], capture_output=True, text=True).stderr)
+        answer = json.loads(subprocess.run([*call, "--json"], capture_output=True, text=True).stdout)["result"]
+        self.assertEqual({pathlib.Path(one["file"]).name for one in answer["ledgers"]},
+                         {"states.csv", "tire.tir", "steady.toml"})
+
+    def test_validate_and_compare_say_what_was_read_and_assumed(self):
+        (self.folder / "states.csv").write_text("Fz [N],alpha [deg]\n4000,1\n4000,2\n")
+        suite = self.folder / "suite.toml"
+        suite.write_text('[test.s]\nkind = "steady_states"\nstates = "states.csv"\n'
+                         '[check.c]\nchannel = "s/Fy"\nof = "first"\nupper = "9 kN"\nsource = "by hand"\n')
+        said = self.latsch("validate", self.folder / "tire.tir", suite)
+        for words in ("Files", "states.csv: 2 columns: 2 used", "kappa is taken as 0", "tire.tir: "):
+            self.assertIn(words, said)
+        for studies, names in (("tire_model_comparison", ("slow.toml", ".tir: ")), ("kerb", ("baseline.toml", "exit.toml"))):
+            with self.subTest(studies):
+                comparison = COMPLIANCE.parent / studies / "comparison.toml"
+                run = subprocess.run([LATSCH, "compare", comparison, "--write-measurements", "/dev/null/none"],
+                                     capture_output=True, text=True)
+                self.assertNotEqual(run.returncode, DONE)
+                for name in names:
+                    self.assertIn(name, run.stdout)
+
     def test_check_counts_the_columns_of_a_file(self):
         text = self.latsch("check", self.study(GOOD))
         self.assertIn("record.csv: 6 columns: 4 used, 2 not used (`time`, `TSTC`)", text)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // latsch road: reports the surface that a tire meets on a road at given points.
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/document.h"
@@ -25,17 +25,51 @@ struct RoadOptions {
   std::string road, points, output, time, triangles;
 };
 
-/// Returns one row for each point: height, normal, friction; u and v if the road has them.
+/// Points that lie beyond the data of a road.
+struct Beyond {
+  std::size_t count = 0, without_road = 0;
+  std::string first;  // place of the first one, and what ends there
+};
+
+void warn_of_points_beyond(const Beyond& beyond, std::size_t points, const std::string& road) {
+  if (beyond.count == 0) return;
+  std::string sentence =
+      fmt::format("warning: {} of {} points lie beyond the data of the road, the first at {}",
+                  beyond.count,
+                  points,
+                  beyond.first);
+  if (beyond.without_road > 0)
+    sentence += fmt::format(
+        "; {} of them have no height, because a border mode of 0 says that there is no road",
+        beyond.without_road);
+  if (beyond.without_road < beyond.count)
+    sentence += "; beyond its data a road is continued, not measured";
+  warn(sentence, {road, 0});
+}
+
+/// Returns one row for each point: height, normal, friction; u and v if the road has them. A point
+/// where the file says that there is no road has gaps.
 Channels ask(const formats::RoadFile& file,
              const std::vector<double>& x,
              const std::vector<double>& y,
-             const std::vector<double>& time) {
+             const std::vector<double>& time,
+             Beyond& beyond) {
   Channels answers;
   answers.add({"x", "m", x});
   answers.add({"y", "m", y});
   std::vector<double> z, nx, ny, nz, friction, u, v;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const road::GroundPoint ground = file.road->at(x[i], y[i], time[i]);
+    road::GroundPoint ground = file.road->at(x[i], y[i], time[i]);
+    const std::string words = file.road->beyond(x[i], y[i]);
+    const bool has_road =
+        words.empty() || !file.crg || file.crg->elevation(file.crg->locate(x[i], y[i]));
+    if (!words.empty() && beyond.count++ == 0)
+      beyond.first = fmt::format("x = {:g} m, y = {:g} m: {}", x[i], y[i], words);
+    if (!has_road) {
+      ++beyond.without_road;
+      ground.height = ground.friction = std::nan("");
+      ground.normal.setConstant(std::nan(""));
+    }
     z.push_back(ground.height + 0.0);  // + 0.0 removes the sign of -0
     nx.push_back(ground.normal.x() + 0.0);
     ny.push_back(ground.normal.y() + 0.0);
@@ -77,8 +111,12 @@ int road(const RoadOptions& options) {
   }
   const formats::RoadFile file = formats::read_road_file(options.road);
   for (const std::string& warning : file.warnings) warn(warning);
-  if (!file.unused.empty())
-    warn(fmt::format("not used: {}", fmt::join(file.unused, ", ")), {options.road, 0});
+  for (const LedgerDoubt& doubt : file.doubts)
+    warn("warning: " + doubt.place.text() + ": " + doubt.sentence, doubt.place);
+  std::vector<std::string> unused;
+  for (const formats::TeimOrbitPart& part : file.unused) unused.push_back(part.name);
+  if (!unused.empty())
+    warn(fmt::format("not used: {}", fmt::join(unused, ", ")), {options.road, 0});
   // The table may be piped on, so it must not contain the kept statements.
   if (!options.output.empty() || answers_in_json())
     for (const std::string& key : file.kept) {
@@ -89,12 +127,18 @@ int road(const RoadOptions& options) {
   points.expect_only({"x", "y", "time"});
   const auto x = points.si_numbers("x", "m"), y = points.si_numbers("y", "m");
   std::vector<double> time(x.size(), 0.0);
+  if (points.has("time") && !options.time.empty())
+    throw InputError({options.points, 0},
+                     "has a column time, beside which --time has no effect; expected one of them");
   if (points.has("time")) {
     time = points.si_numbers("time", "s");
   } else if (!options.time.empty()) {
     time.assign(x.size(), parse_option("--time", options.time, "s", Range{}));
   }
-  give(ask(file, x, y, time), options.output);
+  Beyond beyond;
+  const Channels answers = ask(file, x, y, time, beyond);
+  give(answers, options.output);
+  warn_of_points_beyond(beyond, x.size(), options.road);
   return kDone;
 }
 
@@ -123,6 +167,9 @@ void add_road(CommandLine& app, Program& program) {
   verb.add_option("--triangles",
                   options->triangles,
                   "Adams road file of nodes and triangles to write, for a kerb");
+  const bool alone = false;
+  verb.forms({{"prints the road at points", {"points"}, {"--time", "--output"}, alone},
+              {"writes triangles", {"--triangles"}, {}, alone}});
   verb.callback([=, &program] { program.exit_code = road(*options); });
 }
 

@@ -16,6 +16,7 @@
 #include "correlation/study/ledgers/file_ledgers.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study.h"
+#include "formats/text/pipe.h"
 
 namespace latsch::cli {
 namespace {
@@ -74,7 +75,7 @@ void name_users(const std::string& file, const experiment::Language& language, S
   try {
     known = correlation::ledgers_of(correlation::read_study(file, language));
   } catch (const InputError&) {
-    return;  // the statements of the measurement alone remain
+    return;  // only the statements of the measurement remain
   }
   std::erase_if(shown.tables,
                 [](const ShownTable& table) { return table.heads == ledger_heads(); });
@@ -89,7 +90,7 @@ void name_users(const std::string& file, const experiment::Language& language, S
     if (std::any_of(before.begin(), before.end(), [&](const Ledger& one) {
           return one.file == ledger.file;
         }))
-      show_ledger(ledger, true, shown);
+      show_ledger(ledger, true, shown, known);
 }
 
 /// True if a recording gave no number at all: texts, unknown units, or no row.
@@ -116,6 +117,10 @@ int show(const std::string& file,
          const std::string& axes,
          const std::string& measurement,
          const experiment::Language& language) {
+  formats::expect_no_pipe(file);
+  if (!axes.empty() && !is_recording(file))
+    throw InputError({file, 0},
+                     "is no recording, so --axes has no effect; expected the command without it");
   ShownFile shown = measurement.empty()
                         ? shown_file(file, axis_convention_of(axes.empty() ? "iso" : axes))
                         : shown_measurements(file, measurement);
@@ -125,8 +130,9 @@ int show(const std::string& file,
   else
     name_users(file, language, shown);
   if (shown.ledgers.empty() && !is_recording(file))
-    for (const Ledger& ledger : correlation::ledgers_of_file(file, "the model"))
-      show_ledger(ledger, true, shown);
+    for (const auto ledgers = correlation::ledgers_of_file(file, "the model");
+         const Ledger& ledger : ledgers)
+      show_ledger(ledger, true, shown, ledgers);
   // The page is written first: `latsch show FILE --html PAGE | head` ends the program at the tenth
   // line.
   if (!html.empty()) write_text_file(html, shown_page(file, shown));

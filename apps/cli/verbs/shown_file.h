@@ -37,8 +37,12 @@ ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes);
 /// Shows every [measurement.NAME] of a study, or `only` one of them.
 ShownFile shown_measurements(const std::filesystem::path& study, const std::string& only = "");
 /// Adds the ledger of what was read: a table, with its doubts as facts. `with_users` is true for a
-/// study, where the users of a column are known.
-void show_ledger(const Ledger& ledger, bool with_users, ShownFile& shown);
+/// study, where the users of a column are known. Its file has its folder in the title if another
+/// one `among` these ledgers has the same name.
+void show_ledger(const Ledger& ledger,
+                 bool with_users,
+                 ShownFile& shown,
+                 const std::vector<Ledger>& among = {});
 /// Adds the ledger of a table or recording alone, with its stated axes; if the file is neither, a
 /// fact says so.
 void show_ledger_of(const std::filesystem::path& file,

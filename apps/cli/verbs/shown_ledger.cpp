@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "cli/console/ledgers.h"
 #include "cli/verbs/shown_file.h"
 #include "correlation/laboratory/measurement.h"
 
 namespace latsch::cli {
 
-void show_ledger(const Ledger& ledger, bool with_users, ShownFile& shown) {
-  const std::string file = std::filesystem::path(ledger.file).filename().string();
+void show_ledger(const Ledger& ledger,
+                 bool with_users,
+                 ShownFile& shown,
+                 const std::vector<Ledger>& among) {
+  const std::string file = name_among(ledger, among);
   ShownTable table{"Ledger of " + file, ledger_heads(), {}};
   if (!with_users) table.heads.back() = "known";
   for (const LedgerRow& row : ledger.rows) {

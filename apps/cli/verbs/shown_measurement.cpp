@@ -85,7 +85,8 @@ ShownFile shown_measurements(const std::filesystem::path& study, const std::stri
     const Measurement measurement = correlation::read_measurement(table, study.parent_path());
     table.close();
     add_measurement(measurement, names.size() == 1 || !only.empty(), shown);
-    for (const Ledger& ledger : measurement.ledgers()) show_ledger(ledger, true, shown);
+    const std::vector<Ledger> ledgers = measurement.ledgers();
+    for (const Ledger& ledger : ledgers) show_ledger(ledger, true, shown, ledgers);
   }
   return shown;
 }

@@ -64,7 +64,8 @@ ShownFile shown_road(const std::filesystem::path& road) {
   shown.kind = "Road (" + file.kind + ")";
   shown.facts = file.facts;
   for (const std::string& warning : file.warnings) shown.facts.push_back("warning: " + warning);
-  for (const std::string& key : file.unused) shown.facts.push_back("not used: " + key);
+  for (const formats::TeimOrbitPart& part : file.unused)
+    shown.facts.push_back("not used: " + part.name);
   for (const std::string& key : file.kept) shown.facts.push_back("not of the surface: " + key);
   add_heights(file, shown);
   return shown;

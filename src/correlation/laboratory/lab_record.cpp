@@ -121,7 +121,7 @@ void append(const LabRecord& more, const std::string& file, LabRecord& record) {
 }
 
 /// Filters between gaps; stretches shorter than `least` become gaps.
-void filter_stretch(const std::vector<numerics::Section>& sections,
+void filter_stretch(const std::vector<numerics::FilterSection>& sections,
                     const Stretch& stretch,
                     std::size_t least,
                     std::vector<double>& values) {
@@ -187,17 +187,23 @@ LabRecord join_files(const std::vector<std::filesystem::path>& files,
     const auto ours = ours_of.find(theirs);
     return dimension_of_name(ours == ours_of.end() ? theirs : ours->second);
   };
+  // Runs in folders of their own often have the same name.
+  const auto name_of = [&](const std::filesystem::path& file) {
+    const auto same = std::count_if(files.begin(), files.end(), [&](const auto& other) {
+      return other.filename() == file.filename();
+    });
+    return same == 1 ? file.filename().string()
+                     : (file.parent_path().filename() / file.filename()).string();
+  };
   LabRecord record;
   for (const std::filesystem::path& file : files) {
     LabRecord more = record_of(formats::read_lab_table(file, units, expected), columns);
-    words.push_back(fmt::format("{}: {} samples of {} channels",
-                                file.filename().string(),
-                                more.samples(),
-                                more.channels.size()));
+    words.push_back(fmt::format(
+        "{}: {} samples of {} channels", name_of(file), more.samples(), more.channels.size()));
     if (record.channels.empty()) {
       record = std::move(more);
     } else {
-      append(more, file.filename().string(), record);
+      append(more, name_of(file), record);
     }
   }
   for (std::size_t i = 0; i < record.samples(); ++i)
@@ -279,8 +285,16 @@ std::string low_pass(LabRecord& record, double frequency, const Place& place) {
                                  frequency,
                                  rate,
                                  0.5 * rate));
+  const double lasts = static_cast<double>(longest->end - longest->first) / rate;
+  if (frequency * lasts < 1.0)
+    throw InputError(place,
+                     fmt::format("low_pass is {:g} Hz, which needs a record of {:.4g} s, but this "
+                                 "one has {:.4g} s without a gap",
+                                 frequency,
+                                 1.0 / frequency,
+                                 lasts));
   const auto sections = numerics::sections_of(
-      numerics::butterworth(kOrder, numerics::Band::low_pass, {frequency}, rate));
+      numerics::butterworth(kOrder, numerics::FilterBand::low_pass, {frequency}, rate));
   const auto least = static_cast<std::size_t>(numerics::forward_backward_padding(sections));
   std::vector<bool> kept(record.samples(), true);
   std::size_t left_out = 0;

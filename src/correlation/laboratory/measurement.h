@@ -18,7 +18,7 @@
 //   sweep = {alpha = "rising"}      # or "falling"
 //   every = 5                       # thinned, last of all: every fifth of the samples left
 //
-//   [measurement.cornering.select]  # samples left: all of these hold
+//   [measurement.cornering.select]  # only samples that meet all of these
 //   time = "30 s .."                # after the warm-up
 //   Fz = ["1050 +- 100 N", "1610 +- 100 N"]  # one of several windows
 //   gamma = "-0.3 .. 0.3 deg"
@@ -178,7 +178,7 @@ MeasuredFile read_measured_file(const std::filesystem::path& file,
 /// Every [measurement.NAME] of a study.
 using Laboratory = std::vector<std::shared_ptr<const Measurement>>;
 Laboratory read_laboratory(const Node& study, const std::filesystem::path& folder);
-/// Returns nullptr if none has that name.
+/// Returns nullptr if none has the given name.
 std::shared_ptr<const Measurement> find(const Laboratory& laboratory, const std::string& name);
 
 }  // namespace latsch::correlation

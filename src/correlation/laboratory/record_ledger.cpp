@@ -168,6 +168,53 @@ void note_use(LabRecord& record, const std::string& channel, const std::string& 
   for_rows_of(record, channel, [&](LedgerRow& row) { Ledger::use(row, by); });
 }
 
+namespace {
+
+/// Angles of a suspension whose signs no axes define, and the positive direction assumed here.
+struct SuspensionSign {
+  const char *channel, *positive;
+};
+constexpr SuspensionSign kSuspensionSigns[] = {{"toe", "front inboard"},
+                                               {"camber", "top outboard"},
+                                               {"caster", "top of the kingpin rearward"}};
+
+const SuspensionSign* suspension_sign(const std::string& channel) {
+  for (const SuspensionSign& sign : kSuspensionSigns)
+    if (channel == sign.channel || channel.starts_with(std::string(sign.channel) + "_"))
+      return &sign;
+  return nullptr;
+}
+
+/// True for a table of a suspension; the camber of a tire test has the signs of its axes.
+bool is_of_suspension(const Ledger& ledger) {
+  constexpr std::array<std::string_view, 6> kMoved = {"toe", "caster", "dx", "dy", "dz", "travel"};
+  return std::any_of(ledger.rows.begin(), ledger.rows.end(), [&](const LedgerRow& row) {
+    const std::string& channel = row.taken_as.empty() ? row.written : row.taken_as;
+    return std::any_of(kMoved.begin(), kMoved.end(), [&](std::string_view name) {
+      return channel == name || channel.starts_with(std::string(name) + "_");
+    });
+  });
+}
+
+/// Says which signs are assumed for the angles of a suspension, because no file states them.
+void note_suspension_signs(Ledger& ledger) {
+  if (!is_of_suspension(ledger)) return;
+  std::vector<std::string> assumed;
+  for (const SuspensionSign& sign : kSuspensionSigns)
+    if (std::any_of(ledger.rows.begin(), ledger.rows.end(), [&](const LedgerRow& row) {
+          return suspension_sign(row.taken_as.empty() ? row.written : row.taken_as) == &sign;
+        }))
+      assumed.push_back(fmt::format("{} {}", sign.channel, sign.positive));
+  if (assumed.empty()) return;
+  LedgerRow row;
+  row.taken_as = "positive";
+  row.state = LedgerState::assumed;
+  row.remark = fmt::format("is {}", fmt::join(assumed, ", "));
+  ledger.rows.push_back(std::move(row));
+}
+
+}  // namespace
+
 void note_axes(LabRecord& record, AxisConvention axes, bool are_stated) {
   const std::string name = axis_convention_names()[static_cast<std::size_t>(axes)];
   for (Ledger& ledger : record.ledgers) {
@@ -184,11 +231,12 @@ void note_axes(LabRecord& record, AxisConvention axes, bool are_stated) {
       else
         row.axes = "the same in all";
     }
+    note_suspension_signs(ledger);
     if (are_stated || !matters) continue;
     LedgerRow row;
     row.taken_as = "axes";
     row.state = LedgerState::assumed;
-    row.remark = "iso, because none are stated";
+    row.remark = "iso, because none are stated: x forward, y to the left, z up";
     ledger.rows.push_back(std::move(row));
   }
 }

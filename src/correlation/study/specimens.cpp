@@ -13,6 +13,7 @@
 #include "correlation/observable/compared_frame.h"
 #include "correlation/study/study.h"
 #include "correlation/study/variables.h"
+#include "experiment/language/kind_files.h"
 
 namespace latsch::correlation {
 namespace {
@@ -24,7 +25,11 @@ using experiment::SpecimenKind;
 fs::path existing_file(const Node& table, const char* key, const fs::path& folder) {
   const fs::path file = (folder / table.text(key)).lexically_normal();
   if (!fs::exists(file))
-    table.reject(key, "is " + in_quotes(file.string()) + ", which does not exist");
+    table.reject(key,
+                 "is " + in_quotes(table.text(key)) + ", which does not exist" +
+                     (folder.empty() || fs::path(table.text(key)).is_absolute()
+                          ? ""
+                          : " in the folder of the study"));
   return file;
 }
 
@@ -85,8 +90,9 @@ StudyModel read_model(const Node& study, const fs::path& folder, const Language&
   const bool is_stated = has_table(study, "model");
   if (is_stated) {
     const Node table = study.table("model");
-    kind = language.find_kind(table.choice("kind", language.kind_names()));
     model.file = existing_file(table, "file", folder);
+    kind = &experiment::kind_for_file(
+        table.choice("kind", language.kind_names()), model.file, language.kinds);
   } else {
     if (!study.has("model") && study.has("tire") && study.has("target"))
       study.reject("tire",

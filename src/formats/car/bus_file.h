@@ -10,7 +10,9 @@
 // Torques are in FORCE times LENGTH. A curve rises: its force is the resisting one. A straight
 // curve through the origin becomes a stiffness, any other a ForceCurve as an elastic part of its
 // axis, which differs from Adams' curve between the points (multibody/force_curve.h against Akima).
-// Other sections of such a file are left out and named.
+// The first column of a curve is the deflection. Other sections of such a file are left out and
+// named. A file without LENGTH, FORCE or, if its dampings are not 0, TIME is refused; ANGLE is
+// needed for the torques.
 #pragma once
 
 #include <filesystem>
@@ -19,17 +21,22 @@
 #include <vector>
 
 #include "formats/text/teim_orbit.h"
+#include "measurement/ledger.h"
 #include "models/multibody/bushing.h"
 
 namespace latsch::formats {
 
 struct BusFile {
   multibody::BushingParameters bushing;
-  std::vector<std::string> unused;  // "[SECTION] KEY" without a meaning here
+  std::vector<TeimOrbitPart> unused;  // parts without a meaning here
+  /// A row for each curve, damping and unit, and for each unused part. A doubt for each part that
+  /// another program may use, for a curve with a force at rest, one that falls in between and one
+  /// that reaches farther than any bushing.
+  Ledger ledger;
 };
 
-/// Throws InputError naming file and line: a missing section, an unknown unit, fewer than two
-/// points, a deflection that does not rise, a force that falls on the whole, negative damping.
+/// Throws InputError naming file and line: a missing section, a missing or unknown unit, fewer than
+/// two points, a deflection that does not rise, a force that falls on the whole, negative damping.
 BusFile read_bus_file(const std::filesystem::path& file);
 BusFile bus_file_from(const TeimOrbit& file);
 

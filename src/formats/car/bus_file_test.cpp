@@ -13,7 +13,7 @@ namespace {
 
 using multibody::BushingParameters;
 using multibody::ElasticCurve;
-using multibody::ForceCurve;
+using multibody::ForceCharacteristic;
 
 /// The units are the usual ones of such files: mm, degrees, newton.
 const char* const kRubber = R"($ a lower arm's rear bushing
@@ -104,11 +104,11 @@ TEST(BusFile, AnyOtherCurveIsAnElasticPartOfItsAxis) {
   EXPECT_EQ(bushing.parts[1].axis, 4);
   EXPECT_EQ(bushing.stiffness.y(), 0.0);
   EXPECT_EQ(bushing.rotational.y(), 0.0);
-  const ForceCurve& y = std::get<ElasticCurve>(bushing.parts[0].law).curve;
+  const ForceCharacteristic& y = std::get<ElasticCurve>(bushing.parts[0].law).curve;
   ASSERT_EQ(y.points().size(), 5u);
   EXPECT_DOUBLE_EQ(y.points()[0].first, -2e-3);
   EXPECT_DOUBLE_EQ(y.points()[0].second, -9e3);
-  const ForceCurve& about_y = std::get<ElasticCurve>(bushing.parts[1].law).curve;
+  const ForceCharacteristic& about_y = std::get<ElasticCurve>(bushing.parts[1].law).curve;
   EXPECT_NEAR(about_y.points()[2].first, 10.0 * kDegree, 1e-15);
   EXPECT_DOUBLE_EQ(about_y.points()[2].second, 8.0);
 }
@@ -170,13 +170,100 @@ TEST(BusFile, SaysWhatIsWrongAndWhere) {
   }
 }
 
+/// The file without the lines that contain `part`.
+std::string without_lines(const std::string& text, const std::string& part) {
+  std::string kept;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    const std::string line = text.substr(begin, end - begin);
+    if (line.find(part) == std::string::npos) kept += line;
+    begin = end;
+  }
+  return kept;
+}
+
+/// The doubts of a file as lines "name: sentence".
+std::string doubts_of(const std::string& text) {
+  std::string all;
+  for (const LedgerDoubt& doubt : bus_of(text).ledger.doubts)
+    all += doubt.place.text() + " " + doubt.sentence + "\n";
+  return all;
+}
+
+TEST(BusFile, AMissingUnitIsRefusedAndTheMessageSaysWhichLineToAdd) {
+  for (const auto& [key, line] :
+       std::vector<std::array<std::string, 2>>{{" LENGTH", "LENGTH = 'mm'"},
+                                               {" ANGLE", "ANGLE = 'degrees'"},
+                                               {" FORCE", "FORCE = 'newton'"},
+                                               {" TIME", "TIME = 'second'"}}) {
+    const std::string said = complaint_about(without_lines(kRubber, key));
+    EXPECT_EQ(said.find("rubber.bus:6: [UNITS] has no"), 0u) << said;
+    EXPECT_NE(said.find("add the line " + line), std::string::npos) << said;
+  }
+  EXPECT_EQ(complaint_about(without_lines(kRubber, " MASS")), "none");
+  // A damping of 0 is 0 in any unit.
+  const std::string undamped =
+      changed(changed(changed(kRubber, "_DAMPING  =  3.0", "_DAMPING  =  0"), "=  1.5", "=  0"),
+              "=  100.0",
+              "=  0");
+  EXPECT_EQ(complaint_about(without_lines(undamped, " TIME")), "none");
+}
+
+TEST(BusFile, AForceBeforeTheDeflectionIsRefused) {
+  const std::string said = complaint_about(changed(kRubber, "{ x    fx}", "{force x}"));
+  EXPECT_EQ(said.find("rubber.bus:20: the columns are {FORCE X}"), 0u) << said;
+  EXPECT_NE(complaint_about(changed(kRubber, "{ ax   tx}", "{ tx   ax}")).find("{TX AX}"),
+            std::string::npos);
+}
+
 TEST(BusFile, NamesSectionsAndKeysItLeavesOut) {
   const BusFile file = bus_of(std::string(kRubber) + "[CONSTANTS]\nSCALE = 1\n");
-  EXPECT_EQ(file.unused, std::vector<std::string>{"[CONSTANTS]"});
+  ASSERT_EQ(file.unused.size(), 1u);
+  EXPECT_EQ(file.unused[0].name, "[CONSTANTS]");
+  ASSERT_NE(file.ledger.find_written("[CONSTANTS]"), nullptr);
+  EXPECT_EQ(file.ledger.find_written("[CONSTANTS]")->state, LedgerState::not_used);
+  EXPECT_NE(
+      doubts_of(std::string(kRubber) + "[CONSTANTS]\nSCALE = 1\n").find("[CONSTANTS] is not read"),
+      std::string::npos);
   const BusFile preloaded =
       bus_of(changed(kRubber, "[DAMPING]\n", "[DAMPING]\nFX_PRELOAD = 200\n"));
-  EXPECT_EQ(preloaded.unused, std::vector<std::string>{"[DAMPING] FX_PRELOAD"});
+  ASSERT_EQ(preloaded.unused.size(), 1u);
+  EXPECT_EQ(preloaded.unused[0].name, "[DAMPING] FX_PRELOAD");
+  EXPECT_EQ(preloaded.unused[0].line, 13);
   EXPECT_TRUE(bus_of(kRubber).unused.empty());
+}
+
+TEST(BusFile, TheLedgerHasARowForEachCurveAndDamping) {
+  const Ledger ledger = bus_of(kRubber).ledger;
+  EXPECT_EQ(ledger.rows.size(), 5u + 12u);
+  EXPECT_EQ(doubts_of(kRubber), "");
+  const LedgerRow* about_z = ledger.find_written("[TZ_CURVE]");
+  ASSERT_NE(about_z, nullptr);
+  EXPECT_EQ(about_z->unit_written, "newton*mm/degrees");
+  EXPECT_NEAR(about_z->factor, 1e-3 / kDegree, 1e-15);
+}
+
+TEST(BusFile, ADeflectionThatNoBushingReachesIsTold) {
+  const std::string meters = doubts_of(changed(kRubber, "'mm'", "'meter'"));
+  EXPECT_NE(meters.find("rubber.bus:19 [FX_CURVE] reaches 2 m, which no bushing does: is LENGTH of "
+                        "[UNITS] right?"),
+            std::string::npos)
+      << meters;
+  const std::string radians = doubts_of(changed(kRubber, "'degrees'", "'radians'"));
+  EXPECT_NE(radians.find("[TX_CURVE] reaches 10 rad, which no bushing does: is ANGLE of [UNITS]"),
+            std::string::npos)
+      << radians;
+}
+
+TEST(BusFile, APreloadAndAFallingPieceOfACurveAreTold) {
+  const std::string preload =
+      doubts_of(changed(kRubber, " 0.0   0.0\n 1.0   800.0", " 0.0   50.0\n 1.0   850.0"));
+  EXPECT_NE(preload.find("rubber.bus:31 [FZ_CURVE] has 50 N at the deflection 0: a preload"),
+            std::string::npos)
+      << preload;
+  const std::string falling = doubts_of(changed(kRubber, " -1.0  -2000.0", " -1.0  2000.0"));
+  EXPECT_NE(falling.find("rubber.bus:28 [FY_CURVE] falls from 2000 N to 0 N"), std::string::npos)
+      << falling;
 }
 
 TEST(BusFile, ASpoiledFileIsABushingWithoutFaultOrAnInputError) {

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "formats/deck/inp_doubts.h"
 #include "formats/mesh/ccx_deck.h"
 #include "formats/mesh/inp_materials.h"
 #include "models/fe_tire/analysis/fe_tire.h"
@@ -33,6 +35,48 @@ std::string deck_of(const TireDescription& tire) {
   run.ground = CcxGround{0.32, 0.025, 2e10, 0.5};
   write_ccx_deck(out, build_mesh(tire), build_materials(tire), run);
   return out.str();
+}
+
+/// The doubts about a deck, one a line.
+std::string deck_doubts(const std::string& text) {
+  std::string all;
+  for (const LedgerDoubt& doubt : doubts_of_deck(parse_inp(text, "tire.inp")))
+    all += doubt.place.text() + " " + doubt.name + " " + doubt.sentence + "\n";
+  return all;
+}
+
+int line_of(const std::string& text, std::size_t at) {
+  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
+}
+
+TEST(InpDoubts, ANegativePressureAndASecondSectionAreTold) {
+  const std::string good = deck_of(small_tire());
+  EXPECT_EQ(deck_doubts(good), "");
+  std::string negative = good;
+  const std::size_t pressure = negative.find("INNER,P1,");
+  ASSERT_NE(pressure, negative.npos);
+  negative.insert(pressure + 9, "-");
+  EXPECT_EQ(
+      deck_doubts(negative),
+      "tire.inp:" + std::to_string(line_of(negative, pressure)) +
+          " *DLOAD the pressure is -0.26: a negative pressure pulls at the inner faces, while "
+          "one that inflates the tire is positive\n");
+  std::string twice = good;
+  const std::size_t section = twice.find("*SOLID SECTION,ELSET=SOLID0,");
+  const std::size_t end = twice.find('\n', twice.find("*SOLID SECTION,ELSET=GROUNDBLOCK,")) + 1;
+  twice.insert(end, "*SOLID SECTION,ELSET=SOLID0,MATERIAL=RIGID\n");
+  const std::string said = deck_doubts(twice);
+  EXPECT_EQ(said.find("tire.inp:" + std::to_string(line_of(twice, end)) + " *SOLID SECTION "), 0u)
+      << said;
+  EXPECT_NE(said.find("elements of SOLID0 are in the *SOLID SECTION of line " +
+                      std::to_string(line_of(twice, section)) +
+                      ", too: here they have the material RIGID of the last one, not SOLID0"),
+            std::string::npos)
+      << said;
+  // The repeated section changes nothing.
+  std::string same = good;
+  same.insert(end, good.substr(section, good.find('\n', section) + 1 - section));
+  EXPECT_EQ(deck_doubts(same), "");
 }
 
 void expect_same(const Mesh& a, const Mesh& b, double tolerance) {

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include "base/text.h"
+#include "base/units.h"
 #include "formats/road/rdf_spline.h"
 #include "formats/road/road_file.h"
 #include "formats/text/letter_case.h"
@@ -40,6 +43,9 @@ const std::vector<std::string> kRoadTypes = {"flat",
                                              "drum",
                                              "stochastic_uneven"};
 
+/// Quantity of a number, which decides its unit.
+enum class Of { ratio, length, angle, time, speed };
+
 class RdfReading {
  public:
   explicit RdfReading(const TeimOrbit& file)
@@ -63,10 +69,57 @@ class RdfReading {
               R"(, expected "2D", "3D" with [NODES] or "3D_SPLINE" with [DATA_POINTS])");
     }
     result_.unused = file_.unread();
+    if (friction_across_) result_.unused.push_back(*friction_across_);
+    doubt_unused();
     return std::move(result_);
   }
 
  private:
+  /// Doubts about unused parts that would move, turn or scale the surface, or change its friction.
+  void doubt_unused() {
+    const std::map<std::string, std::array<double, 3>, std::less<>> of_surface = {
+        {"SCALE", {1.0, 1.0, 1.0}},
+        {"ORIENTATION", {1.0, 0.0, 0.0}},
+        {"ORIGIN", {0.0, 0.0, 0.0}},
+        {"UP", {0.0, 0.0, 1.0}}};
+    for (const TeimOrbitSection& section : file_.sections()) {
+      const auto known = of_surface.find(section.name());
+      if (known == of_surface.end() || leaves_surface(section, known->second)) continue;
+      result_.doubts.push_back(
+          {"[" + section.name() + "]",
+           fmt::format("[{}] is not read here: the surface is as without it, although it would be "
+                       "another one with it; expected the nodes in their final place and scale",
+                       section.name()),
+           section.place()});
+    }
+    for (const TeimOrbitPart& part : result_.unused)
+      if (part.name.starts_with("[PARAMETERS]"))
+        result_.doubts.push_back({part.name,
+                                  part.name + " is not used: the road is as without it",
+                                  Place{file_.file(), part.line}});
+    if (friction_across_)
+      result_.doubts.push_back({friction_across_->name,
+                                "the friction across the road differs from that along it; here "
+                                "the friction along the road (the first of the two) counts for "
+                                "both directions",
+                                Place{file_.file(), friction_across_->line}});
+  }
+
+  /// True if X, Y, Z of the section have no effect: they are those of `neutral` or not there.
+  static bool leaves_surface(const TeimOrbitSection& section,
+                             const std::array<double, 3>& neutral) {
+    if (!section.tables().empty()) return false;
+    constexpr std::array<const char*, 3> kAxes = {"X", "Y", "Z"};
+    std::size_t known = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const TeimOrbitEntry* entry = section.find(kAxes[i]);
+      if (!entry) continue;
+      ++known;
+      if (parse_number(entry->value) != neutral[i]) return false;
+    }
+    return known == section.entries().size();
+  }
+
   [[noreturn]] void reject(const char* key, const std::string& message) {
     const TeimOrbitEntry* entry = find(key);
     throw InputError(
@@ -79,24 +132,55 @@ class RdfReading {
     return entry || parameters_ == &model_ ? entry : model_.find(key);
   }
 
-  double number(const char* key, double unit, double low, double high) {
+  /// SI value of one unit of a number. Asked for only if the number is there and not 0, which is 0
+  /// in any unit, because a unit that the file does not state is refused.
+  double in_si(Of quantity) const {
+    switch (quantity) {
+      case Of::length:
+        return units_.length();
+      case Of::angle:
+        return units_.angle();
+      case Of::time:
+        return units_.time();
+      case Of::speed:
+        return units_.length() / units_.time();
+      case Of::ratio:
+        break;
+    }
+    return 1.0;
+  }
+
+  double number(const char* key, Of quantity, double low, double high) {
     const TeimOrbitEntry* entry = find(key);
     if (!entry) reject(key, "expected a number");
-    const double value = parameters_->number(*entry) * unit;
+    const double written = parameters_->number(*entry);
+    const double value = written == 0.0 ? written : written * in_si(quantity);
     if (!(value >= low && value <= high)) {
       reject(key, fmt::format("expected {} to {} in SI units", low, high));
     }
     return value;
   }
-  double number(const char* key, double unit, double low, double high, double fallback) {
-    return find(key) ? number(key, unit, low, high) : fallback;
+  double number(const char* key, Of quantity, double low, double high, double fallback) {
+    return find(key) ? number(key, quantity, low, high) : fallback;
   }
-  double length(const char* key) { return number(key, units_.length, kSmoothest, kLargestRoad); }
+  double length(const char* key) { return number(key, Of::length, kSmoothest, kLargestRoad); }
   double place(const char* key, double fallback = 0.0) {
-    return number(key, units_.length, -kLargestRoad, kLargestRoad, fallback);
+    return number(key, Of::length, -kLargestRoad, kLargestRoad, fallback);
   }
-  double height(const char* key) { return number(key, units_.length, -kLargestRoad, kLargestRoad); }
-  double friction(const char* key) { return number(key, 1.0, 0.0, 100.0, 1.0); }
+  /// Reads a height of an obstacle or wave. One above a meter is told: a unit may be wrong.
+  double height(const char* key) {
+    constexpr double kHighest = 1.0;  // m
+    const double value = number(key, Of::length, -kLargestRoad, kLargestRoad);
+    if (std::abs(value) > kHighest)
+      result_.doubts.push_back(
+          {"[PARAMETERS] " + std::string(key),
+           fmt::format("{} is {}, higher than any obstacle: is LENGTH of [UNITS] right?",
+                       key,
+                       format_quantity(value, "m", 4)),
+           parameters_->place(find(key)->line)});
+    return value;
+  }
+  double friction(const char* key) { return number(key, Of::ratio, 0.0, 100.0, 1.0); }
 
   void read_2d() {
     std::string type = lower(model_.text("ROAD_TYPE"));
@@ -105,7 +189,7 @@ class RdfReading {
     if (type == "sine_sweep") type = "sweep";
     result_.kind = "Adams " + type;
     std::unique_ptr<road::Road> road = read_type(type);
-    const double angle = number("ROTATION_ANGLE_XY_PLANE", units_.angle, -1e3, 1e3, 0.0);
+    const double angle = number("ROTATION_ANGLE_XY_PLANE", Of::angle, -1e3, 1e3, 0.0);
     const double offset = place("OFFSET");
     if (angle != 0.0 || offset != 0.0) {
       result_.facts.push_back(fmt::format("turned by {} deg, lifted by {} m",
@@ -153,7 +237,7 @@ class RdfReading {
   Profile bar(const char* height_key, const char* length_key, const char* bevel_key, double angle) {
     const double high = height(height_key);
     const double across = length(length_key) * std::cos(angle);
-    const double bevel = number(bevel_key, units_.length, 0.0, kLargestRoad, 0.0) * std::cos(angle);
+    const double bevel = number(bevel_key, Of::length, 0.0, kLargestRoad, 0.0) * std::cos(angle);
     if (bevel > std::abs(high) || bevel > across / 2.0) {
       reject(bevel_key, "expected at most the height and half of the length");
     }
@@ -161,7 +245,7 @@ class RdfReading {
   }
 
   std::unique_ptr<road::Road> read_plank() {
-    const double angle = number("DIRECTION", units_.angle, -kMostOblique, kMostOblique, 0.0);
+    const double angle = number("DIRECTION", Of::angle, -kMostOblique, kMostOblique, 0.0);
     const double half = length("LENGTH") / 2.0;
     return obstacle(
         bar("HEIGHT", "LENGTH", "BEVEL_EDGE_LENGTH", angle), place("START") + half, angle);
@@ -175,7 +259,7 @@ class RdfReading {
 
   std::unique_ptr<road::Road> read_ramp() {
     const double high = height("HEIGHT");
-    const double slope = std::abs(number("SLOPE", 1.0, -1e6, 1e6));
+    const double slope = std::abs(number("SLOPE", Of::ratio, -1e6, 1e6));
     if (slope < 1e-9) reject("SLOPE", "expected a slope that is not zero");
     return obstacle(Profile({{0.0, 0.0}, {std::abs(high) / slope, high}}), place("START"));
   }
@@ -199,7 +283,7 @@ class RdfReading {
         reject("END", "expected a place behind START");
       settings.amplitude_end = height("AMPLITUDE_AT_END");
       settings.wave_length_end = length("WAVE_LENGTH_AT_END");
-      settings.exponential = number("SWEEP_TYPE", 1.0, 0.0, 1.0, 0.0) == 0.0;
+      settings.exponential = number("SWEEP_TYPE", Of::ratio, 0.0, 1.0, 0.0) == 0.0;
     }
     return std::make_unique<road::WaveRoad>(settings);
   }
@@ -235,7 +319,7 @@ class RdfReading {
 
   std::unique_ptr<road::Road> read_poly_line() {
     std::vector<Profile::Point> left, right;
-    for (const auto& row : rows("XZ_DATA", {units_.length, units_.length, units_.length})) {
+    for (const auto& row : rows("XZ_DATA", {units_.length(), units_.length(), units_.length()})) {
       left.push_back({row[0], row[1]});
       right.push_back({row[0], row[2]});
     }
@@ -245,10 +329,9 @@ class RdfReading {
   }
 
   road::Travel read_speed() {
-    const double unit = units_.length / units_.time;
     if (const TeimOrbitTable* table = parameters_->find_table("TV_DATA"); table && !find("V")) {
       std::vector<road::Travel::Point> points;
-      for (const auto& row : rows("TV_DATA", {units_.time, unit})) {
+      for (const auto& row : rows("TV_DATA", {units_.time(), in_si(Of::speed)})) {
         if (!points.empty() && row[0] <= points.back().time) {
           throw InputError(parameters_->place(table->line), "has one time twice in (TV_DATA)");
         }
@@ -256,21 +339,21 @@ class RdfReading {
       }
       return road::Travel(std::move(points));
     }
-    const double speed = number("V", unit, -1e4, 1e4, 0.0);
-    const double time = number("ACCELERATION_TIME", units_.time, 0.0, 1e6, 0.0);
+    const double speed = number("V", Of::speed, -1e4, 1e4, 0.0);
+    const double time = number("ACCELERATION_TIME", Of::time, 0.0, 1e6, 0.0);
     if (time == 0.0) return road::Travel(speed);
     return road::Travel({{0.0, 0.0}, {time, speed}});
   }
 
   std::unique_ptr<road::Road> read_drum() {
     road::DrumRoad::Settings settings;
-    const double diameter = number("DIAMETER", units_.length, -kLargestRoad, kLargestRoad);
+    const double diameter = number("DIAMETER", Of::length, -kLargestRoad, kLargestRoad);
     if (std::abs(diameter) < 1e-3) reject("DIAMETER", "expected the diameter of a drum");
     settings.diameter = std::abs(diameter);
     settings.inner = diameter > 0.0;
     settings.friction = friction("MU");
     settings.surface = read_speed();
-    const int cleats = static_cast<int>(number("NUMBER_CLEATS", 1.0, 0.0, kMostCleats, 0.0));
+    const int cleats = static_cast<int>(number("NUMBER_CLEATS", Of::ratio, 0.0, kMostCleats, 0.0));
     result_.facts.push_back(fmt::format("{} drum of {} m, {} cleats",
                                         settings.inner ? "inner" : "outer",
                                         format_number(settings.diameter, 6),
@@ -281,13 +364,14 @@ class RdfReading {
 
   road::DrumRoad::Cleat read_cleat(const road::DrumRoad::Settings& drum) {
     road::DrumRoad::Cleat cleat;
-    cleat.angle = number("CLEAT_DIRECTION", units_.angle, -kMostOblique, kMostOblique, 0.0);
-    cleat.starting_angle = number("CLEAT_STARTING_ANGLE", units_.angle, -1e3, 1e3, 0.0);
+    cleat.angle = number("CLEAT_DIRECTION", Of::angle, -kMostOblique, kMostOblique, 0.0);
+    cleat.starting_angle = number("CLEAT_STARTING_ANGLE", Of::angle, -1e3, 1e3, 0.0);
     cleat.friction = drum.friction * friction("MU_FACTOR_CLEAT");
     if (parameters_->find_table("XZR_DATA") && !find("CLEAT_HEIGHT")) {
       std::vector<Profile::Point> points;
       std::vector<double> radii;
-      for (const auto& row : rows("XZR_DATA", {units_.length, units_.length, units_.length})) {
+      for (const auto& row :
+           rows("XZR_DATA", {units_.length(), units_.length(), units_.length()})) {
         points.push_back({row[0], row[1]});
         radii.push_back(row[2]);
       }
@@ -352,7 +436,7 @@ class RdfReading {
       for (const TeimOrbitRow& row : table.rows) {
         const auto numbers = nodes.numbers(row, 4);
         const Eigen::Vector3d place =
-            units_.length * Eigen::Vector3d(numbers[1], numbers[2], numbers[3]);
+            units_.length() * Eigen::Vector3d(numbers[1], numbers[2], numbers[3]);
         if (!(place.cwiseAbs().maxCoeff() <= kLargestRoad)) {
           throw InputError(nodes.place(row.line), "has a node further away than 1e7 m");
         }
@@ -368,7 +452,7 @@ class RdfReading {
 
   void read_elements(const TeimOrbitSection& elements,
                      const std::map<long, int>& index,
-                     road::TriangleMesh& mesh) const {
+                     road::TriangleMesh& mesh) {
     bool level = false;
     for (const TeimOrbitTable& table : elements.tables()) {
       for (const TeimOrbitRow& row : table.rows) {
@@ -384,6 +468,8 @@ class RdfReading {
           triangle.nodes[i] = node->second;
         }
         triangle.friction = numbers.size() > 3 ? numbers[3] : 1.0;
+        if (numbers.size() > 4 && numbers[4] != numbers[3] && !friction_across_)
+          friction_across_ = TeimOrbitPart{"[ELEMENTS] mu_y", row.line};
         if (!(triangle.friction >= 0.0 && triangle.friction <= 100.0)) {
           throw InputError(elements.place(row.line), "has a friction below 0 or above 100");
         }
@@ -410,12 +496,13 @@ class RdfReading {
     }
     if (const TeimOrbitSection* section = file_.find("REFSYS")) {
       if (const TeimOrbitEntry* entry = section->find("OFFSET")) offset = three(*section, *entry);
-      const double angle = units_.angle * section->number("ROTATION_ANGLE_XY_PLANE", 0.0);
+      double angle = section->number("ROTATION_ANGLE_XY_PLANE", 0.0);
+      if (angle != 0.0) angle *= units_.angle();
       if (!(std::abs(angle) < 1e3)) throw InputError(section->place(), "is turned too far");
       turn.topLeftCorner<2, 2>() << std::cos(angle), -std::sin(angle), std::sin(angle),
           std::cos(angle);
     }
-    offset *= units_.length;
+    offset *= units_.length();
     if (!(offset.cwiseAbs().maxCoeff() <= kLargestRoad)) {
       throw InputError(model_.place(), "has an offset beyond 1e7 m");
     }
@@ -443,6 +530,7 @@ class RdfReading {
   TeimOrbitUnits units_;
   const TeimOrbitSection& model_;
   const TeimOrbitSection* parameters_;
+  std::optional<TeimOrbitPart> friction_across_;  // first triangle with another mu_y than mu_x
   RoadFile result_;
 };
 

@@ -92,8 +92,8 @@ class SplineReading {
                        "expected 0, or the road as triangles or OpenCRG");
     }
     DataPoint point;
-    point.center = units_.length * Vector3d(numbers[0], numbers[1], numbers[2]);
-    point.width = units_.length * own(numbers, 3, global("WIDTH", 0.0));
+    point.center = units_.length() * Vector3d(numbers[0], numbers[1], numbers[2]);
+    point.width = units_.length() * own(numbers, 3, global("WIDTH", 0.0));
     point.mu_left = own(numbers, 5, global("MU_LEFT", 1.0));
     point.mu_right = own(numbers, 6, global("MU_RIGHT", 1.0));
     if (!(point.center.cwiseAbs().maxCoeff() <= kLargestSpline))

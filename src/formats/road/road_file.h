@@ -8,7 +8,9 @@
 // [UNITS]; DIAMETER < 0 is an outer drum; a bevel is measured along the road; DIRECTION and
 // CLEAT_DIRECTION turn a bar counterclockwise from the axle; ROTATION_ANGLE_XY_PLANE turns the road
 // about z; OFFSET lifts it. CLEAT_STARTING_ANGLE is counted from the tire against the rotation of
-// the drum, DEPTH downward. stochastic_uneven is not read, because its random numbers are those of
+// the drum, DEPTH downward. A file that states no LENGTH, or no ANGLE or TIME while it uses one, is
+// refused. If a triangle has two coefficients of friction, the first, along the road, counts for
+// both directions. stochastic_uneven is not read, because its random numbers are those of
 // the program that made it.
 #pragma once
 
@@ -19,6 +21,7 @@
 #include <vector>
 
 #include "formats/text/teim_orbit.h"
+#include "measurement/ledger.h"
 #include "models/road/crg_road.h"
 #include "models/road/road.h"
 #include "models/road/triangle_road.h"
@@ -28,12 +31,13 @@ namespace latsch::formats {
 struct RoadFile {
   std::string kind;                   // "OpenCRG", "Adams drum", "Adams triangles", "drum"
   std::vector<std::string> facts;     // description of the content, for a person
-  std::vector<std::string> unused;    // "[SECTION] KEY" of a .rdf without a meaning here
+  std::vector<TeimOrbitPart> unused;  // parts of a .rdf without a meaning here
   std::vector<std::string> kept;      // statements of a .crg that do not concern its surface
   std::vector<std::string> warnings;  // with file and line
+  std::vector<LedgerDoubt> doubts;    // unused parts of a .rdf that would change the surface
   std::unique_ptr<const road::Road> road;
-  const road::CrgRoad* crg = nullptr;             // not nullptr if the road is of that kind
-  const road::TriangleRoad* triangles = nullptr;  // not nullptr if the road is of that kind
+  const road::CrgRoad* crg = nullptr;             // `road` as OpenCRG; nullptr: another kind
+  const road::TriangleRoad* triangles = nullptr;  // `road` as triangles; nullptr: another kind
 };
 
 /// Returns a file that read_road_file() has read, and the files it refers to.

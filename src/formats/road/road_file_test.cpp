@@ -31,11 +31,18 @@ double z(const RoadFile& file, double x, double y = 0.0, double time = 0.0) {
   return file.road->height(x, y, time);
 }
 
+std::vector<std::string> names_of(const std::vector<TeimOrbitPart>& parts) {
+  std::vector<std::string> names;
+  for (const TeimOrbitPart& part : parts) names.push_back(part.name);
+  return names;
+}
+
 void expect_road_message(const std::string& text,
                          const std::string& place,
                          const std::string& words) {
   try {
-    rdf(text);
+    // Units behind the text leave its line numbers as they are.
+    rdf(text + "[UNITS]\nLENGTH='meter'\nANGLE='radian'\nTIME='second'\n");
     FAIL() << words;
   } catch (const InputError& error) {
     const std::string message = error.what();
@@ -55,12 +62,13 @@ TEST(RdfFile, ObstaclesStandWhereTheirParametersSay) {
   EXPECT_NEAR(z(plank, 1.195), 0.015, kRounding);
   EXPECT_EQ(plank.road->at(1.1, 0, 0).friction, 0.45);
   EXPECT_EQ(plank.road->at(0.1, 0, 0).friction, 0.9);
-  EXPECT_EQ(plank.unused, std::vector<std::string>{"[PARAMETERS] COLOR"});
+  EXPECT_EQ(names_of(plank.unused), std::vector<std::string>{"[PARAMETERS] COLOR"});
   EXPECT_TRUE(road_2d("plank", "HEIGHT = 20\nSTART = 1000\nLENGTH = 200\n").unused.empty());
   // Unused keys are reported: a misspelled key, one in another section, one whose value would mean
   // another model.
-  EXPECT_EQ(road_2d("flat", "MUE = 0.5\n[GRAPHICS]\nLENGTH = 3\n[OFFSET]\nZ = 1\n").unused,
-            (std::vector<std::string>{"[PARAMETERS] MUE", "[GRAPHICS]", "[OFFSET]"}));
+  EXPECT_EQ(
+      names_of(road_2d("flat", "MUE = 0.5\n[GRAPHICS]\nLENGTH = 3\n[OFFSET]\nZ = 1\n").unused),
+      (std::vector<std::string>{"[PARAMETERS] MUE", "[GRAPHICS]", "[OFFSET]"}));
   const RoadFile oblique =
       road_2d("plank", "HEIGHT = 20\nSTART = 1000\nLENGTH = 200\nDIRECTION = 45\n");
   EXPECT_EQ(z(oblique, 1.1, 0.0), 0.02);
@@ -162,6 +170,78 @@ TEST(RdfFile, SaysWhereAndWhatIsWrong) {
   expect_road_message(mesh + "1 2 2 1\n", "road.rdf:7: ", "seen from above");
   expect_road_message(mesh + "1 2\n", "road.rdf:8: ", "expected 3 numbers");
   expect_road_message(mesh + "NUMBER_OF_ELEMENTS = 5\n1 2 3\n", "road.rdf:8: ", "but 1 follow");
+}
+
+/// The message of a road whose [UNITS] has these lines only.
+std::string complaint_of_road(const std::string& units, const std::string& rest) {
+  try {
+    rdf((units.empty() ? "" : "[UNITS]\n" + units) + rest);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(RdfFile, AMissingUnitOfAQuantityThatTheRoadHasIsRefused) {
+  const std::string plank =
+      "[MODEL]\nMETHOD='2D'\nROAD_TYPE='plank'\n[PARAMETERS]\nMU=0.8\nOFFSET=10\n"
+      "ROTATION_ANGLE_XY_PLANE=0\nHEIGHT=20\nSTART=1000\nLENGTH=500\nDIRECTION=0\n";
+  const std::string none = complaint_of_road("", plank);
+  EXPECT_EQ(none.find("road.rdf: there is no section [UNITS]"), 0u) << none;
+  const std::string silent = complaint_of_road("FORCE='newton'\nANGLE='degree'\n", plank);
+  EXPECT_EQ(silent.find("road.rdf:1: [UNITS] has no LENGTH"), 0u) << silent;
+  EXPECT_NE(silent.find("add the line LENGTH = 'mm'"), std::string::npos) << silent;
+  // Its angles are 0, in any unit.
+  EXPECT_EQ(complaint_of_road("LENGTH='mm'\n", plank), "none");
+  const std::string turned = plank.substr(0, plank.find("DIRECTION")) + "DIRECTION=30\n";
+  EXPECT_NE(complaint_of_road("LENGTH='mm'\n", turned).find("[UNITS] has no ANGLE"),
+            std::string::npos);
+  EXPECT_EQ(complaint_of_road("", "[MODEL]\nMETHOD='2D'\nROAD_TYPE='flat'\n"), "none");
+  const std::string drum = "[MODEL]\nMETHOD='2D'\nROAD_TYPE='drum'\nDIAMETER=-2500\nV=1000\n";
+  EXPECT_NE(complaint_of_road("LENGTH='mm'\n", drum).find("[UNITS] has no TIME"),
+            std::string::npos);
+  const std::string mesh =
+      "[MODEL]\nMETHOD='3D'\n[NODES]\n1 0 0 0\n2 1 0 0\n3 0 1 0\n[ELEMENTS]\n1 2 3 1\n";
+  EXPECT_NE(complaint_of_road("ANGLE='degree'\n", mesh).find("[UNITS] has no LENGTH"),
+            std::string::npos);
+  const std::string spline = "[MODEL]\nMETHOD='3D_SPLINE'\n[DATA_POINTS]\n0 0 0 8\n100 0 0 8\n";
+  EXPECT_NE(complaint_of_road("", spline).find("there is no section [UNITS]"), std::string::npos);
+}
+
+TEST(RdfFile, AnObstacleHigherThanAMeterIsTold) {
+  const std::string rest =
+      "[MODEL]\nMETHOD='2D'\nROAD_TYPE='plank'\n[PARAMETERS]\nHEIGHT=20\nSTART=1\nLENGTH=50\n";
+  EXPECT_TRUE(rdf("[UNITS]\nLENGTH='mm'\n" + rest).doubts.empty());
+  const std::vector<LedgerDoubt> doubts = rdf("[UNITS]\nLENGTH='meter'\n" + rest).doubts;
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0].place.line, 7);
+  EXPECT_EQ(doubts[0].sentence,
+            "HEIGHT is 20 m, higher than any obstacle: is LENGTH of [UNITS] right?");
+}
+
+TEST(RdfFile, PartsThatWouldChangeTheSurfaceAreDoubts) {
+  const std::string units = "[UNITS]\nLENGTH='m'\nANGLE='radian'\nTIME='second'\n";
+  const std::string mesh =
+      "[MODEL]\nMETHOD='3D'\n[NODES]\n1 0 0 0\n2 1 0 0\n3 0 1 0\n[ELEMENTS]\n1 2 3 0.9 0.9\n";
+  const auto names = [&](const std::string& text) {
+    std::vector<std::string> found;
+    for (const LedgerDoubt& doubt : rdf(text).doubts)
+      found.push_back(doubt.name + ":" + std::to_string(doubt.place.line));
+    return found;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(names(units + mesh), Names{});
+  EXPECT_EQ(names(units + "[SCALE]\nX=1\nY=1\nZ=1\n[UP]\nX=0\nY=0\nZ=1\n" + mesh), Names{});
+  EXPECT_EQ(names(units + "[SCALE]\nX=1\nY=1\nZ=2\n" + mesh), Names{"[SCALE]:5"});
+  EXPECT_EQ(names(units + "[ORIENTATION]\nX=0\nY=1\nZ=0\n" + mesh), Names{"[ORIENTATION]:5"});
+  EXPECT_EQ(names(units + "[ORIGIN]\nX=3\n" + mesh), Names{"[ORIGIN]:5"});
+  std::string split = mesh;
+  split.replace(split.find("0.9 0.9"), 7, "0.9 0.8");
+  const RoadFile across = rdf(units + split);
+  EXPECT_EQ(names(units + split), Names{"[ELEMENTS] mu_y:12"});
+  EXPECT_EQ(names_of(across.unused), Names{"[ELEMENTS] mu_y"});
+  EXPECT_EQ(names(units + "[MODEL]\nMETHOD='2D'\nROAD_TYPE='flat'\n[PARAMETERS]\nMUE=1\n"),
+            Names{"[PARAMETERS] MUE:9"});
 }
 
 TEST(RdfFile, TrianglesInAnyOrderOfNodesAndOfWinding) {
@@ -329,7 +409,8 @@ TEST(RdfSpline, SaysWhatIsNotReadAndWhy) {
   expect_road_message(
       kSplineHead + "0 0 0 4 0 1 1 OBSTACLE1\n3 0 0 4 0\n", "road.rdf:16: ", "obstacle");
   expect_road_message(kSplineHead + "0 0 0 4 0\n", "road.rdf:14: ", "expected 2 at least");
-  expect_road_message(kSplineHead + "0 0 0 4 0\n0 0 1 4 0\n", "road.rdf:17: ", "once more");
+  expect_road_message(
+      kSplineHead + "0 0 0 4 0\n0 0 1 4 0\n", "road.rdf:17: ", "repeats the point before");
 }
 
 TEST(RoadFile, TomlSaysInWordsWhatStandsOnTheRoad) {

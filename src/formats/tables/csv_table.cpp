@@ -331,7 +331,8 @@ std::string csv_rows(const Channels& channels, const std::vector<std::string>& u
     for (std::size_t i = 0; i < written.size(); ++i) {
       if (i > 0) text += ',';
       const std::vector<double>& values = channels.all()[i].values;
-      if (row < values.size()) written[i].append_exact_number(values[row], text);
+      // The sum writes a negative zero as 0.
+      if (row < values.size()) written[i].append_exact_number(0.0 + values[row], text);
     }
     text += '\n';
   }

@@ -319,6 +319,35 @@ LabTable read_mat(const std::filesystem::path& file,
   return table;
 }
 
+/// Leaves out a constant for which the file has a channel, too, and says if the two contradict.
+void leave_out_constant(const TydexFile::Entry& constant, const Channel& channel, LabTable& table) {
+  double low = INFINITY, high = -INFINITY;
+  for (const double value : channel.values) {
+    if (std::isnan(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  constexpr double kRounding = 1e-6;
+  const double slack = kRounding * std::max(std::abs(low), std::abs(high));
+  const bool fits = constant.si_unit == channel.unit && *constant.number >= low - slack &&
+                    *constant.number <= high + slack;
+  const std::string name = constant.name + " of **CONSTANTS";
+  const std::string range = low <= high ? fmt::format(" goes from {} to {}",
+                                                      format_quantity(low, channel.unit, 4),
+                                                      format_quantity(high, channel.unit, 4))
+                                        : std::string(" has no values");
+  table.left_out[name] = fits ? "is not used: the channel of that name is"
+                              : fmt::format("is {} {}, but the channel {}{}: the channel is used",
+                                            constant.text,
+                                            constant.unit,
+                                            constant.name,
+                                            range);
+  TableColumn source{.name = name, .unit = constant.unit, .title = name};
+  source.line = source.unit_line = constant.line;
+  source.unit_place = UnitPlace::field;
+  table.left_columns.push_back(std::move(source));
+}
+
 LabTable read_tydex(const std::filesystem::path& file,
                     const Units& units,
                     const ExpectedUnit& expected) {
@@ -350,7 +379,11 @@ LabTable read_tydex(const std::filesystem::path& file,
     add(channel.name, about.unit, about.line, channel.values);
   }
   for (const TydexFile::Entry& constant : tydex.constants) {
-    if (!constant.number || tydex.channels.find(constant.name)) continue;
+    if (!constant.number) continue;
+    if (const Channel* channel = tydex.channels.find(constant.name)) {
+      leave_out_constant(constant, *channel, table);
+      continue;
+    }
     add(constant.name,
         constant.unit,
         constant.line,

@@ -41,7 +41,7 @@ struct TableColumn {
 /// frame, a side or an axle ("Fz (H)", "toe (L)") are none.
 TableColumn column_of_title(std::string_view title);
 
-/// Returns the SI unit that a column of that name must have; "" if the name does not say.
+/// Returns the SI unit that a column of the given name must have; "" if the name does not say.
 using ExpectedUnit = std::function<std::string(const std::string& name)>;
 
 /// Takes the minus off a name such as "-SA" and marks the column as negative. Does nothing if no

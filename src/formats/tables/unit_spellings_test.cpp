@@ -212,13 +212,13 @@ TEST_F(UnitSpellings, InAStructOfAMatFile) {
 }
 
 TEST_F(UnitSpellings, InTheUnitsOfAPropertyFile) {
-  const std::vector<std::tuple<std::string, std::string, double TeimOrbitUnits::*>> keys = {
-      {"LENGTH", "m", &TeimOrbitUnits::length},
-      {"FORCE", "N", &TeimOrbitUnits::force},
-      {"ANGLE", "rad", &TeimOrbitUnits::angle},
-      {"MASS", "kg", &TeimOrbitUnits::mass},
-      {"TIME", "s", &TeimOrbitUnits::time},
-      {"PRESSURE", "Pa", &TeimOrbitUnits::pressure}};
+  const std::vector<std::tuple<std::string, std::string, double (TeimOrbitUnits::*)() const>> keys =
+      {{"LENGTH", "m", &TeimOrbitUnits::length},
+       {"FORCE", "N", &TeimOrbitUnits::force},
+       {"ANGLE", "rad", &TeimOrbitUnits::angle},
+       {"MASS", "kg", &TeimOrbitUnits::mass},
+       {"TIME", "s", &TeimOrbitUnits::time},
+       {"PRESSURE", "Pa", &TeimOrbitUnits::pressure}};
   int read = 0;
   for (const UnitSpelling& spelling : unit_spellings::kAll) {
     if (std::string_view(spelling.written).find('\'') != std::string_view::npos) continue;
@@ -229,7 +229,7 @@ TEST_F(UnitSpellings, InTheUnitsOfAPropertyFile) {
       expect_the_number_by_hand(
           spelling,
           [&, member = member](const UnitSpelling&) {
-            return Found{spelling.si, kWritten * (file.units().*member)};
+            return Found{spelling.si, kWritten * (file.units().*member)()};
           },
           true,
           "t.tir:2: " + key);

@@ -184,6 +184,9 @@ class TeimOrbitReader {
                            entry.key));
       value = value.substr(1, end - 1);
     }
+    // Some programs write texts in double quotes.
+    if (value.size() >= 2 && value.front() == '"' && value.back() == '"')
+      value = value.substr(1, value.size() - 2);
     entry.value = std::string(trimmed(value));
     section().entries_.push_back(std::move(entry));
     table_open_ = false;
@@ -322,67 +325,129 @@ namespace {
 
 /// The keys of [UNITS], the dimension of each, and the names that Adams writes, for messages.
 struct UnitKey {
-  std::string_view key, si, names;
+  std::string_view key, si, in_words, plural, names, example;
 };
-constexpr UnitKey kUnitKeys[] = {
-    {"LENGTH", "m", "'meter', 'mm', 'cm', 'km', 'inch', 'foot' or 'mile'"},
-    {"FORCE", "N", "'newton', 'knewton', 'pound_force', 'kilogram_force', 'ounce_force' or 'dyne'"},
-    {"ANGLE", "rad", "'radians' or 'degrees'"},
-    {"MASS", "kg", "'kg', 'gram', 'megagram', 'pound_mass', 'ounce_mass' or 'slug'"},
-    {"TIME", "s", "'second', 'millisecond', 'minute' or 'hour'"},
-    {"PRESSURE", "Pa", "'pascal', 'kpascal', 'mpascal', 'bar' or 'psi'"},
-};
+constexpr std::array<UnitKey, 6> kUnitKeys = {{
+    {"LENGTH",
+     "m",
+     "meter",
+     "lengths",
+     "'meter', 'mm', 'cm', 'km', 'inch', 'foot' or 'mile'",
+     "mm"},
+    {"FORCE",
+     "N",
+     "newton",
+     "forces",
+     "'newton', 'knewton', 'pound_force', 'kilogram_force', 'ounce_force' or 'dyne'",
+     "newton"},
+    {"ANGLE", "rad", "radian", "angles", "'radians' or 'degrees'", "degrees"},
+    {"MASS",
+     "kg",
+     "kg",
+     "masses",
+     "'kg', 'gram', 'megagram', 'pound_mass', 'ounce_mass' or 'slug'",
+     "kg"},
+    {"TIME", "s", "second", "times", "'second', 'millisecond', 'minute' or 'hour'", "second"},
+    {"PRESSURE",
+     "Pa",
+     "pascal",
+     "pressures",
+     "'pascal', 'kpascal', 'mpascal', 'bar' or 'psi'",
+     "pascal"},
+}};
+constexpr std::size_t kPressureKey = 5;
 
-double factor(const TeimOrbitSection& section, const std::string& key, double fallback) {
-  const TeimOrbitEntry* entry = section.find(key);
-  if (entry == nullptr) return fallback;
-  const auto* known = std::find_if(std::begin(kUnitKeys),
-                                   std::end(kUnitKeys),
-                                   [&](const UnitKey& one) { return one.key == key; });
-  const Unit expected = Unit::of(known->si);
+std::optional<double> stated_unit(const TeimOrbitSection& section, const UnitKey& known) {
+  const TeimOrbitEntry* entry = section.find(known.key);
+  if (entry == nullptr) return std::nullopt;
+  const Unit expected = Unit::of(known.si);
   const UnitReading reading = reading_of_unit(entry->value, expected);
   if (reading.unit && reading.unit->same_dimension(expected) && reading.unit->to_si(0.0L) == 0.0)
     return reading.unit->to_si(1.0L);
   throw InputError(
       section.place(entry->line),
       fmt::format("{} = {} {}, expected {} such as {}",
-                  key,
+                  known.key,
                   in_quotes(entry->value),
                   reading.unit ? "is a unit of something else" : "is refused: " + reading.fault,
                   words_for(expected).noun,
-                  known->names));
+                  known.names));
 }
 
 }  // namespace
 
-TeimOrbitUnits TeimOrbit::units() const {
+double TeimOrbitUnits::of(std::size_t key) const {
+  if (stated_[key]) return *stated_[key];
+  if (missing_ == Missing::is_si) return 1.0;
+  const UnitKey& known = kUnitKeys[key];
+  std::vector<std::string> others = missing();
+  std::erase(others, std::string(known.key));
+  throw InputError(
+      place_,
+      fmt::format(
+          "{}, so that the unit of the {} in this file is not known: add the line {} = '{}' "
+          "{}, with the unit in which the file is written ({}){}",
+          has_section_ ? fmt::format("[UNITS] has no {}", known.key)
+                       : std::string("there is no section [UNITS]"),
+          known.plural,
+          known.key,
+          known.example,
+          has_section_ ? "below it" : "below a line [UNITS]",
+          known.names,
+          others.empty() ? ""
+                         : fmt::format("; {} {} missing, too",
+                                       fmt::join(others, ", "),
+                                       others.size() == 1 ? "is" : "are")));
+}
+
+double TeimOrbitUnits::pressure() const {
+  return stated_[kPressureKey] ? *stated_[kPressureKey] : force() / (length() * length());
+}
+
+std::vector<std::string> TeimOrbitUnits::missing() const {
+  std::vector<std::string> keys;
+  for (std::size_t i = 0; i < kPressureKey; ++i)
+    if (!stated_[i]) keys.emplace_back(kUnitKeys[i].key);
+  return keys;
+}
+
+std::string TeimOrbitUnits::si_in_words(std::string_view key) {
+  for (const UnitKey& known : kUnitKeys)
+    if (known.key == key) return std::string(known.in_words);
+  return {};
+}
+
+TeimOrbitUnits TeimOrbit::units(TeimOrbitUnits::Missing missing) const {
   TeimOrbitUnits units;
+  units.missing_ = missing;
   const TeimOrbitSection* section = find("UNITS");
-  if (section == nullptr) return units;
-  units.length = factor(*section, "LENGTH", 1.0);
-  units.force = factor(*section, "FORCE", 1.0);
-  units.angle = factor(*section, "ANGLE", 1.0);
-  units.mass = factor(*section, "MASS", 1.0);
-  units.time = factor(*section, "TIME", 1.0);
-  units.pressure = factor(*section, "PRESSURE", units.force / (units.length * units.length));
+  units.has_section_ = section != nullptr;
+  units.place_ = section ? section->place() : Place{*file_, 0};
+  if (section != nullptr)
+    for (std::size_t i = 0; i < kUnitKeys.size(); ++i)
+      units.stated_[i] = stated_unit(*section, kUnitKeys[i]);
   return units;
 }
 
-std::vector<std::string> TeimOrbit::unread() const {
-  std::vector<std::string> unread;
+std::vector<TeimOrbitPart> TeimOrbit::unread() const {
+  std::vector<TeimOrbitPart> unread;
+  std::set<std::string> seen;
   for (const TeimOrbitSection& section : sections_) {
+    const bool again = !seen.insert(section.name_).second;
     if (section.name_ == "MDI_HEADER") continue;
     const bool holds = !section.entries_.empty() || !section.tables_.empty();
     if (holds && section.read_->empty()) {
-      unread.push_back(fmt::format("[{}]", section.name_));
+      unread.push_back(
+          {fmt::format("{}[{}]", again ? "a second " : "", section.name_), section.line_});
       continue;
     }
     for (const TeimOrbitEntry& entry : section.entries_)
       if (!section.read_->contains(entry.line))
-        unread.push_back(fmt::format("[{}] {}", section.name_, entry.key));
+        unread.push_back({fmt::format("[{}] {}", section.name_, entry.key), entry.line});
     for (const TeimOrbitTable& table : section.tables_)
       if (!section.read_->contains(table.line))
-        unread.push_back(fmt::format("[{}] {{{}}}", section.name_, fmt::join(table.heads, " ")));
+        unread.push_back(
+            {fmt::format("[{}] {{{}}}", section.name_, fmt::join(table.heads, " ")), table.line});
   }
   return unread;
 }

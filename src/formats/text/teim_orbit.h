@@ -15,6 +15,7 @@
 // encoding. Sections with the same name stay separate (DEFLECTION_LOAD_CURVE may occur twice).
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -97,14 +98,41 @@ class TeimOrbitSection {
   std::vector<std::string> blocks_;
 };
 
-/// SI values of one unit of the file. A file without [UNITS] is assumed to be in SI.
-struct TeimOrbitUnits {
-  double length = 1.0;
-  double force = 1.0;
-  double angle = 1.0;
-  double mass = 1.0;
-  double time = 1.0;
-  double pressure = 1.0;  // force / length^2 if the file does not name it
+/// SI values of the units in which a file is written. A unit that the file does not state is
+/// refused at its first use, because a guess would change every number without a word; formats that
+/// have SI as their default ask for it. Without a file all units are SI.
+class TeimOrbitUnits {
+ public:
+  enum class Missing { is_refused, is_si };
+
+  /// Each throws InputError if the file states no such unit, and says which line to add.
+  double length() const { return of(0); }
+  double force() const { return of(1); }
+  double angle() const { return of(2); }
+  double mass() const { return of(3); }
+  double time() const { return of(4); }
+  /// Returns force / length^2 if the file does not state the unit.
+  double pressure() const;
+
+  /// Returns the keys that the file does not state, except PRESSURE: "LENGTH", "ANGLE".
+  std::vector<std::string> missing() const;
+  /// Returns the SI unit of a key in words: "meter" of LENGTH.
+  static std::string si_in_words(std::string_view key);
+
+ private:
+  friend class TeimOrbit;
+  double of(std::size_t key) const;
+
+  std::array<std::optional<double>, 6> stated_;
+  Missing missing_ = Missing::is_si;
+  bool has_section_ = false;
+  Place place_;  // the line [UNITS]; the file if it has none
+};
+
+/// A part of a file that was not read.
+struct TeimOrbitPart {
+  std::string name;  // "[SECTION] KEY", "[SECTION] {heads}", "[SECTION]" as a whole
+  int line = 0;
 };
 
 class TeimOrbit {
@@ -116,17 +144,18 @@ class TeimOrbit {
 
   const std::string& file() const { return *file_; }
   const std::vector<TeimOrbitSection>& sections() const { return sections_; }
-  /// Returns the first section of that name; nullptr if there is none.
+  /// Returns the first section of the given name; nullptr if there is none.
   const TeimOrbitSection* find(std::string_view section) const;
-  /// Returns the first section of that name; throws InputError if there is none.
+  /// Returns the first section of the given name; throws InputError if there is none.
   const TeimOrbitSection& section(std::string_view name) const;
   /// Throws InputError for an unknown unit.
-  TeimOrbitUnits units() const;
+  TeimOrbitUnits units(TeimOrbitUnits::Missing missing = TeimOrbitUnits::Missing::is_refused) const;
 
   /// Returns the parts that were not read so far: "[SECTION] KEY", "[SECTION] {table}", and
   /// "[SECTION]" if nothing of it was read. A reader calls this at its end and reports them.
-  /// [MDI_HEADER] describes the file and is not included.
-  std::vector<std::string> unread() const;
+  /// [MDI_HEADER] describes the file and is not included. A section that occurs a second time and
+  /// was read only once is "a second [SECTION]".
+  std::vector<TeimOrbitPart> unread() const;
 
   /// Returns the file with some values replaced (as written, with quotes if needed); every other
   /// byte stays.

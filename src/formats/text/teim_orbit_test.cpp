@@ -68,13 +68,45 @@ TEST(TeimOrbit, TablesWithAndWithoutHeadsAndSubBlocks) {
 }
 
 TEST(TeimOrbit, UnitsInSi) {
-  const TeimOrbitUnits units = parsed_orbit(kFile).units();
-  EXPECT_EQ(units.length, 1e-3);
-  EXPECT_EQ(units.angle, std::numbers::pi / 180.0);
-  EXPECT_EQ(units.force, 1.0);
-  EXPECT_NEAR(units.pressure, 1e6, 1e-9);  // N/mm^2, because the file names no other unit
-  EXPECT_EQ(parsed_orbit("[UNITS]\nPRESSURE='bar'\n").units().pressure, 1e5);
-  EXPECT_EQ(parsed_orbit("[MODEL]\n").units().length, 1.0);
+  const TeimOrbitUnits units = parsed_orbit(kFile).units(TeimOrbitUnits::Missing::is_si);
+  EXPECT_EQ(units.length(), 1e-3);
+  EXPECT_EQ(units.angle(), std::numbers::pi / 180.0);
+  EXPECT_EQ(units.force(), 1.0);
+  EXPECT_NEAR(units.pressure(), 1e6, 1e-9);  // N/mm^2, because the file names no other unit
+  EXPECT_EQ(parsed_orbit("[UNITS]\nPRESSURE='bar'\n").units().pressure(), 1e5);
+}
+
+TEST(TeimOrbit, AUnitThatTheFileDoesNotStateIsRefusedAtItsFirstUse) {
+  const auto uses_length = [](const TeimOrbit& file) { file.units().length(); };
+  const auto uses_pressure = [](const TeimOrbit& file) { file.units().pressure(); };
+  const std::string none = orbit_complaint("[MODEL]\n", uses_length);
+  EXPECT_EQ(none.find("t.tir: there is no section [UNITS]"), 0u) << none;
+  EXPECT_NE(none.find("LENGTH = 'mm' below a line [UNITS]"), std::string::npos) << none;
+  EXPECT_NE(none.find("FORCE, ANGLE, MASS, TIME are missing, too"), std::string::npos) << none;
+  const std::string one =
+      orbit_complaint("[A]\n[UNITS]\nFORCE='newton'\nANGLE='deg'\nMASS='kg'\n", uses_length);
+  EXPECT_EQ(one.find("t.tir:2: [UNITS] has no LENGTH"), 0u) << one;
+  EXPECT_NE(one.find("TIME is missing, too"), std::string::npos) << one;
+  EXPECT_EQ(orbit_complaint("[UNITS]\nLENGTH='mm'\n", uses_length), "");
+  EXPECT_NE(orbit_complaint("[UNITS]\nLENGTH='mm'\n", uses_pressure).find("has no FORCE"),
+            std::string::npos);
+  const TeimOrbitUnits si =
+      parsed_orbit("[UNITS]\nLENGTH='mm'\nMASS='kg'\n").units(TeimOrbitUnits::Missing::is_si);
+  EXPECT_EQ(si.angle(), 1.0);
+  EXPECT_EQ(si.missing(), (std::vector<std::string>{"FORCE", "ANGLE", "TIME"}));
+  EXPECT_EQ(TeimOrbitUnits::si_in_words("ANGLE"), "radian");
+}
+
+TEST(TeimOrbit, ASecondSectionOfANameIsAnUnreadPart) {
+  const TeimOrbit file = parsed_orbit("[A]\nX = 1\n[A]\nX = 2\n[B]\nY = 1\nZ = 2\n");
+  EXPECT_EQ(file.section("A").number("X"), 1.0);
+  EXPECT_EQ(file.section("B").number("Y"), 1.0);
+  const std::vector<TeimOrbitPart> unread = file.unread();
+  ASSERT_EQ(unread.size(), 2u);
+  EXPECT_EQ(unread[0].name, "a second [A]");
+  EXPECT_EQ(unread[0].line, 3);
+  EXPECT_EQ(unread[1].name, "[B] Z");
+  EXPECT_EQ(unread[1].line, 7);
 }
 
 TEST(TeimOrbit, ReplacedValuesLeaveEveryOtherByte) {

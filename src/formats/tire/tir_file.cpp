@@ -13,13 +13,13 @@
 namespace latsch::formats {
 namespace {
 
+using magic_formula::MeasuredSide;
 using magic_formula::ParameterField;
 using magic_formula::Parameters;
-using magic_formula::Side;
 using magic_formula::Version;
 
-const char* name_of(Side side) {
-  return side == Side::left ? "LEFT" : side == Side::right ? "RIGHT" : "SYMMETRIC";
+const char* name_of(MeasuredSide side) {
+  return side == MeasuredSide::left ? "LEFT" : side == MeasuredSide::right ? "RIGHT" : "SYMMETRIC";
 }
 
 int fittyp_of(Version version) {
@@ -74,7 +74,8 @@ TirFile read_tir(const std::filesystem::path& file) {
 }
 
 std::string tir_text(const TirFile& tir, const Parameters& parameters) {
-  const Spelling spelling{tir.source.units(), tir.pac2002, tir.scales};
+  const Spelling spelling{
+      tir.source.units(TeimOrbitUnits::Missing::is_si), tir.pac2002, tir.scales};
   std::map<std::string_view, const TeimOrbitEntry*> entries;
   std::map<const TeimOrbitEntry*, std::string> values;
   for (const TeimOrbitSection& section : tir.source.sections()) {

@@ -2,13 +2,14 @@
 #include "formats/tire/tir_ledger.h"
 
 #include "formats/tire/tir_keys.h"
+#include "formats/tire/tir_modes.h"
 #include "formats/tire/tir_reader.h"
 
 namespace latsch::formats {
 
 Ledger ledger_of(const TirFile& tir) {
   Ledger ledger{tir.source.file()};
-  const TeimOrbitUnits units = tir.source.units();
+  const TeimOrbitUnits units = tir.source.units(TeimOrbitUnits::Missing::is_si);
   for (const TirKey& key : tir.keys) {
     LedgerRow row;
     row.written = key.key;
@@ -27,8 +28,19 @@ Ledger ledger_of(const TirFile& tir) {
                 : unused                  ? LedgerState::not_used
                                           : LedgerState::used;
     if (row.state == LedgerState::used) Ledger::use(row, "Magic Formula");
+    if (key.parameter == "USE_MODE")
+      row.meaning = key.section + "; asks for " + asked_by_use_mode(tir);
     ledger.rows.push_back(std::move(row));
   }
+  for (const std::string& key : tir.assumed_units) {
+    LedgerRow row;
+    row.taken_as = key;
+    row.state = LedgerState::assumed;
+    row.remark =
+        "is taken as " + TeimOrbitUnits::si_in_words(key) + ", because the file has no such line";
+    ledger.rows.push_back(std::move(row));
+  }
+  ledger.doubts = tir.doubts;
   return ledger;
 }
 

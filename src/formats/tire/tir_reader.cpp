@@ -8,20 +8,23 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "base/text.h"
 #include "formats/text/letter_case.h"
 #include "formats/tire/tir_dialect.h"
 #include "formats/tire/tir_keys.h"
+#include "formats/tire/tir_modes.h"
+#include "formats/tire/tir_sizes.h"
 
 namespace latsch::formats {
 namespace {
 
+using magic_formula::MeasuredSide;
 using magic_formula::ParameterField;
 using magic_formula::Parameters;
 using magic_formula::ParameterUnit;
-using magic_formula::Side;
 using magic_formula::Version;
 
 /// Scaling factors that the equations divide by, or that would remove the tire if they were 0.
@@ -89,7 +92,8 @@ std::string suggestion(const std::string& key) {
 
 class TirReader {
  public:
-  explicit TirReader(TirFile& tir) : tir_(tir), units_(tir.source.units()) {}
+  explicit TirReader(TirFile& tir)
+      : tir_(tir), units_(tir.source.units(TeimOrbitUnits::Missing::is_si)) {}
 
   void read() {
     const TeimOrbitSection* model = tir_.source.find("MODEL");
@@ -112,6 +116,7 @@ class TirReader {
     require("VERTICAL_STIFFNESS");
     check_ranges();
     check_sizes();
+    check_angles();
     read_curve();
     report_units();
     report_combined_slip();
@@ -119,47 +124,27 @@ class TirReader {
   }
 
  private:
+  /// Adds a doubt, which every ledger tells.
+  void doubt(const std::string& name, int line, const std::string& text) {
+    tir_.doubts.push_back({name, text, Place{tir_.source.file(), line}});
+  }
+
   void note(int line, const std::string& text) {
     tir_.notes.push_back(Place{tir_.source.file(), line}.text() + ": " + text);
   }
 
-  /// Rejects sizes that no tire has: a unit of [UNITS] is wrong.
+  /// Reports or refuses sizes that no tire has.
   void check_sizes() {
-    struct Size {
-      const char *name, *unit;
-      double from, to;
-    };
-    constexpr Size kSizes[] = {{"UNLOADED_RADIUS", "m", 0.05, 3.0},
-                               {"RIM_RADIUS", "m", 0.02, 2.0},
-                               {"WIDTH", "m", 0.01, 2.0},
-                               {"FNOMIN", "N", 10.0, 1e6},
-                               {"VERTICAL_STIFFNESS", "N/m", 1e3, 1e8},
-                               {"NOMPRES", "Pa", 2e4, 1.2e6},
-                               {"INFLPRES", "Pa", 2e4, 1.2e6}};
-    for (const Size& size : kSizes) {
-      const double value = tir_.parameters.*magic_formula::find_parameter(size.name)->member;
-      if (value == 0.0 || (size.from <= value && value <= size.to)) continue;
-      note(line_of(size.name),
-           fmt::format("{} is {:.4g} {}, where tires have {:g} to {:g} {}: is a unit of [UNITS] "
-                       "right?",
-                       size.name,
-                       value,
-                       size.unit,
-                       size.from,
-                       size.to,
-                       size.unit));
-    }
-    if (tir_.parameters.RIM_RADIUS >= tir_.parameters.UNLOADED_RADIUS)
-      note(line_of("RIM_RADIUS"), "RIM_RADIUS is not below UNLOADED_RADIUS");
+    examine_sizes(
+        tir_.parameters,
+        [&](std::string_view name) { return found_.contains(std::string(name)); },
+        [&](std::string_view name, const std::string& sentence) {
+          throw InputError(place_of(std::string(name)), sentence);
+        },
+        [&](std::string_view name, const std::string& sentence) {
+          doubt(std::string(name), place_of(std::string(name)).line, sentence);
+        });
   }
-  /// Line of a key in any section; 0: the file lacks it.
-  int line_of(std::string_view key) const {
-    for (const TeimOrbitSection& section : tir_.source.sections())
-      for (const TeimOrbitEntry& entry : section.entries())
-        if (entry.key == key) return entry.line;
-    return 0;
-  }
-
   void read_section(const TeimOrbitSection& section) {
     std::map<std::string_view, const TeimOrbitEntry*> seen;
     for (const TeimOrbitEntry& entry : section.entries()) {
@@ -298,36 +283,51 @@ class TirReader {
                                    before->second->line,
                                    before->second->value));
     tir_.parameters.*field.member = value;
-    const bool astray = is_coefficient_group(field.section) && section.name() != field.section &&
-                        home_sections().contains(section.name());
+    const bool astray = is_coefficient_group(field.section) && section.name() != field.section;
     if (astray)
       note(entry.line,
-           fmt::format("{} is in [{}], it belongs in [{}]; used unchanged",
-                       entry.key,
-                       section.name(),
-                       field.section));
+           fmt::format(
+               "{} is in [{}]{}, it belongs in [{}]; used unchanged",
+               entry.key,
+               section.name(),
+               home_sections().contains(section.name()) ? "" : ", a section that is not known",
+               field.section));
   }
 
   void read_mode(const TeimOrbitSection& model) {
     const long mode = model.integer("USE_MODE", 14);
     if (mode < 0)
-      note(model.find("USE_MODE")->line,
-           fmt::format("USE_MODE is {}: the minus asks for the tire's mirror image, which is not "
-                       "made here; taken as {} (side = \"other\" of a test mirrors)",
-                       mode,
-                       -mode));
+      doubt("USE_MODE",
+            model.find("USE_MODE")->line,
+            fmt::format("USE_MODE is {}: the minus asks for the tire's mirror image, which is not "
+                        "made here; taken as {} (side = \"other\" of a test mirrors)",
+                        mode,
+                        -mode));
+    constexpr long kModes = 6, kLags = 3;  // digits that differ: 0 to 5, 0 to 2
+    const long units = std::abs(mode) % 10, tens = std::abs(mode) / 10 % 10;
+    if (units >= kModes || tens >= kLags)
+      doubt("USE_MODE",
+            model.find("USE_MODE")->line,
+            fmt::format("USE_MODE is {}, expected a last digit of 0 to 5 and 0 to 2 before it; "
+                        "computed as {}",
+                        mode,
+                        10 * std::min(tens, kLags - 1) + (units >= kModes ? 4 : units)));
     tir_.parameters.use_mode = static_cast<int>(std::abs(mode));
+    if (const std::string unlike = unlike_use_mode(tir_); !unlike.empty())
+      doubt("USE_MODE", model.find("USE_MODE")->line, unlike);
   }
 
   void read_side(const TeimOrbitSection& model) {
     const std::string side = model.text("TYRESIDE", "LEFT");
-    const std::map<std::string, Side> sides = {
-        {"LEFT", Side::left}, {"RIGHT", Side::right}, {"SYMMETRIC", Side::symmetric}};
+    const std::map<std::string, MeasuredSide> sides = {{"LEFT", MeasuredSide::left},
+                                                       {"RIGHT", MeasuredSide::right},
+                                                       {"SYMMETRIC", MeasuredSide::symmetric}};
     const auto known = sides.find(capitals(side));
     if (known == sides.end()) {
-      note(model.find("TYRESIDE")->line,
-           fmt::format("TYRESIDE is {}, expected LEFT, RIGHT or SYMMETRIC; taken as LEFT",
-                       in_quotes(side)));
+      doubt("TYRESIDE",
+            model.find("TYRESIDE")->line,
+            fmt::format("TYRESIDE is {}, expected LEFT, RIGHT or SYMMETRIC; taken as LEFT",
+                        in_quotes(side)));
       return;
     }
     tir_.parameters.side = known->second;
@@ -410,6 +410,29 @@ class TirReader {
     }
   }
 
+  /// A range in degrees beside ANGLE = 'radians' covers every state there is.
+  void check_angles() {
+    // rad; files without limits state up to 180 degrees.
+    constexpr double kMostAngle = 3.2;
+    for (const auto& [lower, upper] : {std::pair{"ALPMIN", "ALPMAX"}, {"CAMMIN", "CAMMAX"}})
+      for (const char* name : {lower, upper}) {
+        const double value = tir_.parameters.*magic_formula::find_parameter(name)->member;
+        if (!found_.contains(name) || std::abs(value) <= kMostAngle) continue;
+        const TeimOrbitEntry& entry = *found_.at(name);
+        doubt(
+            name,
+            entry.line,
+            fmt::format("{} is {} rad, that are {:.0f} degrees: is it in degrees, while ANGLE says "
+                        "or is taken as radians? In a file in radians {} degrees are {:.4g}",
+                        name,
+                        entry.value,
+                        value * 180.0 / std::numbers::pi,
+                        entry.value,
+                        value * std::numbers::pi / 180.0));
+        break;
+      }
+  }
+
   void read_curve() {
     const TeimOrbitSection* curve = tir_.source.find("DEFLECTION_LOAD_CURVE");
     if (curve == nullptr) return;
@@ -417,11 +440,11 @@ class TirReader {
     for (const TeimOrbitTable& table : curve->tables()) {
       for (const TeimOrbitRow& row : table.rows) {
         const std::vector<double> pen_fz = curve->numbers(row, 2);
-        const double deflection = pen_fz[0] * units_.length;
+        const double deflection = pen_fz[0] * units_.length();
         if (!x.empty() && deflection <= x.back())
           throw InputError(curve->place(row.line), "the deflections of the curve do not ascend");
         x.push_back(deflection);
-        tir_.parameters.curve_force.push_back(pen_fz[1] * units_.force);
+        tir_.parameters.curve_force.push_back(pen_fz[1] * units_.force());
       }
     }
     if (x.size() < 2)
@@ -430,23 +453,25 @@ class TirReader {
 
   void report_units() {
     const TeimOrbitSection* units = tir_.source.find("UNITS");
+    tir_.assumed_units = units_.missing();
     if (units == nullptr)
-      return note(0, "there is no section [UNITS]; all numbers are taken as SI");
+      return doubt("[UNITS]",
+                   0,
+                   "there is no section [UNITS]; all numbers are taken as SI, the default of such "
+                   "files");
     std::vector<std::string> assumed;
-    for (const auto& [key, unit] : {std::pair{"LENGTH", "meter"},
-                                    {"FORCE", "newton"},
-                                    {"ANGLE", "radian"},
-                                    {"MASS", "kg"},
-                                    {"TIME", "second"}})
-      if (!units->has(key)) assumed.push_back(fmt::format("{} is taken as {}", key, unit));
+    for (const std::string& key : tir_.assumed_units)
+      assumed.push_back(fmt::format("{} is taken as {}", key, TeimOrbitUnits::si_in_words(key)));
     if (!assumed.empty())
-      note(units->place().line, fmt::format("[UNITS] is silent: {}", fmt::join(assumed, ", ")));
+      doubt("[UNITS]",
+            units->place().line,
+            fmt::format("[UNITS] is silent: {}", fmt::join(assumed, ", ")));
     const bool pressure = found_.contains("INFLPRES") || found_.contains("NOMPRES");
-    if (pressure && !units->has("PRESSURE") && units_.pressure != 1.0)
+    if (pressure && !units->has("PRESSURE") && units_.pressure() != 1.0)
       note(units->place().line,
            fmt::format("[UNITS] has no PRESSURE; taken as FORCE/LENGTH^2, {} Pa",
-                       format_number(units_.pressure)));
-    if (units_.angle != 1.0)
+                       format_number(units_.pressure())));
+    if (units_.angle() != 1.0)
       note(units->find("ANGLE")->line,
            "ANGLE is no radian: it counts for ALPMIN to CAMMAX and YAW_STIFFNESS; coefficients "
            "such as PHY1 and PKY1 are taken in radians");
@@ -462,7 +487,7 @@ class TirReader {
            "steering do not diminish each other's forces");
   }
 
-  /// Reports missing coefficients without which the tire has no force of that kind.
+  /// Reports missing coefficients without which the tire has no force of the given kind.
   void report_missing() {
     const bool new_formula = tir_.parameters.version != Version::mf52;
     std::vector<std::string> expected = {
@@ -493,31 +518,31 @@ double si_factor(ParameterUnit unit, const TeimOrbitUnits& u) {
     case ParameterUnit::one:
       return 1.0;
     case ParameterUnit::length:
-      return u.length;
+      return u.length();
     case ParameterUnit::force:
-      return u.force;
+      return u.force();
     case ParameterUnit::angle:
-      return u.angle;
+      return u.angle();
     case ParameterUnit::mass:
-      return u.mass;
+      return u.mass();
     case ParameterUnit::time:
-      return u.time;
+      return u.time();
     case ParameterUnit::pressure:
-      return u.pressure;
+      return u.pressure();
     case ParameterUnit::velocity:
-      return u.length / u.time;
+      return u.length() / u.time();
     case ParameterUnit::acceleration:
-      return u.length / (u.time * u.time);
+      return u.length() / (u.time() * u.time());
     case ParameterUnit::stiffness:
-      return u.force / u.length;
+      return u.force() / u.length();
     case ParameterUnit::torsional_stiffness:
-      return u.force * u.length / u.angle;
+      return u.force() * u.length() / u.angle();
     case ParameterUnit::damping:
-      return u.force * u.time / u.length;
+      return u.force() * u.time() / u.length();
     case ParameterUnit::inertia:
-      return u.mass * u.length * u.length;
+      return u.mass() * u.length() * u.length();
     case ParameterUnit::frequency:
-      return 1.0 / u.time;
+      return 1.0 / u.time();
   }
   return 1.0;
 }

@@ -15,6 +15,8 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "measurement/meaning/channel_words.h"
+#include "measurement/meaning/suspension_checks.h"
+#include "measurement/meaning/natural_unit.h"
 
 namespace latsch {
 namespace {
@@ -32,9 +34,9 @@ struct UsualRange {
 constexpr std::string_view kRadians = "is it in deg, and the file says rad, or says nothing?";
 constexpr std::array kRanges = {
     UsualRange{"alpha", "deg", -90, -90, 90, 90, kRadians},
-    UsualRange{"gamma", "deg", -90, -90, 90, 90, kRadians},
+    UsualRange{"gamma", "deg", -90, -65, 65, 90, kRadians},
     UsualRange{"toe", "deg", -90, -90, 90, 90, kRadians},
-    UsualRange{"camber", "deg", -90, -90, 90, 90, kRadians},
+    UsualRange{"camber", "deg", -90, -65, 65, 90, kRadians},
     UsualRange{"caster", "deg", -90, -90, 90, 90, kRadians},
     UsualRange{"Vx", "km/h", -1500, 0, 250, 1500, "is it in another unit?"},
     UsualRange{"omega", "rad/s", -1e4, -1e3, 1e3, 1e4, "is it in another unit?"},
@@ -135,6 +137,43 @@ std::optional<ChannelDoubt> out_of_range(const Channel& channel, const UsualRang
                                   range.hint),
                       unusual.first,
                       is_error};
+}
+
+/// Finds numbers such as -9999 that stand for a gap: no number of the channel except them comes
+/// near them. They are searched in SI and in the channel's natural unit.
+std::optional<ChannelDoubt> sign_of_a_gap(const Channel& channel) {
+  constexpr double kSigns[] = {999, 9999, 99999, 999999, 32767, 32768};
+  constexpr double kFar = 2.0;  // ratio to the largest other value
+  constexpr std::size_t kFewest = 4;
+  if (numbers_in(channel.values) < kFewest || channel.name == "time") return std::nullopt;
+  double most = 0.0;
+  for (const double value : channel.values)
+    if (!std::isnan(value)) most = std::max(most, std::abs(value));
+  const std::string natural = natural_unit(channel.unit);
+  for (const std::string& unit : {channel.unit, natural}) {
+    const double written = std::abs(Unit::of(unit).from_si(most));
+    const bool is_sign = std::ranges::any_of(
+        kSigns, [&](double sign) { return std::abs(written - sign) <= 1e-9 * sign; });
+    if (!is_sign) continue;
+    const auto equals = [&](double value) {
+      return std::abs(std::abs(value) - most) <= 1e-9 * most;
+    };
+    double other = 0.0;
+    for (const double value : channel.values)
+      if (!std::isnan(value) && !equals(value)) other = std::max(other, std::abs(value));
+    const Counted gaps = count_where(channel.values, equals);
+    if (kFar * other > most || gaps.count == numbers_in(channel.values)) return std::nullopt;
+    const double sign = channel.values[gaps.first] < 0.0 ? -written : written;
+    return ChannelDoubt{
+        channel.name,
+        fmt::format("is {} {}, all others are within {}: does the number stand for a gap? "
+                    "A gap is an empty cell, NaN or NOTAVAIL",
+                    format_number(sign, 6),
+                    of_samples(gaps.count, numbers_in(channel.values)),
+                    format_quantity(other, unit, 4)),
+        gaps.first};
+  }
+  return std::nullopt;
 }
 
 /// Checks that the loads are positive, as those of a wheel on the ground.
@@ -404,6 +443,10 @@ std::vector<ChannelDoubt> doubts_about(const Channels& channels,
   std::vector<ChannelDoubt> doubts;
   for (const Channel& channel : channels.all()) {
     const std::string name = base_name(channel);
+    if (auto doubt = sign_of_a_gap(channel)) {
+      doubts.push_back(std::move(*doubt));
+      continue;
+    }
     if (name == "Fz" && channel.unit == "N" && channel.name != "load")
       if (auto doubt = sign_of_load(channel)) {
         doubts.push_back(std::move(*doubt));
@@ -419,6 +462,7 @@ std::vector<ChannelDoubt> doubts_about(const Channels& channels,
     check_friction(channels, doubts);
     check_pairs(channels, doubts);
     check_inclination(channels, doubts);
+    for (ChannelDoubt& doubt : suspension_doubts(channels)) doubts.push_back(std::move(doubt));
   }
   check_time(channels, breaks, doubts);
   check_rim(channels, doubts);

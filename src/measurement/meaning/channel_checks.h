@@ -21,6 +21,8 @@
 //   time                          rises from sample to sample of a run
 //   kappa and Fx; dx, dy, dz and the force along them; Vx and omega     equal
 //
+// The signs of toe, camber, caster and steer of a K&C table: suspension_checks.h.
+//
 // A load channel that varies about zero, as on a K&C rig or over a cleat, holds no tire loads, and
 // its sign is not checked.
 //

@@ -12,6 +12,9 @@
 #include "base/text.h"
 #include "base/unit_reading.h"
 #include "correlation/laboratory/measurement.h"
+#include "formats/car/bus_file.h"
+#include "formats/car/car_file_doubts.h"
+#include "formats/deck/inp_doubts.h"
 #include "formats/road/road_file.h"
 #include "formats/tables/csv_table.h"
 #include "formats/text/letter_case.h"
@@ -63,6 +66,7 @@ class DocumentRows {
     take_lines(read_text_file(file));
     take_values(document);
     walk(document.root());
+    ledger.doubts = formats::doubts_of_car_file(document.root());
   }
 
   Ledger ledger;
@@ -183,13 +187,45 @@ Ledger ledger_of_road(const fs::path& file, const std::string& by) {
     Ledger::use(about, by);
     ledger.rows.push_back(std::move(about));
   }
-  for (const auto* names : {&road.unused, &road.kept})
-    for (const std::string& name : *names) {
-      LedgerRow unused;
-      unused.written = name;
-      unused.remark = "does not concern the surface";
-      ledger.rows.push_back(std::move(unused));
-    }
+  for (const formats::TeimOrbitPart& part : road.unused) {
+    LedgerRow unused;
+    unused.written = part.name;
+    unused.line = part.line;
+    unused.remark = "is not used";
+    ledger.rows.push_back(std::move(unused));
+  }
+  for (const std::string& name : road.kept) {
+    LedgerRow unused;
+    unused.written = name;
+    unused.remark = "does not concern the surface";
+    ledger.rows.push_back(std::move(unused));
+  }
+  ledger.doubts = road.doubts;
+  for (const std::string& warning : road.warnings) ledger.doubts.push_back({"", warning, {}});
+  return ledger;
+}
+
+/// A finite-element deck: its units, and what in it is doubtful.
+Ledger ledger_of_deck(const fs::path& file, const std::string& by) {
+  const formats::InpDeck deck = formats::read_inp(file);
+  Ledger ledger{file.string()};
+  ledger.rows.push_back(row_of_file(file, by));
+  if (!deck.are_units_stated) {
+    LedgerRow units;
+    units.taken_as = "units";
+    units.state = LedgerState::assumed;
+    units.remark = formats::in_words(deck.units) + ", by the size of the mesh";
+    ledger.rows.push_back(std::move(units));
+  }
+  ledger.doubts = formats::doubts_of_deck(deck);
+  return ledger;
+}
+
+/// A bushing: what its reader made of each part.
+Ledger ledger_of_bushing(const fs::path& file, const std::string& by) {
+  Ledger ledger = formats::read_bus_file(file).ledger;
+  for (LedgerRow& row : ledger.rows)
+    if (row.state == LedgerState::used) row.used_by = {by};
   return ledger;
 }
 
@@ -243,6 +279,10 @@ class Following {
       all_.push_back(formats::ledger_of(formats::read_tir(file)));
     } else if (ending == ".csv" || ending == ".txt") {
       all_.push_back(ledger_of_table(file, by));
+    } else if (ending == ".inp") {
+      all_.push_back(ledger_of_deck(file, by));
+    } else if (ending == ".bus") {
+      all_.push_back(ledger_of_bushing(file, by));
     } else if (ending == ".rdf" || ending == ".crg") {
       all_.push_back(ledger_of_road(file, by));
       for (const fs::path& named : formats::files_of_road(file)) follow(named, by);
@@ -262,6 +302,17 @@ class Following {
 std::vector<Ledger> ledgers_of_file(const fs::path& file, const std::string& by) {
   std::vector<Ledger> all;
   Following(all).follow(file, by);
+  return all;
+}
+
+std::vector<Ledger> ledgers_of_named_files(const fs::path& document,
+                                           const std::string& by,
+                                           const std::vector<Ledger>& known) {
+  std::vector<Ledger> all;
+  Following following(all);
+  for (const Ledger& ledger : known) following.skip(ledger.file);
+  following.skip(document);
+  for (const fs::path& file : DocumentRows(document, "").named) following.follow(file, by);
   return all;
 }
 

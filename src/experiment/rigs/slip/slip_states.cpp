@@ -386,6 +386,25 @@ std::vector<std::string> for_slip_states(const formats::CsvTable& table,
   return unused;
 }
 
+std::string assumed_states(const formats::CsvTable& table, const Parameters& tire) {
+  std::vector<std::string> assumed;
+  const auto meant = meant_by(table);
+  for (const StateColumn& state : kStateColumns) {
+    const bool is_there = std::any_of(
+        meant.begin(), meant.end(), [&](const Meant& one) { return one.state == &state; });
+    if (is_there || state.member == &State::phit) continue;
+    const std::string value = state.member == &State::Vx  ? format_quantity(tire.LONGVL, "m/s", 4)
+                              : state.member == &State::p ? format_quantity(tire.INFLPRES, "bar", 4)
+                                                          : "0";
+    assumed.push_back(fmt::format("{} = {}", state.name, value));
+  }
+  if (assumed.empty()) return "";
+  return fmt::format("{} {} taken, because the table has no column of {}",
+                     fmt::join(assumed, ", "),
+                     assumed.size() == 1 ? "is" : "are",
+                     assumed.size() == 1 ? "it" : "them");
+}
+
 SlipStates slip_states(const formats::CsvTable& table, const Parameters& tire) {
   SlipStates all;
   all.unused = for_slip_states(

@@ -49,6 +49,10 @@ std::vector<std::string> for_slip_states(
 /// Reads all states. Throws InputError naming file and line.
 SlipStates slip_states(const formats::CsvTable& table, const magic_formula::Parameters& tire);
 
+/// Returns a sentence that names the states a table lacks and the values taken for them; empty if
+/// it lacks none. Turning (phit) is not named: a table without it is one of straight rolling.
+std::string assumed_states(const formats::CsvTable& table, const magic_formula::Parameters& tire);
+
 /// Returns Fx Fy Fz Mx My Mz R_e R_l rho length width t Mzr mux muy omega Kxk Kya Cx Cy Cz sigma_x
 /// sigma_y, one value for each state.
 Channels answers(const std::vector<magic_formula::SteadyState>& results);

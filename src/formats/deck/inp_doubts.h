@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Doubts about a finite-element deck that can be read: what two statements contradict, or what few
+// decks mean.
+#pragma once
+
+#include <vector>
+
+#include "formats/deck/inp_deck.h"
+#include "measurement/ledger.h"
+
+namespace latsch::formats {
+
+/// Returns doubts with file and line: a negative pressure, elements in two sections of different
+/// material or orientation.
+std::vector<LedgerDoubt> doubts_of_deck(const InpDeck& deck);
+
+}  // namespace latsch::formats
