@@ -460,7 +460,7 @@ pid_t start_run(const fs::path& study) {
   ::_exit(1);
 }
 
-/// Counts processes that work in that folder: outside programs that outlived their run.
+/// Counts processes that work in the given folder: outside programs that outlived their run.
 int count_left_in(const fs::path& folder) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator("/proc")) {

@@ -294,7 +294,7 @@ Reader bus_reader() {
                                        Eigen::Vector3d(200.0, 0.0, 50.0)};
   for (const int axis : {1, 4})
     bushing.parts.push_back({axis,
-                             multibody::ElasticCurve{multibody::ForceCurve(
+                             multibody::ElasticCurve{multibody::ForceCharacteristic(
                                  {{-2e-3, -9e3}, {-1e-3, -2e3}, {0.0, 0.0}, {1e-3, 2500.0}})}});
   return {".bus",
           {formats::bus_text(bushing, "bushing")},
@@ -304,7 +304,7 @@ Reader bus_reader() {
           }};
 }
 
-/// Returns a reader of the form alone, as used by callers that know its sections.
+/// Returns a reader of only the form of the file, as used by callers that know its sections.
 Reader teim_orbit_reader() {
   Reader reader = tir_reader();
   reader.name = "TeimOrbit";

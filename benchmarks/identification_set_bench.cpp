@@ -5,8 +5,8 @@
 // (verification/identification_set). The peers are SciPy's least_squares, with its own differences
 // and those of 1e-2, NLopt's BOBYQA and COBYLA in the same run, and DFO-LS 1.6.5, whose figures
 // were measured on 47 other problems of the same kind (233 runs) and are a table here. Required: no
-// cell is worse than any of them, and at 20 (n + 1) .93 and .90 of all. `--tuning` runs that half
-// alone and lists the unsolved runs.
+// cell is worse than any of them, and at 20 (n + 1) .93 and .90 of all. `--tuning` runs only that
+// half and lists the unsolved runs.
 //
 // A run that ends gives the same digits whatever the rounding: the smooth problems are repeated
 // with a relative error of 1e-12 in the residuals.

@@ -87,7 +87,7 @@ Solved run(const more_wild::Problem& problem, Busy& busy) {
   return observed.solved();
 }
 
-/// The problems of all sections; in a smoke run the first ones alone.
+/// The problems of all sections; in a smoke run only the first ones.
 using Problems = std::vector<more_wild::Problem>;
 
 Profile measured(const Solver& solver, const std::vector<Disturbance>& draws, const Problems& on) {

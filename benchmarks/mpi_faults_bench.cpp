@@ -47,7 +47,7 @@ pid_t start_job(const fs::path& study, Recovery recovery) {
   return start(arguments);
 }
 
-/// Returns the process of this rank of the job on that study, or of its worker.
+/// Returns the process of this rank of the job on the given study, or of its worker.
 pid_t process_of(const fs::path& study, int rank, const std::string& verb) {
   for (const pid_t pid : processes_with(study.string())) {
     const fs::path process = fs::path("/proc") / std::to_string(pid);

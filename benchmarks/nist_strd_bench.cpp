@@ -2,10 +2,10 @@
 // Certified regressions of NIST and varied Moré-Wild problems, by which methods are chosen.
 //
 // `./bench.sh nist_strd --training` adds the varied problems: the Moré-Wild functions from other
-// starts and in other variables, and NIST's with one first step for all variables, for some ten
-// times the largest start. Constants of the residual trust region are decided by these, never by
-// ./bench.sh more_wild. Required: every cell is no less than the better of SciPy's least_squares,
-// made for such problems, and NLopt's BOBYQA in the same run.
+// starts and in other variables, and NIST's with the same first step for all variables, which for
+// some of them is ten times the largest start. Constants of the residual trust region are decided
+// by these, never by ./bench.sh more_wild. Required: every cell is no less than the better of
+// SciPy's least_squares, made for such problems, and NLopt's BOBYQA in the same run.
 #include <fmt/format.h>
 #include <nlopt.h>
 

@@ -2,7 +2,7 @@
 // Overhead of Python: for a turn of ask and tell compared with C++; for a start, by import.
 //
 // Both languages run the same search once, which is checked by its last point to the bit, and
-// repeat it with the stored outcomes: a turn is propose and observe alone, the best of five
+// repeat it with the stored outcomes: a turn consists only of propose and observe, the best of five
 // repetitions.
 #include <fmt/format.h>
 

@@ -86,7 +86,7 @@ double relative_error(const Study& study, const std::string& name, const Channel
   throw std::runtime_error("no experiment " + name);
 }
 
-/// Returns the study with the side force alone.
+/// Returns the study with only the side force.
 std::string of_side_force(const std::string& study) {
   const std::string text =
       std::regex_replace(study, std::regex("(experiment[.]M|stage[.]M|variable[.]Q).*\n"), "");

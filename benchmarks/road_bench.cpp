@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cost of one query on every kind of road, and its independence of the size of the file.
 //
-// The queries are those of a tire: a footprint of 0.2 m x 0.2 m that moves along the road, heights
-// alone. Times are those of the process, the best of five. The indices pass if a query on a road
+// The queries are those of a tire: a footprint of 0.2 m x 0.2 m that moves along the road, only
+// heights. Times are those of the process, the best of five. The indices pass if a query on a road
 // with a hundred times the data costs at most twice as much: a full search would cost a hundred
 // times as much, a tree one level for every doubling.
 //

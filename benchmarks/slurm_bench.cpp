@@ -61,7 +61,7 @@ std::string undisturbed(const fs::path& study) {
   return trajectory(correlation::read_study(copy, experiment::language()));
 }
 
-/// Kills `latsch run` with kill -9 on that task of the step that runs the study.
+/// Kills `latsch run` with kill -9 on the given task of the step that runs the study.
 void kill_task(const fs::path& study, int task) {
   for (const pid_t pid : processes_with(study.string())) {
     const fs::path process = fs::path("/proc") / std::to_string(pid);
@@ -161,7 +161,7 @@ void live_through(int task, long trials, const std::string& reference, Counts& c
   counts.finished += said.exit_code == 0;
   counts.longest =
       std::max(counts.longest, std::chrono::duration<double>(Clock::now() - struck).count());
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // time for the system to end them
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // time to end the processes
   counts.left += std::ssize(processes_with(folder.path().string()));
   const Said resumed = said_by(srun("resume", file, fmt::format("-n {}", kRanks)));
   if (resumed.exit_code != 0) throw std::runtime_error("resume failed: " + resumed.text);

@@ -119,7 +119,7 @@ Coverage cover(bool noise_is_known, int sets) {
     const Analyzed a = analyze(space, fitted(space, model), model, options);
     coverage.evaluations += a.evaluations;
     for (int i = 0; i < 3; ++i) {
-      const Profile& profile = a.identification.profiles()[i];
+      const TargetProfile& profile = a.identification.profiles()[i];
       coverage.linear[i] += holds(a.identification.confidence().intervals[i], truth[i]);
       coverage.profile[i] += holds(profile.interval, truth[i]);
       coverage.identifiable += profile.verdict == Verdict::identifiable;
@@ -430,7 +430,7 @@ int run(const Options& options) {
     std::string verdicts;
     int right = 0;
     for (int i = 0; i < space.size(); ++i) {
-      const Profile& profile = a.identification.profiles()[i];
+      const TargetProfile& profile = a.identification.profiles()[i];
       verdicts += fmt::format("{}{}: {}", i > 0 ? "; " : "", space[i].name, name(profile.verdict));
       right += profile.verdict == c.right[i];
     }

@@ -73,7 +73,7 @@ struct Solved {
   int failed = 0;                  // number of failed evaluations
   std::string reason;              // reason of the first failure
   double least = 1e300;            // least value of the target
-  DesignPoint best;                // point with that value
+  DesignPoint best;                // point with the value `least`
   std::string ending;              // reason the method ended, in words
 };
 

@@ -52,6 +52,8 @@ EVERY_TIRE = ["road", "tire"]
 
 # Studies work with models of any kind, so the code shared by all of them knows no model.
 KNOWS_NO_MODEL = "correlation"
+# Nor does any of these know a test: what a test tells beyond its channels is a virtual function of Test.
+KNOW_NO_TEST = ("correlation", "studio", "report")
 # The verbs of the program know no model either, except those that concern one by their purpose.
 VERBS_OF_MODELS = {"export", "exported_bushings", "mesh", "road", "shown_bushing", "shown_file", "shown_tire"}
 KIND_BY_NAME = re.compile(r'name\(\)\s*[!=]=\s*"(fe_tire|ring_tire|rigid_ring|magic_formula)"')
@@ -113,6 +115,9 @@ def faults():
             elif (layer == KNOWS_NO_MODEL and not here.stem.endswith(("_test", "_testing"))
                   and str(used).startswith(("models/", "experiment/kinds/"))):
                 yield f"{here}:{number}: {layer} knows no model: what only a kind can do is a capability or SpecimenKind's"
+            elif (layer in KNOW_NO_TEST and not here.stem.endswith(("_test", "_testing"))
+                  and str(used).startswith("experiment/tests/")):
+                yield f"{here}:{number}: {layer} knows no test: what a test tells is a function of Test"
             elif fault := room_fault(here, used):
                 yield f"{here}:{number}: {fault}"
 
@@ -124,8 +129,30 @@ def models_in_verbs():
             continue
         for number, line in enumerate(file.read_text().splitlines(), 1):
             match = INCLUDE.match(line)
-            if match and match.group(1).startswith(("models/", "experiment/kinds/")):
-                yield f"{file.relative_to(SOURCE.parent)}:{number}: a verb for any model knows none: it asks the language"
+            if match and match.group(1).startswith(("models/", "experiment/kinds/", "experiment/tests/")):
+                yield f"{file.relative_to(SOURCE.parent)}:{number}: a verb for any model and test knows none: it asks the language"
+
+
+# A type of a module has a name that no other header gives a type; the C interfaces of the two FMI standards keep the
+# standards' names.
+TYPE = re.compile(r"^(?:class|struct|enum class|enum|union)\s+(\w+)\b(?!\s*::)(?!.*;\s*$)|^using\s+(\w+)\s*=")
+NAMES_OF_STANDARDS = {"apps/exchange/fmi2.h", "apps/exchange/fmi3.h"}
+
+
+def names_twice():
+    first = {}
+    root = SOURCE.parent
+    for file in sorted([*SOURCE.rglob("*.h"), *(root / "apps").rglob("*.h")]):
+        name = str(file.relative_to(root))
+        if file.stem.endswith("_testing") or name in NAMES_OF_STANDARDS:
+            continue
+        for number, line in enumerate(file.read_text().splitlines(), 1):
+            if not (match := TYPE.match(line.split("//")[0])):
+                continue
+            type_name = match.group(1) or match.group(2)
+            other = first.setdefault(type_name, name)
+            if other != name:
+                yield f"{name}:{number}: the type {type_name} is also in {other}: one of them needs another name"
 
 
 def crowds():
@@ -166,6 +193,6 @@ def writers():
 
 
 if __name__ == "__main__":
-    found = [*faults(), *models_in_verbs(), *crowds(), *wide_comments(), *kinds_by_name(), *writers()]
+    found = [*faults(), *models_in_verbs(), *names_twice(), *crowds(), *wide_comments(), *kinds_by_name(), *writers()]
     print("\n".join(found) or "layers: every #include follows the architecture")
     sys.exit(1 if found else 0)

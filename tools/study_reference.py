@@ -33,7 +33,7 @@ SECTIONS = [
     ("pressure of a test", "rigs/inflation"),
     ('Test "inflation": dimensions under pressures', "tests/inflation"),
     ("[cleat] of a test", "cleat"),
-    ('Test "footprint": where it touches the ground', "footprint_rig"),
+    ('Test "footprint": contact patch on the ground', "footprint_rig"),
     ('Test "mass_properties": mass, moments of inertia', "mass_properties"),
     ('Test "steady_states": a table of states', "steady_states"),
     ('Test "slip_history": slips as recorded, lagging', "slip_history"),
@@ -65,6 +65,7 @@ SECTIONS = [
 OTHER_ROOMS = {"rig_data", "comparison"}  # these rooms read files that are no studies
 
 FILE = re.compile(r"\bsource\.file\(\s*\w+,\s*\"([^\"]*)\"\s*\)")  # opens a file that a test names
+SHARE = re.compile(r"\bread_share\(\s*\w+,\s*\"([a-z_]+)\",")
 GETTER = re.compile(r"\b\w+(?:->|\.)(quantity|quantities|one_or_more|choice|integer|flag|texts?|rows)\(\s*(\w+|\"[^\"]*\")\s*([,)])")
 
 
@@ -116,7 +117,7 @@ def literal(text, known):
 
 def unit_words(unit):
     if not unit.startswith('"'):
-        return "a quantity in the unit of what it belongs to"
+        return "a quantity in the unit of the number it belongs to"
     unit = unit.strip('"')
     word = WORDS.get(unit, f"a quantity in {unit}")
     return word + (f" such as `\"{EXAMPLES[unit]}\"`" if unit in EXAMPLES else "")
@@ -167,10 +168,14 @@ def described(kind, rest, known):
     return "a text in quotes", rest[0] if rest else None
 
 
-def keys_of(source):
+def keys_of(source, of_optimizer=False):
+    """Keys that a reader takes from its table, or from the table [optimizer] of a study, which it
+    calls `optimizer`."""
     text = re.sub(r"//.*", "", source)
     known, found = constants(text), {}
     for match in GETTER.finditer(text):
+        if match[0].startswith("optimizer->") != of_optimizer:
+            continue
         kind, key, behind = match[1], match[2], match[3]
         if not key.startswith('"') or not re.fullmatch(r'"[a-z_A-Z]+"', key):
             continue
@@ -179,6 +184,11 @@ def keys_of(source):
         entry = found.setdefault(key.strip('"'), [])
         if (expected, fallback) not in entry:
             entry.append((expected, fallback))
+    if of_optimizer:
+        return found
+    for match in SHARE.finditer(text):
+        extra = range_words(arguments(text, match.end())[0])
+        found.setdefault(match[1], []).append((f'a share such as `"3 %"`{extra}; without a unit at most 1', None))
     for match in FILE.finditer(text):
         found.setdefault(match[1], []).append(("the name of a file, beside the study or the test", None))
     return found
@@ -224,6 +234,8 @@ def section(heading, name):
     if code:
         lines.append("```")
     keys = keys_of(reader(name, "cpp").read_text())
+    if name == "study_optimizer":
+        keys |= keys_of(reader("study", "cpp").read_text(), of_optimizer=True)
     if keys:
         lines += ["", "| key | expected | unless given |", "| --- | --- | --- |"]
         for key, ways in keys.items():
@@ -231,6 +243,12 @@ def section(heading, name):
             fallback = " or ".join(dict.fromkeys(filter(None, (fallback_words(way[1]) for way in ways))))
             lines.append(f"| `{key}` | {expected} | {fallback} |")
     return "\n".join(lines) + "\n"
+
+
+def expect_no_constants(text):
+    """A name of the code, such as kFulfilled, says nothing to the reader of the page."""
+    if names := re.findall(r"\bk[A-Z][a-z]{2,}\w*", text):
+        sys.exit(f"tools/study_reference.py: the page names {', '.join(names)}; write the number into the header")
 
 
 def page():
@@ -250,6 +268,7 @@ def page():
 
 def main():
     made = page()
+    expect_no_constants(made)
     if sys.argv[1:] == ["--check"]:
         if not PAGE.exists() or PAGE.read_text() != made:
             sys.exit("docs/study_reference.md is not what the readers say: run tools/study_reference.py and look at what changed")

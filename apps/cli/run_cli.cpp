@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "cli/console/console.h"
 #include "cli/console/version.h"
 #include "cli/verbs/verbs.h"
@@ -86,6 +87,7 @@ int run(int argc, char** argv, const experiment::Language& language) {
 }  // namespace
 
 int run_cli(int argc, char** argv, const experiment::Language& language) {
+  protect_read_files();
   try {
     return close_console(run(argc, argv, language));
   } catch (const InputError& error) {

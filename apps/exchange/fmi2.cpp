@@ -41,7 +41,7 @@ Status none(Component component, std::size_t count, const char* what) {
   return count == 0 && component ? ok : refused(component, what);
 }
 
-constexpr const char* kRealsAlone = "has variables of type Real alone";
+constexpr const char* kRealsAlone = "has only variables of type Real";
 constexpr const char* kNoDerivatives = "has no derivatives of inputs or outputs";
 constexpr const char* kNoBytes = "does not write its states as bytes";
 constexpr const char* kSynchronous = "steps are done when fmi2DoStep returns";
@@ -69,7 +69,7 @@ Component fmi2Instantiate(
         logger(environment, own.c_str(), from(status), category, as_format(message).c_str());
       };
     if (type != co_simulation) {
-      if (log) log(exchange::Status::error, kLogError, "is for co-simulation alone");
+      if (log) log(exchange::Status::error, kLogError, "is only for co-simulation");
       return nullptr;
     }
     auto instance = load_instance(resources ? resources : "", guid ? guid : "", log);

@@ -3,7 +3,7 @@
 // Interface 2.0.5, 2.1 and 4.2]: names, arguments and values of the standard, declared anew.
 //
 // Boolean is int, 0 or 1. Functions for features that our units lack (integers, texts, derivatives,
-// states as bytes) exist and return `error`. Functions for model exchange alone do not exist:
+// states as bytes) exist and return `error`. Functions that only model exchange needs do not exist:
 // importers of co-simulation units do not look for them.
 #pragma once
 

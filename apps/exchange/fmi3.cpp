@@ -25,14 +25,14 @@ Status refused(Handle handle, const char* what) {
 
 /// Access to variables of a type that the unit does not have: only an empty request succeeds.
 Status none(Handle handle, std::size_t count) {
-  return count == 0 && handle ? ok : refused(handle, "has variables of type Float64 alone");
+  return count == 0 && handle ? ok : refused(handle, "has only variables of type Float64");
 }
 
 Status no_clocks(Handle handle) { return refused(handle, "has no clocks"); }
 Status no_events(Handle handle) { return refused(handle, "has no events"); }
 Status no_bytes(Handle handle) { return refused(handle, "does not write its states as bytes"); }
 Status no_derivatives(Handle handle) { return refused(handle, "does not tell derivatives"); }
-Status no_model_exchange(Handle handle) { return refused(handle, "is for co-simulation alone"); }
+Status no_model_exchange(Handle handle) { return refused(handle, "is only for co-simulation"); }
 
 Instance::Log log_to(Environment environment, LogMessage logger) {
   if (!logger) return nullptr;
@@ -42,7 +42,7 @@ Instance::Log log_to(Environment environment, LogMessage logger) {
 }
 
 Handle not_there(Environment environment, LogMessage logger) {
-  if (logger) logger(environment, error, kLogError, "is for co-simulation alone");
+  if (logger) logger(environment, error, kLogError, "is only for co-simulation");
   return nullptr;
 }
 

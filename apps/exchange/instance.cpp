@@ -15,7 +15,7 @@ constexpr double kTimeSlack = 1e-6;
 
 }  // namespace
 
-Instance::Instance(std::unique_ptr<Unit> unit, Log log) : log_(std::move(log)) {
+Instance::Instance(std::unique_ptr<ExchangedModel> unit, Log log) : log_(std::move(log)) {
   now_.unit = std::move(unit);
   pristine_ = now_.copy();
 }
@@ -49,7 +49,7 @@ std::optional<std::size_t> Instance::variable_of(unsigned reference) const {
 
 Status Instance::set_up(double start, std::optional<double> stop) {
   if (now_.stage != Stage::instantiated)
-    return refuse("the experiment is set up before initialization alone");
+    return refuse("the experiment can be set up only before initialization");
   if (!std::isfinite(start) || (stop && !(*stop >= start)))
     return refuse(
         fmt::format("the experiment begins at {} s: expected a finite time, and an end "
@@ -104,7 +104,7 @@ Status Instance::get(const unsigned* references, std::size_t count, double* valu
       }
       const auto variable = variable_of(references[i]);
       if (!variable) return refuse(fmt::format("has no value reference {}", references[i]));
-      const Variable& asked = now_.unit->variables()[*variable];
+      const ExchangedVariable& asked = now_.unit->variables()[*variable];
       if (asked.causality == Causality::output) {
         if (now_.stage == Stage::instantiated)
           return refuse(asked.name + " is not known before initialization");
@@ -122,13 +122,13 @@ Status Instance::set(const unsigned* references, std::size_t count, const double
       const auto variable = variable_of(references[i]);
       if (!variable)
         return refuse(fmt::format("has no value reference {} that can be set", references[i]));
-      const Variable& given = now_.unit->variables()[*variable];
+      const ExchangedVariable& given = now_.unit->variables()[*variable];
       if (given.causality == Causality::output)
         return refuse(given.name + " is an output and cannot be set");
       if (now_.stage == Stage::terminated)
         return refuse(given.name + " cannot be set: the unit is terminated");
       if (given.causality == Causality::parameter && now_.stage == Stage::stepping)
-        return refuse(given.name + " is fixed: it can be set before the unit runs alone");
+        return refuse(given.name + " is fixed: it can be set only before the unit runs");
       if (!std::isfinite(values[i]))
         return say(Status::discard,
                    fmt::format("{} = {}: expected a finite number", given.name, values[i]));

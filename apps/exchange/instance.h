@@ -27,7 +27,7 @@ class Instance {
  public:
   using Log = std::function<void(Status, const char* category, const std::string& message)>;
 
-  Instance(std::unique_ptr<Unit> unit, Log log);
+  Instance(std::unique_ptr<ExchangedModel> unit, Log log);
 
   /// Sets the beginning and, if any, the end of time, s.
   Status set_up(double start, std::optional<double> stop);
@@ -53,7 +53,7 @@ class Instance {
  private:
   enum class Stage { instantiated, initializing, stepping, terminated };
   struct State {
-    std::unique_ptr<Unit> unit;
+    std::unique_ptr<ExchangedModel> unit;
     Stage stage = Stage::instantiated;
     double time = 0.0;
     std::optional<double> stop = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car of bodies and bushings on a kerb: CPU over real time, refinement, order, energy; on rings.
+// Car of bodies and bushings on a kerb: CPU over real time, refinement, order, energy; ring tires.
 #include <fmt/format.h>
 
 #include <algorithm>

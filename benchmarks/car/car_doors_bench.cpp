@@ -40,13 +40,13 @@ void make_rigid(car::CarParameters& parameters) {
     }
 }
 
-/// Returns the race car with bump stops, downforce of `times` weights at that speed, larger the
-/// lower the floor is, and drag.
+/// Returns the race car with bump stops, downforce of `times` weights at the given speed, larger
+/// the lower the floor is, and drag.
 car::CarParameters pressed(bool rigid, double speed, double times, double drag) {
   car::CarParameters parameters = car::race_car(false);
   if (rigid) make_rigid(parameters);
   for (car::Axle* axle : {&parameters.front, &parameters.rear})
-    axle->inboard->unit.parts.push_back(multibody::ElasticCurve{multibody::ForceCurve(
+    axle->inboard->unit.parts.push_back(multibody::ElasticCurve{multibody::ForceCharacteristic(
         {{-0.040, -12e3}, {-0.030, -2e3}, {-0.025, 0.0}, {0.0, 0.0}, {0.1, 0.0}})});
   double mass = 0.0;
   for (const auto& body : car::build(parameters).mechanism.bodies()) mass += body.mass;

@@ -104,7 +104,7 @@ double median(std::vector<double> values) {
 
 /// Share of the numbers of all cars that are inside their bands.
 struct Coverage {
-  double all = 0.0, least = 1.0, most = 0.0;  // least, most: of a single output
+  double all = 0.0, least = 1.0, most = 0.0;  // least, most: shares of single outputs
   std::string text() const {
     return fmt::format("{:.1f} % ({:.1f} .. {:.1f} %)", 100 * all, 100 * least, 100 * most);
   }

@@ -121,8 +121,8 @@ void aero_forces(Table& table, int draws) {
   auto solved = car::solve_loaders(*car, *test.loaders, level, road, 60.0);
   if (!solved) throw std::runtime_error(solved.failure().reason);
   const double rate = 1.0 / test.sample_step;
-  const auto filter =
-      numerics::polynomials_of(numerics::butterworth(2, numerics::Band::low_pass, {kEdge}, rate));
+  const auto filter = numerics::polynomials_of(
+      numerics::butterworth(2, numerics::FilterBand::low_pass, {kEdge}, rate));
   for (const double noise : {0.01, 0.02}) {
     double square = 0.0, left = 0.0;
     for (int draw = 0; draw < draws; ++draw) {

@@ -20,7 +20,7 @@ bool has_calculix() { return std::system("command -v ccx > /dev/null 2>&1") == 0
 namespace {
 
 /// Makes the load step print forces at every increment. That step is the last one that writes
-/// displacements of all nodes at its end alone; afterward it writes after every increment.
+/// displacements of all nodes only at its end; afterward it writes after every increment.
 void print_every_force(std::string& text) {
   constexpr std::string_view kEnd = "RF\n*NODE FILE,FREQUENCY=100";
   const auto at = text.find(kEnd);

@@ -26,7 +26,7 @@ struct CalculixRun {
 
 struct DeckChanges {
   std::string model_cards = {};  // inserted before the first boundary condition
-  bool every_force = false;      // prints the ground's force at every increment, not the last alone
+  bool every_force = false;      // prints the ground's force at every increment, not just the last
 };
 
 /// Returns nothing if CalculiX did not finish.

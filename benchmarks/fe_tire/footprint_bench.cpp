@@ -46,7 +46,7 @@ FeTire refined(TireDescription tire, int along_section) {
   SectorZone& contact = tire.section.sector_zones.front();
   tire.section.sectors += 2 * (kParts - 1) * contact.sectors;
   contact = {kParts * contact.sectors, contact.width / kParts};
-  const Refinement along(1, along_section, 1);
+  const MeshRefinement along(1, along_section, 1);
   return FeTire(build_mesh(tire, along),
                 build_materials(tire, along),
                 {.element = tire.element, .tolerance = kTolerance});

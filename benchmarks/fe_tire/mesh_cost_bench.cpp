@@ -29,7 +29,7 @@ struct Trial {
   double seconds = 0.0;  // CPU, including the making of the tire
 };
 
-Trial run_trial(const TireDescription& description, const Refinement& refinement) {
+Trial run_trial(const TireDescription& description, const MeshRefinement& refinement) {
   const double start = cpu_seconds();
   SolverSettings settings;
   settings.element = description.element;
@@ -48,7 +48,7 @@ Trial run_trial(const TireDescription& description, const Refinement& refinement
 int run(const Options& options) {
   Table table("mesh_cost", options);
   const TireDescription tire = tire_for(options, "passenger_225_50R16");
-  const auto trial = [&](const std::string& what, const Refinement& refinement) {
+  const auto trial = [&](const std::string& what, const MeshRefinement& refinement) {
     const Trial result = run_trial(tire, refinement);
     table.note(what, fmt::format("{} unknowns, {:.2f} s CPU", result.unknowns, result.seconds));
     return result;

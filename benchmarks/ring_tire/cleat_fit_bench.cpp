@@ -226,7 +226,7 @@ class Fit {
   }
 
  private:
-  /// Simulates every case, or the fitted ones alone; the others are a Failure.
+  /// Simulates every case, or only the fitted ones; the others are a Failure.
   std::vector<Result<Channels>> simulate(const DesignPoint& point,
                                          const Friction& friction,
                                          bool fitted_alone) const {

@@ -7,7 +7,7 @@
 
 namespace latsch::benchmarks {
 
-/// Number of times a time is measured, of which the least counts, and the duration of rolling.
+/// Number of repetitions of a timing, of which the fastest counts, and the duration of rolling.
 struct RingRounds {
   int count = 15;
   double duration = 0.09;  // s

@@ -70,7 +70,7 @@ class Node {
                      std::string_view fallback) const;
   std::vector<std::string> texts(std::string_view key) const;
 
-  /// Returns the table of that name. Throws InputError if it is missing.
+  /// Returns the table of the given name. Throws InputError if it is missing.
   Node table(std::string_view key) const;
   std::optional<Node> find_table(std::string_view key) const;
   /// Returns the child tables in the order of the file, [layer.carcass] [layer.belt_1] below

@@ -52,7 +52,8 @@ std::string fault_of(const DocumentValue& value, const Unit& expected) {
 /// bar".
 std::string describe(const Range& range, const Unit& unit) {
   const auto bound = [&](double si) {
-    const std::string number = format_number(unit.from_si(si), 12);
+    constexpr int kDigits = 5;  // a bound may be 90 deg and a rounding error
+    const std::string number = format_number(unit.from_si(si), kDigits);
     return unit.text() == "1" ? number : number + " " + unit.text();
   };
   const bool above = std::isfinite(range.lower), below = std::isfinite(range.upper);

@@ -50,8 +50,8 @@ struct Node::Impl {
   static Node node_of(std::shared_ptr<const Impl> impl) { return Node(std::move(impl)); }
 
   const DocumentValue& value() const { return tree->value(index); }
-  /// Returns the index of the value of that key, which now counts as read, or -1 if the file lacks
-  /// the key.
+  /// Returns the index of the value of the given key, which now counts as read, or -1 if the file
+  /// lacks the key.
   int ask(std::string_view key) const;
   /// Returns a Node of the same reading for another table.
   std::shared_ptr<const Impl> at(int table) const;

@@ -23,7 +23,7 @@ Document with_lines(const Document& whole,
                     std::string_view path,
                     const std::vector<std::string>& lines);
 
-/// True if the part of that key is read already, so that a table is there.
+/// True if the part of the given key is read already, so that a table is there.
 bool has_part(const Document& whole, std::string_view key);
 
 /// Returns the table at a top-level key as a document of its own, under the file name of the whole.

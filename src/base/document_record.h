@@ -52,7 +52,7 @@ struct DeclaredKey {
 /// The keys of one reading by their paths below the table at which the reading begins:
 /// "road.heading".
 struct RecordedKeys {
-  std::string base;  // path of that table
+  std::string base;  // path of the table
   std::map<std::string, DeclaredKey> keys;
   std::map<std::string, std::string> in_place;  // value that replaces a whole table, by the table's
                                                 // path

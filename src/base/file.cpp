@@ -12,8 +12,10 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <mutex>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <streambuf>
 #include <utility>
 
@@ -41,6 +43,42 @@ class Descriptor {
  private:
   int number_;
 };
+
+/// The files that this process has read, by device and number of the file system, without those
+/// that it has written itself.
+class ReadFiles {
+ public:
+  void protect() {
+    const std::lock_guard lock(mutex_);
+    is_on_ = true;
+  }
+  void note_read(const struct stat& file) {
+    const std::lock_guard lock(mutex_);
+    if (S_ISREG(file.st_mode) && !written_.contains(key(file))) read_.insert(key(file));
+  }
+  void note_written(const struct stat& file) {
+    const std::lock_guard lock(mutex_);
+    written_.insert(key(file));
+    read_.erase(key(file));
+  }
+  bool refuses(const struct stat& file) {
+    const std::lock_guard lock(mutex_);
+    return is_on_ && read_.contains(key(file));
+  }
+
+ private:
+  using Key = std::pair<dev_t, ino_t>;
+  static Key key(const struct stat& file) { return {file.st_dev, file.st_ino}; }
+
+  std::mutex mutex_;
+  bool is_on_ = false;
+  std::set<Key> read_, written_;
+};
+
+ReadFiles& read_files() {
+  static ReadFiles files;
+  return files;
+}
 
 [[noreturn]] void fail(const std::filesystem::path& file, const char* what, int error) {
   throw InputError({file.string(), 0}, fmt::format("{}: {}", what, std::strerror(error)));
@@ -233,11 +271,39 @@ void replace(const std::filesystem::path& file,
   flush_folder(target.parent_path());
 }
 
+void write_to_path(const std::filesystem::path& file, const Write& write) {
+  struct stat there {};
+  if (::stat(file.c_str(), &there) != 0) {
+    if (errno != ENOENT) fail(file, kNotWritten, errno);
+    const auto target = followed(file);
+    if (!target) fail(file, kNotWritten, ENOENT);
+    return replace(file, *target, nullptr, write);
+  }
+  if (S_ISDIR(there.st_mode)) {
+    throw InputError({file.string(), 0}, "is a folder, expected a file to write");
+  }
+  if (S_ISBLK(there.st_mode)) {
+    throw InputError({file.string(), 0}, "is a disk (a block device), expected a file to write");
+  }
+  if (read_files().refuses(there))
+    throw InputError({file.string(), 0},
+                     "is read by this command, which would replace it by its output: expected "
+                     "another name for the output");
+  std::fflush(stdout);  // earlier output precedes the file's text
+  for (const int printed : {STDOUT_FILENO, STDERR_FILENO}) {
+    if (is_open_as(printed, there)) return write_through(file, Descriptor(::dup(printed)), write);
+  }
+  const auto target = followed(file);
+  if (target && S_ISREG(there.st_mode)) return replace(file, *target, &there, write);
+  write_through(file, Descriptor(::open(file.c_str(), O_WRONLY | O_CLOEXEC)), write);
+}
+
 }  // namespace
 
 std::string read_text_file(const std::filesystem::path& file, std::size_t limit) {
   const Descriptor open(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   if (open.number() < 0) fail(file, "cannot be opened", errno);
+  note_read(open.number());
   std::string text;
   for (;;) {
     char block[1 << 16];
@@ -254,27 +320,21 @@ std::string read_text_file(const std::filesystem::path& file, std::size_t limit)
   }
 }
 
+void protect_read_files() { read_files().protect(); }
+
+void note_read(int descriptor) {
+  struct stat about {};
+  if (::fstat(descriptor, &about) == 0) read_files().note_read(about);
+}
+
+void allow_to_replace(const std::filesystem::path& file) {
+  struct stat about {};
+  if (::stat(file.c_str(), &about) == 0) read_files().note_written(about);
+}
+
 void write_file(const std::filesystem::path& file, const Write& write) {
-  struct stat there {};
-  if (::stat(file.c_str(), &there) != 0) {
-    if (errno != ENOENT) fail(file, kNotWritten, errno);
-    const auto target = followed(file);
-    if (!target) fail(file, kNotWritten, ENOENT);
-    return replace(file, *target, nullptr, write);
-  }
-  if (S_ISDIR(there.st_mode)) {
-    throw InputError({file.string(), 0}, "is a folder, expected a file to write");
-  }
-  if (S_ISBLK(there.st_mode)) {
-    throw InputError({file.string(), 0}, "is a disk (a block device), expected a file to write");
-  }
-  std::fflush(stdout);  // earlier output precedes the file's text
-  for (const int printed : {STDOUT_FILENO, STDERR_FILENO}) {
-    if (is_open_as(printed, there)) return write_through(file, Descriptor(::dup(printed)), write);
-  }
-  const auto target = followed(file);
-  if (target && S_ISREG(there.st_mode)) return replace(file, *target, &there, write);
-  write_through(file, Descriptor(::open(file.c_str(), O_WRONLY | O_CLOEXEC)), write);
+  write_to_path(file, write);
+  allow_to_replace(file);
 }
 
 void write_text_file(const std::filesystem::path& file, std::string_view text) {

@@ -11,6 +11,7 @@
 //   our standard output       (/dev/stdout, or -o FILE > FILE) is written to, after the earlier
 //                             output
 //   a folder, a disk          is refused
+//   a file that was read      is refused, once protect_read_files() is called
 //
 // A regular file is written in place if it cannot be replaced: its folder may be write-protected,
 // or the file may be a mount point. Other names (hard links) of a replaced file keep the old text.
@@ -35,6 +36,14 @@ void write_file(const std::filesystem::path& file, const std::function<void(std:
 
 /// Writes a text as write_file() does.
 void write_text_file(const std::filesystem::path& file, std::string_view text);
+
+/// Makes write_file() refuse to replace a file that this process has read and not written itself.
+/// Such a file is an input of the same command, named as its output by mistake.
+void protect_read_files();
+/// Records that an open file is read; read_text_file() calls this itself.
+void note_read(int descriptor);
+/// Lets write_file() replace this file although it was read.
+void allow_to_replace(const std::filesystem::path& file);
 
 /// Renames a file. Throws InputError.
 void move_file(const std::filesystem::path& file, const std::filesystem::path& to);

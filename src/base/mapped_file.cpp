@@ -121,6 +121,7 @@ MappedFile::MappedFile(const std::filesystem::path& file, std::size_t limit) {
     throw InputError({file.string(), 0}, fmt::format("is larger than {} bytes", limit));
   if (size > kInMemory) mapping_ = map_copy(file, descriptor, about);
   if (mapping_) {
+    note_read(descriptor);
     view_ = {static_cast<const char*>(mapping_), size};
     ::madvise(mapping_, size, MADV_SEQUENTIAL);
     return;

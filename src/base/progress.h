@@ -43,7 +43,7 @@ class Progress {
   std::size_t columns_;
   double start_;
   double counted_from_;    // s; start of the time over which the speed is measured
-  long counted_done_ = 0;  // finished at that time
+  long counted_done_ = 0;  // finished at counted_from_
   double printed_ = 0.0;   // s; time of the last output
   std::size_t width_ = 0;  // characters of the bar on the screen
   std::string state_;      // text of the last call

@@ -14,7 +14,7 @@ namespace latsch {
 enum class Cause : std::uint8_t {
   point,       // the simulation fails, crashes or throws: it would do so again
   timeout,     // the simulation exceeded its time limit
-  bad_output,  // its result is missing, cannot be read or holds numbers that are not finite
+  bad_output,  // the result is missing, cannot be read or holds numbers that are not finite
   transient,   // its worker was killed from outside or cannot be reached: the point may be
                // good
   not_begun,   // its worker was lost before the start: nothing was tried; never recorded

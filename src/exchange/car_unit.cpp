@@ -40,7 +40,7 @@ enum Given : std::size_t {
 };
 static_assert(given_count == CarUnit::kGiven);
 
-void add_parameters(std::vector<Variable>& table) {
+void add_parameters(std::vector<ExchangedVariable>& table) {
   const auto parameter = Causality::parameter;
   const car::Guide guide;
   table.push_back({"speed", parameter, "m/s", "with which the car begins, along x", 0.0});
@@ -61,7 +61,7 @@ void add_parameters(std::vector<Variable>& table) {
                    0.0});
 }
 
-void add_inputs(std::vector<Variable>& table) {
+void add_inputs(std::vector<ExchangedVariable>& table) {
   const auto input = Causality::input;
   table.push_back({"rack.travel", input, "m", "positive to the left", 0.0});
   table.push_back({"rack.velocity", input, "m/s", "of its travel", 0.0});
@@ -91,7 +91,7 @@ void add_inputs(std::vector<Variable>& table) {
   table.push_back({"guide.y", input, "m", "line of the guide", 0.0});
 }
 
-void add_outputs(std::vector<Variable>& table) {
+void add_outputs(std::vector<ExchangedVariable>& table) {
   const auto add = [&](std::string name, const char* unit, const char* description) {
     table.push_back({std::move(name), Causality::output, unit, description});
   };
@@ -118,8 +118,8 @@ void add_outputs(std::vector<Variable>& table) {
   }
 }
 
-std::vector<Variable> table() {
-  std::vector<Variable> variables;
+std::vector<ExchangedVariable> table() {
+  std::vector<ExchangedVariable> variables;
   add_parameters(variables);
   add_inputs(variables);
   assert(variables.size() == CarUnit::kGiven);
@@ -128,7 +128,7 @@ std::vector<Variable> table() {
   return variables;
 }
 
-void check_range(const Variable& variable, double value, double lower, double upper) {
+void check_range(const ExchangedVariable& variable, double value, double lower, double upper) {
   if (!(value >= lower && value <= upper))
     throw InputError(fmt::format(
         "{} = {} {}: expected {} to {}", variable.name, value, variable.unit, lower, upper));
@@ -147,7 +147,7 @@ CarUnit::CarUnit(std::shared_ptr<experiment::Specimen> specimen,
     : specimen_(std::move(specimen)),
       drives_(specimen_->find<experiment::Drives>()),
       road_(std::move(road)),
-      variables_(std::make_shared<const std::vector<Variable>>(table())) {
+      variables_(std::make_shared<const std::vector<ExchangedVariable>>(table())) {
   if (!drives_) throw InputError("the model cannot be driven: expected a car");
   for (std::size_t i = 0; i < kGiven; ++i) given_[i] = (*variables_)[i].start;
 }

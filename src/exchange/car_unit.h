@@ -37,17 +37,19 @@ namespace latsch::exchange {
 /// Angles of (2): roll, pitch, yaw, rad; pitch within a right angle to either side.
 Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& turn);
 
-class CarUnit final : public Unit {
+class CarUnit final : public ExchangedModel {
  public:
   /// Throws InputError if the specimen cannot be driven.
   CarUnit(std::shared_ptr<experiment::Specimen> specimen, std::shared_ptr<const road::Road> road);
 
-  const std::vector<Variable>& variables() const override { return *variables_; }
+  const std::vector<ExchangedVariable>& variables() const override { return *variables_; }
   double value(std::size_t variable) const override;
   void set(std::size_t variable, double value) override;
   std::optional<Failure> start(double time) override;
   std::optional<Failure> step(double time, double step) override;
-  std::unique_ptr<Unit> clone() const override { return std::make_unique<CarUnit>(*this); }
+  std::unique_ptr<ExchangedModel> clone() const override {
+    return std::make_unique<CarUnit>(*this);
+  }
 
   /// There is no state before start().
   const std::optional<car::CarState>& state() const { return state_; }
@@ -66,7 +68,7 @@ class CarUnit final : public Unit {
   std::shared_ptr<experiment::Specimen> specimen_;
   const experiment::Drives* drives_;
   std::shared_ptr<const road::Road> road_;
-  std::shared_ptr<const std::vector<Variable>> variables_;
+  std::shared_ptr<const std::vector<ExchangedVariable>> variables_;
   std::shared_ptr<Shared> shared_;  // set by the first start()
   std::optional<car::CarState> state_;
   std::array<double, kGiven> given_{};      // parameters and inputs, in the table's order

@@ -18,7 +18,7 @@ const std::filesystem::path kCars = std::filesystem::path(LATSCH_SOURCE_DIR) / "
 const std::filesystem::path kCar = kCars / "baseline.toml";  // its tires have no longitudinal force
 const std::filesystem::path kRingCar = kCars / "ring_rigid.toml";
 constexpr double kMass =
-    220.0 + 4.0 * (8.2 + 4.0 + 0.8 + 1.0 + 0.4 + 0.3 + 0.4);  // kg, from that file
+    220.0 + 4.0 * (8.2 + 4.0 + 0.8 + 1.0 + 0.4 + 0.3 + 0.4);  // kg, from the file
 constexpr double kGravity = 9.80665, kCommunication = 1e-3;
 
 /// A unit of the car with access to variables by name.
@@ -62,7 +62,7 @@ class Driven {
   }
 
  private:
-  std::unique_ptr<Unit> unit_;
+  std::unique_ptr<ExchangedModel> unit_;
   double time_ = 0.0;
 };
 
@@ -174,7 +174,7 @@ TEST(CarUnit, ACopyGoesOnToTheSameBitsWhateverTheOtherDoes) {
   car.set("speed", 10.0);
   car.start();
   car.go(5);
-  const std::unique_ptr<Unit> copy = car.unit().clone();
+  const std::unique_ptr<ExchangedModel> copy = car.unit().clone();
   auto& other = static_cast<CarUnit&>(*copy);
   EXPECT_TRUE(*other.state() == *car.unit().state());
   car.set("load.Fx", 300.0);

@@ -84,7 +84,7 @@ class Zip {
 
 std::string fmu_package(FmiVersion version,
                         const UnitTitle& title,
-                        const std::vector<Variable>& variables,
+                        const std::vector<ExchangedVariable>& variables,
                         const std::filesystem::path& library,
                         const UnitFiles& resources) {
   const std::string description = model_description(version, title, variables);

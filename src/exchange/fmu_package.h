@@ -20,7 +20,7 @@ namespace latsch::exchange {
 /// `library` is the file that becomes the binary. Throws InputError if it cannot be read.
 std::string fmu_package(FmiVersion version,
                         const UnitTitle& title,
-                        const std::vector<Variable>& variables,
+                        const std::vector<ExchangedVariable>& variables,
                         const std::filesystem::path& library,
                         const UnitFiles& resources);
 

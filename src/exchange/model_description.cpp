@@ -60,12 +60,12 @@ std::string attribute(std::string_view name, std::string_view value) {
   return fmt::format(" {}=\"{}\"", name, escaped(value));
 }
 
-std::string unit_definitions(const std::vector<Variable>& variables) {
+std::string unit_definitions(const std::vector<ExchangedVariable>& variables) {
   std::string text = "  <UnitDefinitions>\n";
   for (const BaseUnit& unit : kUnits) {
     const bool used =
         unit.name == "s" ||
-        std::any_of(variables.begin(), variables.end(), [&](const Variable& variable) {
+        std::any_of(variables.begin(), variables.end(), [&](const ExchangedVariable& variable) {
           return variable.unit == unit.name;
         });
     if (!used) continue;
@@ -85,7 +85,7 @@ std::string log_categories() {
   return text + "  </LogCategories>\n";
 }
 
-std::string causality(const Variable& variable) {
+std::string causality(const ExchangedVariable& variable) {
   switch (variable.causality) {
     case Causality::parameter:
       return attribute("causality", "parameter") + attribute("variability", "fixed");
@@ -97,7 +97,7 @@ std::string causality(const Variable& variable) {
   return attribute("causality", "output") + attribute("variability", "continuous");
 }
 
-std::string unit_and_start(const Variable& variable) {
+std::string unit_and_start(const ExchangedVariable& variable) {
   assert(variable.unit == "1" ||
          std::any_of(kUnits.begin(), kUnits.end(), [&](const BaseUnit& unit) {
            return unit.name == variable.unit;
@@ -123,7 +123,7 @@ std::string variable_element(FmiVersion version,
              : "    <Float64" + head + unit + "/>\n";
 }
 
-std::string model_variables(FmiVersion version, const std::vector<Variable>& variables) {
+std::string model_variables(FmiVersion version, const std::vector<ExchangedVariable>& variables) {
   std::string text = "  <ModelVariables>\n";
   text += variable_element(
       version,
@@ -142,7 +142,7 @@ std::string model_variables(FmiVersion version, const std::vector<Variable>& var
   return text + "  </ModelVariables>\n";
 }
 
-std::string model_structure(FmiVersion version, const std::vector<Variable>& variables) {
+std::string model_structure(FmiVersion version, const std::vector<ExchangedVariable>& variables) {
   const bool two = version == FmiVersion::fmi2;
   std::string outputs, initial;
   for (std::size_t i = 0; i < variables.size(); ++i) {
@@ -176,7 +176,7 @@ std::string identifier_of(const std::string& name) {
 
 std::string model_description(FmiVersion version,
                               const UnitTitle& title,
-                              const std::vector<Variable>& variables) {
+                              const std::vector<ExchangedVariable>& variables) {
   const bool two = version == FmiVersion::fmi2;
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiModelDescription" +
          attribute("fmiVersion", two ? "2.0" : "3.0") + attribute("modelName", title.name) +

@@ -42,6 +42,6 @@ std::string identifier_of(const std::string& name);
 
 std::string model_description(FmiVersion version,
                               const UnitTitle& title,
-                              const std::vector<Variable>& variables);
+                              const std::vector<ExchangedVariable>& variables);
 
 }  // namespace latsch::exchange

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 // Indices in the table at which vectors begin.
 enum Given : std::size_t { pressure, is_carried_on, x, yaw = 5, vx = 8, wx = 11, spin = 14 };
 
-std::vector<Variable> table(double height) {
+std::vector<ExchangedVariable> table(double height) {
   const auto parameter = Causality::parameter, input = Causality::input, output = Causality::output;
   return {
       {"pressure", parameter, "Pa", "inflation; 0: that of the tire's file", 0.0},
@@ -95,7 +95,7 @@ TireUnit::TireUnit(std::shared_ptr<experiment::Specimen> specimen,
   if (!rolls_) throw InputError("the model does not roll: expected a tire that does");
   tire_ = rolls_->tire();
   const double height = road_->at(0.0, 0.0, 0.0).height + tire_->free_radius();
-  variables_ = std::make_shared<const std::vector<Variable>>(table(height));
+  variables_ = std::make_shared<const std::vector<ExchangedVariable>>(table(height));
   for (std::size_t i = 0; i < kGiven; ++i) given_[i] = (*variables_)[i].start;
 }
 

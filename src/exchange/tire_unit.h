@@ -31,18 +31,20 @@ double loaded_radius(const WheelMotion& motion, const road::Road& road, double t
 /// Evaluates (2).
 WheelMotion carried_on(const WheelMotion& motion, double step);
 
-class TireUnit final : public Unit {
+class TireUnit final : public ExchangedModel {
  public:
   /// Throws InputError if the specimen does not roll.
   TireUnit(std::shared_ptr<experiment::Specimen> specimen, std::shared_ptr<const road::Road> road);
   TireUnit(const TireUnit& other);
 
-  const std::vector<Variable>& variables() const override { return *variables_; }
+  const std::vector<ExchangedVariable>& variables() const override { return *variables_; }
   double value(std::size_t variable) const override;
   void set(std::size_t variable, double value) override;
   std::optional<Failure> start(double time) override;
   std::optional<Failure> step(double time, double step) override;
-  std::unique_ptr<Unit> clone() const override { return std::make_unique<TireUnit>(*this); }
+  std::unique_ptr<ExchangedModel> clone() const override {
+    return std::make_unique<TireUnit>(*this);
+  }
 
   /// Motion according to the inputs.
   WheelMotion motion() const;
@@ -55,7 +57,7 @@ class TireUnit final : public Unit {
   std::shared_ptr<experiment::Specimen> specimen_;
   const experiment::Rolls* rolls_;
   std::shared_ptr<const road::Road> road_;
-  std::shared_ptr<const std::vector<Variable>> variables_;
+  std::shared_ptr<const std::vector<ExchangedVariable>> variables_;
   std::unique_ptr<Tire> tire_;
   std::array<double, kGiven> given_{};      // parameters and inputs, in the table's order
   std::array<double, kAnswers> answers_{};  // outputs except those of the footprint

@@ -24,7 +24,7 @@ namespace latsch::exchange {
 
 enum class Causality { parameter, input, output };
 
-struct Variable {
+struct ExchangedVariable {
   std::string name;  // parts joined by points: "wheel.x"
   Causality causality = Causality::output;
   std::string unit;  // a unit of model_description.h: "N m"; "1": none
@@ -32,13 +32,13 @@ struct Variable {
   double start = 0.0;  // start value of parameters and inputs
 };
 
-class Unit {
+class ExchangedModel {
  public:
-  virtual ~Unit() = default;
+  virtual ~ExchangedModel() = default;
 
   /// The table is constant during the unit's life and in its copies. A variable's index in it is
   /// its number.
-  virtual const std::vector<Variable>& variables() const = 0;
+  virtual const std::vector<ExchangedVariable>& variables() const = 0;
   virtual double value(std::size_t variable) const = 0;
   /// Sets a parameter or an input to a finite value.
   virtual void set(std::size_t variable, double value) = 0;
@@ -50,7 +50,7 @@ class Unit {
   /// unit after start(), can continue.
   virtual std::optional<Failure> step(double time, double step) = 0;
 
-  virtual std::unique_ptr<Unit> clone() const = 0;
+  virtual std::unique_ptr<ExchangedModel> clone() const = 0;
 };
 
 }  // namespace latsch::exchange

@@ -70,13 +70,13 @@ void add_road(UnitFiles& files, const fs::path& road) {
 struct UnitKind {
   const char* name;
   const char* ability;
-  std::unique_ptr<Unit> (*make)(std::shared_ptr<experiment::Specimen>,
-                                std::shared_ptr<const road::Road>);
+  std::unique_ptr<ExchangedModel> (*make)(std::shared_ptr<experiment::Specimen>,
+                                          std::shared_ptr<const road::Road>);
 };
 
 template <class OfThisKind>
-std::unique_ptr<Unit> make(std::shared_ptr<experiment::Specimen> specimen,
-                           std::shared_ptr<const road::Road> road) {
+std::unique_ptr<ExchangedModel> make(std::shared_ptr<experiment::Specimen> specimen,
+                                     std::shared_ptr<const road::Road> road) {
   return std::make_unique<OfThisKind>(std::move(specimen), std::move(road));
 }
 
@@ -91,9 +91,9 @@ const UnitKind& unit_kind_of(const experiment::SpecimenKind& kind) {
 
 }  // namespace
 
-std::unique_ptr<Unit> unit_of(const experiment::SpecimenKind& kind,
-                              const Document& numbers,
-                              const fs::path& road) {
+std::unique_ptr<ExchangedModel> unit_of(const experiment::SpecimenKind& kind,
+                                        const Document& numbers,
+                                        const fs::path& road) {
   const UnitKind& unit = unit_kind_of(kind);
   std::shared_ptr<const road::Road> surface;
   if (road.empty()) {
@@ -106,11 +106,12 @@ std::unique_ptr<Unit> unit_of(const experiment::SpecimenKind& kind,
 
 UnitFiles unit_files(const experiment::SpecimenKind& kind,
                      const Document& numbers,
-                     const fs::path& road) {
+                     const fs::path& road,
+                     const std::string& model_text) {
   unit_of(kind, numbers, road);  // errors are reported for the files as written
   UnitFiles files;
   const std::string model = kModel + fs::path(numbers.file()).extension().string();
-  files.emplace_back(model, kind.text(numbers));
+  files.emplace_back(model, model_text.empty() ? kind.text(numbers) : model_text);
   if (road.empty()) {
     files.emplace_back("road.toml", kFlatRoad);
   } else {

@@ -27,19 +27,21 @@ using UnitFiles = std::vector<std::pair<std::string, std::string>>;
 
 /// Returns a tire or a car with these numbers on the road of a file (.toml, .crg, .rdf); empty:
 /// flat, height 0. Throws InputError if there is no such unit.
-std::unique_ptr<Unit> unit_of(const experiment::SpecimenKind& kind,
-                              const Document& numbers,
-                              const std::filesystem::path& road = {});
-/// Returns the unit as files, including the files that the road's file refers to.
+std::unique_ptr<ExchangedModel> unit_of(const experiment::SpecimenKind& kind,
+                                        const Document& numbers,
+                                        const std::filesystem::path& road = {});
+/// Returns the unit as files, including the files that the road's file refers to. `model_text`: the
+/// text of the model's file, with the origin of its numbers; empty: the numbers alone.
 UnitFiles unit_files(const experiment::SpecimenKind& kind,
                      const Document& numbers,
-                     const std::filesystem::path& road = {});
+                     const std::filesystem::path& road = {},
+                     const std::string& model_text = "");
 
 /// Returns the token of these files, "{...}", which is that of unit.toml.
 std::string token_of(const UnitFiles& files);
 
 struct UnitFromFolder {
-  std::unique_ptr<Unit> unit;
+  std::unique_ptr<ExchangedModel> unit;
   std::string token;
 };
 

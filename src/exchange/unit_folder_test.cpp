@@ -33,8 +33,8 @@ void write_all(const UnitFiles& files, const fs::path& folder) {
   }
 }
 
-double start_of(const Unit& unit, const std::string& name) {
-  for (const Variable& variable : unit.variables())
+double start_of(const ExchangedModel& unit, const std::string& name) {
+  for (const ExchangedVariable& variable : unit.variables())
     if (variable.name == name) return variable.start;
   ADD_FAILURE() << name;
   return 0.0;

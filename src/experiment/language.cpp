@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/language.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "base/document_record.h"
 #include "base/text.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/language/model_file.h"
 
 namespace latsch::experiment {
@@ -63,6 +67,12 @@ std::vector<std::string> Language::test_names() const {
 const SpecimenKind* Language::find_kind(const std::string& name) const {
   for (const SpecimenKind* kind : kinds)
     if (kind->name() == name) return kind;
+  return nullptr;
+}
+
+const TestKind* Language::find_test(const std::string& name) const {
+  for (const TestKind* test : tests)
+    if (test->name == name) return test;
   return nullptr;
 }
 
@@ -141,11 +151,37 @@ void check_ability(const Language& language, const SpecimenKind& kind, const Tes
 
 }  // namespace
 
+namespace {
+
+/// Returns a Failure for the first value that is not a number; `before` samples were recorded in
+/// earlier blocks.
+std::optional<Failure> not_a_number(const Channels& channels, std::size_t before = 0) {
+  for (const Channel& channel : channels.all())
+    for (std::size_t i = 0; i < channel.values.size(); ++i)
+      if (std::isnan(channel.values[i]))
+        return Failure{fmt::format(
+            "{} is not a number at sample {}: the model's equations have no value there, so this "
+            "test has no result",
+            channel.name,
+            before + i + 1)};
+  return std::nullopt;
+}
+
+/// Carries a Failure out of a test that passes its channels on block by block.
+struct NotANumber {
+  Failure failure;
+};
+
+}  // namespace
+
 Result<Channels> Language::run(const SpecimenKind& kind,
                                const Document& numbers,
                                const Test& test) const {
   check_ability(*this, kind, test);
-  return test.run(*kind.build(numbers));
+  auto recorded = test.run(*kind.build(numbers));
+  if (!recorded) return recorded;
+  if (auto failure = not_a_number(*recorded)) return std::move(*failure);
+  return recorded;
 }
 
 Result<std::vector<std::string>> Language::run_in_blocks(
@@ -154,7 +190,20 @@ Result<std::vector<std::string>> Language::run_in_blocks(
     const Test& test,
     const std::function<void(const Channels&)>& tell) const {
   check_ability(*this, kind, test);
-  return test.run_in_blocks(*kind.build(numbers), tell);
+  std::size_t before = 0;
+  const auto specimen = kind.build(numbers);
+  try {
+    auto notes = test.run_in_blocks(*specimen, [&](const Channels& block) {
+      if (auto failure = not_a_number(block, before)) throw NotANumber{std::move(*failure)};
+      before += block.empty() ? 0 : block.all().front().values.size();
+      tell(block);
+    });
+    if (notes)
+      for (std::string& limit : limits_met(*specimen)) notes->push_back(std::move(limit));
+    return notes;
+  } catch (const NotANumber& found) {
+    return found.failure;
+  }
 }
 
 }  // namespace latsch::experiment

@@ -20,8 +20,9 @@ struct Language {
 
   std::vector<std::string> kind_names() const;
   std::vector<std::string> test_names() const;
-  /// Returns nullptr if no kind has that name.
+  /// Returns nullptr if no kind has the given name.
   const SpecimenKind* find_kind(const std::string& name) const;
+  const TestKind* find_test(const std::string& name) const;
   /// Decides by a model's file alone: the `kind` that a TOML file states, else the first kind that
   /// recognizes the file. Throws InputError.
   const SpecimenKind& kind_of_file(const std::filesystem::path& file) const;

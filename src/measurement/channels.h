@@ -26,7 +26,7 @@ class Channels {
  public:
   void add(Channel channel);
 
-  /// Returns nullptr if no channel has that name.
+  /// Returns nullptr if no channel has the given name.
   const Channel* find(std::string_view name) const;
   /// Throws std::out_of_range naming the existing channels.
   const std::vector<double>& operator[](std::string_view name) const;

@@ -60,10 +60,10 @@ struct Ledger {
   std::vector<LedgerRow> rows = {};
   std::vector<LedgerDoubt> doubts = {};
 
-  /// Returns the row with that name in the file; nullptr if there is none.
+  /// Returns the row with the given name in the file; nullptr if there is none.
   LedgerRow* find_written(const std::string& name);
   const LedgerRow* find_written(const std::string& name) const;
-  /// Returns the row that became that channel or parameter; nullptr if there is none.
+  /// Returns the row that became the given channel or parameter; nullptr if there is none.
   LedgerRow* find_taken(const std::string& name);
   const LedgerRow* find_taken(const std::string& name) const;
   /// Marks a row as used by `by`; a repeated name counts once.

@@ -98,8 +98,8 @@ std::vector<double> what_is_aligned(std::span<const double> x,
   constexpr int kOrder = 4;
   constexpr double kNoLimit = 0.45;  // share of the sampling rate
   if (settings.align_below > 0.0 && settings.align_below < kNoLimit * rate) {
-    const auto sections = numerics::sections_of(
-        numerics::butterworth(kOrder, numerics::Band::low_pass, {settings.align_below}, rate));
+    const auto sections = numerics::sections_of(numerics::butterworth(
+        kOrder, numerics::FilterBand::low_pass, {settings.align_below}, rate));
     if (static_cast<int>(x.size()) > numerics::forward_backward_padding(sections)) {
       return numerics::filter_forward_backward(sections, x);
     }

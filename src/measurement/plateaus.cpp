@@ -76,8 +76,8 @@ std::vector<double> smooth_speed(const DrumRecord& record,
                                  record.rate,
                                  settings.low_pass));
   }
-  const auto sections =
-      sections_of(butterworth(settings.order, Band::low_pass, {settings.low_pass}, record.rate));
+  const auto sections = sections_of(
+      butterworth(settings.order, FilterBand::low_pass, {settings.low_pass}, record.rate));
   if (record.samples <= forward_backward_padding(sections)) {
     throw InputError({record.source, 0},
                      fmt::format("has {} samples, too few to low-pass the speed", record.samples));

@@ -11,7 +11,7 @@ namespace latsch::numerics {
 /// Cost of a pair that is not allowed.
 inline constexpr double kForbidden = 1e300;
 
-/// Returns partner[row] = column, or -1 if the row stays alone: the largest number of allowed
+/// Returns partner[row] = column, or -1 if the row has no partner: the largest number of allowed
 /// pairs, at least total cost. `cost` may have any shape; entries are finite or kForbidden.
 std::vector<int> assign(const Eigen::MatrixXd& cost);
 

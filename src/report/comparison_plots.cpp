@@ -25,7 +25,7 @@ std::vector<double> scaled(const std::vector<double>& values, double unit) {
 
 void draw_errors(Svg& svg,
                  const Axis& x,
-                 const ForceCurve& curve,
+                 const ComparedForces& curve,
                  const std::vector<double>& abscissa,
                  std::string_view x_title) {
   std::vector<double> errors;
@@ -49,7 +49,7 @@ void draw_errors(Svg& svg,
 
 }  // namespace
 
-std::string force_plot(const ForceCurve& curve) {
+std::string force_plot(const ComparedForces& curve) {
   std::vector<double> abscissa = scaled(curve.abscissa, kMillimeter);
   abscissa.resize(std::min({abscissa.size(), curve.measured.size(), curve.simulated.size()}));
   const auto measured = scaled(curve.measured, kKilonewton),
@@ -89,7 +89,7 @@ std::string frequency_plot(const ModalComparison& comparison) {
   constexpr double kRow = 23.0, kTop = 30.0, kLeft = 178.0, kRight = 560.0;
   const auto rows = static_cast<double>(comparison.pairs.size());
   std::vector<double> errors, lower, upper;
-  for (const ModePair& pair : comparison.pairs) {
+  for (const ComparedModes& pair : comparison.pairs) {
     const auto error = [&](double f) {
       return 100.0 * (pair.measured - f) / pair.measured;
     };  // (1)
@@ -104,21 +104,21 @@ std::string frequency_plot(const ModalComparison& comparison) {
   Svg svg(780, bottom + 46, "Relative difference of the frequencies, " + comparison.experiment);
   for (const auto& tick : x.ticks()) {
     svg.line({x.at(tick.value), kTop}, {x.at(tick.value), bottom}, "class=\"grid\"");
-    svg.text({x.at(tick.value), bottom + 16}, tick.label, Anchor::middle);
+    svg.text({x.at(tick.value), bottom + 16}, tick.label, TextAnchor::middle);
   }
   svg.text({0.5 * (kLeft + kRight), bottom + 36},
            "Δf = (measured − simulated) / measured [%]",
-           Anchor::middle,
+           TextAnchor::middle,
            "title");
-  svg.text({640, kTop - 10}, "measured", Anchor::end, "title");
-  svg.text({710, kTop - 10}, "simulated", Anchor::end, "title");
-  svg.text({774, kTop - 10}, "Δf", Anchor::end, "title");
+  svg.text({640, kTop - 10}, "measured", TextAnchor::end, "title");
+  svg.text({710, kTop - 10}, "simulated", TextAnchor::end, "title");
+  svg.text({774, kTop - 10}, "Δf", TextAnchor::end, "title");
   size_t next = 0;
   for (size_t k = 0; k < comparison.pairs.size(); ++k) {
-    const ModePair& pair = comparison.pairs[k];
+    const ComparedModes& pair = comparison.pairs[k];
     const double y = kTop + kRow * static_cast<double>(k), middle = y + 0.5 * kRow + 4;
     const double error = errors[next++];
-    svg.text({kLeft - 12, middle}, pair.label, Anchor::end, "label");
+    svg.text({kLeft - 12, middle}, pair.label, TextAnchor::end, "label");
     std::string tip = fmt::format("{}: {}", pair.label, signed_percent(error / 100.0));
     if (pair.likeness) tip += fmt::format(", MAC {}", fixed(*pair.likeness, 3));
     if (pair.initial) {
@@ -141,9 +141,9 @@ std::string frequency_plot(const ModalComparison& comparison) {
       };
       svg.line(end(lower[k]), end(upper[k]), "class=\"ink\"");
     }
-    svg.text({640, middle}, fixed(pair.measured, 1), Anchor::end, "number");
-    svg.text({710, middle}, fixed(pair.simulated, 1), Anchor::end, "number");
-    svg.text({774, middle}, signed_percent(error / 100.0, 1), Anchor::end, "number");
+    svg.text({640, middle}, fixed(pair.measured, 1), TextAnchor::end, "number");
+    svg.text({710, middle}, fixed(pair.simulated, 1), TextAnchor::end, "number");
+    svg.text({774, middle}, signed_percent(error / 100.0, 1), TextAnchor::end, "number");
   }
   svg.line({x.at(0), kTop}, {x.at(0), bottom}, "class=\"axis\"");
   return svg.str();
@@ -182,7 +182,7 @@ std::string convergence_plot(const Convergence& convergence) {
   if (std::isfinite(best)) {
     svg.text({x.last_pixel() + 8, y.at(std::max(best, y.lower())) + 4},
              "best " + significant(best, 3) + " %",
-             Anchor::start,
+             TextAnchor::start,
              "strong");
   }
   return svg.str();

@@ -9,7 +9,7 @@
 namespace latsch::report {
 
 /// Draws force over deflection, with the error (2) of every point below.
-std::string force_plot(const ForceCurve& curve);
+std::string force_plot(const ComparedForces& curve);
 
 /// Draws the relative difference (1) of every paired mode as a bar, beside its label and both
 /// frequencies.

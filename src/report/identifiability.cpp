@@ -24,14 +24,14 @@ std::string figure(const std::string& heading,
                      escape(caption));
 }
 
-const ProfileCurve* profile_of(const Identifiability& what, const std::string& variable) {
+const ProfileCurve* profile_of(const IdentifiabilityPage& what, const std::string& variable) {
   for (const ProfileCurve& curve : what.profiles) {
     if (curve.variable == variable) return &curve;
   }
   return nullptr;
 }
 
-std::string interval_table(const Identifiability& what) {
+std::string interval_table(const IdentifiabilityPage& what) {
   const bool judged = !what.profiles.empty();
   std::string html = fmt::format(
       "<div class=\"scroll\"><table><thead><tr><th>Variable</th><th>Found</th><th>95 % interval, "
@@ -57,7 +57,7 @@ std::string interval_table(const Identifiability& what) {
   return html + "</tbody></table></div>";
 }
 
-std::string left_out_table(const Identifiability& what) {
+std::string left_out_table(const IdentifiabilityPage& what) {
   if (what.left_out.empty()) return "";
   std::string html =
       "<h3>Cross-validation <span>each experiment predicted from the fit of the others</span></h3>"
@@ -75,7 +75,7 @@ std::string left_out_table(const Identifiability& what) {
          "errors.</p>";
 }
 
-std::string band_table(const Identifiability& what) {
+std::string band_table(const IdentifiabilityPage& what) {
   if (what.bands.empty()) return "";
   std::string html =
       "<h3>Computed values <span>how uncertain they are because the variables are: 95 % "
@@ -95,7 +95,7 @@ std::string band_table(const Identifiability& what) {
   return html + "</tbody></table></div>" + remarks;
 }
 
-std::string gain_table(const Identifiability& what) {
+std::string gain_table(const IdentifiabilityPage& what) {
   if (what.gains.empty()) return "";
   std::string html =
       "<h3>What to measure next <span>the most useful first</span></h3><div "
@@ -111,7 +111,7 @@ std::string gain_table(const Identifiability& what) {
   return html + "</tbody></table></div>";
 }
 
-std::string missed_list(const Identifiability& what) {
+std::string missed_list(const IdentifiabilityPage& what) {
   if (what.missed.empty()) return "";
   std::string html =
       "<h3>Missed values <span>by more than three times their noise, 1 % if none is stated; to "
@@ -123,7 +123,7 @@ std::string missed_list(const Identifiability& what) {
 
 }  // namespace
 
-std::string identifiability_chapter(const Identifiability& what) {
+std::string identifiability_chapter(const IdentifiabilityPage& what) {
   std::string html =
       fmt::format("<p class=\"lead\">How well {} measured values{} determine {} variable{}.</p>",
                   what.residuals,

@@ -44,7 +44,7 @@ struct Gain {
   std::string helps;       // variable whose deviation falls most
 };
 
-struct Identifiability {
+struct IdentifiabilityPage {
   std::vector<std::string> variables;
   std::vector<std::string> values;          // "10.02 N/mm^2"
   std::vector<std::string> intervals;       // "9.8 .. 10.3 N/mm^2"
@@ -65,6 +65,6 @@ struct Identifiability {
 };
 
 /// Returns the chapter's body.
-std::string identifiability_chapter(const Identifiability& what);
+std::string identifiability_chapter(const IdentifiabilityPage& what);
 
 }  // namespace latsch::report

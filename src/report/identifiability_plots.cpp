@@ -35,7 +35,7 @@ std::string cell_style(double correlation) {
 
 }  // namespace
 
-std::string spectrum_plot(const Identifiability& what) {
+std::string spectrum_plot(const IdentifiabilityPage& what) {
   constexpr double kRow = 28.0, kTop = 14.0, kBars = 290.0;
   const double kLeft = room_for(what.directions, 210.0), kRight = kLeft + kBars;
   const auto rows = static_cast<double>(what.deviations.size());
@@ -49,16 +49,16 @@ std::string spectrum_plot(const Identifiability& what) {
           "Standard deviation along the directions of the variables");
   for (const auto& tick : x.ticks()) {
     svg.line({x.at(tick.value), kTop}, {x.at(tick.value), bottom}, "class=\"grid\"");
-    svg.text({x.at(tick.value), bottom + 16}, tick.label, Anchor::middle);
+    svg.text({x.at(tick.value), bottom + 16}, tick.label, TextAnchor::middle);
   }
   svg.text({0.5 * (kLeft + kRight), bottom + 38},
            "Standard deviation [% of the range]",
-           Anchor::middle,
+           TextAnchor::middle,
            "title");
   for (size_t k = 0; k < what.deviations.size(); ++k) {
     const double y = kTop + kRow * static_cast<double>(k);
     const bool flat = what.deviations[k] >= 1.0;
-    svg.text({kLeft - 10, y + 0.5 * kRow + 4}, what.directions[k], Anchor::end, "label");
+    svg.text({kLeft - 10, y + 0.5 * kRow + 4}, what.directions[k], TextAnchor::end, "label");
     svg.rectangle({kLeft, y + 6},
                   std::max(1.5, x.at(percents[k + 1]) - kLeft),
                   kRow - 12,
@@ -70,7 +70,7 @@ std::string spectrum_plot(const Identifiability& what) {
   return svg.str();
 }
 
-std::string correlation_plot(const Identifiability& what) {
+std::string correlation_plot(const IdentifiabilityPage& what) {
   constexpr double kTop = 34.0;
   std::vector<std::string> rows;
   for (const std::string& variable : what.variables) rows.push_back(variable + " (22)");
@@ -90,7 +90,7 @@ std::string correlation_plot(const Identifiability& what) {
     const double y = kTop + cell * static_cast<double>(i);
     const std::string row =
         are_short ? what.variables[i] : what.variables[i] + " " + column_number(i);
-    svg.text({kLeft - 10, y + 0.5 * cell + 4}, row, Anchor::end, "label");
+    svg.text({kLeft - 10, y + 0.5 * cell + 4}, row, TextAnchor::end, "label");
     for (Eigen::Index j = 0; j < n; ++j) {
       const double x = kLeft + cell * static_cast<double>(j), r = what.correlation(i, j);
       // A variable held at its bound moves with no other, nor with itself.
@@ -107,12 +107,12 @@ std::string correlation_plot(const Identifiability& what) {
       if (cell >= 40.0)
         svg.text({x + 0.5 * cell, y + 0.5 * cell + 4},
                  shown,
-                 Anchor::middle,
+                 TextAnchor::middle,
                  std::abs(r) > 0.5 ? "on-field" : "number");
     }
     svg.text({kLeft + cell * (static_cast<double>(i) + 0.5), kTop - 10},
              are_short ? what.variables[i] : column_number(i),
-             Anchor::middle);
+             TextAnchor::middle);
   }
   return svg.str();
 }
@@ -154,7 +154,7 @@ std::string profile_plot(const ProfileCurve& curve) {
   }
   svg.line(
       {across.first_pixel(), up.at(1.0)}, {across.last_pixel(), up.at(1.0)}, "class=\"limit\"");
-  svg.text({across.last_pixel() - 4, up.at(1.0) - 6}, "95 %", Anchor::end);
+  svg.text({across.last_pixel() - 4, up.at(1.0) - 6}, "95 %", TextAnchor::end);
   const double found = across.at(in_unit(curve.found, curve.unit));
   svg.line({found, up.first_pixel()}, {found, up.last_pixel()}, "class=\"initial\"");
   return svg.str();

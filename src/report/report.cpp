@@ -46,7 +46,7 @@ std::string band_in_words(std::string_view how, const Band& band) {
 
 std::string forces(const StudyReport& report) {
   std::string html = "<div class=\"figures\">";
-  for (const ForceCurve& curve : report.forces) {
+  for (const ComparedForces& curve : report.forces) {
     html += figure(curve.experiment,
                    with_kind(curve.conditions, curve.fitted),
                    force_plot(curve),
@@ -87,16 +87,17 @@ std::string frequencies(const StudyReport& report) {
   std::string html;
   for (const ModalComparison& comparison : report.modes) {
     std::vector<double> measured, simulated;
-    for (const ModePair& pair : comparison.pairs) {
+    for (const ComparedModes& pair : comparison.pairs) {
       measured.push_back(pair.measured);
       simulated.push_back(pair.simulated);
     }
     std::string caption = fmt::format("{} modes paired, mean |Δf| = {}.",
                                       comparison.pairs.size(),
                                       percent(mean_error(measured, simulated)));
-    const bool initial = std::any_of(comparison.pairs.begin(),
-                                     comparison.pairs.end(),
-                                     [](const ModePair& pair) { return pair.initial.has_value(); });
+    const bool initial = std::any_of(
+        comparison.pairs.begin(), comparison.pairs.end(), [](const ComparedModes& pair) {
+          return pair.initial.has_value();
+        });
     if (initial) caption += " Dashed: at the initial values.";
     caption += band_in_words("Lines", comparison.band);
     html += figure(comparison.experiment,

@@ -63,7 +63,7 @@ struct Band {
 };
 
 /// Measured and simulated forces of one load-deflection experiment.
-struct ForceCurve {
+struct ComparedForces {
   std::string experiment;
   std::string conditions;  // for example "2.6 bar"
   bool fitted = true;
@@ -117,7 +117,7 @@ struct MeasuredValue {
 };
 
 /// Measured mode and its simulated partner, Hz.
-struct ModePair {
+struct ComparedModes {
   std::string label;  // "radial n=2"
   double measured = 0.0, simulated = 0.0;
   std::optional<double> initial;   // simulated at the initial values
@@ -133,7 +133,7 @@ struct ModalComparison {
   std::string experiment;
   std::string conditions;
   bool fitted = true;
-  std::vector<ModePair> pairs;         // in the order of the measurement
+  std::vector<ComparedModes> pairs;    // in the order of the measurement
   std::vector<UnmatchedMode> missing;  // measured, not simulated
   std::vector<UnmatchedMode> extra;    // simulated, not measured
   Band band = {};                      // Hz, band of the simulated frequencies of `pairs`
@@ -247,7 +247,7 @@ struct StudyReport {
   std::vector<CheckRow> checks;  // checks of a validation, in place of a target
   std::vector<Variable> variables;
   std::vector<ExperimentRow> experiments;
-  std::vector<ForceCurve> forces;
+  std::vector<ComparedForces> forces;
   std::vector<MeasuredCurve> curves;
   std::vector<MeasuredValue> values;
   std::vector<ModalComparison> modes;
@@ -255,7 +255,7 @@ struct StudyReport {
   std::vector<Surface> surfaces;
   std::optional<Basins> basins;
   std::vector<EffectRow> effects;
-  std::optional<Identifiability> identifiability;
+  std::optional<IdentifiabilityPage> identifiability;
   std::optional<FittedBy> fitted_by;
   std::optional<RunFacts> run;
   bool is_of_design = false;  // true if the found point is the best trial of a design, no fit

@@ -194,7 +194,7 @@ TEST(Report, OfADesignSaysNothingOfAFit) {
   report.identifiability.reset();
   EXPECT_NE(html(report).find(">Found</th>"), std::string::npos);
   report.is_of_design = true;
-  for (ForceCurve& curve : report.forces) curve.of_design = true;
+  for (ComparedForces& curve : report.forces) curve.of_design = true;
   for (MeasuredCurve& curve : report.curves) curve.of_design = true;
   const std::string page = html(report);
   EXPECT_EQ(page.find(">Found</th>"), std::string::npos);
@@ -284,7 +284,7 @@ TEST(Report, HoldsTheViewsOfTheStudioBesideItsChapters) {
   EXPECT_NE(page.find("<style id=\"studio-style\" media=\"not all\">h1"), std::string::npos);
 }
 
-/// Returns the cells of the row of the value table with that name.
+/// Returns the cells of the row of the value table with the given name.
 std::string value_row(const std::string& html, const std::string& name) {
   const std::size_t begin = html.find("<tr><td>" + name);
   return begin == std::string::npos ? "" : html.substr(begin, html.find("</tr>", begin) - begin);
@@ -429,7 +429,7 @@ TEST(HtmlText, NumbersAreReadable) {
 
 TEST(Report, SaysWhatTheDataDetermine) {
   StudyReport report;
-  Identifiability what;
+  IdentifiabilityPage what;
   what.variables = {"matrix <b>", "carcass"};
   what.values = {"10 N/mm^2", "6 GPa"};
   what.intervals = {"9 .. 11 N/mm^2", "at least 2 GPa"};
@@ -508,8 +508,8 @@ void expect_nothing_cut(const std::string& svg) {
 }
 
 // The number of variables is that of a Magic Formula in a fit of pure slips.
-Identifiability of_many_variables(int count) {
-  Identifiability what;
+IdentifiabilityPage of_many_variables(int count) {
+  IdentifiabilityPage what;
   what.residuals = 400;
   for (int i = 0; i < count; ++i) {
     what.variables.push_back(fmt::format("lateral_peak_{}", i));
@@ -525,7 +525,7 @@ Identifiability of_many_variables(int count) {
 TEST(IdentifiabilityChapter, NothingIsCutAtTwentyTwoVariables) {
   for (const int count : {2, 5, 22, 40}) {
     SCOPED_TRACE(count);
-    const Identifiability what = of_many_variables(count);
+    const IdentifiabilityPage what = of_many_variables(count);
     expect_nothing_cut(correlation_plot(what));
     expect_nothing_cut(spectrum_plot(what));
     EXPECT_EQ(fault_in_tags(identifiability_chapter(what)), "");
@@ -539,7 +539,7 @@ TEST(ConvergencePlot, TheBestTargetIsNotCut) {
 }
 
 TEST(CorrelationPlot, AVariableHeldAtItsBoundHasNone) {
-  Identifiability what = of_many_variables(3);
+  IdentifiabilityPage what = of_many_variables(3);
   what.correlation(1, 1) = 0.0;
   const std::string svg = correlation_plot(what);
   EXPECT_NE(svg.find(">–<"), std::string::npos);

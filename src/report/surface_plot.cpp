@@ -224,8 +224,10 @@ void SurfacePlot::mark(const Eigen::Vector2d& si, std::string_view words, bool c
     svg_.circle({px, py}, 5.5, "class=\"mark\"");
   }
   const bool right = px > 0.75 * kSurfaceRight;
-  svg_.text(
-      {right ? px - 10 : px + 10, py - 8}, words, right ? Anchor::end : Anchor::start, "on-field");
+  svg_.text({right ? px - 10 : px + 10, py - 8},
+            words,
+            right ? TextAnchor::end : TextAnchor::start,
+            "on-field");
 }
 
 void SurfacePlot::mark_points() {
@@ -251,7 +253,7 @@ void SurfacePlot::mark_points() {
     const bool right = at.x() > 0.75 * kSurfaceRight, low = at.y() + 18 > kSurfaceBottom;
     svg_.text({right ? at.x() - 12 : at.x() + 12, low ? at.y() - 10 : at.y() + 16},
               (lowest ? "lowest " : "local ") + target_percent(m.target),
-              right ? Anchor::end : Anchor::start,
+              right ? TextAnchor::end : TextAnchor::start,
               "on-field");
     lowest = false;
   }

@@ -105,11 +105,11 @@ void Svg::path(std::string_view data, std::string_view attributes) {
   body_ += fmt::format("<path d=\"{}\" {}/>", data, attributes);
 }
 
-void Svg::text(Point at, std::string_view words, Anchor anchor, std::string_view css_class) {
+void Svg::text(Point at, std::string_view words, TextAnchor anchor, std::string_view css_class) {
   if (!drawable(at)) return;
-  const char* side = anchor == Anchor::start    ? "start"
-                     : anchor == Anchor::middle ? "middle"
-                                                : "end";
+  const char* side = anchor == TextAnchor::start    ? "start"
+                     : anchor == TextAnchor::middle ? "middle"
+                                                    : "end";
   body_ += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\" class=\"{}\">{}</text>",
                        pixel(at.x()),
                        pixel(at.y()),
@@ -231,18 +231,18 @@ void draw_frame(Svg& svg,
   for (const auto& tick : x.ticks(options.x_spacing)) {
     const double px = x.at(tick.value);
     svg.line({px, top}, {px, bottom}, "class=\"grid\"");
-    if (options.label_x) svg.text({px, bottom + 16}, tick.label, Anchor::middle);
+    if (options.label_x) svg.text({px, bottom + 16}, tick.label, TextAnchor::middle);
   }
   double widest = 0.0;
   for (const auto& tick : y.ticks(options.y_spacing)) {
     const double py = y.at(tick.value);
     svg.line({left, py}, {right, py}, "class=\"grid\"");
-    svg.text({left - 7, py + 4}, tick.label, Anchor::end);
+    svg.text({left - 7, py + 4}, tick.label, TextAnchor::end);
     widest = std::max(widest, 6.5 * static_cast<double>(tick.label.size()));
   }
   svg.line({left, bottom}, {right, bottom}, "class=\"axis\"");
   if (!x_title.empty())
-    svg.text({0.5 * (left + right), bottom + 36}, x_title, Anchor::middle, "title");
+    svg.text({0.5 * (left + right), bottom + 36}, x_title, TextAnchor::middle, "title");
   if (!y_title.empty()) svg.vertical_text({left - 16 - widest, 0.5 * (top + bottom)}, y_title);
 }
 
@@ -332,7 +332,7 @@ void draw_color_bar(
     svg.line({top_left.x() + kWidth, py}, {top_left.x() + kWidth + 4, py}, "class=\"axis\"");
     svg.text({top_left.x() + kWidth + 7, py + 4}, tick.label);
   }
-  svg.text({top_left.x(), top_left.y() - 9}, title, Anchor::start, "title");
+  svg.text({top_left.x(), top_left.y() - 9}, title, TextAnchor::start, "title");
 }
 
 std::string_view drawn_as(bool fitted, bool of_design) {

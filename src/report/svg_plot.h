@@ -14,7 +14,7 @@ namespace latsch::report {
 
 using Point = Eigen::Vector2d;
 
-enum class Anchor { start, middle, end };
+enum class TextAnchor { start, middle, end };
 
 /// SVG picture under construction. Lengths are in CSS pixels, y points downward.
 class Svg {
@@ -38,7 +38,7 @@ class Svg {
   void path(std::string_view data, std::string_view attributes);
   void text(Point at,
             std::string_view words,
-            Anchor anchor = Anchor::start,
+            TextAnchor anchor = TextAnchor::start,
             std::string_view css_class = "note");
   void vertical_text(Point at, std::string_view words);
 

@@ -60,7 +60,7 @@ void scale_bar(Svg& svg, const Point& at, double pixels_per_mm) {
   svg.line(at, end, "class=\"ink\"");
   svg.line(at - Point(0, 3), at + Point(0, 3), "class=\"ink\"");
   svg.line(end - Point(0, 3), end + Point(0, 3), "class=\"ink\"");
-  svg.text(0.5 * (at + end) + Point(0, -7), significant(length, 3) + " mm", Anchor::middle);
+  svg.text(0.5 * (at + end) + Point(0, -7), significant(length, 3) + " mm", TextAnchor::middle);
 }
 
 /// Draws every element of a sector in its region's color; `nodes` are the positions in the section.
@@ -117,7 +117,7 @@ void section_legend(
         14,
         11,
         fmt::format("fill=\"{}\" class=\"element\"", muted_category(static_cast<int>(r))));
-    svg.text(at + Point(21, 0), mesh.region_names[r], Anchor::start, "label");
+    svg.text(at + Point(21, 0), mesh.region_names[r], TextAnchor::start, "label");
     at.y() += 20;
   }
   for (size_t p = 0; p < plies.plies.size(); ++p) {
@@ -125,13 +125,13 @@ void section_legend(
     svg.line(at + Point(0, -4), at + Point(14, -4), cord_color(static_cast<int>(p)));
     svg.text(at + Point(21, 0),
              fmt::format("{}, {}°", ply.name, fixed(ply.angle * 180.0 / std::numbers::pi, 0)),
-             Anchor::start,
+             TextAnchor::start,
              "label");
     at.y() += 20;
   }
   if (inflated) {
     svg.line(at + Point(0, -4), at + Point(14, -4), "class=\"inflated\"");
-    svg.text(at + Point(21, 0), "inflated", Anchor::start, "label");
+    svg.text(at + Point(21, 0), "inflated", TextAnchor::start, "label");
   }
 }
 
@@ -199,7 +199,7 @@ std::string section_picture(const fe_tire::Mesh& mesh,
   scale_bar(svg, {window.corner.x(), window.height() + 46}, window.scale);
   svg.text({window.corner.x() + window.width(), window.height() + 46},
            "dots: held by the rim",
-           Anchor::end);
+           TextAnchor::end);
   return svg.str();
 }
 

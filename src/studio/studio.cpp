@@ -142,7 +142,7 @@ class Studio::Impl {
         {"/api/study", [&](auto& s) { return study_view(s, runs_); }},
         {"/api/convergence",
          [&](auto& s) {
-           const Stretch stretch{
+           const TrialRange stretch{
                query.number("from", 1), query.number("to", 0), query.number("most", 4000)};
            return convergence_view(s, stretch, weights);
          }},
@@ -244,8 +244,8 @@ class Studio::Impl {
     }
   }
 
-  /// Returns the trials that came since the last event of that study; null if it cannot be read any
-  /// more.
+  /// Returns the trials that came since the last event of the given study; null if it cannot be
+  /// read any more.
   Json trials_event(const ShelvedStudy& shelved) {
     return shelved.look([&](const auto& sight) -> Json {
       if (!sight.table) return nullptr;

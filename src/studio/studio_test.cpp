@@ -276,12 +276,11 @@ TEST_F(Asked, NoiseThatTheFitTellsIsFollowed) {
   {
     Journal journal = Journal::open(study.run.journal, identity(study));
     ThreadExecutor executor([&] { return evaluator(study); }, 1);
-    std::optional<correlation::StageEnd> before;
-    for (int k = 0; k < correlation::stage_count(study); ++k) {
-      const auto part = correlation::weighted_stage(study, k, before);
-      const auto found = correlation::fit(part, executor, journal, {.max_steps = part.max_steps});
-      before = correlation::end_of_stage(study, k, found.run.best()->point, journal, before);
-    }
+    correlation::run_stages(study, [&](const correlation::StageRun& stage) {
+      const RunOptions options{.max_steps = stage.study.max_steps};
+      return correlation::StageResult{correlation::fit(stage.study, executor, journal, options),
+                                      &journal};
+    });
   }
   const Journal journal = Journal::read(study.run.journal);
   const auto weighted = correlation::with_estimated_noise(study, journal);

@@ -54,7 +54,7 @@ class Drive {
   /// Returns all outputs.
   Bits answer() {
     std::vector<double> values;
-    for (const Variable& variable : package_.variables) {
+    for (const ExchangedVariable& variable : package_.variables) {
       if (variable.causality != Causality::output) continue;
       values.emplace_back();
       EXPECT_EQ(slave_->get(package_.reference(variable.name), values.back()), Status::ok);

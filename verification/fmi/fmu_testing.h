@@ -48,7 +48,7 @@ struct Package {
 
   ScratchFolder folder;
   FmiVersion version;
-  std::vector<Variable> variables;
+  std::vector<ExchangedVariable> variables;
   std::string token;
   std::unique_ptr<Binary> binary;
 };

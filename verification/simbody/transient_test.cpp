@@ -35,7 +35,7 @@ using namespace multibody;
 
 /// Tires on the kerb, in a frame that moves with the car.
 Outside tires_on_road(const CaseFile& file) {
-  return [&file](const Motion& motion, std::vector<Wrench>& wrenches) {
+  return [&file](const Motion& motion, std::vector<BodyForce>& wrenches) {
     const KerbStretch& kerb = *file.road;
     for (const LinearTire& tire : file.tires) {
       const auto body = static_cast<std::size_t>(tire.body);
@@ -55,7 +55,7 @@ Outside tires_on_road(const CaseFile& file) {
       }
       const double force =
           tire.stiffness * (tire.radius - (center.z() - h)) + tire.damping * (rise - velocity.z());
-      Wrench wrench{.body = tire.body};
+      BodyForce wrench{.body = tire.body};
       const Vector3d up(0.0, 0.0, std::max(force, 0.0));
       wrench.value << up, arm.cross(up);
       wrenches.push_back(wrench);

@@ -166,4 +166,11 @@ Json answer_of(const StudyExperiment& experiment, const Channels& trial) {
   return all;
 }
 
+void answer_counts(const correlation::TrialCounts& counts, bool targets_known) {
+  answer()["trials"] = counts.trials;
+  answer()["succeeded"] = targets_known ? Json(counts.succeeded()) : Json(nullptr);
+  answer()["failed"] = targets_known ? Json(counts.failed) : Json(nullptr);
+  answer()["foreign"] = counts.foreign;
+}
+
 }  // namespace latsch::cli

@@ -12,6 +12,7 @@
 #include "correlation/analysis/missed_values.h"
 #include "correlation/analysis/prediction_bands.h"
 #include "correlation/study/study.h"
+#include "correlation/target/trial_ownership.h"
 #include "measurement/channels.h"
 
 namespace latsch::cli {
@@ -48,6 +49,12 @@ Json delays_of(const correlation::Study& study,
 /// other value alone.
 Json answer_of(const correlation::Study& study,
                const std::vector<correlation::MissedValue>& missed);
+
+/// Writes the counts of a journal's trials into the answer: "trials", "succeeded", "failed" and
+/// "foreign", those that were run for another study, or for other measurements, weights or bounds.
+/// `targets_known` false: the trials belong to another study, so which of them have a target is not
+/// known, and "succeeded" and "failed" are null.
+void answer_counts(const correlation::TrialCounts& counts, bool targets_known = true);
 
 /// Returns one experiment: measured beside simulated values, errors as shares, mean and largest
 /// error.

@@ -47,6 +47,24 @@ std::string complaint(const CLI::App* verb, const CLI::ParseError& error) {
   return "unexpected argument " + in_quotes(extras.empty() ? "" : extras.front());
 }
 
+/// Refuses an empty text, with which an option would count as not given.
+const CLI::Validator kNotEmpty(
+    [](const std::string& text) {
+      return text.empty() ? std::string("expected a value, found an empty text") : std::string();
+    },
+    "",
+    "not empty");
+
+/// Returns the long names of the options that the user gave, or the names of positions.
+std::vector<std::string> given_options(const CLI::App& verb) {
+  std::vector<std::string> given;
+  for (const CLI::Option* option : verb.get_options())
+    if (option->count() > 0)
+      given.push_back(option->get_lnames().empty() ? option->get_name()
+                                                   : "--" + option->get_lnames().front());
+  return given;
+}
+
 }  // namespace
 
 Option& Option::required() {
@@ -75,7 +93,7 @@ Option& Option::capture_default_str() {
 }
 
 Option Verb::add_option(const std::string& name, std::string& value, const std::string& help) {
-  return Option(app_->add_option(name, value, help));
+  return Option(app_->add_option(name, value, help)->check(kNotEmpty));
 }
 
 Option Verb::add_option(const std::string& name, int& value, const std::string& help) {
@@ -85,7 +103,7 @@ Option Verb::add_option(const std::string& name, int& value, const std::string& 
 Option Verb::add_option(const std::string& name,
                         std::vector<std::string>& values,
                         const std::string& help) {
-  return Option(app_->add_option(name, values, help));
+  return Option(app_->add_option(name, values, help)->check(kNotEmpty));
 }
 
 void Verb::add_flag(const std::string& name, bool& value, const std::string& help) {
@@ -100,7 +118,14 @@ void Verb::hide() {
     app_->remove_option(app_->get_option(option));
 }
 
-void Verb::callback(std::function<void()> run) { app_->callback(std::move(run)); }
+void Verb::forms(std::vector<Form> forms) { forms_ = std::move(forms); }
+
+void Verb::callback(std::function<void()> run) {
+  app_->callback([app = app_, forms = forms_, run = std::move(run)] {
+    check_forms(app->get_name(), forms, given_options(*app));
+    run();
+  });
+}
 
 CommandLine::CommandLine(const std::string& description,
                          const std::string& footer,

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/console/forms.h"
+
 namespace CLI {
 class App;
 class Option;
@@ -45,6 +47,8 @@ class Verb {
                     const std::string& help);
   void add_flag(const std::string& name, bool& value, const std::string& help);
   void footer(const std::string& text);
+  /// States which options belong to which form of the verb, before `callback`; see forms.h.
+  void forms(std::vector<Form> forms);
   /// Marks a verb that the program itself calls: it is not listed and lacks the options of every
   /// verb.
   void hide();
@@ -52,6 +56,7 @@ class Verb {
 
  private:
   CLI::App* app_;
+  std::vector<Form> forms_;
 };
 
 /// Every verb has --json, --quiet and --log FILE, see console.h.

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,17 @@
 
 namespace latsch::cli {
 namespace {
+
+/// A log is appended to. A file that is no log is somebody's work, given by mistake.
+void refuse_to_log_into_other_file(const std::string& file) {
+  std::ifstream there(file, std::ios::binary);
+  std::string line;
+  if (!std::filesystem::is_regular_file(file) || !std::getline(there, line)) return;
+  if (!line.starts_with("# 2"))  // the year, as in every first line of a log
+    throw InputError({file, 1},
+                     "exists and is no log of latsch, so nothing is appended to it: expected "
+                     "another name for the log");
+}
 
 /// State of the console: like standard output there is one, and every verb writes to it.
 struct Console {
@@ -54,6 +66,7 @@ void to_standard_error(const std::string& sentence) {
   const bool named = sentence.starts_with("latsch ");  // message such as "latsch run: ...", about
                                                        // arguments
   const std::string line = (named ? "" : "latsch: ") + sentence + "\n";
+  std::fflush(stdout);  // a log of both streams keeps its order
   std::fwrite(line.data(), 1, line.size(), stderr);
   log(line);
 }
@@ -105,6 +118,7 @@ void open_console(const CommonOptions& options, const std::string& verb, const s
   }
   if (options.json && !c.answers) keep_standard_output();
   if (options.log.empty()) return;
+  refuse_to_log_into_other_file(options.log);
   c.log.open(options.log, std::ios::app | std::ios::binary);
   if (!c.log) throw InputError({options.log, 0}, "cannot be written, expected a log file");
   log(fmt::format("# {} {}\n", now(), line));
@@ -153,6 +167,12 @@ void say_text(std::string_view text) {
   log(text);
   if (console().options.quiet || console().options.json) return;
   std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+void note_text(std::string_view text) {
+  log(text);
+  if (console().options.quiet || console().options.json) return;
+  std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
 void put(std::string_view data) {

@@ -3,6 +3,7 @@
 // standard output.
 //
 //   say      a sentence or a table for a person: standard output; not with --quiet or --json
+//   note     the same where standard output carries data: standard error
 //   put      requested data, a table to be piped on: standard output, also with --quiet
 //   warn     what a person should know: standard error; "warnings" of the JSON answer
 //   complain why it ended: standard error; "error" of the JSON answer
@@ -20,15 +21,13 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
 #include "base/error.h"
+#include "formats/text/json.h"
 
 namespace latsch::cli {
-
-using Json = nlohmann::ordered_json;
 
 /// Options of every verb.
 struct CommonOptions {
@@ -55,6 +54,10 @@ void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
 }
 
 void put(std::string_view data);
+
+/// Prints lines for a person where standard output carries data: on standard error, not with
+/// --quiet or --json; and in the log.
+void note_text(std::string_view text);
 
 /// Reports one sentence, without "latsch: " and line end.
 void warn(const std::string& sentence, const Place& place = {});

@@ -53,7 +53,7 @@ void print_correlations(const Study& study, const Confidence& c) {
 
 void print_verdicts(const Study& study, const Identifiability& result) {
   say("\nProfiles: each variable held at other values, all others fitted anew\n");
-  for (const Profile& profile : result.identification.profiles()) {
+  for (const TargetProfile& profile : result.identification.profiles()) {
     const DesignVariable& v = study.space[profile.variable];
     say("  {:<16} {}\n", v.name, in_words(profile));
     say("  {:<16} 95 %: {}\n", "", correlation::profile_text(study.space, profile));

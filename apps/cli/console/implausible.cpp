@@ -2,23 +2,33 @@
 #include "cli/console/implausible.h"
 
 #include "cli/console/console.h"
+#include "cli/console/tire_faults.h"
 #include "correlation/analysis/plausibility.h"
 
 namespace latsch::cli {
 
-void reject_implausible(const correlation::Study& study) {
-  const auto found = correlation::implausible(study);
-  const correlation::Finding* worst = nullptr;
-  for (const correlation::Finding& finding : found) {
+void reject_impossible(const std::vector<experiment::Finding>& found) {
+  const experiment::Finding* worst = nullptr;
+  for (const experiment::Finding& finding : found) {
     if (finding.impossible && !worst) {
       worst = &finding;
       continue;
     }
-    warn((finding.impossible ? "also wrong: " : "warning: ") + finding.place.text() + ": " +
-             finding.sentence,
-         finding.place);
+    const char* prefix = finding.is_note ? "" : finding.impossible ? "also wrong: " : "warning: ";
+    warn(prefix + experiment::in_words(finding), finding.place);
   }
   if (worst) throw InputError(worst->place, worst->sentence);
+}
+
+void reject_implausible(const correlation::Study& study) {
+  reject_impossible(correlation::implausible(study));
+}
+
+void examine_model(const experiment::SpecimenKind& kind,
+                   const Document& numbers,
+                   const std::string& file) {
+  reject_impossible(experiment::findings_of_model(kind, numbers, file));
+  warn_beyond_data(kind, numbers, file);
 }
 
 }  // namespace latsch::cli

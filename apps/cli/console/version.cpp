@@ -78,7 +78,7 @@ std::string version_text() {
       openblas_get_config(),
       kMpi ? "yes" : "no",
       !studio::web_assets().empty() ? "latsch serve shows it"
-                                    : "none: latsch serve answers programs alone");
+                                    : "none: latsch serve answers only programs");
 }
 
 }  // namespace latsch::cli

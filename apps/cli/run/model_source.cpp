@@ -4,16 +4,22 @@
 #include <filesystem>
 
 #include "cli/console/console.h"
-#include "correlation/search/study_fit.h"
+#include "cli/console/implausible.h"
+#include "correlation/search/search_standing.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/best_trial.h"
+#include "experiment/language/kind_files.h"
 #include "experiment/language/model_file.h"
+#include "formats/text/pipe.h"
 
 namespace latsch::cli {
 namespace {
 
 ModelSource study_source(const std::string& file, const experiment::Language& language) {
   const auto study = study_with_model(file, language);
+  for (const std::string& note : study.specimens->kind()->notes(study.model_file))
+    warn(note, {study.model_file.string(), 0});
   return {study.specimens->kind(), model_of(study)};
 }
 
@@ -29,6 +35,7 @@ correlation::Study study_with_model(const std::string& file, const experiment::L
 }
 
 bool is_study(const std::string& file) {
+  formats::expect_no_pipe(file);
   if (!experiment::is_document(file)) return false;
   const Node root = Document::read(file).root();
   return root.has("model") || root.has("simulator");
@@ -37,18 +44,28 @@ bool is_study(const std::string& file) {
 ModelSource model_source(const std::string& file,
                          const experiment::Language& language,
                          const std::string& kind) {
-  if (is_study(file)) return study_source(file, language);
-  const experiment::SpecimenKind& of =
-      kind.empty() ? language.kind_of_file(file) : *language.find_kind(kind);
-  return {&of, of.read(file)};
+  if (is_study(file)) {
+    if (!kind.empty())
+      throw InputError({file, 0},
+                       "is a study, which states the kind of its model by [model]; expected "
+                       "the command without --kind");
+    return study_source(file, language);
+  }
+  const experiment::SpecimenKind& of = kind.empty()
+                                           ? language.kind_of_file(file)
+                                           : experiment::kind_for_file(kind, file, language.kinds);
+  ModelSource source{&of, of.read(file)};
+  examine_model(of, source.numbers, file);
+  return source;
 }
 
 Document model_of(const correlation::Study& study) {
   DesignPoint point = study.space.initial();
   if (std::filesystem::exists(study.run.journal)) {
     const Journal journal = Journal::read(study.run.journal, correlation::identity(study));
-    const auto best =
-        correlation::best_trial(correlation::with_estimated_noise(study, journal), journal);
+    const correlation::Study weighted = correlation::with_estimated_noise(study, journal);
+    correlation::require_best(weighted, journal);
+    const auto best = correlation::best_trial(weighted, journal);
     if (best) point = best->point;
     say("{} at {}\n", study.title, best ? "its best point" : "its initial values");
   }

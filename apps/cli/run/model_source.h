@@ -23,14 +23,15 @@ correlation::Study study_with_model(const std::string& file, const experiment::L
 
 /// Returns the model of a file: a model's file as it is; a study's model at the best point of its
 /// journal, or at the initial values. `kind`: kind as which the file is read; empty: the kind it
-/// states. Throws InputError for a study of an outside program.
+/// states. Warns of what was assumed for the model and of its unusual numbers. Throws InputError
+/// for a study of an outside program and for numbers that no tire has.
 ModelSource model_source(const std::string& file,
                          const experiment::Language& language,
                          const std::string& kind = "");
 
 /// Returns the model of a study at the best point of its journal, or at the initial values. Throws
 /// InputError if the journal belongs to another study, or to this one before it was edited, because
-/// a best point found for other numbers does not apply to this model.
+/// a best point found for other numbers or measurements does not apply to this model.
 Document model_of(const correlation::Study& study);
 
 }  // namespace latsch::cli

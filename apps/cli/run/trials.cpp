@@ -11,14 +11,17 @@
 
 #include "base/file.h"
 #include "base/progress.h"
+#include "cli/console/answers.h"
 #include "cli/console/console.h"
 #include "cli/console/tables.h"
 #include "cli/run/interrupt.h"
 #include "cli/run/live_script.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/refined_shift.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/search_standing.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/study_report/study_report.h"
+#include "correlation/target/trial_ownership.h"
 #include "evaluation/journal/local_file_system.h"
 #include "evaluation/journal/readable_journal.h"
 #include "evaluation/schedule/retried_failures.h"
@@ -45,6 +48,7 @@ ProcessOptions worker_processes(const correlation::Study& study) {
 
 Journal open_for_trials(const correlation::Study& study, bool retries_failed) {
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
+  correlation::mark_target(study, journal);
   const TrialLimits limits{.timeout = study.run.timeout,
                            .program_timeout = study.specimens->own_timeout(),
                            .memory = study.run.memory};
@@ -168,7 +172,7 @@ void print_mesh_error(const report::StudyReport& page) {
     sum += std::abs(row.error);
   }
   if (!worst) return;
-  say("\nMesh against the converged tire: {:.1f} % in the mean, worst {:+.1f} % ({})\n",
+  say("\nMesh against the converged tire: {:.1f} % on average, worst {:+.1f} % ({})\n",
       100.0 * sum / static_cast<double>(page.discretization.size()),
       100.0 * worst->error,
       worst->quantity);
@@ -213,9 +217,9 @@ void print_errors(const report::StudyReport& page) {
   for (const report::ExperimentRow& row : page.experiments)
     if (row.is_spoiled)
       warn(
-          fmt::format("{} is worse than an earlier stage had it: {} {:.3g} %, but {:.3g} % at the "
-                      "end of stage {}. noise = \"own_stage\" in every experiment keeps what "
-                      "earlier stages had",
+          fmt::format("{} is worse than after an earlier stage: {} {:.3g} %, but {:.3g} % at the "
+                      "end of stage {}. noise = \"own_stage\" in every experiment preserves "
+                      "the errors of the earlier stages",
                       row.name,
                       row.measure,
                       100.0 * row.error,
@@ -251,8 +255,8 @@ int write_report(const correlation::Study& study,
     throw InputError({file.string(), 0},
                      "may not be written here: latsch report " + study.file.string() +
                          " -o FILE writes the report elsewhere");
-  const auto page = correlation::study_report(
-      correlation::with_estimated_noise(study, journal), journal, thoroughness);
+  const correlation::Study weighted = correlation::with_estimated_noise(study, journal);
+  const auto page = correlation::study_report(weighted, journal, thoroughness);
   if (!page) {
     complain(page.failure().reason);
     return kFailed;
@@ -262,7 +266,12 @@ int write_report(const correlation::Study& study,
   write_text_file(file, report_page(study, *page, language));
   answer()["target"] = page->target;
   answer()["report"] = file.string();
-  say("\nReport: {}\n", file.string());
+  const correlation::TrialCounts counts = correlation::count_trials(weighted, journal);
+  answer_counts(counts);
+  say("\nReport: {}\nJournal: {}, {}\n",
+      file.string(),
+      journal.file().string(),
+      correlation::in_words(counts));
   return kDone;
 }
 

@@ -20,9 +20,9 @@ namespace latsch::cli {
 namespace {
 
 #ifdef LATSCH_MPI
-constexpr bool kMpi = true;
+constexpr bool kBuiltWithMpi = true;
 #else
-constexpr bool kMpi = false;
+constexpr bool kBuiltWithMpi = false;
 #endif
 
 std::uint64_t hash_of(const StudyIdentity& identity) {
@@ -50,7 +50,7 @@ Workers::Workers(const correlation::Study& study) {
   if (started.is_job) job_ = std::make_unique<Job>();
   if (!job_ || job_->size() != started.tasks) {
     job_.reset();
-    refused_ = refuse(started, not_one_job(started, study.file.string(), kMpi));
+    refused_ = refuse(started, not_one_job(started, study.file.string(), kBuiltWithMpi));
   } else if (!job_->agrees(hash_of(correlation::identity(study)))) {
     job_.reset();
     refused_ = refuse(started,
@@ -61,12 +61,12 @@ Workers::Workers(const correlation::Study& study) {
 
 bool Workers::served(const correlation::Study& study, bool in_stages) {
   if (refused_) return true;
-  if (in_stages) expected_ = correlation::stage_count(study);
+  const std::vector<correlation::Study> parts =
+      in_stages ? correlation::stages_of(study) : std::vector{study};
+  expected_ = static_cast<int>(parts.size());
   if (!job_ || job_->rank() == 0) return false;
   be_silent();
-  for (int k = 0; k < expected_; ++k) {
-    serve_rank(*job_, worker_processes(in_stages ? correlation::stage(study, k) : study));
-  }
+  for (const correlation::Study& part : parts) serve_rank(*job_, worker_processes(part));
   return true;
 }
 
@@ -99,7 +99,7 @@ struct Workers::Job {};
 Workers::Workers(const correlation::Study& study) {
   const Launch started = launch();
   if (started.tasks == 1) return;
-  refused_ = refuse(started, not_one_job(started, study.file.string(), kMpi));
+  refused_ = refuse(started, not_one_job(started, study.file.string(), kBuiltWithMpi));
 }
 
 bool Workers::served(const correlation::Study&, bool) { return refused_; }

@@ -31,7 +31,7 @@ sample_step = "2.5 ms"
 constexpr std::string_view kCarStudyHead =
     R"(# A car on four posts: springs and dampers found from the forces of its push-rods. sweep.csv is an example; of a rig of your own
 # put its recording there, and where it has the heights post_FL .. post_RR of the posts, let the test move them as recorded:
-# posts = {from = "measurement.sweep"} in the place of mode .. velocity.
+# posts = {from = "measurement.sweep"} in place of mode .. velocity.
 title = "Springs and dampers from four posts"
 
 [model]
@@ -115,7 +115,7 @@ std::string four_post_car() {
   text = replaced(std::move(text), "../kerb/rear_rigid.toml", "rear.toml");
   return "# A student race car on four posts: masses, dampers and tires are assumed. Each tire is "
          "a "
-         "vertical spring; a file of a tire\n# stands in its place as front_tire = "
+         "vertical spring; a file of a tire\n# replaces it as front_tire = "
          "\"tire.tir\".\n" +
          text;
 }

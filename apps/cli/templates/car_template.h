@@ -32,7 +32,7 @@ std::string_view published_rear_suspension();
 std::vector<WrittenFile> suspension_study_files();
 /// Writes car.toml, front.toml, rear.toml, kerb.toml, study.toml.
 std::vector<WrittenFile> car_study_files();
-/// Returns its sweep.csv, recorded from the car in that folder.
+/// Returns the sweep.csv of the study, recorded from the car in `car_file`.
 std::string example_sweep(const std::string& car_file, const experiment::Language& language);
 
 }  // namespace latsch::cli

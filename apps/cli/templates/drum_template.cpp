@@ -15,6 +15,7 @@
 #include "base/units.h"
 #include "cli/templates/ring_template.h"
 #include "correlation/laboratory/channel_names.h"
+#include "correlation/rig_data/rig_doubts.h"
 #include "correlation/rig_data/rig_processing.h"
 #include "correlation/rig_data/rig_tables.h"
 #include "formats/tables/recording.h"
@@ -36,8 +37,7 @@ constexpr double kMoreRoom = 5e-3;               // s, added to that share
 constexpr double kQuiet = 15e-3;                 // s before the hit; the mean load ends there
 constexpr double kFarthest = 60e-3;              // s, most between the hits of record and test
 constexpr double kShiftStep = 0.5e-3;            // s
-constexpr double kAlike = 0.5;      // correlation below which a dissimilarity is reported
-constexpr double kSameDrum = 0.02;  // relative difference of stated and computed diameter
+constexpr double kAlike = 0.5;  // correlation below which a dissimilarity is reported
 
 const std::vector<RingNumber> kNumbers = {
     {"radial", "sidewall.radial.stiffness", "MN/m^2", 2.0},
@@ -171,11 +171,29 @@ std::string cleat_table(const std::string& text) {
   return fmt::format("{{height = {}, length = {}}}", in_quotes(height), in_quotes(length));
 }
 
-std::string run_name(const fs::path& file) {
-  std::string name = file.stem().string();
+std::string word_of(std::string name) {
   for (char& c : name)
     if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
   return name;
+}
+
+/// Returns a name for the run of each recording: that of the file, with the folder before it if two
+/// files have the same name. Throws InputError if a file is given twice.
+std::vector<std::string> run_names(const std::vector<fs::path>& files) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k)
+      if (fs::weakly_canonical(files[k]) == fs::weakly_canonical(files[i]))
+        throw InputError({files[i].string(), 0}, "is given twice, expected each recording once");
+    const auto same = [&](const fs::path& other) { return other.stem() == files[i].stem(); };
+    const bool is_alone = std::count_if(files.begin(), files.end(), same) == 1;
+    const std::string stem = files[i].stem().string();
+    const std::string folder = fs::absolute(files[i]).lexically_normal().parent_path().filename();
+    std::string name = word_of(is_alone ? stem : folder + "_" + stem);
+    while (std::find(names.begin(), names.end(), name) != names.end()) name += "_";
+    names.push_back(name);
+  }
+  return names;
 }
 
 std::string rig_text(const DrumRecordings& recordings,
@@ -206,11 +224,12 @@ std::string rig_text(const DrumRecordings& recordings,
   std::vector<std::string> held;
   for (const double speed : speeds) held.push_back(in_quotes(format_quantity(speed, "km/h", 5)));
   text += fmt::format("[plateaus]\nspeeds = [{}]\n", fmt::join(held, ", "));
-  for (const fs::path& file : recordings.files)
-    text +=
-        fmt::format("[run.{}]\nfile = {}\n",
-                    run_name(file),
-                    in_quotes(fs::proximate(fs::absolute(file), fs::absolute(folder)).string()));
+  const std::vector<std::string> names = run_names(recordings.files);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format(
+        "[run.{}]\nfile = {}\n",
+        names[i],
+        in_quotes(fs::proximate(fs::absolute(recordings.files[i]), fs::absolute(folder)).string()));
   return text;
 }
 
@@ -366,6 +385,21 @@ class DrumPassage {
   double at_rest_ = 1.0;  // ratio of the load at rest to that of rolling
 };
 
+/// Processes the recordings of a rig file that was just written. If that fails, no file remains
+/// that would look like a result.
+std::pair<RigFile, correlation::RigResults> processed(const fs::path& file) {
+  try {
+    RigFile rig = correlation::read_rig_file(file);
+    auto results = correlation::process(rig, [](long, long, const std::string&) {});
+    return {std::move(rig), std::move(results)};
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    fs::remove(file.parent_path(), ignored);  // only if it is empty
+    throw;
+  }
+}
+
 /// Returns the drum's diameter, stated or computed from speed and period, and adds remarks about
 /// it.
 double diameter_of(const DrumPassage& passage,
@@ -376,13 +410,6 @@ double diameter_of(const DrumPassage& passage,
         "drum diameter {:.4g} m, by the speed and the period of the passages", passage.diameter()));
     return passage.diameter();
   }
-  if (std::abs(passage.diameter() / *stated - 1.0) > kSameDrum)
-    words.push_back(
-        fmt::format("caution: by the speed and the period of the passages the drum has a "
-                    "diameter of {:.4g} m, not {:.4g} m; is the speed that of its "
-                    "surface, is there one cleat?",
-                    passage.diameter(),
-                    *stated));
   return *stated;
 }
 
@@ -407,9 +434,10 @@ DrumStudy drum_study(const DrumRecordings& recordings,
   written.rig = rig_text(
       recordings, columns, speeds_in(first, recordings, columns, diameter), diameter, folder);
   write_text_file(folder / "rig.toml", written.rig);
-  const RigFile rig = correlation::read_rig_file(folder / "rig.toml");
-  const auto results = correlation::process(rig, [](long, long, const std::string&) {});
+  const auto [rig, results] = processed(folder / "rig.toml");
   correlation::write_rig_tables(rig, results, folder / "rig_processed");
+  for (const std::string& doubt : correlation::doubts_of(rig, results))
+    written.words.push_back("caution: " + doubt);
 
   const experiment::SpecimenKind& ring = *language.find_kind("ring_tire");
   std::string tests, measurements, experiments;

@@ -16,6 +16,7 @@
 #include "experiment/language/provenance.h"
 #include "experiment/rigs/slip/condition_levels.h"
 #include "formats/tire/tir_file.h"
+#include "measurement/meaning/channel_words.h"
 
 namespace latsch::cli {
 namespace {
@@ -41,29 +42,56 @@ void check(const Measurement& measured, const TireTest& test) {
                      "neither slip angle nor slip goes through a sweep: there is no curve to fit");
 }
 
+/// Returns the vertical stiffness, N/m, if a loaded radius was recorded that falls with the load.
+std::optional<double> recorded_stiffness(const TireTest& t) {
+  if (!t.has("loaded_radius")) return std::nullopt;
+  const double slope = line_through(t.of("Fz"), t.of("loaded_radius")).first;
+  return slope < 0.0 ? std::optional(-1.0 / slope) : std::nullopt;
+}
+
+/// Rejects a radius that no tire has: it is probably in another unit.
+void expect_radius(const Measurement& measured, double radius, bool is_given) {
+  constexpr double kLeast = 0.1, kMost = 2.5;  // m, from a kart to the largest mining truck
+  if (radius >= kLeast && radius <= kMost) return;
+  const std::string expected = fmt::format(
+      "expected the radius of an unloaded tire, {:.0f} mm to {:g} m", 1e3 * kLeast, kMost);
+  if (is_given) throw InputError(fmt::format("--radius: {:g} m; {}", radius, expected));
+  throw InputError(
+      measured.place(),
+      fmt::format(
+          "its loaded radius leads to {:g} m without load; {}, or --radius", radius, expected));
+}
+
 /// Estimates start values directly from the recordings.
 magic_formula::Parameters start_of(const TireTest& t,
                                    const Measurement& measured,
-                                   const std::optional<double>& unloaded_radius) {
+                                   const std::optional<double>& unloaded_radius,
+                                   std::vector<std::string>& words) {
   magic_formula::Parameters p;
   const auto rounded = [](double x, double to) { return std::round(x / to) * to; };
   p.FNOMIN = std::max(100.0, rounded(t.median("Fz"), 100.0));
   p.NOMPRES = p.INFLPRES = t.has("p") ? rounded(t.median("p"), 1e3) : p.NOMPRES;
   if (t.has("Vx")) p.LONGVL = rounded(std::abs(t.median("Vx")), 0.01);
-  double stiffness = 0.0;
-  if (t.has("loaded_radius")) {
-    const auto [slope, radius] = line_through(t.of("Fz"), t.of("loaded_radius"));
-    p.UNLOADED_RADIUS = rounded(radius, 1e-4);
-    if (slope < 0.0) stiffness = -1.0 / slope;
-  }
+  if (t.has("loaded_radius"))
+    p.UNLOADED_RADIUS = rounded(line_through(t.of("Fz"), t.of("loaded_radius")).second, 1e-4);
   if (unloaded_radius) p.UNLOADED_RADIUS = *unloaded_radius;
   if (!unloaded_radius && !t.has("loaded_radius"))
     throw InputError(
         measured.place(),
         "has no loaded radius: the tire's radius has to be given, --radius \"0.32 m\"");
+  expect_radius(measured, p.UNLOADED_RADIUS, unloaded_radius.has_value());
   constexpr double kUsualDeflection = 0.05;  // share of the radius, under the nominal load
+  const auto stiffness = recorded_stiffness(t);
   p.VERTICAL_STIFFNESS =
-      rounded(stiffness > 0.0 ? stiffness : p.FNOMIN / (kUsualDeflection * p.UNLOADED_RADIUS), 1e3);
+      rounded(stiffness.value_or(p.FNOMIN / (kUsualDeflection * p.UNLOADED_RADIUS)), 1e3);
+  if (!stiffness)
+    words.push_back(fmt::format(
+        "assumed: VERTICAL_STIFFNESS = {:.0f} N/mm, a deflection of {:.0f} % of the radius under "
+        "{:.0f} N, because no loaded radius that falls with the load was recorded; if the "
+        "stiffness is known, write it into tire.tir",
+        p.VERTICAL_STIFFNESS / 1e3,
+        100.0 * kUsualDeflection,
+        p.FNOMIN));
   const auto digits = [](double x) { return std::round(x * 100.0) / 100.0; };
   constexpr double kAtNominalLoad = 0.9;  // estimate of sin(2 atan(1 / PKY2)) of (4.E25)
   p.PCY1 = 1.4;
@@ -111,6 +139,12 @@ std::string measurement_keys(const TireTestFiles& test,
       if (equals == std::string::npos)
         throw InputError("--column " + in_quotes(column) +
                          ": expected our name and the file's, such as \"Fz = LOAD [N]\"");
+      const std::string ours(trimmed(std::string_view(column).substr(0, equals)));
+      if (!recognized(ours))
+        throw InputError("--column " + in_quotes(column) + ": " + in_quotes(ours) +
+                         " is no channel of a tire test; expected our name of the channel and the "
+                         "file's, such as \"Fz = LOAD [N]\" (also alpha, kappa, gamma, p, Vx, Fx, "
+                         "Fy, Mx, My, Mz)");
       columns.push_back(fmt::format(
           "{} = \"{}\"", trimmed(column.substr(0, equals)), trimmed(column.substr(equals + 1))));
     }
@@ -134,6 +168,21 @@ struct Samples {
   std::vector<fs::path> files;
   Select select;
 };
+
+/// Reads the samples to fit. The recordings as a whole were read before if some are held out, so
+/// that only the windows can be at fault.
+Measurement read_fitted(const TireTestFiles& test, const Samples& fitted) {
+  try {
+    return read_some(test, fitted.files, fitted.select);
+  } catch (const InputError&) {
+    if (fitted.select.empty()) throw;
+  }
+  throw InputError(fmt::format(
+      "--hold-out \"{} = {}\": holds every sample out; expected windows outside of which samples "
+      "remain to be fitted",
+      test.held_out.channel,
+      fmt::join(test.held_out.windows, ", ")));
+}
 
 /// Returns the test with axes chosen by the sign of Fz, if the user has not stated them.
 TireTestFiles with_axes(const TireTestFiles& test) {
@@ -328,7 +377,7 @@ std::string tire_text(const TireTest& t,
     seen("INFLPRES", "from the recordings: median pressure");
   }
   if (t.has("Vx")) seen("LONGVL", "from the recordings: median speed");
-  if (t.has("loaded_radius"))
+  if (recorded_stiffness(t))
     seen("VERTICAL_STIFFNESS", "from the recordings: load over loaded radius");
   seen(
       "UNLOADED_RADIUS",
@@ -353,12 +402,13 @@ std::string tire_text(const TireTest& t,
 MagicFormulaStudy magic_formula_study(const TireTestFiles& given, const fs::path& folder) {
   const TireTestFiles test = with_axes(given);
   const auto [fitted, held] = parted(test);
-  const Measurement measured = read_some(test, fitted.files, fitted.select);
+  const Measurement measured = read_fitted(test, fitted);
   const TireTest t(measured);
   check(measured, t);
   MagicFormulaStudy written;
   written.words = measured.words();
-  written.tire = tire_text(t, start_of(t, measured, test.unloaded_radius), fitted.files, test);
+  const auto start = start_of(t, measured, test.unloaded_radius, written.words);
+  written.tire = tire_text(t, start, fitted.files, test);
   const Freed freed = stages_of(t);
   const std::vector<Stage>& stages = freed.stages;
   std::string left_out;

@@ -106,8 +106,8 @@ double shared_noise(const Eigen::VectorXd& r, const std::vector<std::size_t>& sa
 }  // namespace
 
 bool RecordedLag::is_seen() const {
-  constexpr double kDeviations = 4.0, kLeast = 0.01;  // deviations and m; smaller lags count as
-                                                      // unseen
+  constexpr double kDeviations = 4.0, kLeast = 0.01;  // number of deviations, and m; smaller lags
+                                                      // count as unseen
   return sigma > kLeast && sigma > kDeviations * deviation;
 }
 

@@ -33,27 +33,28 @@ SizeDesignation size_of(const std::string& text) {
   }
   // These are the usual sizes; beyond them a template would be stretched too far.
   const double height = 0.5 * (size->outer_diameter - size->rim_diameter);
-  const bool usual = size->metric
-                         ? height > 0.06 && height < 0.18 && size->width > 0.12 &&
-                               size->width < 0.36 && height > 0.24 * size->width &&
-                               height < 0.86 * size->width && size->rim_diameter < 24.5 * kInch
-                         : height > 0.05 && height < 0.12 && size->width > 0.12 &&
-                               size->width < 0.3 && size->outer_diameter < 0.6;
+  const bool usual =
+      size->metric ? height > 0.06 && height < 0.18 && size->width > 0.12 && size->width < 0.36 &&
+                         height > 0.24 * size->width && height < 0.86 * size->width &&
+                         size->rim_diameter > 9.5 * kInch && size->rim_diameter < 24.5 * kInch
+                   : height > 0.05 && height < 0.12 && size->width > 0.12 && size->width < 0.3 &&
+                         size->outer_diameter < 0.6;
   if (!usual) {
     throw InputError(fmt::format(
-        "--size is {}, a section {:.0f} mm wide and {:.0f} mm high: there is no template near it. "
+        "--size is {}, a section {:.0f} mm wide and {:.0f} mm high on a rim of {:.0f} inches: "
+        "there is no template near it. "
         "Expected a car tire (width 125 to 355 mm, height 25 to 85 % of it and 60 to 180 mm, rim "
-        "up "
-        "to 24 inches) or a small race tire such as 16x7.5-10; write any other tire by hand, "
+        "10 to 24 inches) or a small race tire such as 16x7.5-10; write any other tire by hand, "
         "docs/fe_tire_section.md says how",
         in_quotes(text),
         1e3 * size->width,
-        1e3 * height));
+        1e3 * height,
+        size->rim_diameter / kInch));
   }
   return *size;
 }
 
-/// Half the width of the measuring rim of a tire of that size, m.
+/// Half the width of the measuring rim of a tire of the given size, m.
 double half_rim(const SizeDesignation& size) {
   if (!size.metric) return 0.5 * (size.width - 0.5 * kInch);
   const double aspect = 0.5 * (size.outer_diameter - size.rim_diameter) / size.width;

@@ -30,7 +30,7 @@ std::string with_placed_mesh(const std::string& stretched,
 /// Stretches the tire and places its mesh.
 std::string sized_tire(std::string_view text, const std::string& size);
 
-/// Returns the name of the shipped tire from which a tire of that size is made.
+/// Returns the name of the shipped tire from which a tire of the given size is made.
 std::string template_of(const std::string& size);
 
 /// Returns the largest number of unknowns for its mesh.

@@ -32,7 +32,7 @@ struct StarterVariable {
 /// none of them.
 std::vector<StarterVariable> starter_variables(const Document& tire);
 
-/// Returns the study file of that tire.
+/// Returns the study file of the given tire.
 std::string study_template(const Document& tire);
 
 }  // namespace latsch::cli

@@ -35,8 +35,8 @@ class TireTest {
   bool lags = false;
   bool cornering, driving, combined;
 
-  /// The levels of the samples that a stage fits: those of driving, or those of cornering alone if
-  /// a test has both.
+  /// The levels of the samples that a stage fits: those of driving, or only those of cornering if a
+  /// test has both.
   magic_formula::ConditionLevels levels_of(bool of_driving) const;
 
   /// True if the recording has the channel with values above 0.

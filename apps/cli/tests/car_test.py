@@ -75,7 +75,8 @@ class OnRoads(Cars):
         self.write_grid("round.crg", "$ROAD_CRG_OPTS\nborder_mode_u = 3\n$\n")
         self.run_on(self.filed("round.crg", start='["18.5 m", "0 m"]'))
 
-    # The kerb lies below the left wheels alone: the right ones roll on the ground beside it, which the file contains too.
+    # The kerb lies only below the left wheels: the right ones roll on the ground beside it, which
+    # the file contains too.
     def test_a_kerb_from_a_file_has_ground_beside_it(self):
         kerb = 'kind = "kerb"\nshape = "triangle"\npitch = "800 mm"\nwidth = "800 mm"\nheight = "10 mm"\ncount = 2\nstart = ["0 m", "0.2 m"]\n'
         (self.folder / "kerb.toml").write_text(kerb)

@@ -1,13 +1,18 @@
-"""Support for the tests of the program: calls of the program, and studies for these calls."""
+"""For the tests of the program: how it is called, its page, and studies to call it on."""
 import contextlib
+import json
 import pathlib
 import re
 import shutil
+import signal
 import sqlite3
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
+import urllib.error
+import urllib.request
 
 LATSCH = sys.argv.pop(1) if len(sys.argv) > 1 else "latsch"
 
@@ -94,3 +99,79 @@ class Outside(unittest.TestCase):
 
     def found(self, text, variable):
         return float(re.search(rf"\n  {variable} +(\S+)", text)[1])
+
+
+class Page:
+    """The server, asked as scripts ask it."""
+
+    def __init__(self, *arguments, environment=None, program=LATSCH):
+        self.process = subprocess.Popen([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+                                        start_new_session=True, env=environment)
+        self.address = None
+        while self.address is None:
+            line = self.process.stdout.readline()
+            assert line, "it ended without an address"
+            found = re.match(r"(http://[^/]+)/\?token=(\S+)", line)
+            if found:
+                self.address, self.token = found.groups()
+
+    def open(self, path, body=None, timeout=30):
+        request = urllib.request.Request(self.address + path, headers={"Authorization": "Bearer " + self.token})
+        if body is not None:
+            request.data = json.dumps(body).encode()
+            request.add_header("Content-Type", "application/json")
+        return urllib.request.urlopen(request, timeout=timeout)
+
+    def get(self, path):
+        with self.open(path) as answer:
+            return json.load(answer)
+
+    def post(self, path, body):
+        with self.open(path, body) as answer:
+            return json.load(answer)
+
+    def status(self, path, body=None):
+        try:
+            with self.open(path, body) as answer:
+                return answer.status
+        except urllib.error.HTTPError as error:
+            with error:
+                return error.code
+
+    def wait(self, path, is_so, seconds=60):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            answer = self.get(path)
+            if is_so(answer):
+                return answer
+            time.sleep(0.02)
+        raise AssertionError(f"{path} stays {answer}")
+
+    def end(self):
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGINT)
+        self.process.wait(10)
+        self.process.stdout.close()
+
+
+@contextlib.contextmanager
+def served(folder, program=LATSCH):
+    """The page over a folder, once it has read all studies in it."""
+    page = Page("serve", str(folder), "--no-browser", program=program)
+    try:
+        page.wait("/api/home", lambda view: view["studies"] and not view.get("loading")
+                  and not any(one.get("reading", one["state"] == "reading") for one in view["studies"]))
+        yield page
+    finally:
+        page.end()
+
+
+def assert_identifiability(case, folder, names, study="study.toml"):
+    """The identifiability view of a study that has run with intervals opens and shows each of its variables once."""
+    with served(folder) as page:
+        with page.open(f"/api/identifiability?study={study}", timeout=300) as answer:  # reads the whole journal
+            view = json.load(answer)
+    case.assertTrue(view["known"], view["why_not"])
+    case.assertEqual([one["name"] for one in view["variables"]], list(names))
+    case.assertEqual(len(view["correlation"]), len(view["variables"]))
+    case.assertEqual(len(view["bands"]), len({band["experiment"] for band in view["bands"]}), "a key that stands twice")

@@ -20,7 +20,7 @@ import subprocess
 import tempfile
 import unittest
 
-from cli_testing import DONE, LATSCH, WRONG_INPUT
+from cli_testing import DONE, LATSCH, WRONG_INPUT, assert_identifiability
 
 RINGS = pathlib.Path(__file__).resolve().parents[3] / "studies/ring_tires"
 STIFFNESS, DAMPING = 0.55, 55.0  # MN/m^2, N s/m^2: of the shipped ring
@@ -169,6 +169,7 @@ class Drum(unittest.TestCase):
         for delay in result["delays"]:
             self.assertFalse(delay["at_end"], delay)
             self.assertLess(delay["upper"] - delay["lower"], 2e-3, delay)
+        assert_identifiability(self, self.folder / "from_raw", [one["name"] for one in result["variables"]])
         told = self.latsch("run", "from_raw/study.toml")
         self.assertRegex(told.stdout, r"Delay of raw_40kph_Fz: -?[0-9.]+ ms, 95 %: -?[0-9.]+ .. -?[0-9.]+ ms")
 

@@ -94,6 +94,27 @@ class ExactFit(unittest.TestCase):
                 self.assertNotIn("share noise", words)
                 self.assert_known(answer)
 
+    def test_intervals_without_a_search_are_said_to_be_of_the_best_trial_so_far(self):
+        with tempfile.TemporaryDirectory(prefix="latsch_exact_") as name:
+            folder = pathlib.Path(name)
+            (folder / "sim.py").write_text(SIMULATOR.replace("FORMULA", EXPONENTIAL))
+            (folder / "par.txt").write_text("a = {a}\nb = {b}\nc = {c}\n")
+            (folder / "y.csv").write_text("t [s],y [N]\n" + "".join(f"{0.2 * i},{exponential(0.2 * i)}\n" for i in range(21)))
+            (folder / "study.toml").write_text(STUDY + "".join(
+                f'[variable.{v}]\nunit = "1"\nlower = {low}\nupper = {high}\ninitial = {high}\n'
+                for v, low, high in (("a", 1, 3), ("b", -2, -1), ("c", 0, 1))))
+
+            def latsch(*arguments):
+                run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, text=True)
+                self.assertEqual(run.returncode, DONE, run.stdout + run.stderr)
+                return run.stdout + run.stderr
+
+            study = folder / "study.toml"
+            latsch("doe", study, "--levels", 2)
+            self.assertIn("no search of this study has ended", latsch("identify", study, "--short"))
+            latsch("run", study)
+            self.assertNotIn("no search of this study has ended", latsch("identify", study, "--short"))
+
     def test_a_range_too_wide_is_resolved_or_said_to_be(self):
         for wide in ("1e9", "1e12"):
             with self.subTest(wide):
@@ -101,6 +122,34 @@ class ExactFit(unittest.TestCase):
                 self.assertAlmostEqual(answer["variables"][0]["value"], 2.0, delta=1e-2)
                 self.assertLess(answer["target"], 1e-4)
                 self.assertNotIn("in the noise", words)
+                # Numbers between such bounds differ by more than the data leave open.
+                self.assertRegex(words, r"(?m)^  a .*, set by its bounds$")
+                self.assertIn("The interval of a comes from the bounds alone", words)
+                self.assertNotRegex(words, r"(?m)^  [bc] .*set by its bounds")
+
+    def test_an_interval_that_the_data_tell_is_not_said_to_come_from_the_bounds(self):
+        words, _ = self.fit({"a": (0, 10, 1), "b": (-5, 0, -1), "c": (0, 2, 1)})
+        self.assertNotIn("bounds alone", words)
+        self.assertNotIn("set by its bounds", words)
+
+    def test_exact_values_beside_one_far_off_have_intervals_that_do_not_depend_on_the_start(self):
+        """A robust loss takes the derivatives of the one value away; the others show no noise that neighbors share."""
+        starts = [{"a": (0, 10, 1), "b": (-5, 0, -1), "c": (0, 2, 1)}, {"a": (0, 10, 0), "b": (-5, 0, 0), "c": (0, 2, 2)},
+                  {"a": (0, 10, 10), "b": (-5, 0, -5), "c": (0, 2, 0)}]
+        for loss in ("huber", "cauchy"):
+            for off in (3.0, -50.0):
+                halves = []
+                for start in starts:
+                    words, answer = self.fit(start, measured=lambda t, off=off: exponential(t) + (off if abs(t - 2) < 1e-6 else 0),
+                                             more=f'loss = "{loss}"\nloss_scale = "1 %"')
+                    with self.subTest(f"{loss}, {off}"):
+                        self.assertNotIn("anywhere", words)
+                        self.assertNotIn("share noise", words)
+                        self.assert_known(answer, to=1.0)
+                    halves.append([(row["interval"][1] or 9) - (row["interval"][0] or 0) for row in answer["variables"]])
+                for half in halves[1:]:
+                    for one, other in zip(halves[0], half):
+                        self.assertAlmostEqual(other / one, 1.0, delta=0.1, msg=f"{loss}, {off}")
 
     def test_tied_variables_are_left_open(self):
         words, answer = self.fit({"a": (0.1, 10, 1), "d": (0.1, 10, 1.5), "b": (-5, 0, -1), "c": (0, 2, 1)},

@@ -1,19 +1,23 @@
 #!/usr/bin/env python3
-"""A journal and the study it belongs to: a best point found for other numbers is not used, a study
-in a read-only folder can be read, and values that cannot be compared are no failure of the model.
+"""A journal and the study it belongs to: a best point that was found for other numbers is combined with none, a study in a
+folder that may not be written can be read, and what cannot be compared is no failure of the model. Trials that were
+run for other measurements, weights or bounds are counted alike by terminal, page and JSON, and none is called the best.
 
     identity_test.py PATH/TO/latsch     (the program "spring" lies beside it)
 """
 import json
+import math
 import os
 import pathlib
+import re
 import shutil
 import sqlite3
 import subprocess
 import tempfile
 import unittest
+import zipfile
 
-from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, edit, trials_of
+from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, edit, served, trials_of
 
 SPRING = pathlib.Path(LATSCH).resolve().with_name("spring")
 
@@ -272,6 +276,360 @@ class ReadOnly(SpringStudy):
         said = self.read("doctor", self.journal, code=WRONG_INPUT)
         self.assertNotIn("damage:", said)
         self.assertRegex(said.lower(), "permission|may not be read")
+
+
+TWO_MEASURED = """
+model = "spring.toml"
+[test.fast]
+kind = "pull"
+speed = "0.4 m/s"
+travels = ["2 mm", "5 mm", "9 mm"]
+[variable.stiffness]
+path = "stiffness"
+lower = "5 N/mm"
+upper = "60 N/mm"
+initial = "9 N/mm"
+[variable.damping]
+path = "damping"
+lower = "10 N s/m"
+upper = "900 N s/m"
+initial = "100 N s/m"
+[experiment.each]
+kind = "values"
+channel = "fast/force"
+values = ["160 N", "221 N", "300 N"]
+[experiment.curve]
+kind = "curve"
+x = "fast/travel"
+y = "fast/force"
+measurement = "pull.csv"
+[doe]
+levels = 3
+[run]
+workers = 1
+"""
+FOREIGN = "no search has run on the study as it stands"
+
+
+class MeasuredSpring(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_foreign_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.study, self.data = self.folder / "study.toml", self.folder / "pull.csv"
+        self.journal = self.folder / "study.latsch"
+        (self.folder / "spring.toml").write_text('kind = "spring"\nstiffness = "20 N/mm"\ndamping = "300 N s/m"\n')
+        self.data.write_text("travel [mm],force [N]\n3,180\n6,241\n8,282\n")
+        self.study.write_text(TWO_MEASURED)
+        (self.folder / "suite.toml").write_text(SUITE)
+
+    def run_it(self, *arguments, code=DONE):
+        run = subprocess.run([SPRING, *arguments], capture_output=True, text=True, timeout=300)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return run.stdout + run.stderr
+
+    def answer(self, *arguments, code=DONE):
+        run = subprocess.run([SPRING, *arguments, "--json"], capture_output=True, text=True, timeout=300)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return json.loads(run.stdout)
+
+    def doors(self):
+        """Every verb that takes the best point of a journal."""
+        return {"export": ("export", self.study, "--model", self.folder / "found.toml"),
+                "test": ("test", self.study, PULL),
+                "validate": ("validate", self.study, self.folder / "suite.toml"),
+                "report": ("report", self.study),
+                "identify": ("identify", self.study, "--short")}
+
+    def assert_refused(self, foreign):
+        for name, call in self.doors().items():
+            with self.subTest(name):
+                (self.folder / "found.toml").unlink(missing_ok=True)
+                (self.folder / "study.html").unlink(missing_ok=True)
+                said = self.run_it(*call, code=WRONG_INPUT)
+                self.assertIn(FOREIGN, said)
+                self.assertIn(f"0 of them were run for the study as it stands, {foreign} for other", said)
+                self.assertIn("latsch run", said)
+                self.assertFalse((self.folder / "found.toml").exists() or (self.folder / "study.html").exists())
+
+    def assert_open(self, without=()):
+        for name, call in self.doors().items():
+            if name in without:
+                continue
+            with self.subTest(name):
+                self.run_it(*call)
+
+
+class OtherData(MeasuredSpring):
+    edits = {"measurement file": ("data", "6,241", "6,250"),
+             "values in the study": ("study", '"221 N"', '"231 N"'),
+             "weight": ("study", r"\[experiment.curve\]", "[experiment.curve]\nweight = 3"),
+             "held out": ("study", r"\[experiment.curve\]", '[experiment.curve]\nuse = "predict"'),
+             "bounds": ("study", '"60 N/mm"', '"19 N/mm"'),
+             "exponent": ("study", r"\[experiment.each\]", "[experiment.each]\nexponent = 2")}
+
+    def test_a_best_point_of_other_data_weights_or_bounds_is_refused_until_a_search_has_run(self):
+        self.run_it("run", self.study)
+        self.assert_open()
+        first = self.journal.read_bytes()
+        for what, (attribute, was, now) in self.edits.items():
+            file = getattr(self, attribute)
+            text = file.read_text()
+            self.journal.write_bytes(first)
+            trials = trials_of(self.journal)
+            edit(file, (was, now))
+            with self.subTest(what):
+                self.assert_refused(trials)
+                said = self.run_it("check", self.study)
+                self.assertIn(FOREIGN, said)
+                self.assertNotIn("Everything is in order", said)
+                counts = self.answer("check", self.study)["result"]
+                self.assertEqual((counts["trials"], counts["foreign"]), (trials, trials))
+                said = self.run_it("run", self.study)
+                self.assertIn(f"{trials} finished trials are reused", said)
+                # Three values on a line fit exactly, and the rest is held out.
+                self.assert_open(without=("identify",) if what == "held out" else ())
+                self.assertNotIn(FOREIGN, self.run_it("check", self.study))
+                stiffness = float(re.search(r"stiffness = \"?([0-9.]+)", (self.folder / "found.toml").read_text()).group(1))
+                if what == "bounds":  # trials outside of them are there, and better
+                    self.assertLessEqual(stiffness, 19.0)
+            file.write_text(text)
+
+    def test_a_front_of_foreign_trials_is_drawn_and_its_least_target_not_called_the_best(self):
+        self.run_it("run", self.study)
+        call = ("pareto", self.study, "each", "curve")
+        self.assertIn("Best by the weights of the study", self.run_it(*call))
+        self.assertIn("target", self.answer(*call)["result"])
+        edit(self.study, (r"\[experiment.curve\]", "[experiment.curve]\nweight = 3"))
+        said, page = self.run_it(*call), self.folder / "study.pareto.html"
+        for text in (said, page.read_text()):
+            self.assertIn(FOREIGN, text)
+            self.assertNotIn("est by the weights", text.replace("nearest by", "").replace("nearest one by", ""))
+        answer = self.answer(*call)["result"]
+        self.assertNotIn("target", answer)
+        self.assertIn("target", answer["nearest"])
+        self.run_it("run", self.study)
+        self.assertIn("Best by the weights of the study", self.run_it(*call))
+
+    def test_what_changes_no_target_keeps_the_best_point(self):
+        self.run_it("run", self.study)
+        edit(self.study, ("workers = 1", "workers = 2"), (r"levels = 3", "levels = 4"), (r'model = ', 'title = "Another name"  # note\nmodel = '))
+        with self.study.open("a") as study:
+            study.write("[optimizer]\nmax_steps = 77\n")
+        self.assert_open()
+        self.assertIn("Everything is in order", self.run_it("check", self.study))
+
+    def test_back_to_the_old_data_the_old_best_point_is_back(self):
+        self.run_it("run", self.study)
+        found = self.folder / "found.toml"
+        self.run_it("export", self.study, "--model", found)
+        before = re.search("stiffness = .*", found.read_text()).group()
+        edit(self.data, ("6,241", "6,250"))
+        self.run_it("export", self.study, "--model", found, code=WRONG_INPUT)
+        edit(self.data, ("6,250", "6,241"))
+        self.run_it("export", self.study, "--model", found)
+        self.assertEqual(re.search("stiffness = .*", found.read_text()).group(), before)
+
+    def test_a_design_on_edited_data_speaks_of_its_own_points_alone(self):
+        self.run_it("run", self.study)
+        self.run_it("doe", self.study)
+        edit(self.data, ("6,241", "6,250"))
+        self.assert_refused(trials_of(self.journal))
+        said = self.run_it("doe", self.study)  # all of its points are known
+        self.assertIn("9 of 9 points succeeded", said)
+        best = self.answer("doe", self.study)["result"]
+        self.assertEqual(best["target"], best["points"][0]["target"])
+        self.assertEqual(best["trials"] - best["foreign"], 9)
+
+    def test_a_start_from_a_foreign_journal_that_was_interrupted_has_no_best_point(self):
+        self.run_it("run", self.study)
+        other = self.folder / "other"
+        other.mkdir()
+        for name in ("spring.toml", "pull.csv"):
+            shutil.copy(self.folder / name, other)
+        edit(other / "pull.csv", ("6,241", "6,250"))
+        (other / "study.toml").write_text(TWO_MEASURED + '[optimizer]\nstart = "journal"\nstart_journal = "../study.latsch"\n')
+        self.run_it("run", other / "study.toml")
+        rows = sqlite3.connect(other / "study.latsch")
+        kinds = [kind for kind, in rows.execute("select kind from marks order by number")]
+        texts = [text for text, in rows.execute("select text from marks where kind = 'target' order by number")]
+        rows.close()
+        self.assertIn("ended", kinds)
+        self.assertIn("taken over", texts)
+        self.assertEqual(texts[-1], texts[0])
+
+
+class Counts(MeasuredSpring):
+    """The counts of trials that the terminal, the JSON answers and the page give."""
+
+    def page(self):
+        """What the page says of the study, and in its list of studies."""
+        with served(self.folder, program=str(SPRING)) as page:
+            home = page.get("/api/home")["studies"]
+            return page.get("/api/study?study=study.toml"), next(one for one in home if one["study"] == "study.toml")
+
+    def assert_alike(self, ran=None):
+        view, row = self.page()
+        checked = self.answer("check", self.study)["result"]
+        for key in ("trials", "succeeded", "failed", "foreign"):
+            self.assertEqual(view[key], checked[key], key)
+            if ran:
+                self.assertEqual(ran[key], checked[key], key)
+        self.assertEqual((row["trials"], row["foreign"]), (checked["trials"], checked["foreign"]))
+        self.assertEqual(checked["trials"], trials_of(self.journal))
+        said = self.run_it("check", self.study)
+        if checked["failed"] is not None:
+            self.assertIn(f"{checked['trials']} trials so far, {checked['failed']} of them without a target", said)
+        return checked, view
+
+    def test_after_a_run_and_after_an_edit(self):
+        ran = self.answer("run", self.study)["result"]
+        checked, view = self.assert_alike(ran)
+        self.assertEqual(checked["foreign"], 0)
+        self.assertIsNotNone(view["best"])
+        edit(self.data, ("6,241", "6,250"))
+        checked, view = self.assert_alike()
+        self.assertEqual(checked["foreign"], checked["trials"])
+        self.assertIsNone(view["best"])
+        self.assertTrue(any(FOREIGN in words for words in view["warnings"]))
+        ran = self.answer("run", self.study)["result"]
+        checked, view = self.assert_alike(ran)
+        self.assertTrue(0 < checked["foreign"] < checked["trials"])
+        self.assertIsNotNone(view["best"])
+
+    def test_with_trials_without_a_target(self):
+        self.run_it("run", self.study)
+        edit(self.study, ('"221 N", "300 N"]', '"221 N"]'))
+        checked, _ = self.assert_alike()
+        self.assertEqual(checked["failed"], checked["trials"])
+
+    def test_of_an_edited_test(self):
+        self.run_it("run", self.study)
+        edit(self.study, ('"0.4 m/s"', '"0.5 m/s"'))
+        checked, view = self.assert_alike()
+        self.assertEqual((checked["foreign"], checked["succeeded"]), (checked["trials"], None))
+        self.assertIsNone(view["best"])
+        said = self.run_it("check", self.study)
+        self.assertIn(f"None of its {checked['trials']} trials are of the study as it stands", said)
+        self.assertIn("--anew", said)
+        self.assertNotIn("Everything is in order", said)
+
+
+TIRE = """
+[UNITS]
+LENGTH = 'meter'
+FORCE = 'newton'
+ANGLE = 'radians'
+MASS = 'kg'
+TIME = 'second'
+PRESSURE = 'pascal'
+[MODEL]
+FITTYP = 61
+TYRESIDE = 'LEFT'
+LONGVL = 11.11
+[DIMENSION]
+UNLOADED_RADIUS = 0.198
+[OPERATING_CONDITIONS]
+INFLPRES = 83000
+NOMPRES = 83000
+[VERTICAL]
+FNOMIN = 1100
+VERTICAL_STIFFNESS = 200000
+[STRUCTURAL]
+LONGITUDINAL_STIFFNESS = 200000
+LATERAL_STIFFNESS = 100000
+[CONTACT_PATCH]
+Q_RA1 = 0.5
+Q_RB1 = 1
+[LONGITUDINAL_COEFFICIENTS]
+PCX1 = 1.5
+PDX1 = 1
+PEX1 = -0.5
+PKX1 = 8
+[LATERAL_COEFFICIENTS]
+PCY1 = 1.4
+PDY1 = 1.8
+PEY1 = -0.5
+PKY1 = -30
+PKY2 = 1.6
+[ALIGNING_COEFFICIENTS]
+QBZ1 = 8
+QCZ1 = 1.2
+QDZ1 = 0.1
+QEZ1 = -1
+"""
+TIRE_STUDY = """
+model = "tire.tir"
+vary = ["PDY1", "PKY1"]
+[measurement.m]
+file = "iso.csv"
+[test.steady]
+kind = "steady_states"
+states = {from = "measurement.m"}
+[experiment.fy]
+kind = "curve"
+y = "steady/Fy"
+measurement = "m"
+"""
+
+
+class FittedTire(unittest.TestCase):
+    """A .tir fitted to a recording: its force is edited, which changes no input of the test, so all trials stay valid."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_foreign_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.study = self.folder / "study.toml"
+        self.study.write_text(TIRE_STUDY)
+        (self.folder / "tire.tir").write_text(TIRE)
+        self.record(2.1)
+
+    def record(self, friction):
+        rows = ["ET [s],SA [deg],IA [deg],FZ [N],FY [N],P [kPa]"]
+        for load in (800, 1200):
+            for step in range(33):
+                angle = math.radians(0.5 * step - 8)
+                force = -friction * load * math.sin(1.4 * math.atan(9 * angle))
+                rows.append(f"{len(rows) / 10},{math.degrees(angle)},0,{load},{force},83")
+        (self.folder / "iso.csv").write_text("\n".join(rows) + "\n")
+
+    def run_it(self, *arguments, code=DONE):
+        run = subprocess.run([LATSCH, *arguments], capture_output=True, text=True, timeout=300)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return run.stdout + run.stderr
+
+    def value(self, file):
+        return float(re.search(r"PDY1 *= *(\S+)", file.read_text()).group(1))
+
+    def test_an_edited_recording_gives_no_tir_and_no_unit_before_a_search_has_run(self):
+        tir, unit, page = self.folder / "fitted.tir", self.folder / "fitted.fmu", self.folder / "page.html"
+        exports = [("export", self.study, "--model", tir), ("export", self.study, "--fmu", "2.0", "-o", unit),
+                   ("report", self.study, "-o", page), ("test", self.study, '{kind = "static_stiffness", load = "1 kN"}')]
+        self.run_it("run", self.study)
+        for call in exports:
+            self.run_it(*call)
+        before = self.value(tir)
+        for file in (tir, unit, page):
+            file.unlink()
+        self.record(1.5)
+        for call in exports:
+            self.assertIn(FOREIGN, self.run_it(*call, code=WRONG_INPUT))
+        self.assertFalse(tir.exists() or unit.exists() or page.exists())
+        self.run_it("run", self.study)
+        self.run_it(*exports[0])
+        self.assertAlmostEqual(self.value(tir) / before, 1.5 / 2.1, delta=0.05)
+
+    def test_the_tire_inside_a_unit_has_the_ranges_and_origins_of_the_exported_file(self):
+        tir, unit = self.folder / "fitted.tir", self.folder / "fitted.fmu"
+        self.run_it("run", self.study)
+        self.run_it("export", self.study, "--model", tir)
+        self.run_it("export", self.study, "--fmu", "2.0", "-o", unit)
+        with zipfile.ZipFile(unit) as package:
+            inside = [name for name in package.namelist() if name.endswith(".tir")]
+            self.assertEqual(len(inside), 1, package.namelist())
+            text = package.read(inside[0]).decode()
+        self.assertEqual(text, tir.read_text())
+        self.assertRegex(text, r"(?m)^FZMAX *= *1200 ")
+        self.assertIn("from the data", text)
 
 
 if __name__ == "__main__":

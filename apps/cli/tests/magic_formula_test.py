@@ -17,7 +17,7 @@ import subprocess
 import tempfile
 import unittest
 
-from cli_testing import DONE, LATSCH, WRONG_INPUT
+from cli_testing import DONE, LATSCH, WRONG_INPUT, assert_identifiability
 
 TRUTH = {"PCY1": 1.5, "PDY1": 1.25, "PEY1": -0.8, "PKY1": -32.0, "PDY2": -0.12, "PKY2": 1.9, "PEY2": -0.3,
          "PDY3": 5.0, "PKY6": -1.2, "PPY1": 0.4, "PPY3": -0.3, "PHY1": 0.002, "PVY1": 0.02,
@@ -140,6 +140,7 @@ class MagicFormula(unittest.TestCase):
             told += 1
         self.assertGreaterEqual(told, 28)
         self.assertGreaterEqual(inside, 0.85 * told)  # 95 % each
+        assert_identifiability(self, folder, found)
         self.latsch("export", folder / "study.toml", "--model", folder / "fitted.tir")
         self.latsch("test", folder / "fitted.tir", self.base / "steady.toml", "-o", folder / "fitted.csv", "--quiet")
         columns = {}

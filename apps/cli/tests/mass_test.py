@@ -87,7 +87,7 @@ class Mass(Coarse):
         ring = self.folder / "ring"
         self.latsch("new", ring, "--ring-data")
         model = next(ring.glob("*.toml")) if not (ring / "ring.toml").exists() else ring / "ring.toml"
-        self.assert_says(self.latsch("test", model, TEST, code=WRONG_INPUT), "is weighed")
+        self.assert_says(self.latsch("test", model, TEST, code=WRONG_INPUT), "is a finite-element tire")
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ import subprocess
 import tempfile
 import unittest
 
-from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT
+from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, assert_identifiability
 
 TIRES = sorted(p.stem for p in (pathlib.Path(__file__).resolve().parents[3] / "studies" / "tires").glob("*.toml"))
 SHIPPED = [name for name in TIRES if not name.startswith("comparison_")]
@@ -81,6 +81,12 @@ class New(unittest.TestCase):
                     self.assertGreater(variable["value"], 1.05 * limits["lower"], variable)
                     self.assertLess(variable["value"], 0.95 * limits["upper"], variable)
 
+    def test_the_identifiability_of_a_tire_is_shown(self):
+        study = self.new("--tire", "race_16x7.5-10")
+        study.write_text(study.read_text().replace("0.005", "0.02"))
+        found = self.found(study)
+        assert_identifiability(self, study.parent, [one["name"] for one in found["variables"]])
+
     def test_the_size_is_the_tires(self):
         tire = (self.new("--size", "275/35R19").parent / "tire.toml").read_text()
         self.assertIn('size = "275/35R19"', tire)
@@ -120,7 +126,9 @@ class New(unittest.TestCase):
         self.latsch("new", self.folder / "corner", "--suspension")
         study = self.folder / "corner" / "study.toml"
         self.assertIn("Everything is in order", self.latsch("check", study))
-        self.assertLess(self.found(study)["target"], 1e-3)
+        found = self.found(study)
+        self.assertLess(found["target"], 1e-3)
+        assert_identifiability(self, study.parent, [one["name"] for one in found["variables"]])
         self.latsch("test", study.parent / "corner.toml", '{kind = "kinematics", from = "-30 mm", to = "30 mm", points = 5}')
         self.assertIn("exists already", self.latsch("new", self.folder / "corner", "--suspension", code=WRONG_INPUT))
 
@@ -130,10 +138,9 @@ class New(unittest.TestCase):
         self.latsch("new", self.folder / "car", "--car")
         study = self.folder / "car" / "study.toml"
         self.assertIn("Everything is in order", self.latsch("check", study))
-        text = study.read_text()
-        study.write_text(text.replace("[run]", "[run]\nintervals = false"))
-        for variable, made_of in zip(self.found(study)["variables"], (52.5, 56.0, 3.8, 4.2)):
+        for variable, made_of in zip((found := self.found(study))["variables"], (52.5, 56.0, 3.8, 4.2)):
             self.assertAlmostEqual(variable["value"] / made_of, 1.0, delta=0.03, msg=variable["name"])
+        assert_identifiability(self, study.parent, [one["name"] for one in found["variables"]])
         self.latsch("test", study.parent / "car.toml", study.parent / "kerb.toml", "--html", self.folder / "kerb.html", "-o",
                     self.folder / "kerb.csv")
         self.latsch("new", self.folder / "both", "--car", "--suspension", code=WRONG_INPUT)

@@ -81,6 +81,51 @@ class OnAnObliqueBar(unittest.TestCase):
         self.assertEqual(run.returncode, DONE, run.stderr)
         self.assertIn(LIMIT, run.stdout + run.stderr)
 
+    def test_a_study_says_it_before_it_runs(self):
+        """In check, at the head of run, in JSON; a sentence for all tests that it concerns, none for a straight cleat."""
+        study = self.folder / "study.toml"
+        text = f"""model = "{STRAIGHT}"
+test.straight = {bar(0)}
+test.oblique = {bar(30)}
+test.more = {bar(-20)}
+[variable.mass]
+path = "belt.mass"
+lower = "5 kg"
+upper = "15 kg"
+initial = "9 kg"
+"""
+        for name in ("straight", "oblique", "more"):
+            text += f'[experiment.{name}]\nkind = "values"\nchannel = "{name}/force"\nvalues = ["3 kN"]\n'
+        study.write_text(text + "[optimizer]\nmax_steps = 1\n[run]\nintervals = false\nworkers = 1\n")
+        for verb in ("check", "run"):
+            with self.subTest(verb):
+                run = subprocess.run([LATSCH, verb, study, "--json"], capture_output=True, text=True, timeout=300)
+                told = [one["message"] for one in json.loads(run.stdout)["warnings"] if LIMIT in one["message"]]
+                self.assertEqual(len(told), 1, run.stdout + run.stderr)
+                self.assertTrue(told[0].startswith("test oblique, test more: "), told)
+        study.write_text((study.read_text()).replace(f'model = "{STRAIGHT}"', f'model = "{self.bending()}"'))
+        run = subprocess.run([LATSCH, "check", study], capture_output=True, text=True, timeout=300)
+        self.assertEqual(run.returncode, DONE, run.stderr)
+        self.assertNotIn(LIMIT, run.stdout + run.stderr)
+
+
+class OverAKerb(unittest.TestCase):
+    """A car on flexible rings: a wheel on the edge of a kerb has an obstacle below a part of its width."""
+
+    def warned(self, line):
+        """line: of the car's middle, m; the kerb of 1 m begins 0.4 m to its left."""
+        kerb = ('{kind = "kerb", speed = "40 m/s", run_in = "0.02 s", duration = "0.02 s", line = "%g m", '
+                'kerb = {kind = "kerb", shape = "sine", pitch = "800 mm", width = "1 m", height = "5 mm", count = 2, '
+                'start = ["0 m", "0.4 m"]}}' % line)
+        run = subprocess.run([LATSCH, "test", STUDIES / "kerb" / "track.toml", kerb, "--json"], capture_output=True, text=True,
+                             timeout=300)
+        self.assertEqual(run.returncode, DONE, run.stdout + run.stderr)
+        return " ".join(one["message"] for one in json.loads(run.stdout)["warnings"])
+
+    def test_a_wheel_on_its_edge_is_told_of_and_a_wheel_amid_it_is_not(self):
+        self.assertNotIn("sections of this flexible ring stay straight", self.warned(0.0))
+        self.assertIn("sections of this flexible ring stay straight", self.warned(-0.2))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -7,6 +7,7 @@ line numbers.
 import pathlib
 import shutil
 import subprocess
+import tempfile
 import unittest
 
 from cli_testing import DONE, LATSCH, WRONG_INPUT, Coarse, edit
@@ -102,6 +103,134 @@ class Magnitudes(Coarse):
             run = subprocess.run([LATSCH, "check", file], capture_output=True, text=True)
             self.assertNotIn("warning", run.stderr, file)
             self.assertEqual(run.returncode, DONE, run.stderr)
+
+
+class ModelsAlone(unittest.TestCase):
+    """Files of models without a study get the findings that a study gets."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_plausible_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.number = 0
+
+    def changed(self, file, *replacements):
+        self.number += 1
+        copy = self.folder / f"{self.number}{file.suffix}"
+        shutil.copy(file, copy)
+        edit(copy, *replacements)
+        return copy
+
+    def run_it(self, *arguments, code=DONE):
+        run = subprocess.run([LATSCH, *arguments], capture_output=True, text=True, timeout=300)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return run.stdout + run.stderr
+
+    RING = TREE / "studies/ring_tires/passenger_205_55R16.toml"
+    FE = TREE / "studies/tires/passenger_205_55R16.toml"
+    TIR = TREE / "studies/tire_model_comparison/rigid_ring.tir"
+    PRESSED = '{kind = "load_deflection", deflections = ["20 mm"]}'
+
+    def test_a_ring_with_numbers_that_no_tire_has(self):
+        for pattern, new, says in (
+                ('pressure = "2.4 bar"', 'pressure = "240 bar"', '"240 kPa" would be usual'),
+                ('pressure = "2.4 bar"', 'pressure = "2.4 kPa"', "0.3 to 16 bar"),
+                ('pressure = "2.4 bar"', 'pressure = "0 bar"', "0.3 to 16 bar"),
+                ('mass = "4.52276 kg"', 'mass = "4.52276 g"', '"4.52276 kg" would be usual'),
+                ('mass = "4.52276 kg"', 'mass = "4522.76 kg"', "a belt's mass on its surface is usually 1 to 300 kg/m^2"),
+                ('height = "11 mm"', 'height = "11 m"', '"11 mm" would be usual'),
+                ('height = "11 mm"', 'height = "0.011 mm"', '"0.011 m" would be usual'),
+                ('width = "160 mm"', 'width = "16 m"', "15 to 1500 mm"),
+                ("shear_ratio = 0.3333", "shear_ratio = 33.33", "a ratio of moduli is usually 0.1 to 1.5"),
+                ('radius = "305 mm"', 'radius = "305 m"', '"305 mm" would be usual'),
+                ('extension = "2 MN"', 'extension = "2 N"', '"2 MN" would be usual'),
+                ('stiffness = "0.55 MN/m.2"', 'stiffness = "550 N/m^2"', '"550 kN/m^2" would be usual'),
+                ('damping = "90 N s/m.2"', 'damping = "90 MN s/m^2"', "a sidewall's damping"),  # a sibling
+                ('torsion = "5 kN/rad"', 'torsion = "5 GN/rad"', "a sidewall's torsion")):
+            with self.subTest(new=new):
+                ring = self.changed(self.RING, (pattern, new))
+                for arguments in (("check", ring), ("test", ring, self.PRESSED)):
+                    self.assertIn(says, self.run_it(*arguments, code=WRONG_INPUT))
+        self.assertNotIn("usual", self.run_it("check", self.RING))
+        unusual = self.changed(self.RING, ('pressure = "2.4 bar"', 'pressure = "20 bar"'))
+        self.assertIn("warning: ", self.run_it("check", unusual))
+
+    def test_a_finite_element_tire_with_numbers_that_no_tire_has(self):
+        for pattern, new, says in (
+                ('pressure = "2.4 bar"', 'pressure = "240 bar"', '"240 kPa" would be usual'),
+                ('density = "1150 kg/m.3"', 'density = "1150 g/cm^3"', '"1150 kg/m^3" would be usual'),
+                ('spacing = "1.0 mm"', 'spacing = "1.0 m"', '"1.0 mm" would be usual'),
+                ('spacing = "1.25 mm"', 'spacing = "0.01 mm"', "0.3 to 5 mm"),
+                ('cord_area = "0.246 mm.2"', 'cord_area = "0.246 cm^2"', "the cords overlap"),
+                ('cord_diameter = "0.55 mm"', 'cord_diameter = "5.5 mm"', "the cords overlap"),
+                ('cord_diameter = "0.55 mm"', 'cord_diameter = "1.5 mm"', "cord_diameter makes a cord of 1.5 mm"),
+                ('spacing = "1.0 mm"\ncord_diameter = "0.55 mm"', 'spacing = "24 mm"\ncord_diameter = "19 mm"',
+                 "the cord does not fit into it")):
+            with self.subTest(new=new):
+                tire = self.changed(self.FE, (pattern, new))
+                for arguments in (("check", tire), ("mesh", tire), ("test", tire, '{kind = "mass_properties"}'),
+                                  ("export", tire, "--ccx", self.folder / "x.inp")):
+                    self.assertIn(says, self.run_it(*arguments, code=WRONG_INPUT))
+
+    def test_a_test_alone_has_usual_numbers_too(self):
+        for keys, says in (('pressure = "300 bar"', "0.3 to 16 bar"), ('load = "4 MN", directions = ["vertical"]', "a wheel load")):
+            kind = "static_stiffness" if "load" in keys else "load_deflection"
+            more = "" if "load" in keys else ', deflections = ["20 mm"]'
+            self.assertIn(says, self.run_it("test", self.TIR, f'{{kind = "{kind}", {keys}{more}}}', code=WRONG_INPUT))
+        test = self.folder / "test.toml"
+        test.write_text('kind = "load_deflection"\ndeflections = ["20 mm"]\npressure = "300 bar"\n')
+        self.assertIn("test.toml:3: pressure", self.run_it("test", self.RING, test, code=WRONG_INPUT))
+
+    def test_notes_on_a_tir_are_shown_wherever_it_is_used(self):
+        tir = self.changed(self.TIR, (r"FNOMIN +=.*", "FNOMIN = 4"))
+        says = "FNOMIN is 4 N, where tires have 10 to 1e+06 N"
+        suite = self.folder / "suite.toml"
+        suite.write_text('[test.pressed]\nkind = "load_deflection"\ndeflections = ["20 mm"]\n'
+                         '[check.a]\nchannel = "pressed/force"\nof = "first"\nlower = "1 N"\nsource = "none"\n')
+        (self.folder / "f.csv").write_text("deflection [mm], force [N]\n10, 1700\n20, 3500\n")
+        study = self.folder / "study.toml"
+        study.write_text(f'model = "{tir.name}"\n[variable.k]\npath = "VERTICAL_STIFFNESS"\nlower = "100 N/mm"\n'
+                         'upper = "300 N/mm"\ninitial = "150 N/mm"\n[experiment.pressed]\nkind = "load_deflection"\n'
+                         'measurement = "f.csv"\n')
+        for arguments in (("check", tir), ("test", tir, self.PRESSED), ("validate", tir, suite), ("check", study),
+                          ("simulate", study)):
+            run = subprocess.run([LATSCH, *arguments], capture_output=True, text=True, timeout=300)
+            self.assertIn(says, run.stderr, arguments)
+        self.assertIn("Nothing is refused, but there ", self.run_it("check", study))
+
+    def test_a_wrong_sign_is_told_as_one_within_the_data(self):
+        tir = self.changed(self.TIR, (r"PKY1 +=.*", "PKY1 = 8.9"))
+        self.assertIn("within the data already, ", self.run_it("check", tir))
+        rising = self.changed(self.TIR, (r"LMUY +=.*|PDY1 +=.*", "PDY1 = 100"))  # a sibling, told by a test, too
+        self.assertIn("beyond the data", self.run_it("test", rising, self.PRESSED))
+
+    def test_a_mode_cannot_be_a_variable(self):
+        (self.folder / "f.csv").write_text("deflection [mm], force [N]\n10, 1700\n20, 3500\n")
+        shutil.copy(self.TIR, self.folder / "base.tir")
+        study = self.folder / "study.toml"
+        study.write_text('model = "base.tir"\n[variable.mode]\npath = "use_mode"\nlower = 0\nupper = 100\ninitial = 14\n'
+                         '[experiment.pressed]\nkind = "load_deflection"\nmeasurement = "f.csv"\n')
+        self.assertIn("leads to a whole number, a mode or a count", self.run_it("check", study, code=WRONG_INPUT))
+
+    def test_what_a_table_of_states_lacks_is_told(self):
+        states = self.folder / "states.csv"
+        test = '{kind = "steady_states", states = "%s"}' % states
+        states.write_text("Fz [N]\n4000\n")
+        self.assertIn("kappa = 0, alpha = 0, gamma = 0, Vx = 11.11 m/s, p = 2.4 bar are taken", self.run_it("test", self.TIR, test))
+        states.write_text("Fz [N],alpha [deg],phit [1/m],p [bar]\n4000,2,0.1,1\n")
+        text = self.run_it("test", self.TIR, test)
+        self.assertIn('column phit has no effect: turn_slip is "off"', text)
+        self.assertIn("column p has no effect", text)
+        self.assertIn("kappa = 0, gamma = 0, Vx = 11.11 m/s are taken", text)
+        self.assertNotIn("-0,", text.replace("-0.", ""))
+        states.write_text("Fz [N],gamma [deg]\n4000,90\n4000,90\n")
+        self.assertIn("is outside of -65 .. 65 deg", self.run_it("test", self.TIR, test))
+
+    def test_a_log_of_both_streams_keeps_whole_lines(self):
+        with open(self.folder / "log", "w") as log:
+            subprocess.run([LATSCH, "check", self.TIR], stdout=log, stderr=log, check=True)
+        lines = (self.folder / "log").read_text().splitlines()
+        self.assertTrue(any(line.startswith("latsch: ") for line in lines))
+        self.assertFalse([line for line in lines if "latsch: " in line[1:]])
 
 
 if __name__ == "__main__":

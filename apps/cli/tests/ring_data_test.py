@@ -5,6 +5,7 @@ measured loads and modes.
     ring_data_test.py PATH/TO/latsch
 """
 import csv
+import json
 import pathlib
 import re
 import shutil
@@ -13,7 +14,7 @@ import tempfile
 import tomllib
 import unittest
 
-from cli_testing import DONE, LATSCH, WRONG_INPUT, edit
+from cli_testing import DONE, LATSCH, WRONG_INPUT, assert_identifiability, edit
 
 RING = pathlib.Path(__file__).resolve().parents[3] / "studies" / "ring_tires" / "passenger_205_55R16.toml"
 PRESSED = '{kind = "load_deflection", deflections = ["10 mm", "18 mm", "26 mm"]}'
@@ -57,7 +58,8 @@ class RingData(unittest.TestCase):
         contains the fitted ring."""
         study = self.folder / "ring" / "study.toml"
         self.latsch("new", study.parent, "--ring-data", model)
-        self.latsch("run", study)
+        found = json.loads(self.latsch("run", study, "--json").stdout)["result"]
+        assert_identifiability(self, study.parent, [one["name"] for one in found["variables"]])
         self.latsch("export", study, "--model", study.parent / "fitted.toml")
         return study.parent
 

@@ -21,62 +21,9 @@ import unittest
 import urllib.error
 import urllib.request
 
-from cli_testing import LATSCH, Coarse
+from cli_testing import LATSCH, Coarse, Page
 
 SOURCE = pathlib.Path(__file__).resolve().parents[3]
-
-
-class Page:
-    """Calls the server as scripts do."""
-
-    def __init__(self, *arguments, environment=None):
-        self.process = subprocess.Popen([LATSCH, *arguments], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
-                                        start_new_session=True, env=environment)
-        self.address = None
-        while self.address is None:
-            line = self.process.stdout.readline()
-            assert line, "it ended without an address"
-            found = re.match(r"(http://[^/]+)/\?token=(\S+)", line)
-            if found:
-                self.address, self.token = found.groups()
-
-    def open(self, path, body=None, timeout=30):
-        request = urllib.request.Request(self.address + path, headers={"Authorization": "Bearer " + self.token})
-        if body is not None:
-            request.data = json.dumps(body).encode()
-            request.add_header("Content-Type", "application/json")
-        return urllib.request.urlopen(request, timeout=timeout)
-
-    def get(self, path):
-        with self.open(path) as answer:
-            return json.load(answer)
-
-    def post(self, path, body):
-        with self.open(path, body) as answer:
-            return json.load(answer)
-
-    def status(self, path, body=None):
-        try:
-            with self.open(path, body) as answer:
-                return answer.status
-        except urllib.error.HTTPError as error:
-            with error:
-                return error.code
-
-    def wait(self, path, is_so, seconds=60):
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            answer = self.get(path)
-            if is_so(answer):
-                return answer
-            time.sleep(0.02)
-        raise AssertionError(f"{path} stays {answer}")
-
-    def end(self):
-        if self.process.poll() is None:
-            self.process.send_signal(signal.SIGINT)
-        self.process.wait(10)
-        self.process.stdout.close()
 
 
 STUDY = "/api/study?study=study.toml"

@@ -77,10 +77,11 @@ bounds = 0.4
         trials = trials_of(self.folder / "study.latsch")
         edit(self.study, (r"(\[experiment\.stiffness\](?:.*\n)*?)weight = 1", r"\1weight = 5"))
         text = self.latsch("pareto", self.study, "stiffness", "modes")
-        self.assert_says(text, "Best by the weights", "Pareto front", "stiffness %", "best")
+        self.assert_says(text, "Nearest, though no search has looked for it, by the weights", "Pareto front", "stiffness %",
+                         "nearest")
         self.assertIn("<svg", (self.folder / "study.pareto.html").read_text())
         self.assertEqual(trials_of(self.folder / "study.latsch"), trials)
-        self.assert_says(self.latsch("report", self.study), "Report")
+        self.assert_says(self.latsch("report", self.study, code=WRONG_INPUT), "no search has run on the study as it stands")
 
     def test_killed_and_resumed_gives_the_same_result(self):
         whole = self.latsch("run", self.study)
@@ -103,7 +104,7 @@ bounds = 0.4
     @contextlib.contextmanager
     def running_with_trials(self, finished):
         """Runs `latsch run` in the background; the body of the `with` begins once its journal
-        holds that many trials."""
+        holds the given number of trials."""
         journal = self.folder / "study.latsch"
         run = subprocess.Popen([LATSCH, "run", self.study], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         try:

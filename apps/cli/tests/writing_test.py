@@ -71,7 +71,7 @@ class Writing(unittest.TestCase):
         full = self.folder / "full"
         try:
             os.mknod(full, stat.S_IFCHR | 0o666, os.makedev(1, 7))  # a device like /dev/full, which no test may endanger
-            os.close(os.open(full, os.O_WRONLY))  # some systems forbid its use here
+            os.close(os.open(full, os.O_WRONLY))  # some systems forbid opening devices here
         except OSError as error:
             self.skipTest(f"devices cannot be made here: {error}")
         self.assertIn(f"{full}: the log cannot be written", self.latsch(*self.verbs[0][:3], "--log", full))
@@ -83,6 +83,56 @@ class Writing(unittest.TestCase):
         for verb in self.verbs:
             self.assertIn("No space left on device", self.latsch(*verb, full, code=WRONG_INPUT), verb)
             self.assertTrue(stat.S_ISCHR(full.lstat().st_mode), verb)
+
+    def test_a_file_that_the_command_reads_is_no_output(self):
+        """Reading and writing one file is a slip, also by a link or for a file that another file names."""
+        tire = self.write("tire.toml", (STUDIES / "tires" / "passenger_205_55R16.toml").read_text())
+        ring = self.write("ring.toml", (STUDIES / "ring_tires" / "passenger_205_55R16.toml").read_text())
+        test = self.write("test.toml", 'kind = "load_deflection"\ndeflections = ["10 mm"]\n')
+        points, road = self.folder / "points.csv", self.folder / "road.toml"
+        link = self.folder / "link.csv"
+        link.symlink_to("points.csv")
+        for verb, lost in ((("road", road, points, "--output", points), points),
+                           (("road", road, points, "--output", link), points),
+                           (("road", road, points, "--output", road), road),
+                           (("show", points, "--html", points), points),
+                           (("test", ring, test, "-o", test), test),
+                           (("test", ring, test, "--html", ring), ring),
+                           (("mesh", tire, "--vtu", tire), tire),
+                           (("export", tire, "--model", tire), tire),
+                           (("export", tire, "--ccx", tire), tire)):
+            before = lost.read_bytes()
+            self.assertIn("is read by this command", self.latsch(*verb, code=WRONG_INPUT), verb)
+            self.assertEqual(lost.read_bytes(), before, verb)
+        for _ in range(2):  # an output of an earlier command is replaced
+            self.latsch("show", points, "--html", self.folder / "points.html")
+
+    def test_a_log_is_not_appended_to_a_file_that_is_none(self):
+        points = self.folder / "points.csv"
+        before = points.read_bytes()
+        self.assertIn("is no log", self.latsch("show", points, "--log", points, code=WRONG_INPUT))
+        self.assertEqual(points.read_bytes(), before)
+        for _ in range(2):
+            self.latsch("show", points, "--log", self.folder / "log.txt")
+
+    def test_measured_values_are_kept_when_a_twin_takes_their_place(self):
+        study = self.folder / "study.toml"
+        self.write("ring.toml", (STUDIES / "ring_tires" / "passenger_205_55R16.toml").read_text())
+        study.write_text('''model = "ring.toml"
+[experiment.pressed]
+kind = "load_deflection"
+measurement = "pressed.csv"
+[variable.k]
+path = "sidewall.radial.stiffness"
+lower = "400 kN/m^2"
+upper = "700 kN/m^2"
+''')
+        measured = "deflection [mm],force [N]\n10,1500\n20,3300\n"
+        pressed = self.write("pressed.csv", measured)
+        self.assertIn("kept as", self.latsch("export", study, "--measurements"))
+        self.assertEqual((self.folder / "pressed.measured.csv").read_text(), measured)
+        self.assertTrue(pressed.read_text().startswith("# Not measured"))
+        self.assertNotIn("kept as", self.latsch("export", study, "--measurements"))
 
 
 if __name__ == "__main__":

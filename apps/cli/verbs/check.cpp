@@ -19,7 +19,9 @@
 #include "cli/run/model_source.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/beyond_data.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/analysis/test_limits.h"
+#include "correlation/search/search_standing.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/ledgers/file_ledgers.h"
 #include "correlation/study/refinement.h"
@@ -33,6 +35,7 @@
 #include "evaluation/journal/journal.h"
 #include "evaluation/journal/local_file_system.h"
 #include "experiment/language/model_file.h"
+#include "formats/text/pipe.h"
 
 namespace latsch::cli {
 namespace {
@@ -116,32 +119,44 @@ void answer_check(const Study& study) {
   }
 }
 
-/// Reports on earlier trials: how many failed, why most of them did, and whether the measurements
-/// can be compared with the successful ones.
+/// Reports on earlier trials: how many failed, why most of them did, for what they were run, and
+/// whether the measurements can be compared with the successful ones.
 void print_trials_so_far(const Study& study) {
   if (!std::filesystem::exists(study.run.journal)) return;
   const Journal journal = Journal::read(study.run.journal);
   if (const auto what = difference(journal.identity(), correlation::identity(study))) {
-    say("Its journal does not belong to it: {}\n", *what);
+    answer_counts({.trials = journal.size(), .foreign = journal.size()}, /*targets_known=*/false);
+    warn(
+        fmt::format("its journal {} was made otherwise: {}. None of its {} trials {} of the study "
+                    "as it stands. Next: latsch run {} --anew, which keeps it beside",
+                    study.run.journal.string(),
+                    *what,
+                    journal.size(),
+                    journal.size() == 1 ? "is" : "are",
+                    study.file.string()));
     return;
   }
-  const Objective target = correlation::objective(study);
+  const Study weighted = correlation::with_estimated_noise(study, journal);
+  const Objective target = correlation::objective(weighted);
   std::map<std::string, long> reasons;
   journal.for_each([&](const Trial& trial) {
     const auto& result = trial.outcome.result;
     const auto score = result ? target(trial.point, *result) : Result<Score>(result.failure());
     if (!score) ++reasons[score.failure().reason];
   });
-  long failed = 0;
+  const correlation::TrialCounts counts = correlation::count_trials(weighted, journal);
+  answer_counts(counts);
   const std::pair<const std::string, long>* most = nullptr;
   for (const auto& reason : reasons) {
-    failed += reason.second;
     if (!most || reason.second > most->second) most = &reason;
   }
   say("{} trials so far, {} of them without a target{}\n",
-      journal.size(),
-      failed,
+      counts.trials,
+      counts.failed,
       most ? ", most often because: " + most->first : "");
+  if (counts.foreign > 0) say("{}\n", correlation::in_words(counts));
+  const std::string why = correlation::why_no_best(weighted, journal);
+  if (!why.empty()) warn(why, {study.file.string(), 0});
 }
 
 void print_stages(const Study& study) {
@@ -282,9 +297,8 @@ void check_model(const std::string& file, const experiment::Language& language) 
     answer()["numbers"].push_back({{"path", path}, {"value", value}, {"unit", unit}});
   }
   print_numbers(numbers, file);
-  say_ledgers(correlation::ledgers_of_file(file, "the model"), true, "Files");
-  for (const std::string& note : kind.notes(file)) warn(note, {file, 0});
-  warn_beyond_data(kind, numbers, file);
+  say_ledgers(correlation::ledgers_of_file(file, "the model"), LinesTo::output, "Files");
+  examine_model(kind, numbers, file);
   say("\n{} Next: a test of it, latsch test {} TEST, or a study with model = \"{}\"\n",
       verdict(),
       file,
@@ -294,6 +308,7 @@ void check_model(const std::string& file, const experiment::Language& language) 
 /// True if a file is a model of some kind: a car, a suspension, a tire. Any other file is read as a
 /// study, with the error messages of a study.
 bool is_model(const std::string& file, const experiment::Language& language) {
+  formats::expect_no_pipe(file);
   if (!experiment::is_document(file)) return true;
   if (is_study(file)) return false;
   const Node root = Document::read(file).root();
@@ -346,6 +361,7 @@ void check(const std::string& file, const experiment::Language& language) {
     say("\nRefined model, for the effect of mesh and step on the numbers: {}\n",
         in_words(*study.refinement));
   warn_tire(study);
+  for (const std::string& limit : correlation::limits_of_tests(study)) warn(limit);
   const MethodChoice choice = method_of(study);
   say("\nOptimizer {}, at most {} steps: {}\n"
       "Workers {}, {:g} s a trial at most, journal {}\n"

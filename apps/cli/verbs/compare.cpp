@@ -8,12 +8,16 @@
 
 #include "base/file.h"
 #include "cli/console/console.h"
+#include "cli/console/implausible.h"
+#include "cli/console/ledgers.h"
 #include "cli/verbs/compared_models.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/comparison/comparison_page.h"
 #include "correlation/comparison/model_comparison_file.h"
 #include "correlation/comparison/tire_comparison.h"
+#include "correlation/study/ledgers/file_ledgers.h"
 #include "formats/tables/csv_table.h"
+#include "formats/text/pipe.h"
 
 namespace latsch::cli {
 namespace {
@@ -21,6 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 using correlation::ComparisonFile;
 using correlation::TireComparison;
+
+constexpr int kUsualThreads = 2;
 
 /// Writes the results of the specimen as tables to which a study can be fitted.
 void write_measurements(const ComparisonFile& file, const fs::path& folder) {
@@ -47,10 +53,21 @@ void compare(const std::string& name,
              const std::string& measurements,
              std::string output,
              int threads) {
+  formats::expect_no_pipe(name);
+  say_ledgers(
+      correlation::ledgers_of_named_files(name, "the comparison", {}), LinesTo::output, "Files");
+  const bool models = correlation::compares_models(name);
+  if (threads > 0 && !models)
+    throw InputError({name, 0},
+                     "compares tires one after the other, so that their times are comparable; "
+                     "expected the command without --threads");
   if (output.empty()) output = fs::path(name).replace_extension(".html").string();
-  if (correlation::compares_models(name))
-    return compare_models(name, language, measurements, output, threads);
+  if (models)
+    return compare_models(
+        name, language, measurements, output, threads > 0 ? threads : kUsualThreads);
   const ComparisonFile file = correlation::read_comparison_file(name, language);
+  for (const correlation::ComparedTire& tire : file.tires)
+    examine_model(*tire.kind, tire.numbers, tire.file.string());
   if (!measurements.empty()) return write_measurements(file, measurements);
   TireComparison comparison;
   {
@@ -60,6 +77,7 @@ void compare(const std::string& name,
       progress.update(done++, static_cast<long>(file.tests.size()), test);
     });
   }
+  for (const std::string& remark : comparison.remarks) warn(remark, {name, 0});
   write_text_file(output, comparison_page(file, comparison));
   say("{}\n\n", file.title);
   for (std::size_t t = 0; t < file.tires.size(); ++t) {
@@ -105,11 +123,14 @@ void add_compare(CommandLine& app, Program& program) {
   verb.add_option("--write-measurements",
                   *measurements,
                   "Write the specimen's results in every test to this folder, and end");
-  auto threads = std::make_shared<int>(2);
+  auto threads = std::make_shared<int>(0);
   verb.add_option("--threads",
                   *threads,
-                  "Threads for a comparison of models; the result is the "
-                  "same for any number");
+                  "Threads for a comparison of models, 2 unless given; the result is the "
+                  "same for any number")
+      .between(1, 1024);
+  verb.forms({{"writes a page", {}, {"--output", "--threads"}},
+              {"writes the results of the specimen and ends", {"--write-measurements"}}});
   verb.callback(
       [=, &program] { compare(*file, program.language, *measurements, *output, *threads); });
 }

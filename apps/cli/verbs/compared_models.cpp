@@ -7,6 +7,7 @@
 
 #include "base/file.h"
 #include "cli/console/console.h"
+#include "cli/console/implausible.h"
 #include "correlation/comparison/comparison_effects.h"
 #include "correlation/comparison/model_comparison_page.h"
 #include "formats/tables/csv_table.h"
@@ -84,6 +85,8 @@ void compare_models(const std::string& name,
                     const std::string& output,
                     int threads) {
   const ModelComparisonFile file = correlation::read_model_comparison(name, language);
+  for (const correlation::ComparedModel& model : file.models)
+    examine_model(*model.kind, model.numbers, model.numbers.file());
   if (!measurements.empty()) return write_recordings(file, language, measurements);
   ModelComparison comparison;
   {

@@ -54,7 +54,7 @@ int examine(const std::string& named,
     std::optional<StudyIdentity> identity;
     if (!study.empty()) identity = correlation::identity(correlation::read_study(study, language));
     salvage_journal(report, identity, salvaged);
-    say("{} trials are saved in {}; put it in the place of the damaged file and go on with "
+    say("{} trials are saved in {}; replace the damaged file by it and continue with "
         "latsch resume\n",
         report.rows.size(),
         salvaged);
@@ -79,6 +79,7 @@ void add_doctor(CommandLine& app, Program& program) {
   verb.add_option("journal", *file, "Journal of a study (.latsch), or the study").required();
   verb.add_option("--salvage", *salvaged, "Write the intact trials to this new journal");
   verb.add_option("--study", *study, "The study it belongs to, if the journal cannot say");
+  verb.forms({{"examines a journal", {}}, {"saves the intact trials", {"--salvage"}, {"--study"}}});
   verb.callback(
       [=, &program] { program.exit_code = examine(*file, *salvaged, *study, program.language); });
 }

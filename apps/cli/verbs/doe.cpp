@@ -20,6 +20,7 @@
 #include "correlation/analysis/doe_effects.h"
 #include "correlation/analysis/doe_extent.h"
 #include "correlation/target/best_trial.h"
+#include "correlation/target/trial_ownership.h"
 #include "evaluation/schedule/retried_failures.h"
 
 namespace latsch::cli {
@@ -34,7 +35,7 @@ constexpr double kNear = 2.0;     // largest ratio of targets to the least one, 
                                   // given
 constexpr double kWhole = 0.999;  // share of a variable's range that counts as the whole range
 
-/// Returns the study's design, or a grid with that number of levels for every variable.
+/// Returns the study's design, or a grid with the given number of levels for every variable.
 StudyDesign design_of(const Study& study, int levels) {
   if (levels > 0) return {.levels = std::vector<int>(study.space.size(), levels)};
   if (study.doe) return *study.doe;
@@ -191,6 +192,7 @@ int doe(const std::string& file,
     }
     return kFailed;
   }
+  correlation::mark_design(study, plan.points, journal);
   const auto points = rated(plan, targets_of(study, journal));
   if (points.empty()) {
     const auto trial = first_failure(journal);

@@ -3,6 +3,7 @@
 // finite-element tire for other programs, a rolling tire for programs that simulate a car, or a
 // car.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/file.h"
 #include "cli/console/console.h"
@@ -16,8 +17,10 @@
 #include "cli/verbs/verbs.h"
 #include "correlation/study_report/fitted_model.h"
 #include "correlation/target/twin.h"
+#include "experiment/language/kind_files.h"
 #include "formats/mesh/ccx_deck.h"
 #include "formats/mesh/vtu_file.h"
+#include "formats/tire/lost_keys.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
 
@@ -124,31 +127,48 @@ void write_model(const ExportOptions& options, const std::string& text) {
   say_written(options.model);
 }
 
+void warn_of_lost_keys(const fs::path& file, const std::string& exported) {
+  const std::vector<std::string> lost = formats::lost_keys(file, exported);
+  if (lost.empty()) return;
+  warn(fmt::format("not in the exported file: {}; copy what another program needs",
+                   fmt::join(lost, ", ")),
+       {file.string(), 0});
+}
+
 /// Returns a model's file as it is read or, for a study, the identified model with the origin of
 /// its numbers.
-std::string model_text(const std::string& file, const experiment::Language& language) {
+std::string model_text(const std::string& file,
+                       const fs::path& output,
+                       const experiment::Language& language) {
   if (!is_study(file)) {
     const ModelSource source = model_source(file, language);
-    return source.kind->text(source.numbers);
+    experiment::expect_own_ending(*source.kind, output);
+    const std::string text = source.kind->text(source.numbers);
+    warn_of_lost_keys(file, text);
+    return text;
   }
   const correlation::Study study = study_with_model(file, language);
+  experiment::expect_own_ending(*study.specimens->kind(), output);
   const auto model =
       correlation::fitted_model(study, {version_number(), export_date(calendar_of_system())});
   say("{} at {}\n", study.title, model.is_fitted ? "its best point" : "its initial values");
-  return correlation::text_of(study, model);
+  const std::string text = correlation::text_of(study, model);
+  warn_of_lost_keys(study.model_file, text);
+  return text;
 }
 
 void write_measurements(const std::string& file, const experiment::Language& language) {
   const auto study = correlation::read_study(file, language, correlation::Measurements::not_yet);
-  for (const auto& path : required(correlation::write_twin(study))) {
-    say_written(path.string());
-  }
+  const correlation::TwinFiles files = required(correlation::write_twin(study));
+  for (const auto& [path, as] : files.kept)
+    warn(fmt::format("{} was measured, or made by another program: it is kept as {}",
+                     path.string(),
+                     as.string()));
+  for (const auto& path : files.written) say_written(path.string());
 }
 
 void export_files(const ExportOptions& options, const experiment::Language& language) {
   if (options.measurements) return write_measurements(options.file, language);
-  if (options.fmu.empty() && !(options.road.empty() && options.output.empty()))
-    throw InputError("export: --road and -o belong to a unit: expected --fmu 2.0 or --fmu 3.0");
   if (options.sti) say_sti(options.file, language);
   if (!options.fmu.empty())
     write_fmu(options.file, options.fmu, options.road, options.output, language);
@@ -160,7 +180,8 @@ void export_files(const ExportOptions& options, const experiment::Language& lang
         "export: say what to write: --vtu, --ccx, --model, --fmu, --sti, --bus or "
         "--measurements");
   }
-  if (!options.model.empty()) write_model(options, model_text(options.file, language));
+  if (!options.model.empty())
+    write_model(options, model_text(options.file, options.model, language));
   if (!mesh) return;
   const MeshedTire tire = meshed_tire(options.file, language);
   if (!options.vtu.empty()) write_vtu(options, tire);
@@ -214,6 +235,18 @@ void add_export(CommandLine& app, Program& program) {
   verb.add_flag("--measurements",
                 options->measurements,
                 "Write the study's measurement files from the model itself: a twin");
+  const bool alone = false;
+  verb.forms(
+      {{"writes a ParaView file", {"--vtu"}, {"--pressure", "--deflection", "--modes"}, alone},
+       {"writes a CalculiX deck", {"--ccx"}, {"--pressure", "--deflection", "--modes"}, alone},
+       {"writes a model file as it is", {"--model"}, {}, alone},
+       {"writes a unit, which starts at the pressure of the model",
+        {"--fmu"},
+        {"--road", "--output"},
+        alone},
+       {"writes bushings", {"--bus"}, {}, alone},
+       {"prints how to use the Standard Tyre Interface", {"--sti"}, {}, alone},
+       {"writes measurements", {"--measurements"}}});
   verb.callback([=, &program] { export_files(*options, program.language); });
 }
 

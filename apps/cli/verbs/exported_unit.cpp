@@ -6,9 +6,13 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "cli/console/console.h"
+#include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
+#include "cli/console/version.h"
+#include "cli/run/export_date.h"
 #include "cli/run/model_source.h"
 #include "correlation/study/ledgers/file_ledgers.h"
+#include "correlation/study_report/fitted_model.h"
 #include "exchange/fmu_package.h"
 #include "exchange/unit_folder.h"
 #include "experiment/language/capabilities.h"
@@ -37,11 +41,17 @@ void write_fmu(const std::string& file,
                const experiment::Language& language) {
   if (output.empty()) throw InputError("export --fmu: expected the package to write, -o FILE.fmu");
   const ModelSource source = model_source(file, language);
-  if (!is_study(file))
-    for (const std::string& note : source.kind->notes(file)) warn(note, {file, 0});
+  // The numbers of the model's text, with the ranges that the data give the inputs of a tire.
+  std::string text;
+  if (is_study(file)) {
+    const correlation::Study study = study_with_model(file, language);
+    text = correlation::text_of(
+        study,
+        correlation::fitted_model(study, {version_number(), export_date(calendar_of_system())}));
+  }
   warn_of_doubts(correlation::ledgers_of_file(file, "the model"));
   if (!road.empty()) warn_of_doubts(correlation::ledgers_of_file(road, "the road"));
-  const auto files = exchange::unit_files(*source.kind, source.numbers, road);
+  const auto files = exchange::unit_files(*source.kind, source.numbers, road, text);
   const auto fmi = version == "2.0" ? exchange::FmiVersion::fmi2 : exchange::FmiVersion::fmi3;
   exchange::UnitTitle title;
   title.name = fs::path(output).stem().string();
@@ -63,7 +73,7 @@ void say_sti(const std::string& file, const experiment::Language& language) {
     throw InputError({file, 0}, "is a " + kind.in_words() + ", which does not roll");
   const Document numbers = kind.read(file);
   kind.check(numbers);
-  for (const std::string& note : kind.notes(file)) warn(note, {file, 0});
+  examine_model(kind, numbers, file);
   warn_of_doubts(correlation::ledgers_of_file(file, "the model"));
   say("library   {}\nfunction  dtyre_ (Fortran: DTYRE; C: dtyre)\ntire file {}\ntire      {}\n",
       library("latsch_sti.so").string(),

@@ -17,10 +17,12 @@
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/identification_start.h"
 #include "correlation/analysis/refit_trials.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/search_standing.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/residuals.h"
+#include "correlation/target/trial_ownership.h"
 #include "evaluation/journal/readable_journal.h"
 
 namespace latsch::cli {
@@ -79,6 +81,7 @@ int identify_as_recorded(const Study& as_written,
                          const std::string& output) {
   const Journal journal = Journal::read(as_written.run.journal, correlation::identity(as_written));
   const Study study = correlation::with_estimated_noise(as_written, journal);
+  correlation::require_best(study, journal);
   const auto found = correlation::recorded_identifiability(study, journal);
   if (!found) {
     complain("the trials around the best point are missing, and " + study.run.journal.string() +
@@ -115,8 +118,15 @@ int identify(const std::string& file,
   Workers workers_of_study(study);
   if (workers_of_study.served(study)) return kDone;
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
-  study = correlation::with_estimated_noise(study, journal);
+  const correlation::StagesRun searched = correlation::recorded_stages(study, journal);
+  study = searched.study;
+  correlation::require_best(study, journal);
+  correlation::mark_target(study, journal);
   say_kind_of_journal(study);
+  if (!searched.has_ended)
+    warn("no search of this study has ended, so intervals and verdicts belong to the best trial so "
+         "far, which need not be at a minimum; run latsch run " +
+         study.file.string() + " first");
   const auto best = correlation::best_trial(study, journal);
   if (!best) {
     complain("no trial in " + study.run.journal.string() + " succeeded");
@@ -148,7 +158,7 @@ int identify(const std::string& file,
     return kStopped;
   }
   answer()["variables"] = answer_of(study, **result);
-  for (const Profile& profile : (*result)->identification.profiles())
+  for (const TargetProfile& profile : (*result)->identification.profiles())
     answer()["variables"][profile.variable]["verdict"] = in_words(profile);
   if (const auto now = correlation::best_trial(study, journal); now->point != best->point) {
     answer()["target"] = now->target;

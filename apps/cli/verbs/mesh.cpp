@@ -174,6 +174,10 @@ int place(const TireDescription& tire, const MeshOptions& options) {
 }
 
 int mesh(const MeshOptions& options, const experiment::Language& language) {
+  if (options.thorough && options.deflection.empty())
+    throw InputError(
+        "mesh: --thorough has no effect without a pressed tire; expected --deflection beside it, "
+        "or the command without it");
   const MeshedTire tire = meshed_tire(options.file, language);
   const bool changes =
       options.refinement > 1 || options.convergence || !options.place_columns.empty();
@@ -235,7 +239,7 @@ void add_mesh(CommandLine& app, Program& program) {
   verb.add_flag(
       "--thorough",
       options->thorough,
-      "Judges the pressed tire on five meshes in place of three, in some four times the time");
+      "Judges the pressed tire on five meshes in place of three, in about four times the time");
   verb.add_option("--finest",
                   options->finest,
                   "Compares with meshes refined 2 to this number of times, for --convergence")
@@ -251,6 +255,16 @@ void add_mesh(CommandLine& app, Program& program) {
   verb.add_option(
           "--modes", options->modes, "Modes to compare, for --convergence and --place-columns")
       .between(1, 100);
+  const bool alone = false;
+  verb.forms({{"prints the counts of a mesh", {}},
+              {"compares with refined meshes",
+               {"--convergence"},
+               {"--deflection", "--thorough", "--finest", "--modes"},
+               alone},
+              {"places columns of elements",
+               {"--place-columns"},
+               {"--deflection", "--choose-sectors", "--unknowns", "--modes"},
+               alone}});
   verb.callback([=, &program] { program.exit_code = mesh(*options, program.language); });
 }
 

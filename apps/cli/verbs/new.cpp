@@ -116,7 +116,7 @@ void write_example(const fs::path& file, const experiment::Language& language) {
   make_measured(study,
                 "An example, not measured: this tire with " + truth_in_words(study, truth) +
                     ", and 0.3 % scatter. Replace it by your measurement.");
-  for (const fs::path& table : *written) say_written(table.string());
+  for (const fs::path& table : written->written) say_written(table.string());
 }
 
 /// Returns the study's file in a folder that contains none yet.
@@ -335,7 +335,7 @@ void add_new(CommandLine& app, Program& program) {
   verb.add_option("--cleat", options->cleat, "Height and length, \"10 mm x 20 mm\"; with --drum");
   verb.add_option("--drum-diameter",
                   options->diameter,
-                  "\"2.5 m\"; by the speed and the period of the passages unless given");
+                  "\"2.5 m\"; unless given, from the speed and the period of the passages");
   verb.add_option("--teeth",
                   options->teeth,
                   "Number of teeth of a wheel that was recorded in "
@@ -345,11 +345,19 @@ void add_new(CommandLine& app, Program& program) {
                 options->suspension,
                 "A corner of a suspension: its bushings from numbers of a K&C rig");
   verb.add_flag("--car", options->car, "A car on four posts and over a kerb");
+  verb.forms({{"writes a study of a finite-element tire", {}, {"--coarse"}},
+              {"writes a study of a finite-element tire from a template", {"--tire"}, {"--coarse"}},
+              {"writes a study of a finite-element tire of a size", {"--size"}, {"--coarse"}},
+              {"writes a study of a Magic Formula",
+               {"--magic-formula"},
+               {"--axes", "--column", "--hold-out", "--radius"}},
+              {"writes a study of a flexible ring", {"--ring-data"}, {"--known"}},
+              {"writes a study of recordings of a drum",
+               {"--drum"},
+               {"--cleat", "--drum-diameter", "--teeth", "--column", "--known"}},
+              {"writes a study of a suspension", {"--suspension"}},
+              {"writes a study of a car", {"--car"}}});
   verb.callback([=, &program] {
-    if (!options->held_out.empty() && options->recordings.empty())
-      throw InputError("--hold-out: expected --magic-formula with the recordings of a tire test");
-    if (options->suspension && options->car)
-      throw InputError("new: --suspension and --car are two studies, expected one of them");
     if (!options->drum.empty()) {
       start_drum(*options, program.language);
     } else if (options->suspension) {

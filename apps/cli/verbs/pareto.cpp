@@ -10,7 +10,8 @@
 #include "cli/console/tables.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/pareto_front.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/search_standing.h"
+#include "correlation/search/stage_runs.h"
 
 namespace latsch::cli {
 namespace {
@@ -19,14 +20,19 @@ int pareto(const std::string& file,
            const experiment::Language& language,
            const std::string& a,
            const std::string& b) {
+  if (a == b)
+    throw InputError("pareto: an experiment has no front against itself; expected two of them");
   auto study = correlation::read_study(file, language);
   const auto journal = Journal::read(study.run.journal, correlation::identity(study));
   study = correlation::with_estimated_noise(study, journal);
-  const auto found = correlation::pareto_front(study, journal, a, b);
-  say("{} trials in {}, none was run for this\n\nBest by the weights of the study: target {:.4f} "
-      "%\n",
+  auto found = correlation::pareto_front(study, journal, a, b);
+  found.no_best = correlation::why_no_best(study, journal);
+  if (!found.no_best.empty()) warn(found.no_best, {study.file.string(), 0});
+  const std::string least = found.no_best.empty() ? "best" : "nearest";
+  say("{} trials in {}, none was run for this\n\n{} by the weights of the study: target {:.4f} %\n",
       found.front.size() + found.others.size(),
       study.run.journal.string(),
+      found.no_best.empty() ? "Best" : "Nearest, though no search has looked for it,",
       100.0 * found.best.target);
   print_values(study.space, found.best_values);
   say("\nPareto front: no trial is better in both\n  {:>14} {:>14} {:>14}\n",
@@ -38,10 +44,11 @@ int pareto(const std::string& file,
         100.0 * trial.a,
         100.0 * trial.b,
         100.0 * trial.target,
-        trial.point == found.best.point ? "  best" : "");
+        trial.point == found.best.point ? "  " + least : "");
   }
-  answer()["target"] = found.best.target;
-  answer()["variables"] = answer_of(study.space, found.best.point);
+  Json& of_least = found.no_best.empty() ? answer() : answer()["nearest"];
+  of_least["target"] = found.best.target;
+  of_least["variables"] = answer_of(study.space, found.best.point);
   for (const auto& trial : found.front) {
     answer()["front"].push_back({{a, trial.a},
                                  {b, trial.b},
@@ -62,7 +69,9 @@ void add_pareto(CommandLine& app, Program& program) {
                                  "the journal");
   verb.footer(
       "Example:\n  latsch pareto studies/tire_b_twin/study.toml stiffness modes\n\n"
-      "Also the best trial by the weights the study has now: nothing is simulated.");
+      "Also the trial of the least target by the weights the study has now: nothing is simulated. "
+      "It is\n"
+      "called the best if a search has run with these weights.");
   auto file = std::make_shared<std::string>();
   auto a = std::make_shared<std::string>(), b = std::make_shared<std::string>();
   verb.add_option("study", *file, "Study file (TOML)").required();

@@ -16,7 +16,7 @@ struct PlotUnit {
 
 /// Chooses the unit for values in this SI unit; the SI unit itself if it is suitable.
 PlotUnit plot_unit(const std::string& si, const std::vector<double>& values);
-/// Returns the values in that unit; values that are not finite stay.
+/// Returns the values in the given unit; values that are not finite stay.
 std::vector<double> in_plot_unit(std::vector<double> values, const PlotUnit& unit);
 
 }  // namespace latsch::cli

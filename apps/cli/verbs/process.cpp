@@ -13,6 +13,7 @@
 #include "cli/console/console.h"
 #include "cli/console/ledgers.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/rig_data/rig_doubts.h"
 #include "correlation/rig_data/rig_processing.h"
 #include "correlation/rig_data/rig_report.h"
 #include "correlation/rig_data/rig_tables.h"
@@ -129,6 +130,7 @@ void process(const std::string& file, bool synthetic, const std::string& output)
   answer()["report"] = page.string();
   say("{}\n\n", rig.title);
   print_passages(results);
+  for (const std::string& doubt : doubts_of(rig, results)) warn(doubt, {rig.file.string(), 0});
   say("\n");
   print_compensation(rig, results);
   say("\n{} tables in {}\nReport: {}\n", files.size(), folder.string(), page.string());

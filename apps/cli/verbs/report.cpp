@@ -2,6 +2,8 @@
 // latsch report: writes the contents of the journal as one HTML file.
 #include "cli/run/trials.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/search/search_standing.h"
+#include "correlation/search/study_fit.h"
 
 namespace latsch::cli {
 namespace {
@@ -11,9 +13,11 @@ int report(const std::string& file,
            bool on_the_ground,
            const std::string& output) {
   const auto study = correlation::read_study(file, language);
+  const Journal journal = Journal::read(study.run.journal, correlation::identity(study));
+  correlation::require_best(correlation::with_estimated_noise(study, journal), journal);
   return write_report(
       study,
-      Journal::read(study.run.journal, correlation::identity(study)),
+      journal,
       language,
       on_the_ground ? experiment::Thoroughness::minutes : experiment::Thoroughness::seconds,
       output);

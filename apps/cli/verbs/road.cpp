@@ -127,6 +127,9 @@ int road(const RoadOptions& options) {
   points.expect_only({"x", "y", "time"});
   const auto x = points.si_numbers("x", "m"), y = points.si_numbers("y", "m");
   std::vector<double> time(x.size(), 0.0);
+  if (points.has("time") && !options.time.empty())
+    throw InputError({options.points, 0},
+                     "has a column time, beside which --time has no effect; expected one of them");
   if (points.has("time")) {
     time = points.si_numbers("time", "s");
   } else if (!options.time.empty()) {
@@ -164,6 +167,9 @@ void add_road(CommandLine& app, Program& program) {
   verb.add_option("--triangles",
                   options->triangles,
                   "Adams road file of nodes and triangles to write, for a kerb");
+  const bool alone = false;
+  verb.forms({{"prints the road at points", {"points"}, {"--time", "--output"}, alone},
+              {"writes triangles", {"--triangles"}, {}, alone}});
   verb.callback([=, &program] { program.exit_code = road(*options); });
 }
 

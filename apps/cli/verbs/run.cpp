@@ -25,7 +25,8 @@
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/prediction_bands.h"
 #include "correlation/analysis/refit_trials.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/analysis/test_limits.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
@@ -235,6 +236,79 @@ bool has_found(const Study& stage, const correlation::Fit& fit, const Journal& j
   return false;
 }
 
+/// Runs one stage after the other on the workers. Journal and executor of the last stage stay open
+/// for the trials around its best point.
+class StagesOnWorkers {
+ public:
+  StagesOnWorkers(const Study& study, const Asked& asked, Workers& workers)
+      : study_(study), asked_(asked), once_(asked), workers_(workers) {}
+
+  correlation::StagesRun run() {
+    return correlation::run_stages(
+        study_, [this](const correlation::StageRun& part) { return run_stage(part); });
+  }
+
+  Executor& executor() { return *executor_; }
+  Journal& journal() { return *journal_; }
+
+ private:
+  std::optional<correlation::StageResult> run_stage(const correlation::StageRun& part) {
+    trials_.reset();
+    journal_.reset();
+    const Study& stage = stage_.emplace(part.study);
+    journal_.emplace(open_journal(stage, once_));
+    print_beginning(study_, part.number, stage);
+    trials_.emplace(workers_, stage);
+    executor_ = &workers_.start(stage);
+    correlation::Fit fit =
+        correlation::fit(stage, *executor_, *journal_, run_options(stage, /*length_known=*/false));
+    if (has_found(stage, fit, *journal_) && !part.is_last) print_end(fit.run);
+    // Stages that share a journal: it is set aside, or its failures retried, only in the first
+    // stage.
+    once_.anew = asked_.anew && !part.next_shares_journal;
+    once_.retries_failed = asked_.retries_failed && !part.next_shares_journal;
+    return correlation::StageResult{std::move(fit), &*journal_};
+  }
+
+  void print_end(const Run& run) const {
+    say("Best of {} steps: target {:.4f} %\nThe search ended {}\n",
+        run.steps.size(),
+        100.0 * run.best()->outcome->value,
+        run.ending);
+    print_point(study_.space, run.best()->point);
+  }
+
+  const Study& study_;
+  const Asked& asked_;
+  Asked once_;  // options of the next stage
+  Workers& workers_;
+  std::optional<Study> stage_;
+  std::optional<Journal> journal_;
+  std::optional<TrialsRun> trials_;
+  Executor* executor_ = nullptr;
+};
+
+/// Prints the result of the last stage, evaluates the trials that its intervals need, and writes
+/// the report; returns the exit code.
+int finish(const Study& study,
+           const Run& run,
+           StagesOnWorkers& stages,
+           Workers& workers,
+           const experiment::Language& language) {
+  Journal& journal = stages.journal();
+  const DesignPoint best = run.best()->point;
+  print_result(study, run, journal);
+  print_remarks(study, best, journal);
+  const DesignPoint shown = best_of_journal(study, best, journal);
+  const auto depth = run.end == RunEnd::converged ? correlation::Depth::intervals
+                                                  : correlation::Depth::at_the_point;
+  if (!print_values(study, shown, depth, workers, stages.executor(), journal)) return kStopped;
+  workers.end();
+  if (const auto found = correlation::best_trial(study, journal))
+    warn_beyond_data(study, found->point);
+  return write_report(study, journal, language);
+}
+
 int fit(const Asked& asked, const experiment::Language& language) {
   Study study = correlation::read_study(asked.file, language);
   if (asked.workers > 0) study.run.workers = asked.workers;
@@ -247,45 +321,14 @@ int fit(const Asked& asked, const experiment::Language& language) {
   if (workers.served(study, /*in_stages=*/true)) return kDone;
   reject_implausible(study);
   say_ledgers(study, true, "Files");
+  for (const std::string& limit : correlation::limits_of_tests(study)) warn(limit);
   catch_interrupts();
-  std::optional<correlation::StageEnd> before;
-  Asked once = asked;
-  for (int k = 0;; ++k) {
-    const Study stage = correlation::weighted_stage(study, k, before);
-    Journal journal = open_journal(stage, once);
-    print_beginning(study, k, stage);
-    const TrialsRun trials(workers, stage);
-    Executor& executor = workers.start(stage);
-    const correlation::Fit fitted =
-        correlation::fit(stage, executor, journal, run_options(stage, /*length_known=*/false));
-    if (!has_found(stage, fitted, journal))
-      return fitted.run.end == RunEnd::stopped ? kStopped : kFailed;
-    const DesignPoint best = fitted.run.best()->point;
-    if (k + 1 == correlation::stage_count(study)) {
-      correlation::take_stage(stage, study);
-      print_result(study, fitted.run, journal);
-      print_remarks(study, best, journal);
-      const DesignPoint shown = best_of_journal(study, best, journal);
-      const auto depth = fitted.run.end == RunEnd::converged ? correlation::Depth::intervals
-                                                             : correlation::Depth::at_the_point;
-      if (!print_values(study, shown, depth, workers, executor, journal)) return kStopped;
-      workers.end();
-      if (const auto found = correlation::best_trial(study, journal))
-        warn_beyond_data(study, found->point);
-      return write_report(study, journal, language);
-    }
-    say("Best of {} steps: target {:.4f} %\nThe search ended {}\n",
-        fitted.run.steps.size(),
-        100.0 * fitted.run.best()->outcome->value,
-        fitted.run.ending);
-    print_point(study.space, best);
-    before = correlation::end_of_stage(study, k, best, journal, before);
-    // Stages that share a journal: it is set aside, or its failures retried, only in the first
-    // stage.
-    const bool shares = correlation::stage(study, k + 1).run.journal == stage.run.journal;
-    once.anew = asked.anew && !shares;
-    once.retries_failed = asked.retries_failed && !shares;
-  }
+  StagesOnWorkers stages(study, asked, workers);
+  const correlation::StagesRun found = stages.run();
+  if (found.end == RunEnd::stopped) return kStopped;
+  const Run& last = found.fits.back().run;
+  if (!found.has_ended || found.end == RunEnd::aborted || !last.best()) return kFailed;
+  return finish(found.study, last, stages, workers, language);
 }
 
 /// Fits beside its page, which stays until it is ended.

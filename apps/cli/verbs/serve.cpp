@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "cli/console/console.h"
 #include "cli/run/interrupt.h"
+#include "cli/run/model_source.h"
 #include "cli/run/served_studies.h"
 #include "cli/verbs/verbs.h"
 
@@ -25,15 +26,17 @@ struct AskedToServe {
 void serve(const AskedToServe& asked, const experiment::Language& language) {
   if (!std::filesystem::exists(asked.folder))
     throw InputError({asked.folder, 0}, "does not exist: expected a folder of studies, or a study");
+  if (std::filesystem::is_regular_file(asked.folder) && !is_study(asked.folder))
+    throw InputError({asked.folder, 0}, "is no study: expected a folder of studies, or a study");
   catch_interrupts();
   const ServedStudies served({asked.folder, asked.listen, asked.port}, language);
   if (asked.listen != "127.0.0.1" && asked.listen != "::1")
     warn(
         "other machines can reach this address: whoever knows it may start and stop runs of these "
         "studies; nothing on the way is encrypted. A tunnel is safer: ssh -L PORT:localhost:PORT");
-  say("Studies below {}\n{}\nCtrl-C ends the page; runs it has started continue\n",
-      std::filesystem::canonical(asked.folder).string(),
-      served.address());
+  say("Studies below {}\n", std::filesystem::canonical(asked.folder).string());
+  put(served.address() + "\n");  // also with --quiet
+  say("Ctrl-C ends the page; runs it has started continue\n");
   std::fflush(stdout);  // a program that reads the output from a pipe waits for the address
   if (!asked.no_browser) served.open_browser();
   while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));

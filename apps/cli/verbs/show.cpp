@@ -14,6 +14,7 @@
 #include "correlation/study/ledgers/file_ledgers.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study.h"
+#include "formats/text/pipe.h"
 
 namespace latsch::cli {
 namespace {
@@ -72,7 +73,7 @@ void name_users(const std::string& file, const experiment::Language& language, S
   try {
     known = correlation::ledgers_of(correlation::read_study(file, language));
   } catch (const InputError&) {
-    return;  // the statements of the measurement alone remain
+    return;  // only the statements of the measurement remain
   }
   std::erase_if(shown.tables,
                 [](const ShownTable& table) { return table.heads == ledger_heads(); });
@@ -90,11 +91,22 @@ void name_users(const std::string& file, const experiment::Language& language, S
       show_ledger(ledger, true, shown, known);
 }
 
+/// True if a recording gave no channel at all: texts, unknown units, or no row of numbers.
+bool has_no_channel(const ShownFile& shown) {
+  return std::any_of(shown.facts.begin(), shown.facts.end(), [](const std::string& fact) {
+    return fact.starts_with("no channels: ");
+  });
+}
+
 int show(const std::string& file,
          const std::string& html,
          const std::string& axes,
          const std::string& measurement,
          const experiment::Language& language) {
+  formats::expect_no_pipe(file);
+  if (!axes.empty() && !is_recording(file))
+    throw InputError({file, 0},
+                     "is no recording, so --axes has no effect; expected the command without it");
   ShownFile shown = measurement.empty()
                         ? shown_file(file, axis_convention_of(axes.empty() ? "iso" : axes))
                         : shown_measurements(file, measurement);
@@ -124,7 +136,7 @@ int show(const std::string& file,
     say("\n");
     say_written(html);
   }
-  return kDone;
+  return is_recording(file) && has_no_channel(shown) ? kWrongInput : kDone;
 }
 
 }  // namespace

@@ -18,13 +18,13 @@ constexpr int kBushingDigits = 6, kCurvePoints = 200;
 constexpr double kBushingReach = 1e-3, kTurn = 0.1;  // m, rad: range in which a straight line is
                                                      // drawn
 
-const multibody::ForceCurve* curve_of(const BushingParameters& bushing, int axis) {
+const multibody::ForceCharacteristic* curve_of(const BushingParameters& bushing, int axis) {
   for (const BushingParameters::Part& part : bushing.parts)
     if (part.axis == axis) return &std::get<multibody::ElasticCurve>(part.law).curve;
   return nullptr;
 }
 
-report::LinePlot plot_of_axis(int axis, double k, const multibody::ForceCurve* curve) {
+report::LinePlot plot_of_axis(int axis, double k, const multibody::ForceCharacteristic* curve) {
   const bool turns = axis >= 3;
   const double reach = turns ? kTurn : kBushingReach;
   const double from = curve ? curve->points().front().first : -reach,
@@ -53,7 +53,7 @@ ShownFile shown_bushing(const std::filesystem::path& bus) {
     shown.facts.push_back("not read: " + part.name);
   ShownTable table{"Axes, in SI", {"axis", "points", "stiffness at rest", "damping", "unit"}, {}};
   for (int axis = 0; axis < 6; ++axis) {
-    const multibody::ForceCurve* curve = curve_of(bushing, axis);
+    const multibody::ForceCharacteristic* curve = curve_of(bushing, axis);
     const double k = (axis < 3 ? bushing.stiffness : bushing.rotational)[axis % 3];
     const double c = (axis < 3 ? bushing.damping : bushing.rotational_damping)[axis % 3];
     table.rows.push_back({kBushingAxes[static_cast<std::size_t>(axis)],

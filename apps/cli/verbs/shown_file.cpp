@@ -119,7 +119,7 @@ ShownFile show_mat(const std::filesystem::path& path, AxisConvention axes) {
   return shown;
 }
 
-/// Shows a file of a test consortium: the recording alone.
+/// Shows a file of a test consortium: only the recording.
 ShownFile show_dat(const std::filesystem::path& path, AxisConvention axes) {
   const auto measurement = correlation::read_measurement(path, axes);
   ShownFile shown;

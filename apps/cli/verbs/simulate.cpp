@@ -2,9 +2,13 @@
 // latsch simulate: runs one trial and prints every experiment beside its measurement.
 
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "base/error.h"
+#include "base/text.h"
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
+#include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
 #include "cli/console/parsed.h"
 #include "cli/console/tables.h"
@@ -21,12 +25,19 @@ int simulate(const std::string& file,
              const std::vector<std::string>& assignments) {
   const Study study = correlation::read_study(file, language);
   DesignPoint point = study.space.initial();
-  for (const std::string& assignment : assignments) set_variable(study.space, assignment, point);
+  std::set<std::string> set;
+  for (const std::string& assignment : assignments) {
+    const std::string name(trimmed(std::string_view(assignment).substr(0, assignment.find('='))));
+    if (!set.insert(name).second)
+      throw InputError("--set: " + name + " is set twice, expected each variable once");
+    set_variable(study.space, assignment, point);
+  }
   say("{}\n\n", study.title);
   print_point(study.space, point);
   say_ledgers(study, false);
   answer()["variables"] = answer_of(study.space, point);
 
+  reject_implausible(study);
   const auto channels = correlation::simulate_all(study, point);
   if (!channels) {
     complain(channels.failure().reason);

@@ -17,6 +17,7 @@
 #include "base/text.h"
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
+#include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
 #include "cli/run/model_source.h"
 #include "cli/verbs/shown_page.h"
@@ -24,8 +25,6 @@
 #include "correlation/study/ledgers/file_ledgers.h"
 #include "experiment/language.h"
 #include "experiment/language/sign_view.h"
-#include "experiment/tests/drum_cleat.h"
-#include "experiment/tests/drum_convergence.h"
 #include "formats/tables/csv_table.h"
 
 namespace latsch::cli {
@@ -40,10 +39,10 @@ struct TestOptions {
 int say_convergence(const experiment::SpecimenKind& kind,
                     const Document& numbers,
                     const experiment::Test& test) {
-  const auto* drum = dynamic_cast<const experiment::DrumCleatTest*>(&test);
-  if (!drum)
+  const auto repeated = test.convergence(kind, numbers);
+  if (!repeated)
     throw InputError("--convergence: expected a test of kind \"drum_cleat\", which steps in time");
-  const auto found = experiment::drum_convergence(kind, numbers, drum->settings());
+  const auto& found = *repeated;
   if (!found) {
     complain(found.failure().reason);
     return kFailed;
@@ -86,32 +85,15 @@ int say_matrix(const experiment::Language& language) {
 
 /// Reads a test and the names of its files from a file, or from its keys in braces.
 experiment::ReadTest test_of(const std::string& text, const experiment::Language& language) {
-  if (!text.starts_with('{')) return language.read_identified_test(text);
-  return language.read_identified_test(
-      Document::parse("test = " + text, "the test in braces").root().table("test"), {});
-}
-
-/// Warns of every doubt about the files of the model and of the test.
-void warn_of_files(const std::string& model, const experiment::ReadTest& test) {
-  if (!is_study(model)) {
-    warn_of_doubts(correlation::ledgers_of_file(model, "the model"));
-  } else if (const Node study = Document::read(model).root(); study.has("model")) {
-    const auto file = std::filesystem::path(model).parent_path() / study.text("model");
-    warn_of_doubts(correlation::ledgers_of_file(file, "the model"));
+  if (!text.starts_with('{')) {
+    auto test = language.read_identified_test(text);
+    reject_impossible(experiment::unusual_numbers(Document::read(text), "test"));
+    return test;
   }
-  const std::vector<Ledger> told = test.test->ledgers("the test");
-  warn_of_doubts(told);
-  std::set<std::string> warned;
-  for (const std::filesystem::path& file : test.files)
-    for (const Ledger& ledger : correlation::ledgers_of_file(file, "the test"))
-      if (std::none_of(told.begin(),
-                       told.end(),
-                       [&](const Ledger& one) {
-                         return std::filesystem::path(one.file).filename() ==
-                                std::filesystem::path(ledger.file).filename();
-                       }) &&
-          warned.insert(ledger.file).second)
-        warn_of_doubts({ledger});
+  const Document keys = Document::parse("test = " + text, "the test in braces");
+  auto test = language.read_identified_test(keys.root().table("test"), {});
+  reject_impossible(experiment::unusual_numbers(keys));
+  return test;
 }
 
 /// Writes the requested output besides the channels.
@@ -218,7 +200,7 @@ int run_and_give(const TestOptions& options,
 void refuse_signs(const std::string& signs, const experiment::Test& test) {
   if (signs == "iso" || experiment::has_sign_views(test)) return;
   throw InputError("--signs " + signs + ": this test (" + test.in_words() +
-                   ") has its channels in the signs of ISO 8855 alone; other signs have the tests "
+                   ") has its channels only in the signs of ISO 8855; other signs have the tests "
                    "of a suspension: kc, axle_kc, kinematics");
 }
 
@@ -231,10 +213,13 @@ int test(const TestOptions& options, const experiment::Language& language) {
   const ModelSource model = model_source(options.model, language, options.kind);
   const experiment::ReadTest read = test_of(options.test, language);
   const std::unique_ptr<experiment::Test>& test = read.test;
-  if (!is_study(options.model)) {
-    for (const std::string& note : model.kind->notes(options.model)) warn(note, {options.model, 0});
-  }
-  warn_of_files(options.model, read);
+  const bool gives_data = options.output.empty() && options.html.empty() && options.details.empty();
+  const std::string model_file = is_study(options.model)
+                                     ? study_with_model(options.model, language).model_file.string()
+                                     : options.model;
+  say_ledgers(ledgers_of_test(model_file, options.test, read.files, test->ledgers("the test")),
+              gives_data ? LinesTo::standard_error : LinesTo::output,
+              "Files");
   refuse_signs(options.signs, *test);
   if (options.convergence) return say_convergence(*model.kind, model.numbers, *test);
   if (options.html.empty() && options.details.empty())
@@ -302,6 +287,12 @@ void add_test(CommandLine& app, Program& program) {
   verb.add_flag("--convergence",
                 options->convergence,
                 "For a drum_cleat: effect of half the step, and of half as many segments again");
+  verb.forms(
+      {{"runs a test",
+        {},
+        {"model", "test", "--output", "--kind", "--html", "--details", "--signs"}},
+       {"prints the effects of step and segments", {"--convergence"}, {"model", "test", "--kind"}},
+       {"lists models and tests", {"--list"}}});
   verb.callback([=, &program] { program.exit_code = test(*options, program.language); });
 }
 

@@ -8,8 +8,11 @@
 #include "base/file.h"
 #include "base/units.h"
 #include "cli/console/console.h"
+#include "cli/console/ledgers.h"
 #include "cli/run/model_source.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/study/ledgers/file_ledgers.h"
+#include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/validation/validation.h"
 
 namespace latsch::cli {
@@ -64,6 +67,22 @@ void print_results(const std::vector<CheckResult>& results) {
   }
 }
 
+/// Returns the ledgers of all files that the model and the suite open.
+std::vector<Ledger> ledgers_of(const correlation::Suite& suite,
+                               const std::string& model_file,
+                               const experiment::Language& language) {
+  std::vector<correlation::StudyExperiment> experiments;
+  for (const correlation::Check& check : suite.checks)
+    if (check.experiment) experiments.push_back(*check.experiment);
+  const std::string model = is_study(model_file)
+                                ? study_with_model(model_file, language).model_file.string()
+                                : model_file;
+  auto all = ledgers_of_test(model, "{}", correlation::ledgers_of({}, experiments, suite.tests));
+  for (Ledger& ledger : correlation::ledgers_of_named_files(suite.file, "the suite", all))
+    all.push_back(std::move(ledger));
+  return all;
+}
+
 int validate(const std::string& model_file,
              const std::string& suite_file,
              const std::string& kind,
@@ -71,6 +90,7 @@ int validate(const std::string& model_file,
              const experiment::Language& language) {
   const ModelSource model = model_source(model_file, language, kind);
   const auto suite = correlation::read_suite(suite_file, *model.kind, language);
+  say_ledgers(ledgers_of(suite, model_file, language), LinesTo::output, "Files");
   Validation validation;
   {
     RunningNote progress;
@@ -80,6 +100,7 @@ int validate(const std::string& model_file,
           progress.update(done++, static_cast<long>(suite.tests.size()), test);
         });
   }
+  for (const std::string& note : validation.notes) warn(note, {model_file, 0});
   if (page.empty()) page = std::filesystem::path(suite_file).replace_extension(".html").string();
   validation.page.model_file = model_file;
   write_text_file(page, report::html(validation.page));

@@ -35,7 +35,7 @@ struct SpacedConfidence {
 
 struct SpacedProfile {
   DesignSpace space;
-  Profile found;
+  TargetProfile found;
 };
 
 ConfidenceOptions options(const std::optional<double>& sigma,
@@ -275,7 +275,7 @@ void bind_identifiability(py::module_& module) {
                 "Identification",
                 "Confidence intervals and profiles around a fitted point, by ask and tell in "
                 "rounds: each round\nevaluates all points of `wanted`.\n\nsigma, level, "
-                "deviations, curves: as for confidence(). profiles=False: intervals alone. step: "
+                "deviations, curves: as for confidence(). profiles=False: only intervals. step: "
                 "length of\nthe differences, in shares of the ranges.")
       .def(py::init([](const DesignSpace& space,
                        const Array& at,
@@ -328,7 +328,7 @@ void bind_identifiability(py::module_& module) {
           "profiles",
           [](const I& i) {
             std::vector<SpacedProfile> all;
-            for (const Profile& p : i.found().profiles()) all.push_back({i.space(), p});
+            for (const TargetProfile& p : i.found().profiles()) all.push_back({i.space(), p});
             return all;
           },
           "A list with one Profile for each variable, at the end, if profiles were requested.");

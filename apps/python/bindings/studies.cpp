@@ -16,7 +16,8 @@
 #include "bindings/failures.h"
 #include "bindings/long_call.h"
 #include "bindings/models.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/search_standing.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study_slopes.h"
@@ -24,6 +25,7 @@
 #include "correlation/study_report/fitted_model.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/study_trials.h"
+#include "correlation/target/trial_ownership.h"
 #include "evaluation/journal/asked_trials.h"
 #include "evaluation/journal/journal_lock.h"
 
@@ -60,7 +62,7 @@ std::optional<Journal> journal_of(const Study& study) {
 struct Trials {
   std::vector<DesignPoint> points;
   std::vector<double> targets, violations, seconds;
-  std::vector<bool> asked;
+  std::vector<bool> asked, own;
   std::vector<std::optional<Failure>> failures;
   std::vector<std::string> channels;                             // in order of appearance
   std::map<std::string, std::vector<std::vector<double>>> rows;  // empty: failed
@@ -87,6 +89,7 @@ Trials trials_of(const Study& as_written, const std::vector<std::string>& names,
   const Study study = correlation::with_estimated_noise(as_written, journal);
   const Objective target = correlation::objective(study);
   const AskedTrials asked(journal.marks());
+  const correlation::TrialOwnership ownership(study, journal.marks());
   Trials trials;
   long row = 0;
   journal.for_each([&](const Trial& trial) {
@@ -98,7 +101,9 @@ Trials trials_of(const Study& as_written, const std::vector<std::string>& names,
     trials.violations.push_back(score ? violation(*score) : kUnknown);
     trials.failures.push_back(score ? std::nullopt : std::optional(score.failure()));
     trials.seconds.push_back(trial.outcome.wall_time);
-    trials.asked.push_back(asked.contains(row++, trial.point));
+    trials.asked.push_back(asked.contains(row, trial.point));
+    trials.own.push_back(!ownership.is_known() || ownership.is_own(row, trial.point));
+    ++row;
     if (channels) trials.add_channels(*channels, names, all);
   });
   for (auto& [name, column] : trials.rows) column.resize(trials.points.size());
@@ -132,6 +137,8 @@ py::dict as_dict(const Trials& trials, int variables) {
     failures.append(failure ? failure_value(*failure) : py::none());
   py::array_t<bool> asked(static_cast<py::ssize_t>(trials.asked.size()));
   std::copy(trials.asked.begin(), trials.asked.end(), asked.mutable_data());
+  py::array_t<bool> own(static_cast<py::ssize_t>(trials.own.size()));
+  std::copy(trials.own.begin(), trials.own.end(), own.mutable_data());
   py::dict channels, units;
   for (const std::string& name : trials.channels) {
     channels[py::str(name)] = column(trials.rows.at(name));
@@ -143,6 +150,7 @@ py::dict as_dict(const Trials& trials, int variables) {
   all["violations"] = array(trials.violations);
   all["seconds"] = array(trials.seconds);
   all["asked"] = asked;
+  all["own"] = own;
   all["failures"] = failures;
   all["channels"] = channels;
   all["units"] = units;
@@ -203,9 +211,11 @@ py::object best_of(const Study& as_written) {
   std::optional<correlation::RatedTrial> best;
   {
     const py::gil_scoped_release others;
-    if (const auto journal = journal_of(as_written))
-      best = correlation::best_trial(correlation::with_estimated_noise(as_written, *journal),
-                                     *journal);
+    if (const auto journal = journal_of(as_written)) {
+      const Study study = correlation::with_estimated_noise(as_written, *journal);
+      correlation::require_best(study, *journal);
+      best = correlation::best_trial(study, *journal);
+    }
   }
   if (!best) return py::none();
   return py::make_tuple(array(best->point.values), best->target, best->violation);

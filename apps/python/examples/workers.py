@@ -29,7 +29,8 @@ def search(pool, look_ahead):
         for point in plan:
             if point.tobytes() not in begun:
                 begun[point.tobytes()] = pool.submit(evaluate, point)
-        outcome = begun[plan[0].tobytes()].result()  # the first one alone, so that the others affect nothing but the time
+        outcome = begun[plan[0].tobytes()].result()  # only the first one, so that the others affect
+                                                     # nothing but the time
         optimizer.observe(plan[0], outcome)
         steps.append((plan[0].tolist(), getattr(outcome, "value", math.inf)))
     return steps, len(begun)

@@ -259,6 +259,7 @@ class Trials:
     violations: Array
     seconds: Array
     asked: NDArray[np.bool_]
+    own: NDArray[np.bool_]
     failures: list[Failure | None]
     channels: dict[str, Array | Any]  # a list of arrays, None where failed, where trials differ in their samples
     units: dict[str, str]

@@ -48,10 +48,11 @@ def read_study(file):
 class Trials:
     """The trials in the journal of a study, one row for each, in the order in which they finished.
 
-    points (N, n); targets (N,), NaN for a failed trial; violations (N,) of constraints; failures: one Failure for each
-    failed trial, otherwise None; seconds (N,); asked (N,): False for a trial that ran ahead of a search and is no result;
-    channels: arrays (N, samples) by "TEST/CHANNEL", with rows of NaN for failed trials, or lists of arrays if trials
-    differ in their number of samples; units: units of the channels.
+    points (N, n); targets (N,), NaN where a trial failed; violations (N,) of constraints; failures: a Failure each, None
+    where it succeeded; seconds (N,); asked (N,): False of what ran ahead of a search and is no result; own (N,): False of what
+    was run for other measurements, weights or bounds than those of the study as it stands; channels: by
+    "TEST/CHANNEL" arrays (N, samples), rows of NaN where failed, or lists of arrays where trials differ in their samples;
+    units: of these.
     """
 
     def __init__(self, columns):
@@ -115,7 +116,10 @@ class Study(_latsch._Study):
         return Trials(self._trials(names, channels is True))
 
     def best(self):
-        """Returns the best trial of the journal, (point, target, violation); None if no trial has succeeded."""
+        """The best trial of the journal: (point, target, violation); None where none has succeeded.
+
+        Raises InputError where no search has run on the study as it stands: a measurement, a weight or a bound was edited.
+        """
         found = self._best()
         return Best(*found) if found else None
 
@@ -153,7 +157,8 @@ def _listener(progress, said):
 def _followed(command, listen):
     """Returns the standard output of the process after its end; passes lines of its standard error to the listener as
     they come."""
-    # The process has a session of its own: the terminal's Ctrl-C reaches this process alone, which passes it on once.
+    # The process has a session of its own: the terminal's Ctrl-C reaches only this process, which
+    # passes it on once.
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                text=True, encoding="utf-8", errors="replace", start_new_session=True)
     output = []

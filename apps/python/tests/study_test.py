@@ -70,6 +70,57 @@ class Studies(unittest.TestCase):
         file.write_text(text)
         return latsch.read_study(file)
 
+    def of_a_program(self):
+        folder = self.folder / "program"
+        folder.mkdir()
+        (folder / "program.py").write_text(PROGRAM)
+        (folder / "a.txt").write_text("a = {a}\n")
+        (folder / "study.toml").write_text(STUDY_OF_A_PROGRAM.replace("0.1 N", "-0.1 N"))
+        return folder / "study.toml"
+
+    def test_a_best_point_of_other_data_is_none(self):
+        file = self.of_a_program()
+        latsch.read_study(file).run(workers=1, progress=False)
+        study = latsch.read_study(file)
+        found = study.best()
+        self.assertAlmostEqual(found.point[0], 0.45, delta=1e-3)
+        self.assertTrue(study.trials().own.all())
+        text = file.read_text()
+        for was, now in (('"-0.1 N"', '"-0.2 N"'), ("upper = 1", "upper = 0.44"),
+                         ('channel = "out/y"', 'channel = "out/y"\nexponent = 2')):
+            with self.subTest(now):
+                file.write_text(text.replace(was, now))
+                edited = latsch.read_study(file)
+                with self.assertRaisesRegex(latsch.InputError, "no search has run on the study as it stands.*latsch run"):
+                    edited.best()
+                self.assertEqual(len(edited.trials()), len(study.trials()))
+                self.assertFalse(edited.trials().own.any())
+        file.write_text(text.replace('"-0.1 N"', '"-0.2 N"'))
+        edited = latsch.read_study(file)
+        edited.run(workers=1, progress=False)
+        self.assertAlmostEqual(edited.best().point[0], 0.35, delta=1e-3)
+        self.assertTrue(edited.trials().own.any())
+        self.assertFalse(edited.trials().own.all())
+
+    def test_every_door_refuses_the_journal_of_another_study(self):
+        """An edited program, another path, another test: of the studies in Python as of the program's verbs."""
+        study = self.compliance()
+        study.run(workers=1, progress=False)
+        file = pathlib.Path(study.file)
+        self.assertIsNotNone(latsch.read_study(file).best())
+        self.assertIn("Fitted and exported", latsch.read_study(file).fitted_text("2026-01-01"))
+        model = file.parent / "corner.toml"
+        text = model.read_text()
+        model.write_text(text.replace("1648.347 mm", "1649.347 mm"))
+        edited = latsch.read_study(file)
+        for door in (edited.best, edited.trials, edited.fitted_text):
+            with self.subTest(door.__name__), self.assertRaisesRegex(latsch.InputError, "belongs to another study"):
+                door()
+        with self.assertRaisesRegex(latsch.InputError, "belongs to another study"):
+            edited.identify(workers=1, progress=False)
+        model.write_text(text)
+        self.assertIsNotNone(latsch.read_study(file).best())
+
     def test_a_study_says_what_it_varies_and_compares(self):
         study = self.compliance()
         self.assertEqual(study.space.names[:2], ["uca_front", "uca_rear"])

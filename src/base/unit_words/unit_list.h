@@ -12,13 +12,13 @@
 
 namespace latsch::unit_list {
 
-struct Row {
+struct UnitRow {
   std::string_view written, meaning;
 };
 
 // clang-format off
 /// Known also in other cases: "KPA", "Newton".
-inline constexpr Row kWords[] = {
+inline constexpr UnitRow kWords[] = {
     // Length.
     {"m", "m"}, {"meter", "m"}, {"meters", "m"}, {"metre", "m"}, {"metres", "m"}, {"mm", "mm"},
     {"millimeter", "mm"}, {"millimeters", "mm"}, {"millimetre", "mm"}, {"millimetres", "mm"},
@@ -97,9 +97,9 @@ inline constexpr Row kWords[] = {
     {"count", "1"}, {"counts", "1"},
 };
 
-/// These words are known in this case alone: in another case they mean, or may mean, something
+/// These words are known only in this letter case: in another one they mean, or may mean, something
 /// else.
-inline constexpr Row kExact[] = {
+inline constexpr UnitRow kExact[] = {
     {"M", "m"},      {"S", "s"},        {"MS", "ms"},      {"H", "h"},
     {"Min", "min"},  {"MN", "MN"},      {"mN", "mN"},      {"mNm", "mN m"},
     {"MNm", "MN m"}, {"Mg", "t"},       {"t", "t"},        {"mPa", "mPa"},
@@ -114,7 +114,7 @@ inline constexpr Row kExact[] = {
 };
 
 /// Whole texts, compared without blanks and case.
-inline constexpr Row kWhole[] = {
+inline constexpr UnitRow kWhole[] = {
     {"", "1"}, {"1", "1"}, {"-", "1"}, {"--", "1"}, {"—", "1"}, {"none", "1"}, {"n/a", "1"},
     {"unitless", "1"}, {"dimensionless", "1"}, {"deg.c", "degC"}, {"deg c", "degC"},
     {"° c", "degC"}, {"grad c", "degC"}, {"grad celsius", "degC"}, {"degree c", "degC"},
@@ -129,7 +129,7 @@ inline constexpr Row kWhole[] = {
 };
 
 /// Whole texts, compared after every word has been replaced by its meaning.
-inline constexpr Row kTogether[] = {{"rev/min", "rpm"}, {"rev min^-1", "rpm"}};
+inline constexpr UnitRow kTogether[] = {{"rev/min", "rpm"}, {"rev min^-1", "rpm"}};
 
 /// Texts with more than one meaning, in words of the lists above, the usual one first.
 /// `only_by_dimension`: no meaning is usual enough to be assumed if the dimension is not known.
@@ -199,7 +199,7 @@ inline constexpr Ambiguous kAmbiguousTexts[] = {
 };
 
 /// Refused texts, each with advice that follows the text in the message.
-inline constexpr Row kRefused[] = {
+inline constexpr UnitRow kRefused[] = {
     {"grad", "which is a degree in German and 0.9 degrees in English: write \"deg\" or \"gon\""},
     {"GRAD", "which is a degree in German and 0.9 degrees in English: write \"deg\" or \"gon\""},
     {"mpa", "which may be MPa or mPa: write \"MPa\""},
@@ -218,7 +218,7 @@ inline constexpr Row kRefused[] = {
 };
 
 /// Characters and the characters they stand for.
-inline constexpr Row kCharacters[] = {
+inline constexpr UnitRow kCharacters[] = {
     {"µ", "u"},      {"μ", "u"},       {"º", "°"},          {"˚", "°"},      {"²", "2"},
     {"³", "3"},      {"¹", "1"},       {"⁴", "4"},          {"⁻", "-"},      {"−", "-"},
     {"‐", "-"},      {"‑", "-"},       {"–", "-"},          {"·", "*"},      {"⋅", "*"},

@@ -24,7 +24,7 @@ namespace latsch {
 struct UnitMeanings {
   /// Meanings in the language of UDUNITS; empty if the text is no unit.
   std::vector<std::string> texts;
-  /// The meanings spelled with words of the list, each of which has a single meaning.
+  /// Spellings of the meanings with words of the list that have a single meaning each.
   std::vector<std::string> spellings;
   /// True if the first of the `texts` is not usual enough, so that the dimension has to decide.
   bool dimension_decides = false;

@@ -11,7 +11,7 @@
 namespace latsch::correlation {
 namespace {
 
-/// Returns " at its bound" if the variable of that path is at a bound, "" otherwise.
+/// Returns " at its bound" if the variable of the given path is at a bound, "" otherwise.
 std::string bound_in_words(const Study& study, const DesignPoint& point, const std::string& path) {
   constexpr double kAtBound = 1e-3;  // share of the range
   for (int i = 0; i < study.space.size(); ++i) {

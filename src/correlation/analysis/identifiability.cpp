@@ -88,6 +88,18 @@ std::optional<Interval> interval_of(const Study& study,
   return reported_interval(study, *what, variable);
 }
 
+namespace {
+
+/// True if an interval is as narrow as the bounds of its variable allow: the data tell more than
+/// neighboring numbers of the search differ by, so its width comes from the bounds alone.
+bool is_set_by_bounds(const Identifiability& what, int variable) {
+  constexpr double kNeighbors = 1e-15;  // share of the range; the least interval has 8e-16
+  const Interval& own = what.identification.confidence().intervals[static_cast<size_t>(variable)];
+  return own.upper > own.lower && own.upper - own.lower <= kNeighbors;
+}
+
+}  // namespace
+
 std::vector<std::string> remarks(const Study& study, const Identifiability& what) {
   constexpr double kEarly = 1.0;  // multiple of the threshold at which an interval ends
   const Identification& identification = what.identification;
@@ -108,6 +120,14 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
     all.emplace_back(
         "Neighboring values share noise: the intervals count them as correspondingly fewer "
         "values.");
+  }
+  const std::string set_by_bounds =
+      names_where(study, [&](int i) { return is_set_by_bounds(what, i); });
+  if (!set_by_bounds.empty()) {
+    all.push_back("The interval of " + set_by_bounds +
+                  " comes from the bounds alone: they are so far apart that the numbers between "
+                  "them differ by more than the data leave open. Narrower bounds show what the "
+                  "data tell.");
   }
   const auto& slopes = identification.slopes();
   const std::string rough = names_where(
@@ -145,12 +165,12 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
   }
   if (c.left_to_gain > kEarly * c.threshold()) {
     all.emplace_back(
-        "The search ended early: recomputed derivatives promise a gain larger than an interval, "
+        "The search ended early: recomputed derivatives predict a gain larger than an interval, "
         "so "
         "the point is no minimum yet. latsch identify continues from there.");
   }
   int refits = 0, failed = 0;
-  for (const Profile& profile : identification.profiles()) {
+  for (const TargetProfile& profile : identification.profiles()) {
     refits += static_cast<int>(profile.points.size());
     failed += profile.unconverged();
   }
@@ -206,8 +226,7 @@ namespace {
 std::optional<DesignPoint> best_with_derivatives(const Study& study,
                                                  const Journal& journal,
                                                  bool& has_slopes) {
-  auto rated = rated_trials(study, journal);
-  std::erase_if(rated, [&](const auto& trial) { return !keeps_held(study, trial.point); });
+  auto rated = rated_candidates(study, journal);
   std::stable_sort(
       rated.begin(), rated.end(), [](const auto& a, const auto& b) { return a.target < b.target; });
   std::set<std::string> known, sloping;
@@ -292,7 +311,7 @@ std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& dire
   return text;
 }
 
-std::string profile_text(const DesignSpace& space, const Profile& profile) {
+std::string profile_text(const DesignSpace& space, const TargetProfile& profile) {
   const Interval beyond_bounds{-1.0, 2.0};
   std::string text = interval_text(space, profile.variable, profile.interval);
   const auto add = [&](const std::optional<double>& end, bool lower) {
@@ -376,6 +395,7 @@ std::string interval_text(const Study& study, const Identifiability& what, int v
   const bool is_known = !std::isnan(what.identification.confidence().sigma);
   const Interval interval = reported_interval(study, what, variable);
   return (is_known ? interval_text(study.space, variable, interval) : "not known") +
+         (is_known && is_set_by_bounds(what, variable) ? ", set by its bounds" : "") +
          held_text(study, what, variable);
 }
 

@@ -38,7 +38,7 @@ struct Identifiability {
 /// of squares.
 Interval reported_interval(const Study& study, const Identifiability& what, int variable);
 
-/// Returns reported_interval() if `what` is known and belongs to that point.
+/// Returns reported_interval() if `what` is known and belongs to the given point.
 std::optional<Interval> interval_of(const Study& study,
                                     const std::optional<Identifiability>& what,
                                     const DesignPoint& point,
@@ -94,6 +94,6 @@ std::string shift_text(const Study& study, const Identifiability& what, int vari
 std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction);
 
 /// Returns the interval of a profile and the values beyond which the model fails.
-std::string profile_text(const DesignSpace& space, const Profile& profile);
+std::string profile_text(const DesignSpace& space, const TargetProfile& profile);
 
 }  // namespace latsch::correlation

@@ -133,7 +133,7 @@ TEST(Identifiability, APriorRepairsAValley) {
   InlineExecutor executor(springs);
   const auto result = identify(s, s.space.initial(), Depth::profiles, executor, journal, {});
   ASSERT_TRUE(result && *result);
-  for (const Profile& profile : (*result)->identification.profiles()) {
+  for (const TargetProfile& profile : (*result)->identification.profiles()) {
     EXPECT_EQ(profile.verdict, Verdict::identifiable);
   }
   const Interval a = (*result)->identification.confidence().intervals[0];
@@ -158,7 +158,7 @@ TEST(Identifiability, ABetterPointFoundOnTheWayIsTheOneThatIsReported) {
     const double u = s.space.to_unit((*result)->best)[i];
     EXPECT_LE(shown.lower, u);
     EXPECT_GE(shown.upper, u);
-    const Profile& profile = (*result)->identification.profiles()[i];
+    const TargetProfile& profile = (*result)->identification.profiles()[i];
     EXPECT_LE(profile.interval.lower, u);
     EXPECT_GE(profile.interval.upper, u);
   }
@@ -357,7 +357,7 @@ TEST(Identifiability, OfAStudyFindsTheIntervalsAndReadsThemBackFromTheJournal) {
   // Central differences of 1 % of the range do not show the curvature of k.
   EXPECT_NEAR(found.confidence().intervals[0].upper - at, a, 0.002 * a);
   EXPECT_NEAR(found.confidence().intervals[1].upper - at, std::sqrt(5.0) * a, 0.004 * a);
-  for (const Profile& profile : found.profiles()) {
+  for (const TargetProfile& profile : found.profiles()) {
     EXPECT_EQ(profile.verdict, Verdict::identifiable);
   }
   ASSERT_EQ((*result)->cross_validation->left_out().size(), 2u);
@@ -397,7 +397,7 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
 
   const auto recorded = recorded_identifiability(s, journal);
   ASSERT_TRUE(recorded);
-  const report::Identifiability page = identifiability_page(s, *recorded, {});
+  const report::IdentifiabilityPage page = identifiability_page(s, *recorded, {});
   EXPECT_EQ(page.gains[0].measurement, "alone");
   EXPECT_EQ(page.intervals[0], "anywhere between the bounds");
 }

@@ -48,6 +48,11 @@ std::vector<ParetoTrial> all_trials(const Study& study,
   return trials;
 }
 
+/// Names the trial of the least target: "best", or "nearest" if no search has looked for it.
+std::string least_in_words(const ParetoFront& found) {
+  return found.no_best.empty() ? "best" : "nearest";
+}
+
 constexpr double kWidth = 620.0, kHeight = 400.0, kLeft = 70.0, kBottom = 50.0, kMargin = 20.0;
 
 std::string picture(const ParetoFront& found) {
@@ -86,7 +91,7 @@ std::string picture(const ParetoFront& found) {
     svg.circle(at(found.best),
                6.0,
                R"(fill="none" stroke="#b2182b" stroke-width="2")",
-               "best by the weights of the study");
+               least_in_words(found) + " by the weights of the study");
   }
   return svg.str();
 }
@@ -106,13 +111,15 @@ std::vector<std::string> values_of(const Study& study,
   return texts;
 }
 
-std::string row(const ParetoTrial& trial, const std::vector<std::string>& values, bool is_best) {
+std::string row(const ParetoTrial& trial,
+                const std::vector<std::string>& values,
+                const std::string& remark) {
   std::string cells = fmt::format("<td>{:.4f}</td><td>{:.4f}</td><td>{:.4f}</td>",
                                   100.0 * trial.a,
                                   100.0 * trial.b,
                                   100.0 * trial.target);
   for (const std::string& value : values) cells += "<td>" + report::escape(value) + "</td>";
-  return fmt::format("<tr>{}<td>{}</td></tr>\n", cells, is_best ? "best" : "");
+  return fmt::format("<tr>{}<td>{}</td></tr>\n", cells, remark);
 }
 
 }  // namespace
@@ -147,9 +154,11 @@ std::string pareto_page(const Study& study, const ParetoFront& found) {
   page += fmt::format(
       "<h1>{}: {} against {}</h1>\n", escape(study.title), escape(found.a), escape(found.b));
   page += fmt::format(
-      "<p>{} trials; on the line no trial is better in both. The ring is the best one by the "
-      "weights of the study.</p>\n{}\n",
+      "<p>{} trials; on the line no trial is better in both. The ring is the {} one by the weights "
+      "of the study.{}</p>\n{}\n",
       found.front.size() + found.others.size(),
+      least_in_words(found),
+      found.no_best.empty() ? "" : " Warning: " + escape(found.no_best),
       picture(found));
   page += fmt::format("<table>\n<tr><th>{} [%]</th><th>{} [%]</th><th>target [%]</th>",
                       escape(found.a),
@@ -160,8 +169,9 @@ std::string pareto_page(const Study& study, const ParetoFront& found) {
   page += "<th></th></tr>\n";
   for (const ParetoTrial& trial : found.front) {
     const bool is_best = trial.point == found.best.point;
-    page += row(
-        trial, is_best ? found.best_values : values_of(study, trial.point, std::nullopt), is_best);
+    page += row(trial,
+                is_best ? found.best_values : values_of(study, trial.point, std::nullopt),
+                is_best ? least_in_words(found) : "");
   }
   return page + "</table>\n" + std::string(report::kPageEnd);
 }

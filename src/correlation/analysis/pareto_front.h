@@ -26,8 +26,10 @@ struct ParetoFront {
   std::string a, b;                     // names of the two experiments
   std::vector<ParetoTrial> front = {};  // sorted from the best in a to the best in b
   std::vector<ParetoTrial> others = {};
-  ParetoTrial best = {};                      // best trial by the weights of the study
+  ParetoTrial best = {};  // trial of the least target by the weights of the study
   std::vector<std::string> best_values = {};  // one text for each variable, such as "73 N/mm^2"
+  std::string no_best = {};                   // why it is no best point (search/search_standing.h);
+                                              // empty: it is one
 };
 
 /// Throws InputError if an experiment of that name is not fitted, because then its channels are not

@@ -12,161 +12,32 @@
 #include "base/units.h"
 #include "correlation/observable/force_curve.h"
 #include "correlation/observable/mode_set.h"
-#include "experiment/tests/modes.h"
+#include "experiment/language/usual_numbers.h"
+#include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/meaning/suspension_checks.h"
 
 namespace latsch::correlation {
 namespace {
 
-/// Usual range in `unit`. A value below `least` or above `most` is impossible, outside of `from` to
-/// `to` unusual.
-struct UsualRange {
-  const char* below;  // table that contains the key, the first part of its path; empty: any
-  const char* key;
-  const char* words;
-  const char* unit;
-  double least, from, to, most;
-  std::vector<const char*> taken_for;  // two units that are often confused
-  bool zero_allowed = false;
-};
+using experiment::judged;
+using experiment::key_of;
+using experiment::Seen;
+using experiment::unusual;
+using experiment::usual_in_words;
+using experiment::usual_magnitude;
+using experiment::UsualMagnitude;
+using experiment::Written;
+using experiment::written_at;
 
-const std::vector<UsualRange>& usual_ranges() {
-  static const std::vector<const char*> pressures{"kPa", "bar", "psi", "MPa", "Pa"};
-  static const std::vector<const char*> moduli{"MPa", "GPa", "kPa", "Pa"};
-  static const std::vector<const char*> lengths{"mm", "cm", "m", "in"};
-  static const std::vector<const char*> forces{"N", "kN", "lbf"};
-  static const std::vector<const char*> densities{"kg/m^3", "g/cm^3"};
-  static const std::vector<UsualRange> all{
-      {"", "pressure", "an inflation pressure", "bar", 0.02, 0.3, 16, 40, pressures},
-      {"rubber", "young_modulus", "a rubber's modulus", "MPa", 0.01, 0.3, 300, 5e3, moduli},
-      {"rubber", "density", "a rubber's density", "kg/m^3", 100, 700, 3000, 2e4, densities},
-      {"layer", "young_modulus", "a layer's modulus", "MPa", 1, 20, 2.5e5, 1.5e6, moduli},
-      {"layer", "density", "a cord's density", "kg/m^3", 50, 200, 9000, 2.5e4, densities, true},
-      {"layer", "spacing", "a distance of cords", "mm", 0.05, 0.3, 5, 50, lengths},
-      {"layer", "cord_diameter", "a cord's diameter", "mm", 0.01, 0.1, 3, 20, lengths},
-      {"section", "thickness_inside", "a wall's thickness", "mm", 0.01, 0.3, 50, 200, lengths},
-      {"section", "thickness_outside", "a wall's thickness", "mm", 0.01, 0.3, 50, 200, lengths},
-      {"experiment", "load", "a wheel load", "N", 5, 100, 6e4, 1e6, forces},
-      {"test", "load", "a wheel load", "N", 5, 100, 6e4, 1e6, forces},
-      {"test", "loads", "a wheel load", "N", 5, 100, 6e4, 1e6, forces},
-      {"test", "speed", "a speed", "km/h", 0, 0.1, 350, 1500, {"km/h", "m/s"}, true},
-      {"test", "drum_diameter", "a drum's diameter", "m", 0.1, 0.5, 6, 50, {"m", "mm", "in"}},
-  };
-  return all;
-}
-
-const UsualRange kUsualStiffness{
+const UsualMagnitude kUsualStiffness{
     "", "", "the stiffness of a tire", "N/mm", 2, 20, 3000, 3e4, {"N/mm", "kN/mm"}};
-const UsualRange kUsualMode{"", "", "a tire's mode", "Hz", 1, 8, 1000, 1e4, {"Hz", "kHz"}};
+const UsualMagnitude kUsualMode{"", "", "a tire's mode", "Hz", 1, 8, 1000, 1e4, {"Hz", "kHz"}};
 
-double in_unit(const UsualRange& range, double si) { return Unit::of(range.unit).from_si(si); }
+double in_unit(const UsualMagnitude& usual, double si) { return Unit::of(usual.unit).from_si(si); }
 
-enum class Seen { usual, unusual, impossible };
-
-Seen judged(const UsualRange& range, double si) {
-  const double value = in_unit(range, si);
-  if (value == 0.0 && range.zero_allowed) return Seen::usual;
-  if (value < range.least || value > range.most) return Seen::impossible;
-  return value < range.from || value > range.to ? Seen::unusual : Seen::usual;
-}
-
-/// Returns "; 240 kPa would be usual": the number as written, with the unit that is often confused
-/// with its own.
-std::string may_be_meant(const UsualRange& range, const std::string& written) {
-  const auto quantity = parse_quantity(written);
-  if (!quantity) return "";
-  const auto number = parse_number(quantity->number);
-  if (!number) return "";
-  for (const char* unit : range.taken_for) {
-    if (quantity->unit.text() == unit) continue;
-    if (judged(range, Unit::of(unit).to_si(*number)) == Seen::usual) {
-      return fmt::format("; {} would be usual", in_quotes(quantity->number + " " + unit));
-    }
-  }
-  return "";
-}
-
-std::string usual_in_words(const UsualRange& range) {
-  return fmt::format(
-      "{} is usually {:g} to {:g} {}", range.words, range.from, range.to, range.unit);
-}
-
-/// Number of a document, with its file and line, and its text.
-struct Written {
-  Place place;
-  std::string text;  // empty if the number is part of a list
-};
-
-Written written_at(const Document& document, const std::string& path) {
-  Node node = document.root();
-  std::size_t begin = 0;
-  for (;;) {
-    const auto end = path.find('.', begin);
-    const std::string key = path.substr(begin, end - begin);
-    Written written{node.place(key), ""};
-    try {
-      if (end == path.npos) {
-        written.text = node.text(key);
-        return written;
-      }
-      const auto below = node.find_table(key);
-      if (!below) return written;
-      node = *below;
-      begin = end + 1;
-    } catch (const InputError&) {  // a list, or a plain number
-      return written;
-    }
-  }
-}
-
-/// Returns the key a number belongs to: "deflections" of "test.a.deflections.values.2".
-std::string key_of(std::string path) {
-  for (;;) {
-    const auto dot = path.rfind('.');
-    if (dot == path.npos) return path;
-    const std::string last = path.substr(dot + 1);
-    const bool place = last.find_first_not_of("0123456789") == last.npos;
-    if (!place && last != "values") return last;
-    path.resize(dot);
-  }
-}
-
-const UsualRange* range_of(const std::string& path) {
-  const std::string top = path.substr(0, path.find('.')), key = key_of(path);
-  for (const UsualRange& range : usual_ranges()) {
-    if (key == range.key && (*range.below == '\0' || top == range.below)) return &range;
-  }
-  return nullptr;
-}
-
-void examine_value(const UsualRange& range,
-                   const Written& written,
-                   const std::string& name,
-                   double si,
-                   std::vector<Finding>& found) {
-  const Seen seen = judged(range, si);
-  if (seen == Seen::usual) return;
-  found.push_back({written.place,
-                   fmt::format("{} is {}, but {}{}",
-                               name,
-                               written.text.empty() ? format_quantity(si, range.unit, 4)
-                                                    : in_quotes(written.text),
-                               usual_in_words(range),
-                               may_be_meant(range, written.text)),
-                   seen == Seen::impossible});
-}
-
-void examine_document(const Document& document, std::vector<Finding>& found) {
-  for (const std::string& path : document.paths()) {
-    const UsualRange* range = range_of(path);
-    const double si = document.get(path);
-    if (!range || !std::isfinite(si)) continue;
-    // In a profile only the second column is a length.
-    if (std::string_view(range->key).starts_with("thickness") && !path.ends_with(".1")) continue;
-    if (document.unit(path) == "1") continue;
-    examine_value(*range, written_at(document, path), path, si, found);
-  }
+void append(std::vector<Finding> more, std::vector<Finding>& found) {
+  found.insert(found.end(), more.begin(), more.end());
 }
 
 /// A variable's bounds are values of its numbers, so the same ranges hold, as warnings.
@@ -185,20 +56,43 @@ void examine_variables(const Study& study, const Document& file, std::vector<Fin
                                    in_quotes(owner->second)),
                        true});
     }
-    const UsualRange* range = variable.paths.empty() ? nullptr : range_of(variable.paths.front());
+    const UsualMagnitude* range =
+        variable.paths.empty() ? nullptr : usual_magnitude(variable.paths.front());
     if (!range) continue;
     for (const char* key : {"lower", "upper", "initial"}) {
       const std::string path = at + key;
-      const std::size_t before = found.size();
-      examine_value(*range, written_at(file, path), path, file.get(path), found);
-      if (found.size() == before) continue;
+      auto one = unusual(*range, written_at(file, path), path, file.get(path));
+      if (!one) continue;
       // A bound may lie far out on purpose.
       const bool is_bound = std::string_view(key) != "initial";
-      if (is_bound && !found.back().impossible) {
-        found.pop_back();
-      } else {
-        found.back().impossible = false;
-      }
+      if (is_bound && !one->impossible) continue;
+      one->impossible = false;
+      found.push_back(std::move(*one));
+    }
+  }
+}
+
+/// Finds variables of numbers that are counts or modes: the model refuses a fraction there.
+void examine_counts(const Study& study, std::vector<Finding>& found) {
+  const experiment::SpecimenKind* kind = study.specimens->kind();
+  for (const DesignVariable& variable : study.space.variables()) {
+    if (!kind || variable.unit != "1" || variable.paths.empty()) continue;
+    const double fraction = std::floor(0.5 * (variable.lower + variable.upper)) + 0.5;
+    if (!(fraction > variable.lower && fraction < variable.upper)) continue;
+    Document numbers = study.model;
+    for (const std::string& path : variable.paths) numbers.set(path, fraction);
+    try {
+      kind->check(numbers);
+    } catch (const InputError& error) {
+      if (std::string_view(error.what()).find("expected an integer") == std::string_view::npos)
+        continue;
+      found.push_back(
+          {variable.place,
+           fmt::format("variable.{}.path {} leads to a whole number, a mode or a count, "
+                       "which cannot vary continuously: set it in the model's file",
+                       variable.name,
+                       in_quotes(variable.paths.front())),
+           true});
     }
   }
 }
@@ -342,8 +236,8 @@ void examine_modes(const StudyExperiment& experiment,
 bool hangs_free(const Study& study, const ModeSet& modes) {
   const std::string name = test_of(modes.asks().front());
   for (const StudyTest& test : study.tests) {
-    const auto* of = dynamic_cast<const experiment::ModesTest*>(test.test.get());
-    if (of && test.name == name) return !of->settings().loaded();
+    const auto* of = test.test->settings_as<experiment::ModalTest>();
+    if (of && test.name == name) return !of->loaded();
   }
   return false;
 }
@@ -402,9 +296,10 @@ std::vector<Finding> implausible(const Study& study) {
   std::vector<Finding> found;
   const Document file = Document::read(study.file);
   const experiment::SpecimenKind* kind = study.specimens->kind();
-  if (kind && kind->has_usual_numbers()) examine_document(study.model, found);
-  if (kind) examine_document(file, found);
+  if (kind) append(experiment::findings_of_model(*kind, study.model, study.model_file), found);
+  if (kind) append(experiment::unusual_numbers(file), found);
   examine_variables(study, file, found);
+  examine_counts(study, found);
   examine_repetitions(study, file, found);
   examine_sides(study, file, found);
   const auto size = kind ? kind->size(study.model) : std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that the numbers of a study can be those of a tire. One table holds the usual range of
-// each quantity; further rules compare a measurement with the tire it was made on.
+// Checks that the numbers of a study can be those of a tire: by the usual range of each quantity
+// (experiment/language/usual_numbers.h), and by rules that compare a measurement with the tire it
+// was made on.
 //
 // Units have been checked before (a pressure is a pressure), but magnitudes have not: 240 bar for
 // 240 kPa, kN read as N, the density of air, a deflection deeper than the section is high. An
@@ -16,14 +17,11 @@
 
 #include "base/error.h"
 #include "correlation/study/study.h"
+#include "experiment/language/usual_numbers.h"
 
 namespace latsch::correlation {
 
-struct Finding {
-  Place place;
-  std::string sentence;     // the finding, what is usual, and advice
-  bool impossible = false;  // true if no tire is like that; otherwise the number may be intended
-};
+using experiment::Finding;
 
 /// Returns findings in the order of model, study, measurements. Reads the files of the model, the
 /// study and the measurements once more to find the line numbers.

@@ -328,7 +328,7 @@ TEST_F(MagicBands, ProfilesBySlopesAreThoseByDifferencesWithFewerRecordings) {
   Study study = read(kHeldOut);
   fit_all(study);
   const DesignPoint best = best_trial(study, Journal::read(study.run.journal))->point;
-  std::vector<Profile> profiles[2];
+  std::vector<TargetProfile> profiles[2];
   std::vector<ExperimentBand> bands[2];
   long recordings[2];
   for (const bool by_slopes : {false, true}) {

@@ -123,8 +123,8 @@ TEST_F(RefitTrialsOfStudy, GiveTheProfilesThatWholeRecordingsGive) {
   ASSERT_TRUE(reduced && whole);
   EXPECT_FALSE(std::filesystem::exists(RefitTrials::file(plain.run.journal)));
   for (std::size_t i = 0; i < 2; ++i) {
-    const Profile &p = reduced->identification.profiles()[i],
-                  &q = whole->identification.profiles()[i];
+    const TargetProfile &p = reduced->identification.profiles()[i],
+                        &q = whole->identification.profiles()[i];
     const double width = q.interval.upper - q.interval.lower;
     EXPECT_EQ(p.verdict, Verdict::identifiable);
     EXPECT_EQ(q.verdict, Verdict::identifiable);

@@ -6,6 +6,8 @@
 
 #include "base/text.h"
 #include "correlation/study/specimens.h"
+#include "experiment/language/kind_files.h"
+#include "measurement/band_level.h"
 
 namespace latsch::correlation {
 namespace {
@@ -24,8 +26,9 @@ fs::path existing(const Node& table, const char* key, const fs::path& folder) {
 ComparedTire read_tire(const Node& table,
                        const fs::path& folder,
                        const experiment::Language& language) {
-  const auto* kind = language.find_kind(table.choice("kind", language.kind_names()));
   const fs::path file = existing(table, "file", folder);
+  const auto* kind =
+      &experiment::kind_for_file(table.choice("kind", language.kind_names()), file, language.kinds);
   ComparedTire tire{table.name(), {}, kind, file, kind->read(file), {}, {}};
   kind->check(tire.numbers);  // reports numbers that make no tire before the first test
   tire.title = table.text("title", table.name());
@@ -34,10 +37,10 @@ ComparedTire read_tire(const Node& table,
   return tire;
 }
 
-Specimen read_specimen(const Node& table,
-                       const fs::path& folder,
-                       const experiment::Language& language) {
-  Specimen specimen{read_tire(table, folder, language), 0.0, {}, 1};
+ComparedSpecimen read_specimen(const Node& table,
+                               const fs::path& folder,
+                               const experiment::Language& language) {
+  ComparedSpecimen specimen{read_tire(table, folder, language), 0.0, {}, 1};
   specimen.step = table.quantity("step", "s", Range::positive(), 0.0);
   specimen.seed = table.integer("seed", 0, 1'000'000'000, 1);
   if (const auto noise = table.find_table("noise")) {
@@ -56,13 +59,13 @@ ComparisonTest read_test(const Node& table,
                          bool specimen) {
   const fs::path file = existing(table, "file", folder);
   const auto test = language.read_test(file);
-  const auto* drum = dynamic_cast<const experiment::DrumCleatTest*>(test.get());
+  const auto* drum = test->settings_as<experiment::DrumTest>();
   if (!drum) table.reject("file", "is no drum test, expected kind = \"drum_cleat\" in it");
   for (const experiment::SpecimenKind* kind : kinds)
     if (const auto reason = reason_against(*kind, *test, language)) table.reject("file", *reason);
-  if (drum->settings().frames.size() > 1)
+  if (drum->frames.size() > 1)
     table.reject("file", "is of a test that records several frames, expected one of them in it");
-  ComparisonTest one{table.name(), drum->settings(), {}, table.flag("fitted", false)};
+  ComparisonTest one{table.name(), test->in_words(), *drum, {}, table.flag("fitted", false)};
   if (specimen == table.has("measurement"))
     table.reject("measurement",
                  specimen ? "is given beside [specimen], expected one of them"
@@ -87,13 +90,23 @@ ComparisonFile read_comparison_file(const fs::path& file, const experiment::Lang
   for (const std::string& channel : comparison.channels) {
     if (std::find(kForces.begin(), kForces.end(), channel) == kForces.end())
       root.reject("channels", "has " + in_quotes(channel) + ", expected " + list_of(kForces));
+    const auto& all = comparison.channels;
+    if (std::count(all.begin(), all.end(), channel) > 1)
+      root.reject("channels", "has " + in_quotes(channel) + " twice, expected each once");
   }
+  if (comparison.channels.empty())
+    root.reject("channels", "is empty, expected at least one of " + list_of(kForces));
   comparison.band = {8.0, 200.0};
   if (root.has("band")) {
     const auto ends = root.quantities("band", "Hz", Range::positive());
     if (ends.size() != 2 || ends[0] >= ends[1])
       root.reject("band", "expected two frequencies, the lower one first");
     comparison.band = {ends[0], ends[1]};
+    if (third_octave_bands(comparison.band).empty())
+      root.reject(
+          "band",
+          "has no center of a third-octave band between its ends, expected a wider one such "
+          "as [\"8 Hz\", \"200 Hz\"]");
   }
   comparison.agreement = root.quantity("agreement", "1", Range::positive(), 3.0);
   if (const auto table = root.find_table("specimen"))

@@ -36,7 +36,7 @@
 
 #include "base/document.h"
 #include "experiment/language.h"
-#include "experiment/tests/drum_cleat.h"
+#include "experiment/rigs/drum_rig.h"
 #include "measurement/rig_response_fit.h"
 
 namespace latsch::correlation {
@@ -50,13 +50,13 @@ struct ComparedTire {
 };
 
 struct ComparisonTest {
-  std::string name;
+  std::string name, in_words;
   experiment::DrumTest drum;
   std::filesystem::path measurement;  // empty: the specimen is simulated instead
   bool fitted = false;
 };
 
-struct Specimen {
+struct ComparedSpecimen {
   ComparedTire tire;
   double step = 0.0;                    // s; 0: the step of the test
   std::map<std::string, double> noise;  // standard deviation, for each channel
@@ -69,7 +69,7 @@ struct ComparisonFile {
   std::vector<std::string> channels;
   FrequencyBand band;
   double agreement = 3.0;  // dB
-  std::optional<Specimen> specimen;
+  std::optional<ComparedSpecimen> specimen;
   std::vector<ComparisonTest> tests;
   std::vector<ComparedTire> tires;
 };

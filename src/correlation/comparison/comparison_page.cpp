@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "report/html_parts.h"
@@ -106,10 +107,13 @@ report::LinePlot time_plot(const ComparisonFile& file,
 report::PlotLine density_line(const ComparisonFile& file,
                               const std::string& name,
                               const numerics::Density& density,
+                              double highest,
                               int color) {
   report::PlotLine line{name, {}, {}, color, {}};
   for (std::size_t k = 0; k < density.frequency.size(); ++k) {
-    if (density.frequency[k] < file.band.lower || density.frequency[k] > file.band.upper) continue;
+    if (density.frequency[k] < file.band.lower ||
+        density.frequency[k] > std::min(file.band.upper, highest))
+      continue;
     line.x.push_back(density.frequency[k]);
     line.y.push_back(density.value[k]);
   }
@@ -128,10 +132,13 @@ report::LinePlot density_plot(const ComparisonFile& file,
       fmt::format("PSD of {} [{}²/Hz]", file.channels[channel], unit == "N" ? "N" : "(N m)");
   plot.logarithmic_y = true;
   plot.lines.push_back(
-      density_line(file, "measured", test.measured[channel].density, kMeasuredColor));
+      density_line(file, "measured", test.measured[channel].density, test.highest, kMeasuredColor));
   for (std::size_t i = 0; i < file.tires.size(); ++i)
-    plot.lines.push_back(density_line(
-        file, file.tires[i].title, test.tires[i].channels[channel].density, color_of(i)));
+    plot.lines.push_back(density_line(file,
+                                      file.tires[i].title,
+                                      test.tires[i].channels[channel].density,
+                                      test.highest,
+                                      color_of(i)));
   return plot;
 }
 
@@ -163,7 +170,7 @@ std::string test_chapter(const ComparisonFile& file,
   std::string html =
       fmt::format("<section><h2>{}</h2><p>{}{}.</p>",
                   escape(test.name),
-                  escape(experiment::DrumCleatTest(test.drum).in_words()),
+                  escape(test.in_words),
                   test.fitted ? "; the tires were fitted to this test" : "; held out of every fit");
   html += error_table(file, compared) + "<div class=\"figures\">";
   for (std::size_t c = 0; c < file.channels.size(); ++c) {
@@ -181,7 +188,9 @@ std::string verdict_chapter(const ComparisonFile& file, const TireComparison& co
   std::string html = "<section><h2>What each tire can do</h2><ul>";
   for (const std::string& sentence : verdicts(file, comparison))
     html += "<li>" + escape(sentence) + "</li>";
-  html += "</ul>" + summary_table(file, comparison) + needs_table(file);
+  html += "</ul>";
+  for (const std::string& remark : comparison.remarks) html += "<p>" + escape(remark) + ".</p>";
+  html += summary_table(file, comparison) + needs_table(file);
   html += fmt::format(
       "<p>Errors are means over {} tests, of the root mean square of the measured force about its "
       "mean and of its spectral density from {} to {} Hz. A tire reproduces a force over the "

@@ -8,7 +8,8 @@
 
 #include "base/text.h"
 #include "correlation/analysis/identifiability.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/search_standing.h"
+#include "correlation/search/stage_runs.h"
 #include "numerics/dense/self_adjoint_eigen.h"
 #include "optimization/problem/point_vector.h"
 
@@ -84,6 +85,7 @@ FitPosterior fit_posterior(const FitSource& source, double segment) {
     throw refuse(in_quotes(file.string()) + ", the journal of its study, does not exist; " + run);
   const Journal journal = Journal::read(file, identity(*source.study));
   const Study study = with_estimated_noise(*source.study, journal);
+  if (const std::string why = why_no_best(study, journal); !why.empty()) throw refuse(why);
   const auto what = recorded_identifiability(study, journal);
   if (!what) throw refuse("its journal does not show how certain its variables are; " + run);
   const Confidence& c = what->identification.confidence();

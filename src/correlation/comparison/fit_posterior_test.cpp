@@ -171,6 +171,23 @@ TEST_F(FittedSprings, HaveTheBandOfTheFitsCovariance) {
   EXPECT_EQ(found.fits[0].excess, 1.0);
 }
 
+// The records have 1000 samples a second and last 0.5 s: nothing above 500 Hz, lines 2 Hz apart.
+TEST_F(FittedSprings, AreNotComparedBeyondTheirRecords) {
+  write("specimen.toml", spring_file(kStiffness, kDamping));
+  fit(exact_forces(kStiffness, kDamping));
+  const ModelComparisonFile good = comparison();
+  const auto is_refused = [&](const auto& change) {
+    ModelComparisonFile changed = good;
+    change(changed);
+    EXPECT_THROW(compare_models(changed, shaken_springs(), 1), InputError);
+  };
+  is_refused([](ModelComparisonFile& file) { file.bands[0].band = {3.0, 600.0}; });
+  is_refused([](ModelComparisonFile& file) { file.bands[0].band = {0.1, 1.0}; });
+  is_refused([](ModelComparisonFile& file) { file.segment = 1e-3; });
+  is_refused([](ModelComparisonFile& file) { file.segment = 10.0; });
+  is_refused([](ModelComparisonFile& file) { file.noise["foo"] = 5.0; });
+}
+
 // The band from samples is equal: a quantile of 400 draws is known to about 5 % of the half width.
 TEST_F(FittedSprings, HaveTheSameBandBySamples) {
   write("specimen.toml", spring_file(kStiffness, kDamping));

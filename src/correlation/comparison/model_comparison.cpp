@@ -44,8 +44,8 @@ Channels low_passed(const Channels& recording, double edge) {
   if (edge == 0.0) return recording;
   constexpr double kFirst = 0.02;  // s
   const double rate = rate_of(recording);
-  const auto filter =
-      numerics::polynomials_of(numerics::butterworth(2, numerics::Band::low_pass, {edge}, rate));
+  const auto filter = numerics::polynomials_of(
+      numerics::butterworth(2, numerics::FilterBand::low_pass, {edge}, rate));
   const auto rest = numerics::steady_state(filter);
   Channels channels;
   for (Channel channel : recording.all()) {
@@ -124,6 +124,51 @@ numerics::WelchSettings welch_of(const ModelComparisonFile& file,
                                   static_cast<int>(std::lround(file.segment * rate)));
 }
 
+/// Throws InputError if a band or the segment asks for more than a recording contains.
+void check_spectrum(const ModelComparisonFile& file,
+                    std::size_t samples,
+                    double rate,
+                    const std::string& whose) {
+  constexpr double kFewest = 16.0;  // samples of a segment
+  const auto reject = [&](const std::string& why) {
+    throw InputError({file.file.string(), 0}, why);
+  };
+  const double length = static_cast<double>(samples) / rate;
+  if (file.segment * rate < kFewest)
+    reject(fmt::format("segment is {:g} s, {:.3g} samples of {}; expected {:.0f} samples at least",
+                       file.segment,
+                       file.segment * rate,
+                       whose,
+                       kFewest));
+  if (file.segment * rate > static_cast<double>(samples) + 1.0)
+    reject(
+        fmt::format("segment is {:g} s, but {} has {:.4g} s to select it from; expected a "
+                    "shorter segment or a longer test",
+                    file.segment,
+                    whose,
+                    length));
+  const double spacing = rate / welch_of(file, samples, rate).length;
+  for (const auto& [name, band] : file.bands) {
+    if (band.upper > 0.5 * rate * (1.0 + 1e-6))
+      reject(
+          fmt::format("band.{}.edges ends at {:g} Hz, but the {:g} samples a second of {} hold "
+                      "nothing above {:g} Hz",
+                      name,
+                      band.upper,
+                      rate,
+                      whose,
+                      0.5 * rate));
+    if (std::floor(band.upper / spacing + 1e-9) * spacing < band.lower - 1e-9)
+      reject(
+          fmt::format("band.{}.edges from {:g} to {:g} Hz has no line of the spectra, which are "
+                      "{:.3g} Hz apart; expected a wider band or a longer segment",
+                      name,
+                      band.lower,
+                      band.upper,
+                      spacing));
+  }
+}
+
 std::vector<numerics::Density> densities_of(const ModelComparisonFile& file,
                                             const Channels& channels,
                                             const std::string& whose) {
@@ -133,6 +178,7 @@ std::vector<numerics::Density> densities_of(const ModelComparisonFile& file,
     const auto values = counted(file, channels, name, whose);
     if (values.size() < 16)
       throw InputError({file.file.string(), 0}, whose + " has fewer than 16 selected samples");
+    check_spectrum(file, values.size(), rate, whose);
     all.push_back(numerics::power_density(values, rate, welch_of(file, values.size(), rate)));
   }
   return all;
@@ -452,6 +498,12 @@ Channels record_reference(const ModelComparisonFile& file,
   const auto test =
       read_case(one.reference_test, file.tests[one.test].reference_folder, language, nullptr);
   const Channels clean = run_of(file.reference, file.reference.numbers, *test, one.name);
+  for (const auto& [name, deviation] : file.noise)
+    if (!clean.find(name))
+      throw InputError({file.file.string(), 0},
+                       "reference.noise." + name +
+                           " is of a channel that the reference does not record; expected one of "
+                           "the compared channels");
   Channels noisy;
   std::uint64_t number = 64 * index;  // random stream, different for each channel of each case
   for (Channel channel : clean.all()) {

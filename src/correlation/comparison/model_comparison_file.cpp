@@ -7,6 +7,8 @@
 #include <set>
 
 #include "base/text.h"
+#include "correlation/laboratory/stated_share.h"
+#include "experiment/language/kind_files.h"
 
 namespace latsch::correlation {
 namespace {
@@ -26,8 +28,10 @@ ComparedModel read_compared(const Node& table,
   ComparedModel model;
   model.name = table.name();
   model.title = table.text("title", table.name());
-  model.kind = language.find_kind(table.choice("kind", language.kind_names()));
-  model.numbers = model.kind->read(existing(table, "file", folder));
+  const fs::path file = existing(table, "file", folder);
+  model.kind =
+      &experiment::kind_for_file(table.choice("kind", language.kind_names()), file, language.kinds);
+  model.numbers = model.kind->read(file);
   model.kind->check(model.numbers);
   return model;
 }
@@ -72,6 +76,8 @@ GridTest read_grid_test(const Node& table, const fs::path& folder) {
       VariedNumber one{path, test.model_test.unit(path), {}};
       one.values = vary->quantities(path, one.unit);
       if (one.values.empty()) vary->reject(path, "is empty");
+      if (std::set<double>(one.values.begin(), one.values.end()).size() != one.values.size())
+        vary->reject(path, "has a value twice, expected each once");
       test.varied.push_back(std::move(one));
     }
   }
@@ -149,7 +155,7 @@ void read_uncertainty(const Node& root, ModelComparisonFile& file) {
     Uncertainty one{table.name(),
                     table.text("source", ""),
                     table.texts("paths"),
-                    table.quantity("spread", "1", Range::positive())};
+                    read_share(table, "spread", Range::positive())};
     for (const std::string& path : one.paths) {
       const auto has = [&](const ComparedModel& model) {
         const auto paths = model.numbers.paths();
@@ -236,6 +242,9 @@ ModelComparisonFile read_model_comparison(const fs::path& path,
   file.title = root.text("title", path.stem().string());
   file.channels = root.texts("channels");
   if (file.channels.empty()) root.reject("channels", "is empty, expected at least one channel");
+  if (std::set<std::string>(file.channels.begin(), file.channels.end()).size() !=
+      file.channels.size())
+    root.reject("channels", "has a channel twice, expected each once");
   if (root.has("told")) file.told = root.texts("told");
   file.has_from = root.has("from");
   if (file.has_from) file.from = root.quantity("from", "s");

@@ -26,7 +26,7 @@
 //   [test.exit]
 //   file = "tests/exit.toml"             # of the models
 //   reference = "tests/exit_track.toml"  # of the reference; the same unless given
-//   recording = "exit-2-2"               # of another case, in place of an own one
+//   recording = "exit-2-2"               # of another case, for a test without its own
 //   mark = ["speed", "kerb.pitch"]       # draws the frequency first / second of the test's numbers
 //   [test.exit.vary]                     # a case for every combination: "exit-1-1", "exit-1-2" ...
 //   speed = ["50 m/s", "60 m/s", "70 m/s"]

@@ -335,7 +335,7 @@ std::string bands_in_words(const ModelComparisonFile& file) {
   if (!file.uncertainties.empty()) text += " the typed spreads;";
   return text +
          " but not the effect of numbers that are neither fitted nor stated, of the driving of "
-         "the reference, or of anything that no fit's rig has shown.";
+         "the reference, or of any effect that did not occur on the rig of a fit.";
 }
 
 std::vector<std::string> findings(const ModelComparisonFile& file,
@@ -357,7 +357,7 @@ std::vector<std::string> findings(const ModelComparisonFile& file,
     if (std::isfinite(share))
       sentences.push_back(
           fmt::format("{}: bands of {:g} % hold {:.0f} % of the lines of {}; they are ± {:.1f} dB "
-                      "wide in the mean.",
+                      "wide on average.",
                       file.models[m].title,
                       100.0 * file.level,
                       100.0 * share,

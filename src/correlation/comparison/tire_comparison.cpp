@@ -9,6 +9,8 @@
 #include <stdexcept>
 
 #include "base/random.h"
+#include "correlation/comparison/measured_drum.h"
+#include "experiment/language/capabilities.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/band_level.h"
 
@@ -64,6 +66,7 @@ void find_heard(const ComparisonFile& file,
                 const std::string& channel,
                 const ComparisonTest& test,
                 const std::vector<FrequencyBand>& bands,
+                double highest,
                 ComparedRecord& measured) {
   constexpr double kMostNoise = 0.25;  // share of the power of a band
   double sigma = 0.0;
@@ -71,12 +74,15 @@ void find_heard(const ComparisonFile& file,
     sigma = file.specimen->noise.at(channel);
   for (const FrequencyBand& band : bands) {
     const double noise = 2.0 * sigma * sigma * test.drum.sample_step * (band.upper - band.lower);
-    measured.heard.push_back(noise <= kMostNoise * band_power(measured.density, band));
+    measured.heard.push_back(band.upper <= highest &&
+                             noise <= kMostNoise * band_power(measured.density, band));
   }
 }
 
 Channels run_of(const ComparedTire& tire, const ComparisonTest& test) {
-  auto channels = experiment::DrumCleatTest(test.drum).run(*tire.kind->build(tire.numbers));
+  const auto specimen = tire.kind->build(tire.numbers);
+  const auto rolling = specimen->find<experiment::Rolls>()->tire(test.drum.pressure);
+  auto channels = experiment::run(*rolling, test.drum);
   if (!channels) {
     throw std::runtime_error(
         fmt::format("{} in test {}: {}", tire.title, test.name, channels.failure().reason));
@@ -84,33 +90,40 @@ Channels run_of(const ComparedTire& tire, const ComparisonTest& test) {
   return std::move(*channels);
 }
 
-/// Returns the measured channel at the times of the simulated one, linear between its samples.
-std::vector<double> at_times(const formats::CsvTable& table,
-                             const std::string& channel,
-                             const std::vector<double>& times) {
-  const auto t = table.numbers("time", "s");
-  const auto y = table.numbers(channel, channel[0] == 'F' ? "N" : "N m");
-  std::vector<double> values;
-  for (const double at : times) {
-    const auto right = std::lower_bound(t.begin(), t.end(), at - 1e-9);
-    if (right == t.end() || (right == t.begin() && *right > at + 1e-9)) {
-      throw InputError(
-          table.header_place(),
-          fmt::format("reaches from {:g} to {:g} s, but the test is compared at {:g} s; shorten "
-                      "lead or duration of the test, or measure longer",
-                      t.empty() ? 0.0 : t.front(),
-                      t.empty() ? 0.0 : t.back(),
-                      at));
-    }
-    const auto i = right - t.begin();
-    if (i == 0 || t[i] <= at) {
-      values.push_back(y[i]);
-      continue;
-    }
-    const double share = (at - t[i - 1]) / (t[i] - t[i - 1]);
-    values.push_back(y[i - 1] + share * (y[i] - y[i - 1]));
-  }
-  return values;
+/// Throws InputError if the record has no line in the band; adds a remark if a part of the band is
+/// beyond the record.
+void judge_band(const ComparisonFile& file,
+                const ComparisonTest& test,
+                const TestComparison& compared,
+                std::vector<std::string>& remarks) {
+  const double spacing = 1.0 / (static_cast<double>(compared.time.size()) * test.drum.sample_step);
+  const FrequencyBand band{file.band.lower, std::min(file.band.upper, compared.highest)};
+  if (std::floor(band.upper / spacing) * spacing < band.lower)
+    throw InputError(
+        {file.file.string(), 0},
+        fmt::format("band from {:g} to {:g} Hz has no line of the record of test {}, whose lines "
+                    "are {:.3g} Hz apart and end at {:g} Hz; expected a wider band, or a longer or "
+                    "faster record",
+                    file.band.lower,
+                    file.band.upper,
+                    test.name,
+                    spacing,
+                    compared.highest));
+  if (file.band.upper > compared.highest)
+    remarks.push_back(fmt::format(
+        "test {}: nothing above {:g} Hz was recorded, half the rate of the samples; spectra are "
+        "compared up to there, not to {:g} Hz",
+        test.name,
+        compared.highest,
+        file.band.upper));
+  if (file.band.lower < spacing)
+    remarks.push_back(
+        fmt::format("test {}: the record of {:.3g} s shows nothing below {:.3g} Hz; spectra are "
+                    "compared from there, not from {:g} Hz",
+                    test.name,
+                    1.0 / spacing,
+                    spacing,
+                    file.band.lower));
 }
 
 double cpu_seconds() {
@@ -141,8 +154,9 @@ TireRun compared_run(const ComparedTire& tire,
     const ComparedRecord& measured = of.measured[c];
     run.time_error.push_back(
         relative_error(about_mean(simulated.force), about_mean(measured.force)));
-    run.psd_error.push_back(relative_error(in_band(simulated.density, file.band),
-                                           in_band(measured.density, file.band)));
+    const FrequencyBand band{file.band.lower, std::min(file.band.upper, of.highest)};
+    run.psd_error.push_back(
+        relative_error(in_band(simulated.density, band), in_band(measured.density, band)));
   }
   return run;
 }
@@ -199,7 +213,7 @@ TireSummary summary(const ComparisonFile& file, const TireComparison& all, std::
 
 }  // namespace
 
-Channels measure(const Specimen& specimen, const ComparisonTest& test, std::size_t index) {
+Channels measure(const ComparedSpecimen& specimen, const ComparisonTest& test, std::size_t index) {
   ComparisonTest own = test;
   if (specimen.step > 0.0) own.drum.step = specimen.step;
   const Channels clean = run_of(specimen.tire, own);
@@ -227,20 +241,24 @@ TireComparison compare_tires(const ComparisonFile& file,
     const long count = std::lround((test.drum.duration) / test.drum.sample_step);
     for (long i = 1; i <= count; ++i)
       compared.time.push_back(static_cast<double>(i) * test.drum.sample_step - test.drum.lead);
-    Channels measured;
-    std::optional<formats::CsvTable> table;
+    compared.highest = 0.5 / test.drum.sample_step;
+    std::vector<std::vector<double>> forces;
     if (file.specimen) {
-      measured = measure(*file.specimen, test, t);
+      const Channels measured = measure(*file.specimen, test, t);
       compared.time = measured["time"];
+      for (const std::string& channel : file.channels) forces.push_back(measured[channel]);
     } else {
-      table = formats::CsvTable::read(test.measurement);
+      MeasuredDrum measured = measured_drum(test.measurement, file.channels, compared.time);
+      forces = std::move(measured.forces);
+      compared.highest = std::min(compared.highest, measured.highest);
     }
-    for (const std::string& channel : file.channels) {
-      auto force = table ? at_times(*table, channel, compared.time) : measured[channel];
+    for (std::size_t c = 0; c < forces.size(); ++c) {
       compared.measured.push_back(
-          record_of(std::move(force), 1.0 / test.drum.sample_step, all.bands));
-      find_heard(file, channel, test, all.bands, compared.measured.back());
+          record_of(std::move(forces[c]), 1.0 / test.drum.sample_step, all.bands));
+      find_heard(
+          file, file.channels[c], test, all.bands, compared.highest, compared.measured.back());
     }
+    judge_band(file, test, compared, all.remarks);
     for (const ComparedTire& tire : file.tires)
       compared.tires.push_back(compared_run(tire, file, test, compared, all.bands));
     all.tests.push_back(std::move(compared));

@@ -9,7 +9,8 @@
 // all tests is within the stated agreement. Spectra use the whole record with one Hann window
 // (numerics/signals/welch.h, the scipy convention). If the specimen's noise, 2 sigma^2/rate, has
 // more than a quarter of the measured power in a band of a test, the band is left out, because it
-// does not show the tire. The noise of recordings is not known.
+// does not show the tire. The noise of recordings is not known. Bands above half the rate of a
+// recording are left out, too.
 #pragma once
 
 #include <functional>
@@ -38,6 +39,7 @@ struct TireRun {
 
 struct TestComparison {
   std::vector<double> time;  // s
+  double highest = 0.0;      // Hz: the records hold nothing above it
   std::vector<ComparedRecord> measured;
   std::vector<TireRun> tires;
 };
@@ -55,11 +57,12 @@ struct TireComparison {
   std::vector<FrequencyBand> bands;
   std::vector<TestComparison> tests;  // in the order of the file
   std::vector<TireSummary> tires;
+  std::vector<std::string> remarks;  // parts of the band that a record does not contain
 };
 
 /// Returns what the specimen of the file records in one test: time, speed and the channels with
 /// their noise.
-Channels measure(const Specimen& specimen, const ComparisonTest& test, std::size_t index);
+Channels measure(const ComparedSpecimen& specimen, const ComparisonTest& test, std::size_t index);
 
 /// Throws InputError if a measurement does not fit its test, std::runtime_error if a tire fails.
 TireComparison compare_tires(const ComparisonFile& file,

@@ -81,7 +81,8 @@ TEST_F(ComparedTires, NoiseIsTheSameOnEveryRun) {
 
 TEST_F(ComparedTires, RecordingsStandInTheSpecimensPlace) {
   std::string table = "time [ms],Fx [N],Fz [kN]\n";
-  for (int i = -50; i < 300; ++i) table += std::to_string(i) + ",1,4\n";
+  for (int i = -50; i < 300; ++i)  // the first compared sample is at -29 ms
+    table += std::to_string(i) + (i % 2 == 0 ? ",1,3.9\n" : ",1,4\n");
   write("measured.csv", table);
   const std::string test = "channels = [\"Fz\"]\n[test.cleat]\nfile = \"drum.toml\"\n";
   const auto read = file(test + "measurement = \"measured.csv\"\n");

@@ -12,8 +12,8 @@ namespace latsch::correlation {
 /// is unknown.
 std::string our_name(const std::string& name, const std::string& unit);
 
-/// Returns the SI unit that a column of that name must have; empty if the name is ambiguous, as a
-/// single letter is.
+/// Returns the SI unit that a column of the given name must have; empty if the name is ambiguous,
+/// as a single letter is.
 std::string dimension_of_name(const std::string& name);
 
 /// Returns the force or moment without its frame: "Fy", "FyW", "MZH" -> "Fy", "Fy", "Mz"; empty for

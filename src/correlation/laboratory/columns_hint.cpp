@@ -17,16 +17,14 @@ std::string toml_text(const std::string& text) {
   return quote + text + quote;
 }
 
-/// Returns a key of TOML: as it is if it has only letters, digits, "_" and "-", otherwise in
-/// quotes.
+}  // namespace
+
 std::string toml_key(const std::string& key) {
   const bool is_bare = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
     return (c < 0x80 && std::isalnum(c)) || c == '_' || c == '-';
   });
   return is_bare ? key : toml_text(key);
 }
-
-}  // namespace
 
 std::string columns_hint(std::map<std::string, StatedColumn> stated,
                          const std::string& channel,

@@ -11,6 +11,10 @@
 
 namespace latsch::correlation {
 
+/// Returns a key of TOML: as it is if it has only letters, digits, "_" and "-", otherwise in
+/// quotes.
+std::string toml_key(const std::string& key);
+
 /// `columns = {alpha = "SA [deg]", time = "t_s [s]"}`: the stated columns with this one added, or
 /// in place of the former column of `channel`.
 std::string columns_hint(std::map<std::string, StatedColumn> stated,

@@ -14,6 +14,7 @@
 #include "correlation/laboratory/record_ledger.h"
 #include "formats/tables/lab_table.h"
 #include "measurement/meaning/channel_words.h"
+#include "measurement/meaning/filler_numbers.h"
 #include "numerics/signals/butterworth.h"
 
 namespace latsch::correlation {
@@ -39,12 +40,36 @@ void take_units_of_names(formats::LabTable& table) {
   table.channels = std::move(read);
 }
 
+/// Finds fillers and ends of ranges among the numbers as they stand in the file.
+void note_suspects(LabRecord& record) {
+  for (const Channel& channel : record.channels) {
+    const StatedColumn& written = record.written.at(channel.name);
+    const auto known = written.unit.empty() ? std::nullopt : Unit::find(written.unit);
+    const Unit unit = known.value_or(Unit::of(channel.unit));
+    std::vector<double> numbers = channel.values;
+    const auto source = record.sources.find(channel.name);
+    const bool is_negative = source != record.sources.end() && source->second.is_negative;
+    const double sign = is_negative ? -written.sign : written.sign;
+    for (double& value : numbers) value = unit.from_si(sign * value);
+    const bool is_force = !force_without_frame(channel.name).empty();
+    for (const FillerNumber& filler : filler_numbers(numbers, is_force)) {
+      SuspectSamples suspect{channel.name, "", filler.reason, {}, filler.is_certain};
+      const std::string text = written.unit.empty() ? "" : " " + written.unit;
+      suspect.number = format_number(filler.number, 10) + text;
+      for (const std::size_t i : filler.samples)
+        suspect.samples.push_back(static_cast<double>(i + 1));
+      record.suspects.push_back(std::move(suspect));
+    }
+  }
+}
+
 /// Returns the record in Latsch's names. A name that two columns claim stays with the first.
 LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedColumn>& columns) {
   take_units_of_names(table);
   std::map<std::string, std::string> stated;  // the file's name -> Latsch's name
   for (const auto& [ours, theirs] : columns) stated[theirs.column] = ours;
   LabRecord record;
+  record.stated = columns;
   for (const auto& [theirs, why] : table.left_out) {
     const auto found = stated.find(theirs);
     record.left_out[found == stated.end() ? theirs : found->second] = why;
@@ -70,6 +95,7 @@ LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedC
   }
   const std::size_t samples = record.channels.empty() ? 0 : record.channels[0].values.size();
   for (std::size_t i = 0; i < samples; ++i) record.places.push_back(table.place(i));
+  note_suspects(record);
   record.ledgers.push_back(ledger_of(table, record));
   return record;
 }
@@ -85,13 +111,17 @@ void append(const LabRecord& more, const std::string& file, LabRecord& record) {
     const auto& values = more.find(channel.name)->values;
     channel.values.insert(channel.values.end(), values.begin(), values.end());
   }
+  for (SuspectSamples suspect : more.suspects) {
+    for (double& sample : suspect.samples) sample += static_cast<double>(record.samples());
+    record.suspects.push_back(std::move(suspect));
+  }
   record.places.insert(record.places.end(), more.places.begin(), more.places.end());
   record.ledgers.insert(record.ledgers.end(), more.ledgers.begin(), more.ledgers.end());
   record.ambiguous.insert(more.ambiguous.begin(), more.ambiguous.end());
 }
 
 /// Filters between gaps; stretches shorter than `least` become gaps.
-void filter_stretch(const std::vector<numerics::Section>& sections,
+void filter_stretch(const std::vector<numerics::FilterSection>& sections,
                     const Stretch& stretch,
                     std::size_t least,
                     std::vector<double>& values) {
@@ -255,8 +285,16 @@ std::string low_pass(LabRecord& record, double frequency, const Place& place) {
                                  frequency,
                                  rate,
                                  0.5 * rate));
+  const double lasts = static_cast<double>(longest->end - longest->first) / rate;
+  if (frequency * lasts < 1.0)
+    throw InputError(place,
+                     fmt::format("low_pass is {:g} Hz, which needs a record of {:.4g} s, but this "
+                                 "one has {:.4g} s without a gap",
+                                 frequency,
+                                 1.0 / frequency,
+                                 lasts));
   const auto sections = numerics::sections_of(
-      numerics::butterworth(kOrder, numerics::Band::low_pass, {frequency}, rate));
+      numerics::butterworth(kOrder, numerics::FilterBand::low_pass, {frequency}, rate));
   const auto least = static_cast<std::size_t>(numerics::forward_backward_padding(sections));
   std::vector<bool> kept(record.samples(), true);
   std::size_t left_out = 0;

@@ -23,8 +23,18 @@ namespace latsch::correlation {
 struct StatedColumn {
   std::string column, unit;
   double sign = 1.0;
+  Place place = {};  // the statement in the study; empty if no study states the column
 
   bool operator==(const StatedColumn&) const = default;
+};
+
+/// Numbers of a channel that are hardly measured values (measurement/meaning/filler_numbers.h).
+struct SuspectSamples {
+  std::string channel;          // Latsch's name
+  std::string number;           // with the unit in the file: "-9999 N"
+  std::string reason;           // to follow the number
+  std::vector<double> samples;  // their numbers, from 1 over all files
+  bool is_certain = false;
 };
 
 struct LabRecord {
@@ -40,6 +50,7 @@ struct LabRecord {
   std::vector<Ledger> ledgers;                   // one for each file
   std::map<std::string, std::vector<std::string>> ambiguous;  // further columns that claim a
                                                               // channel
+  std::vector<SuspectSamples> suspects;
 
   std::size_t samples() const { return places.size(); }
   std::vector<std::string> names() const;

@@ -2,7 +2,6 @@
 #include "correlation/laboratory/measurement.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "correlation/laboratory/frame_conversion.h"
 #include "correlation/laboratory/lab_record.h"
 #include "correlation/laboratory/record_ledger.h"
+#include "correlation/laboratory/sign_advice.h"
 #include "measurement/meaning/channel_checks.h"
 #include "measurement/meaning/channel_words.h"
 #include "measurement/meaning/natural_unit.h"
@@ -68,6 +68,7 @@ std::map<std::string, StatedColumn> read_columns(const Node& table) {
     const std::string text = stated->text(ours);
     const auto bracket = text.ends_with(']') ? text.rfind('[') : text.npos;
     StatedColumn column{std::string(trimmed(std::string_view(text).substr(0, bracket))), ""};
+    column.place = stated->place(ours);
     if (column.column.starts_with('-')) {
       column.sign = -1.0;
       column.column = trimmed(std::string_view(column.column).substr(1));
@@ -80,9 +81,14 @@ std::map<std::string, StatedColumn> read_columns(const Node& table) {
       if (!reading.unit)
         stated->reject(ours, "is " + in_quotes(text) + ", which has " + reading.fault);
     }
-    for (const auto& [other, before] : columns)
+    for (const auto& [other, before] : columns) {
       if (before.column == column.column)
         stated->reject(ours, "is " + in_quotes(text) + ", the column that " + other + " is, too");
+      if (same_channel(other, ours))
+        stated->reject(ours,
+                       "is " + in_quotes(text) + ", but " + other + " is the same channel and is " +
+                           in_quotes(before.column));
+    }
     columns[ours] = column;
   }
   return columns;
@@ -99,6 +105,19 @@ Channel& channel_of(const Node& table, const std::string& key, LabRecord& record
                          " (channels: " + list_of(record.names()) + ")");
 }
 
+/// Returns the advice for a record of stated axes whose loads alone have the other sign.
+std::string loads_of_other_sign(const LabRecord& record, const std::string& axes) {
+  LabRecord turned_loads = record;
+  Channel* Fz = turned_loads.find("Fz");
+  if (!Fz) return "";
+  for (double& value : Fz->values) value = -value;
+  const auto fitting = conventions_that_fit(turned_loads);
+  if (std::find(fitting.begin(), fitting.end(), axes) == fitting.end()) return "";
+  return fmt::format("; or the loads alone have the other sign: then say {} beside axes = {}",
+                     turned(record, Fz->name),
+                     in_quotes(axes));
+}
+
 void check_signs(const Node& table, const LabRecord& record, const std::string& axes) {
   const auto fitting = conventions_that_fit(record);
   if (std::find(fitting.begin(), fitting.end(), axes) != fitting.end()) return;
@@ -110,13 +129,14 @@ void check_signs(const Node& table, const LabRecord& record, const std::string& 
   table.reject(
       "axes",
       fmt::format("is {}, but these signs are not: {}, where a load has to be {} and a side "
-                  "force against its slip angle; {}",
+                  "force against its slip angle; {}{}",
                   in_quotes(axes),
                   found,
                   axes == "sae" ? "negative" : "positive",
                   fitting.empty() ? "no convention has such signs: is a column of another "
                                     "sign than the others?"
-                                  : "they are as in " + list_of(fitting)));
+                                  : "they are as in " + list_of(fitting),
+                  loads_of_other_sign(record, axes)));
 }
 
 void read_zero(const Node& table, LabRecord& record, std::vector<std::string>& words) {
@@ -255,6 +275,35 @@ void tell_what_is_left(const LabRecord& record, std::vector<std::string>& words)
   for (const auto& [name, why] : record.left_out) words.push_back(name + " is left out: it " + why);
 }
 
+/// Returns the columns as the file calls them, with the channel that each became:
+/// `"Einfederung" (deflection), "TSTX"`.
+std::string columns_in_words(const Measurement::Told& told) {
+  constexpr std::size_t kMost = 30;
+  std::string text;
+  std::size_t count = 0;
+  for (const Channel& channel : told.channels.all()) {
+    if (++count > kMost) continue;
+    const std::string& column = told.written.at(channel.name).column;
+    text += (text.empty() ? "" : ", ") + in_quotes(column) +
+            (column == channel.name ? "" : " (" + channel.name + ")");
+  }
+  return count > kMost ? text + fmt::format(" and {} more", count - kMost) : text;
+}
+
+/// Says what a channel of another dimension most likely is where an angle is expected.
+std::string about_angle(const std::string& channel,
+                        const std::string& written,
+                        const std::string& si_unit_read,
+                        const std::string& expected) {
+  if (expected != "rad") return "";
+  if (written == "min") return " (minutes of arc are \"arcmin\")";
+  if (written == "s" || written == "sec") return " (seconds of arc are \"arcsec\")";
+  const bool is_toe = channel.starts_with("toe") || channel.starts_with("Toe");
+  if (!is_toe || si_unit_read != "m") return "";
+  return " (a toe in millimeters depends on the diameter d at which it was measured: its angle is "
+         "asin(toe / d), or half of that for the toe of both wheels)";
+}
+
 void take(LabRecord record, Measurement::Told& told) {
   told.channels = record.table();
   told.left_out = std::move(record.left_out);
@@ -301,6 +350,9 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   keep(record, kept);
   told.noise = read_noises(table, record);
   tell_what_is_left(record, told.words);
+  std::vector<std::string> selected;
+  if (const auto select = table.find_table("select")) selected = select->keys();
+  told.suspects = suspect_numbers(record, told.name, selected, table.has("low_pass"));
   check_channels(record, table.has("axes"), true);
   for (const char* step : {"zero", "low_pass", "sweep", "every", "select"})
     if (table.has(step)) told.one_way.emplace_back(step);
@@ -319,6 +371,7 @@ Measurement read_measurement(const fs::path& file, std::optional<AxisConvention>
   turn_axes(record, told.axes);
   note_axes(record, told.axes, axes.has_value());
   told.recorded = record.table();
+  told.suspects = suspect_numbers(record, "", {}, false);
   check_channels(record, axes.has_value(), false);
   take(std::move(record), told);
   return Measurement(std::move(told));
@@ -401,7 +454,8 @@ std::string Measurement::other_dimension(const std::string& found,
   std::string text = fmt::format("column {} is in {}, expected {}: correct the unit in its file",
                                  in_quotes(column.column),
                                  in_quotes(column.unit),
-                                 noun);
+                                 noun) +
+                     about_angle(found, column.unit, told_.channels.find(found)->unit, unit);
   if (others.empty()) return text;
   const auto first = std::find_if(told_.written.begin(), told_.written.end(), [&](auto& one) {
     return one.second.column == others.front();
@@ -421,10 +475,13 @@ const std::vector<double>& Measurement::values(const std::string& channel,
     for (const auto& [name, why] : told_.left_out) left_out.push_back(name);
     const auto reason = told_.left_out.find(find_named(left_out, channel).name);
     if (reason != told_.left_out.end())
-      throw InputError(told_.place, of + "column " + in_quotes(channel) + " " + reason->second);
+      throw InputError(told_.place,
+                       of + "column " + in_quotes(channel) + " " + reason->second + " (" +
+                           told_.files.front().filename().string() + ")");
     throw InputError(told_.place,
                      of + "column " + in_quotes(channel) + " is missing" +
-                         did_you_mean(channel, names) + " (columns: " + list_of(names) + ")");
+                         did_you_mean(channel, names) + " (columns: " + columns_in_words(told_) +
+                         ")");
   }
   if (const auto both = told_.ambiguous.find(found.name); both != told_.ambiguous.end())
     throw InputError(told_.place, of + both->second);
@@ -454,92 +511,6 @@ bool Measurement::could_be(const std::string& channel, const std::string& unit) 
   const bool is_code = written(channel).column.size() == 1;  // "V" may be a voltage
   return !is_code || Unit::of(values.unit).same_dimension(Unit::of(unit)) ||
          written(channel).unit.empty();
-}
-
-void Measurement::note_use(const std::string& channel, const std::string& by) const {
-  const NamedChannel found = named(channel);
-  if (found.name.empty()) return;
-  const std::string& column = told_.written.at(found.name).column;
-  for (Ledger& ledger : *told_.ledgers)
-    if (LedgerRow* row = ledger.find_written(column)) Ledger::use(*row, by);
-}
-
-void Measurement::note_absent(const Absent& absent) const {
-  const bool is_noted = std::any_of(absent_->begin(), absent_->end(), [&](const Absent& one) {
-    return one.channel == absent.channel && one.by == absent.by;
-  });
-  if (!is_noted) absent_->push_back(absent);
-}
-
-std::vector<std::string> Measurement::columns_like(const std::string& channel,
-                                                   const std::string& unit) const {
-  std::vector<std::string> columns;
-  for (const Channel& one : told_.channels.all()) {
-    const StatedColumn& column = told_.written.at(one.name);
-    const bool fits = column.unit.empty() || Unit::of(one.unit).same_dimension(Unit::of(unit));
-    if (one.name == column.column && fits) columns.push_back(one.name);
-  }
-  for (const auto& [name, why] : told_.left_out) columns.push_back(name);
-  return look_like(channel, columns);
-}
-
-namespace {
-
-/// Returns unused columns that may be a channel: of its dimension or of none, with an unknown name.
-std::vector<std::string> unused_for(const Ledger& ledger, const std::string& unit) {
-  std::vector<std::string> names;
-  for (const LedgerRow& row : ledger.rows) {
-    if (row.state != LedgerState::not_used || !row.taken_as.empty()) continue;
-    const bool fits = row.unit_written.empty() ? unit != "1" || row.unit == "1"
-                                               : Unit::of(row.unit).same_dimension(Unit::of(unit));
-    if (fits) names.push_back("`" + row.written + "`");
-  }
-  return names;
-}
-
-}  // namespace
-
-std::string Measurement::hint_for(const std::string& channel,
-                                  const std::string& column,
-                                  const std::string& unit) const {
-  StatedColumn theirs{column, ""};
-  for (const auto& [ours, written] : told_.written)
-    if (written.column == column && written.unit.empty()) theirs = with_natural_unit(written, unit);
-  return columns_hint(told_.stated, key_for(channel, channel), theirs);
-}
-
-std::vector<Ledger> Measurement::ledgers() const {
-  constexpr std::size_t kMostNamed = 6;
-  std::vector<Ledger> ledgers = *told_.ledgers;
-  if (ledgers.empty()) return ledgers;
-  for (const Absent& absent : *absent_) {
-    const std::string instead =
-        absent.otherwise.empty() ? "left out" : "taken as " + absent.otherwise;
-    LedgerRow row;
-    row.taken_as = absent.channel;
-    row.state = LedgerState::assumed;
-    row.used_by = {absent.by};
-    row.remark = "is " + instead + " by " + absent.by;
-    ledgers.front().rows.push_back(std::move(row));
-    auto unused = unused_for(ledgers.front(), absent.unit);
-    if (unused.empty()) continue;
-    if (unused.size() > kMostNamed) unused.resize(kMostNamed);
-    const std::string first = unused.front().substr(1, unused.front().size() - 2);
-    ledgers.front().doubts.push_back(
-        {first,
-         fmt::format(
-             "{}: {} is {}: no column is called {}; not used: {}. Did you mean {}? Then say {}{}",
-             absent.by,
-             absent.channel,
-             instead,
-             spellings_of(absent.channel),
-             fmt::join(unused, ", "),
-             unused.size() == 1 ? "it" : "one of them",
-             hint_for(absent.channel, first, absent.unit),
-             told_.is_stated ? "" : " in a [measurement.NAME] of the file"),
-         told_.place});
-  }
-  return ledgers;
 }
 
 Laboratory read_laboratory(const Node& study, const fs::path& folder) {

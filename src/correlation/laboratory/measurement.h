@@ -18,7 +18,7 @@
 //   sweep = {alpha = "rising"}      # or "falling"
 //   every = 5                       # thinned, last of all: every fifth of the samples left
 //
-//   [measurement.cornering.select]  # samples left: all of these hold
+//   [measurement.cornering.select]  # only samples that meet all of these
 //   time = "30 s .."                # after the warm-up
 //   Fz = ["1050 +- 100 N", "1610 +- 100 N"]  # one of several windows
 //   gamma = "-0.3 .. 0.3 deg"
@@ -71,16 +71,18 @@ class Measurement {
     std::map<std::string, StatedColumn> written;          // a channel as named in the file
     std::map<std::string, StatedColumn> stated;           // the table `columns`
     std::map<std::string, formats::TableColumn> sources;  // a channel as its file states it
-    std::map<std::string, AxisFrame> turned_from;  // the original frame of each channel that
-                                                   // in_frame has turned
+    std::map<std::string, AxisFrame> turned_from;         // the original frame of each channel that
+                                                          // in_frame has turned
     AxisConvention axes = AxisConvention::iso;
     std::shared_ptr<std::vector<Ledger>> ledgers;  // one for each file
     std::map<std::string, std::string> ambiguous;  // channels that two columns claim, in words
-    Channels recorded;                             // all samples as read, in Latsch's names and
-                                                   // axes
-    Channels channels;                             // processed and selected samples
-    std::vector<Place> places;                     // index in the file of each selected sample
-    std::vector<double> numbers;                   // number of each selected sample, from 1
+    std::vector<LedgerDoubt> suspects;  // numbers that are hardly measured; an error only counts
+                                        // if something uses the channel
+    Channels recorded;                  // all samples as read, in Latsch's names and
+                                        // axes
+    Channels channels;                  // processed and selected samples
+    std::vector<Place> places;          // index in the file of each selected sample
+    std::vector<double> numbers;        // number of each selected sample, from 1
   };
   explicit Measurement(Told told) : told_(std::move(told)) {}
 
@@ -124,11 +126,18 @@ class Measurement {
   /// Notes, while a study is read, that a channel is used by "test steady" or "experiment
   /// side_force".
   void note_use(const std::string& channel, const std::string& by) const;
+  /// Notes that `by` reads a channel but computes without it, and why.
+  void note_ignored(const std::string& channel,
+                    const std::string& by,
+                    const std::string& why) const;
   /// Absent channel that a user could have used; `otherwise` is what it uses instead.
   struct Absent {
     std::string channel, unit, by, otherwise;
   };
   void note_absent(const Absent& absent) const;
+  /// Returns an error for every key of `columns` that is no known channel and that nothing uses:
+  /// "alpa" for alpha. Complete after all users of the measurement were read.
+  std::vector<LedgerDoubt> unknown_keys() const;
   /// Returns columns that look like a channel of that unit but were not recognized: `Alhpa` for
   /// alpha.
   std::vector<std::string> columns_like(const std::string& channel, const std::string& unit) const;
@@ -169,7 +178,7 @@ MeasuredFile read_measured_file(const std::filesystem::path& file,
 /// Every [measurement.NAME] of a study.
 using Laboratory = std::vector<std::shared_ptr<const Measurement>>;
 Laboratory read_laboratory(const Node& study, const std::filesystem::path& folder);
-/// Returns nullptr if none has that name.
+/// Returns nullptr if none has the given name.
 std::shared_ptr<const Measurement> find(const Laboratory& laboratory, const std::string& name);
 
 }  // namespace latsch::correlation

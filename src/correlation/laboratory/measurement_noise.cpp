@@ -5,10 +5,12 @@
 
 #include "base/text.h"
 #include "base/unit_reading.h"
+#include "correlation/laboratory/stated_share.h"
 
 namespace latsch::correlation {
 namespace {
 
+constexpr double kLargestShare = 1.0;  // a larger deviation than the value itself is no measurement
 constexpr double kHuberScale = 1.345, kCauchyScale = 2.385;
 
 std::string wanted_noise(const std::string& unit) {
@@ -35,6 +37,10 @@ void add_part(const Node& table,
   const bool is_relative = quantity->unit.dimensionless();
   if (!is_relative && !(compared && quantity->unit.same_dimension(*compared))) {
     reject(", but what is compared is in " + unit);
+  }
+  if (is_relative && quantity->si > kLargestShare) {
+    expect_stated_share(table, key, part, quantity->si, unit);
+    reject(", of which " + in_quotes(part) + " is more than the measured value itself");
   }
   double& given = is_relative ? noise.relative : noise.absolute;
   if (given > 0.0) reject(", which says the same twice");
@@ -68,7 +74,7 @@ std::optional<MeasurementNoise> read_noise(const Node& table,
   if (!table.has(key)) return std::nullopt;
   MeasurementNoise noise;
   if (!is_a_text(table, key)) {
-    noise.relative = table.quantity(key, "1", Range::positive());
+    noise.relative = read_share(table, key, Range::positive(), unit);
     return noise;
   }
   const std::string text = table.text(key);
@@ -116,10 +122,10 @@ RobustLoss read_loss(const Node& table, bool noise_is_stated) {
                      "noise beside it, "
                      "or loss_scale = \"5 %\", an error beyond which they do");
   }
-  robust.scale = table.quantity("loss_scale",
-                                "1",
-                                Range::positive(),
-                                robust.loss == Loss::huber ? kHuberScale : kCauchyScale);
+  robust.scale = robust.loss == Loss::huber ? kHuberScale : kCauchyScale;
+  if (!table.has("loss_scale")) return robust;
+  robust.scale = noise_is_stated ? table.quantity("loss_scale", "1", Range::positive())
+                                 : read_share(table, "loss_scale", Range::positive());
   return robust;
 }
 

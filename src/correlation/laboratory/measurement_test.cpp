@@ -310,7 +310,8 @@ TEST_F(LabMeasurement, TakesAUnitFromTheEndOfAName) {
   EXPECT_EQ(run.unit("who_deg"), "1");  // an unknown name: the meaning remains undetermined
 }
 
-// The function that reads any file alone returns channels, ledger and doubts.
+// The function that reads one file of any kind, without a study, returns channels, ledger and
+// doubts.
 TEST_F(LabMeasurement, OfAnyFileHasALedger) {
   const MeasuredFile plain = read_measured_file(folder_ / "run.dat");
   EXPECT_EQ(plain.ledger.find_written("SA")->taken_as, "alpha");

@@ -2,18 +2,23 @@
 #include "correlation/laboratory/record_ledger.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "base/text.h"
 #include "base/units.h"
 #include "correlation/laboratory/channel_names.h"
 #include "correlation/laboratory/columns_hint.h"
+#include "correlation/laboratory/sign_advice.h"
 #include "measurement/meaning/channel_checks.h"
 #include "measurement/meaning/channel_sense.h"
 #include "measurement/meaning/channel_words.h"
+#include "measurement/meaning/filler_numbers.h"
 
 namespace latsch::correlation {
 namespace {
@@ -33,6 +38,12 @@ void for_rows_of(LabRecord& record, const std::string& channel, const Action& ac
   if (written == record.written.end()) return;
   for (Ledger& ledger : record.ledgers)
     if (LedgerRow* row = ledger.find_written(written->second.column)) action(*row);
+}
+
+bool is_stated(const LabRecord& record, const std::string& column) {
+  return std::any_of(record.stated.begin(), record.stated.end(), [&](const auto& one) {
+    return one.second.column == column;
+  });
 }
 
 void name_meaning(LedgerRow& row) {
@@ -59,10 +70,33 @@ void note_dimension(LedgerRow& row) {
                                  words_for(Unit::of(expected)).noun);
 }
 
+/// Says that the minus before a name was applied, and how to undo it.
+void note_minus(const formats::TableColumn& column,
+                const LabRecord& record,
+                LedgerRow& row,
+                Ledger& ledger) {
+  row.factor = -row.factor;
+  row.offset = -row.offset;
+  const std::string& channel = row.taken_as.empty() ? row.written : row.taken_as;
+  row.remark = "the minus of its name is applied";
+  if (row.taken_as.empty() || is_stated(record, row.written)) return;
+  ledger.doubts.push_back(
+      {row.written,
+       fmt::format("column {0} begins with a minus, which is applied: {1} is minus the numbers of "
+                   "the column. If it is only a dash, take it off the name, or say columns = "
+                   "{{{1} = \"-{2}\"}} in a [measurement.NAME]",
+                   in_quotes(column.title),
+                   channel,
+                   row.written),
+       {ledger.file, row.line}});
+}
+
 }  // namespace
 
 Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
   Ledger ledger{table.file};
+  std::map<std::string, std::string> ours_of;  // the file's name -> Latsch's name
+  for (const auto& [ours, theirs] : record.written) ours_of[theirs.column] = ours;
   for (std::size_t k = 0; k < table.channels.all().size(); ++k) {
     const Channel& channel = table.channels.all()[k];
     LedgerRow row;
@@ -80,17 +114,19 @@ Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
       row.offset = unit->to_si(0.0L);
       row.factor = unit->to_si(1.0L) - row.offset;
     }
-    for (const auto& [ours, theirs] : record.written)
-      if (theirs.column == channel.name) {
-        row.taken_as = ours;
-        row.factor *= theirs.sign;
-        row.offset *= theirs.sign;
-      }
+    if (const auto ours = ours_of.find(channel.name); ours != ours_of.end()) {
+      const double sign = record.written.at(ours->second).sign;
+      row.taken_as = ours->second;
+      row.factor *= sign;
+      row.offset *= sign;
+    }
     if (row.taken_as == row.written && !recognized(row.written) &&
         !channel_senses(row.written).is_known())
       row.taken_as.clear();
     name_meaning(row);
     note_dimension(row);
+    if (k < table.columns.size() && table.columns[k].is_negative)
+      note_minus(table.columns[k], record, row, ledger);
     ledger.rows.push_back(std::move(row));
   }
   for (const auto& [name, why] : table.left_out) {
@@ -109,6 +145,16 @@ Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
     row.state = LedgerState::doubtful;
     row.remark = "left out: it " + why;
     ledger.rows.push_back(std::move(row));
+  }
+  if (!table.assumed_encoding.empty()) {
+    LedgerRow row;
+    row.taken_as = "encoding";
+    row.state = LedgerState::assumed;
+    row.remark = table.assumed_encoding;
+    ledger.rows.push_back(std::move(row));
+    if (table.assumed_encoding.find("Shift-JIS") != std::string::npos)
+      ledger.doubts.push_back(
+          {"", "the text is taken as " + table.assumed_encoding, {ledger.file, 0}});
   }
   for (const LedgerRow& row : ledger.rows)
     if (row.state == LedgerState::doubtful)
@@ -212,21 +258,143 @@ std::string ambiguity(const LabRecord& record, const std::string& channel) {
 
 namespace {
 
-/// The table `columns` with which a channel has the other sign.
-std::string turned(const LabRecord& record, const std::string& channel) {
-  StatedColumn column{channel, ""};
-  if (const auto written = record.written.find(channel); written != record.written.end())
-    column.column = written->second.column;
-  const auto stated = record.stated.find(channel);
-  if (stated != record.stated.end()) column = stated->second;
-  column.sign = -column.sign;
-  return columns_hint(record.stated, channel, column);
+/// Returns the samples that are left of a suspect number.
+std::vector<std::size_t> samples_left(const LabRecord& record, const SuspectSamples& suspect) {
+  std::vector<std::size_t> left;
+  for (const double number : suspect.samples) {
+    const auto at = std::lower_bound(record.numbers.begin(), record.numbers.end(), number);
+    if (at != record.numbers.end() && *at == number)
+      left.push_back(static_cast<std::size_t>(at - record.numbers.begin()));
+  }
+  return left;
+}
+
+/// Returns the first sample of each file but the first one.
+std::vector<std::size_t> first_samples(const LabRecord& record) {
+  std::vector<std::size_t> first;
+  for (std::size_t i = 1; i < record.places.size(); ++i)
+    if (record.places[i].file != record.places[i - 1].file) first.push_back(i);
+  return first;
+}
+
+/// Returns the channels with gaps in place of suspect numbers.
+LabRecord without_suspects(const LabRecord& record) {
+  LabRecord plain;
+  plain.channels = record.channels;
+  plain.places = record.places;
+  for (const SuspectSamples& suspect : record.suspects)
+    for (Channel& channel : plain.channels)
+      if (channel.name == suspect.channel)
+        for (const std::size_t i : samples_left(record, suspect)) channel.values[i] = std::nan("");
+  return plain;
+}
+
+/// Returns `lines 12, 40 to 49`, or the numbers of the samples if the file has no lines.
+std::string rows_in_words(const LabRecord& record, const std::vector<std::size_t>& samples) {
+  std::vector<long> lines, numbers;
+  for (const std::size_t i : samples) {
+    if (record.places[i].line > 0) lines.push_back(record.places[i].line);
+    numbers.push_back(static_cast<long>(record.numbers[i]));
+  }
+  const bool have_lines = lines.size() == samples.size();
+  return (have_lines ? "line" : "sample") + std::string(samples.size() == 1 ? " " : "s ") +
+         runs_in_words(have_lines ? lines : numbers);
+}
+
+/// Returns a window for `select` around the other values of a channel: `Fy = "-10 N .. 10 N"`.
+std::string window_around(const Channel& channel) {
+  constexpr double kMargin = 0.01;  // share of the span, so that no value is at the edge
+  constexpr int kDigits = 6;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double value : channel.values)
+    if (!std::isnan(value)) low = std::min(low, value), high = std::max(high, value);
+  if (low > high) return "";
+  const Unit unit = Unit::of(read_unit(channel.unit));
+  const double from = unit.from_si(low), to = unit.from_si(high);
+  const double margin = kMargin * (to > from ? to - from : std::max(std::abs(to), 1.0));
+  return fmt::format("{} = \"{} .. {}{}\"",
+                     toml_key(channel.name),
+                     format_number(from - margin, kDigits),
+                     format_number(to + margin, kDigits),
+                     channel.unit == "1" ? "" : " " + read_unit(channel.unit));
+}
+
+}  // namespace
+
+std::vector<LedgerDoubt> suspect_numbers(const LabRecord& record,
+                                         const std::string& table,
+                                         const std::vector<std::string>& selected,
+                                         bool was_filtered) {
+  std::vector<LedgerDoubt> doubts;
+  if (record.suspects.empty()) return doubts;
+  const LabRecord plain = without_suspects(record);
+  for (const SuspectSamples& suspect : record.suspects) {
+    const auto left = samples_left(record, suspect);
+    const Channel* found = plain.find(suspect.channel);
+    const auto written = record.written.find(suspect.channel);
+    if (left.empty() || !found || written == record.written.end()) continue;
+    const bool was_seen = std::any_of(selected.begin(), selected.end(), [&](const auto& name) {
+      return same_channel(name, suspect.channel);
+    });
+    const std::string& column = written->second.column;
+    Channel others = *found;  // without gaps, which are the suspect numbers themselves
+    std::erase_if(others.values, [](double value) { return std::isnan(value); });
+    const std::string window = window_around(others);
+    std::string way_out;
+    if (was_filtered)
+      way_out = "low_pass has spread it over its neighbors: cut the rows off in the file";
+    else if (window.empty())
+      way_out = "no other value is left: this is no measured channel";
+    else
+      way_out = fmt::format(
+          "leave the rows out by [measurement.{}.select] {}, or cut them off in "
+          "the file",
+          table.empty() ? "NAME" : table,
+          window);
+    doubts.push_back({column,
+                      fmt::format("column {}{} is {} in {} of {} samples ({}), {}; the other "
+                                  "values: {}. The rows count as they are: {}",
+                                  in_quotes(column),
+                                  column == suspect.channel ? "" : " (" + suspect.channel + ")",
+                                  suspect.number,
+                                  left.size(),
+                                  record.samples(),
+                                  rows_in_words(record, left),
+                                  suspect.reason,
+                                  window.empty() ? "none" : range_in_words(others),
+                                  way_out),
+                      record.places[left.front()],
+                      suspect.is_certain && !was_seen});
+  }
+  return doubts;
+}
+
+namespace {
+
+/// Returns the way out of contradicting signs, to follow their sentence.
+std::string advice_in_words(const std::vector<std::string>& advice,
+                            bool axes_are_stated,
+                            const std::string& where) {
+  if (advice.empty()) return "";
+  return fmt::format("; {}the signs agree with {}: say {}{}",
+                     axes_are_stated ? "" : "no axes are stated, so iso is taken, but ",
+                     advice.size() == 1 ? "one statement" : "each of several statements",
+                     fmt::join(advice, ", or "),
+                     where);
+}
+
+/// Returns the channels `plain` with the names and statements of the record that they are of.
+LabRecord with_names_of(const LabRecord& record, LabRecord plain) {
+  plain.written = record.written;
+  plain.stated = record.stated;
+  return plain;
 }
 
 }  // namespace
 
 void check_channels(LabRecord& record, bool axes_are_stated, bool is_stated) {
   if (record.ledgers.empty()) return;
+  const LabRecord plain = without_suspects(record);
   const auto file_of = [&](const Place& place) -> Ledger& {
     for (Ledger& ledger : record.ledgers)
       if (ledger.file == place.file) return ledger;
@@ -235,24 +403,23 @@ void check_channels(LabRecord& record, bool axes_are_stated, bool is_stated) {
   for (const auto& [channel, others] : record.ambiguous)
     record.ledgers.front().doubts.push_back(
         {others.front(), ambiguity(record, channel), record.header});
-  const auto fitting = axes_are_stated ? std::vector<std::string>() : conventions_that_fit(record);
-  const bool as_iso = std::find(fitting.begin(), fitting.end(), "iso") != fitting.end();
+  const auto doubts = doubts_about(plain.table(), first_samples(record));
+  const bool is_of_sign = std::any_of(
+      doubts.begin(), doubts.end(), [](const ChannelDoubt& doubt) { return doubt.is_of_sign; });
   const std::string where = is_stated ? "" : " in a [measurement.NAME] of the file";
-  std::string way_out;
-  if (!axes_are_stated && !as_iso && !fitting.empty())
-    way_out = fmt::format(
-        "; no axes are stated, so iso is taken, but the signs are as in {}: say axes = {}{}",
-        list_of(fitting),
-        in_quotes(fitting.back()),
-        where);
-  for (const ChannelDoubt& doubt : doubts_about(record.table())) {
+  const std::string way_out =
+      is_of_sign ? advice_in_words(signs_that_agree(with_names_of(record, plain), axes_are_stated),
+                                   axes_are_stated,
+                                   where)
+                 : "";
+  for (const ChannelDoubt& doubt : doubts) {
     const auto written = record.written.find(doubt.channel);
     const std::string column =
         written == record.written.end() ? doubt.channel : written->second.column;
     const Place place =
         doubt.sample < record.places.size() ? record.places[doubt.sample] : record.header;
     Ledger& ledger = file_of(place);
-    std::string out = way_out;
+    std::string out = doubt.is_of_sign ? way_out : "";
     if (doubt.all_loads_negative && out.empty())
       out = fmt::format("; turn the column by {}{}", turned(record, doubt.channel), where);
     ledger.doubts.push_back({column,

@@ -12,10 +12,10 @@ namespace latsch::correlation {
 /// Returns "largest", "smallest", "mean", "first", "last".
 const std::vector<std::string>& names_of_values();
 
-/// Returns the value with one of those names. The channel must have values.
+/// Returns the value with one of the given names. The channel must have values.
 double value_of(const std::string& of, const std::vector<double>& values);
-/// Returns the slopes of that value, one for each variable, of a channel with known slopes. The
-/// sample with the largest or smallest value is held fixed.
+/// Returns the slopes of the result of value_of(), one for each variable, of a channel with known
+/// slopes. The sample with the largest or smallest value is held fixed.
 std::vector<double> slopes_of(const std::string& of, const Channel& channel);
 
 }  // namespace latsch::correlation

@@ -58,6 +58,13 @@ FrequencyBand band_of(const Node& table, double rate, const numerics::WelchSetti
     table.reject("band",
                  R"(is no band, expected two rising frequencies such as ["5 Hz", "300 Hz"])");
   }
+  if (edges[1] > 0.5 * rate * (1.0 + kUniform * kUniform))
+    table.reject("band",
+                 fmt::format("ends at {:g} Hz, but the {:g} samples a second hold nothing above "
+                             "{:g} Hz; expected a band up to there",
+                             edges[1],
+                             rate,
+                             0.5 * rate));
   return {edges[0], std::min(edges[1], rate / 2.0)};
 }
 
@@ -76,6 +83,11 @@ void read_spectrum(const Node& table,
   std::optional<int> segment;
   if (table.has("segment")) {
     const double seconds = table.quantity("segment", "s", Range::positive());
+    if (std::lround(seconds * comparison.rate) > samples)
+      table.reject("segment",
+                   fmt::format("is {:g} s, but the record has {:.4g} s; expected a part of it",
+                               seconds,
+                               static_cast<double>(samples) / comparison.rate));
     segment = static_cast<int>(
         std::min<double>(std::lround(seconds * comparison.rate), static_cast<double>(samples)));
     if (*segment < kFewestSamples) {

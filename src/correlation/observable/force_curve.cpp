@@ -84,7 +84,7 @@ std::vector<std::filesystem::path> ForceCurve::write(const Channels& trial,
 }
 
 void ForceCurve::draw(const ShownExperiment& shown, report::StudyReport& page) const {
-  report::ForceCurve curve;
+  report::ComparedForces curve;
   curve.experiment = shown.name;
   curve.conditions = shown.conditions;
   curve.fitted = shown.fitted;

@@ -18,7 +18,7 @@ struct KnownChannel {
   std::optional<experiment::Regression> regression = {};  // for a slope: its computation
 };
 
-/// Returns nullptr if none has that name.
+/// Returns nullptr if none has the given name.
 const KnownChannel* find(const std::vector<KnownChannel>& channels, const std::string& name);
 /// Returns the channel `name`, which `table` states under `key`. Throws InputError if there is
 /// none.

@@ -81,7 +81,7 @@ void ModeSet::draw(const ShownExperiment& shown, report::StudyReport& page) cons
   for (std::size_t k = 0; k < pairing.pairs.size(); ++k) {
     const ModePair& pair = pairing.pairs[k];
     const ModeRecord& measured = measured_[pair.measured];
-    report::ModePair row;
+    report::ComparedModes row;
     row.label = measured.label();
     row.measured = measured.frequency;
     row.simulated = shown.comparison.compared[k].frequency;

@@ -24,6 +24,15 @@ void read_channels(const Node& table, RigFile& rig) {
                                            // file's own speed
   rig.force = table.text("force");
   if (table.has("also")) rig.also = table.texts("also");
+  for (std::size_t i = 0; i < rig.also.size(); ++i) {
+    const bool again =
+        std::find(rig.also.begin(), rig.also.begin() + i, rig.also[i]) != rig.also.begin() + i;
+    if (again || rig.also[i] == rig.force)
+      table.reject("also",
+                   "names " + in_quotes(rig.also[i]) +
+                       (again ? " twice" : ", which is the force already") +
+                       "; expected further channels, each once");
+  }
   const auto units = table.find_table("units");
   if (!units) return;
   std::vector<std::string> names{rig.time, rig.speed, rig.force, rig.pulses};
@@ -44,11 +53,29 @@ void read_drum(const Node& table, RigFile& rig) {
     table.reject("teeth", "has no pulses to count, expected channels.pulses beside it");
 }
 
+/// Rejects speeds whose plateaus would contain the same samples.
+void expect_apart(const Node& table, std::vector<double> speeds, double margin) {
+  std::sort(speeds.begin(), speeds.end());
+  if (margin > 0.5 * speeds.front())
+    table.reject("margin",
+                 "is more than half of the lowest speed, so a plateau would contain other speeds; "
+                 "expected a margin such as \"1 km/h\"");
+  for (std::size_t i = 1; i < speeds.size(); ++i) {
+    if (speeds[i] - speeds[i - 1] <= kSameSpeed * speeds[i])
+      table.reject("speeds", "has a speed twice, expected each once");
+    if (speeds[i] - speeds[i - 1] < margin)
+      table.reject("speeds",
+                   "has speeds that differ by less than the margin, so that their plateaus would "
+                   "be the same; expected a smaller margin");
+  }
+}
+
 void read_plateaus(const Node& table, RigFile& rig) {
   PlateauSettings& p = rig.plateaus;
   rig.speeds = table.quantities("speeds", "m/s", Range::positive());
   if (rig.speeds.empty()) table.reject("speeds", "is empty, expected one speed at least");
   p.margin = table.quantity("margin", "m/s", Range::positive(), p.margin);
+  expect_apart(table, rig.speeds, p.margin);
   p.low_pass = table.quantity("low_pass", "Hz", Range::positive(), p.low_pass);
   p.order = static_cast<int>(table.integer("order", 1, 12, p.order));
   p.trim = table.quantity("trim", "s", Range::not_negative(), p.trim);

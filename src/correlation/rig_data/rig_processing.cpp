@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "formats/tables/recording.h"
 #include "measurement/bootstrap.h"
+#include "measurement/meaning/wheel_load.h"
 #include "measurement/pulse_speed.h"
 
 namespace latsch::correlation {
@@ -165,6 +166,30 @@ void add_speed(const RigFile& rig, DrumRecord& record) {
                                        record.source)});
 }
 
+/// Rejects a segment and a band for which the recording has no samples.
+void expect_spectrum(const RigFile& rig, const DrumRecord& record) {
+  constexpr double kFewestSamples = 16.0;
+  const Place place{rig.file.string(), 0};
+  if (rig.segment && *rig.segment * record.rate < kFewestSamples)
+    throw InputError(place,
+                     fmt::format("spectrum.segment is {:g} s, which is {:.3g} samples of {}; "
+                                 "expected {:.0f} samples at least, and better {:.3g} s for the "
+                                 "lower end of the band",
+                                 *rig.segment,
+                                 *rig.segment * record.rate,
+                                 record.source,
+                                 kFewestSamples,
+                                 1.0 / rig.band.lower));
+  if (rig.band.lower >= 0.5 * record.rate)
+    throw InputError(place,
+                     fmt::format("spectrum.band begins at {:g} Hz, but the {:g} samples a second "
+                                 "of {} contain nothing above {:g} Hz",
+                                 rig.band.lower,
+                                 record.rate,
+                                 record.source,
+                                 0.5 * record.rate));
+}
+
 }  // namespace
 
 numerics::Density density_of(const RigFile& rig, const std::vector<double>& force, double rate) {
@@ -179,6 +204,9 @@ ProcessedRun process_run(const RigFile& rig, const std::string& name, DrumRecord
   expect_quantity(record, rig.speed, "m/s");
   expect_quantity(record, rig.force, "N");
   expect_varying(record, rig.force);
+  if (const auto reason = impossible_load(record.channel(rig.force)))
+    throw InputError({record.source, 0}, "channel " + rig.force + " " + *reason);
+  expect_spectrum(rig, record);
   for (const std::string& channel : rig.also) (void)record.channel(channel);
   ProcessedRun run{name, std::move(record), {}};
   for (const Plateau& plateau : find_plateaus(run.record, rig.speed, rig.speeds, rig.plateaus)) {

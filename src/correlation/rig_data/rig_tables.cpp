@@ -93,6 +93,7 @@ void write_spectra(Folder& folder,
                          {"coherence", "1", p.coherence.value}}));
   Channel center{"frequency", "Hz", {}}, level{"level_dB", "1", {}};
   for (const FrequencyBand& band : third_octave_bands(rig.band)) {
+    if (band.upper > 0.5 * run.record.rate) break;  // nothing was recorded there
     center.values.push_back(std::sqrt(band.lower * band.upper));
     level.values.push_back(std::max(-999.0, band_level(p.density, band)));
   }

@@ -63,7 +63,7 @@ bool is_spoiled(const StudyExperiment& experiment, const OwnStage& own, double e
 
 std::string spoiled_in_words(const StudyExperiment& experiment, const OwnStage& own, double error) {
   return fmt::format(
-      "{} is worse than an earlier stage had it: {} {:.3g} %, but {:.3g} % at the "
+      "{} is worse than after an earlier stage: {} {:.3g} %, but {:.3g} % at the "
       "end of stage {}",
       experiment.name,
       measure_in_words(experiment),

@@ -63,14 +63,13 @@ class OwnStages : public FittedStudy {
     std::filesystem::remove(folder_ / "study.latsch");
     fit_all(study);
     const Journal journal = Journal::read(study.run.journal);
-    Study weighted = study;
-    const auto fits = recorded_fit(study, journal, &weighted);
-    const auto best = best_trial(weighted, journal);
+    const StagesRun stages = recorded_stages(study, journal);
+    const auto best = best_trial(stages.study, journal);
     const Comparison force = compare(study.experiments[0], *evaluator(study)(best->point));
-    return {fits.back().own,
+    return {stages.fits.back().own,
             own_measure(study.experiments[0], force),
-            spoiled_experiments(weighted, fits, journal),
-            weighted};
+            spoiled_experiments(stages, journal),
+            stages.study};
   }
 };
 
@@ -100,7 +99,7 @@ TEST_F(OwnStages, AMeasureOfAnotherExponentIsToldAsWell) {
   const Told told = told_by(read(text));
   EXPECT_GT(told.force, 1.05 * told.own[0].error);
   EXPECT_THAT(told.words,
-              ElementsAre(HasSubstr("light is worse than an earlier stage had it: mean")));
+              ElementsAre(HasSubstr("light is worse than after an earlier stage: mean")));
 }
 
 TEST_F(OwnStages, StatedNoiseThatIsNotExceededIsNoFault) {

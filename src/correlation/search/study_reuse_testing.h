@@ -10,7 +10,7 @@
 #include <string>
 
 #include "base/scratch_folder_testing.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/study/study.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/target/study_trials.h"
@@ -72,11 +72,11 @@ measurement = "measured.csv"
 
   /// Runs all stages to their end, or stops as if killed after a number of trials.
   std::vector<Fit> fit_all(const Study& study, int workers = 1, long killed_after = 1'000'000) {
-    std::vector<Fit> fits;
-    std::optional<StageEnd> before;
-    for (int k = 0; k < stage_count(study); ++k) {
-      const Study part = weighted_stage(study, k, before);
-      Journal journal = Journal::open(part.run.journal, identity(part));
+    std::optional<Journal> journal;
+    const auto run_stage = [&](const StageRun& stage) {
+      const Study& part = stage.study;
+      journal.reset();
+      journal.emplace(Journal::open(part.run.journal, identity(part)));
       RunOptions options{.max_steps = part.max_steps};
       options.stop_patience = 0.0;
       options.stop_requested = [&] { return evaluated_ >= killed_after; };
@@ -86,11 +86,9 @@ measurement = "measured.csv"
         return model(point);
       };
       ThreadExecutor executor([&] { return counted; }, workers);
-      fits.push_back(fit(part, executor, journal, options));
-      if (fits.back().run.end == RunEnd::stopped || !fits.back().run.best()) return fits;
-      before = end_of_stage(study, k, fits.back().run.best()->point, journal, before);
-    }
-    return fits;
+      return StageResult{fit(part, executor, *journal, options), &*journal};
+    };
+    return run_stages(study, run_stage).fits;
   }
 
   static void expect_same(const std::vector<Fit>& a, const std::vector<Fit>& b) {

@@ -11,6 +11,7 @@
 #include "correlation/analysis/doe_basins.h"
 #include "correlation/search/study_method.h"
 #include "correlation/target/study_trials.h"
+#include "correlation/target/trial_ownership.h"
 #include "evaluation/schedule/retried_failures.h"
 #include "optimization/design/basins.h"
 #include "optimization/problem/point_vector.h"
@@ -189,7 +190,9 @@ void take_over(const Study& study, Journal& journal) {
   });
   if (more.empty()) return;
   journal.begin_asking();
+  mark_taken_over(journal);
   journal.append(more);
+  mark_target(study, journal);
   journal.keep_asked(asked);
 }
 

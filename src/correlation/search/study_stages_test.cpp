@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "correlation/analysis/pareto_front.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/search/study_reuse_testing.h"
 
 namespace latsch::correlation {
@@ -73,7 +73,7 @@ TEST_F(StudyStages, AKillInAnyStageChangesNoBit) {
     expect_same(fit_all(study), whole);
     EXPECT_LE(evaluated_, all - killed_after + 1);  // nothing finished is repeated
   }
-  expect_same(recorded_fit(study, Journal::read(study.run.journal)), whole);
+  expect_same(recorded_stages(study, Journal::read(study.run.journal)).fits, whole);
 }
 
 TEST_F(StudyStages, WorkersChangeNoBit) {
@@ -130,7 +130,7 @@ TEST_F(StudyStages, ARunThatIsHopelessSaysWhy) {
   const Fit ended = fit(study, executor, journal, {});
   EXPECT_EQ(ended.hopeless, "no license for 3 seats");
   EXPECT_LE(journal.size(), 15);
-  EXPECT_EQ(recorded_fit(study, journal).front().hopeless, ended.hopeless);
+  EXPECT_EQ(recorded_fit(study, journal)->hopeless, ended.hopeless);
 }
 
 TEST_F(StudyStages, ComplaintsNameTheStage) {

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/search/study_reuse_testing.h"
 #include "correlation/target/best_trial.h"
 #include "evaluation/schedule/scheduler.h"
@@ -64,12 +64,28 @@ TEST_F(StudyStart, TheFirstPointIsThatOfTheFirstStepUnlessAJournalDecides) {
   EXPECT_EQ(first_point(read(kSearch + "start = \"journal\"\n" + kDesign)), std::nullopt);
 }
 
+// Bounds may be narrowed after a run. A trial of the journal that is outside of them is no result.
+TEST_F(StudyStart, TheBestTrialLiesInTheBoundsAsTheyAreWritten) {
+  Study study = read(kDesign);
+  fit_all(study);
+  const Journal journal = Journal::read(study.run.journal);
+  const RatedTrial best = *best_trial(study, journal);
+  std::vector<DesignVariable> narrow = study.space.variables();
+  narrow[0].upper = best.point.values[0] - 1e-6;
+  narrow[0].initial = narrow[0].lower;
+  study.space = DesignSpace(narrow);
+  const auto inside = best_trial(study, journal);
+  ASSERT_TRUE(inside);
+  EXPECT_LT(inside->point.values[0], best.point.values[0]);
+  EXPECT_GT(inside->target, best.target);
+}
+
 TEST_F(StudyStart, AJournalWithoutTheFirstPointKnowsNoStep) {
   const Study study = read(kDesign);
   evaluate_design(study);
   const Journal journal = Journal::read(study.run.journal);
   for (const Trial& trial : journal.trials()) EXPECT_NE(trial.point, first_point(study));
-  EXPECT_TRUE(recorded_fit(study, journal).empty());
+  EXPECT_TRUE(recorded_stages(study, journal).fits.empty());
 }
 
 TEST_F(StudyStart, WhatWasKnownAtTheStartIsKnownAfterAKillToo) {
@@ -86,7 +102,7 @@ TEST_F(StudyStart, WhatWasKnownAtTheStartIsKnownAfterAKillToo) {
   evaluated_ = 0;
   expect_same(fit_all(study), whole);  // run on a finished journal
   EXPECT_EQ(evaluated_, 0);
-  const auto drawn = recorded_fit(study, Journal::read(study.run.journal));
+  const auto drawn = recorded_stages(study, Journal::read(study.run.journal)).fits;
   expect_same(drawn, whole);
 }
 

@@ -9,9 +9,12 @@
 #include "base/text.h"
 #include "base/unit_reading.h"
 #include "correlation/observable/channel_value.h"
+#include "optimization/problem/score.h"
 
 namespace latsch::correlation {
 namespace {
+
+static_assert(kFulfilled == 1e-4, "the header and docs/study_reference.md state this number");
 
 std::string constrained_unit(const Node& table,
                              const std::string& channel,

@@ -9,7 +9,7 @@
 //   scale = "1 kN"                     # a violation of 100 %; the size of the bound unless given
 //
 // With y that value:  c = (lower - y) / scale,  (y - upper) / scale,  h = (y - equal) / scale. The
-// constraint counts as fulfilled up to kFulfilled of the scale (optimization/problem/score.h). The
+// constraint counts as fulfilled up to 0.0001 of the scale (optimization/problem/score.h). The
 // methods gss_nlc and sqp support such constraints. If the channel is not recorded, the error
 // message lists the recorded ones.
 #pragma once

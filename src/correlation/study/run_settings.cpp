@@ -124,7 +124,17 @@ RunSettings read_run_settings(const Node* table, const std::filesystem::path& st
   run.look_ahead =
       static_cast<int>(table->integer("look_ahead", 1, kMostLookAhead, run.look_ahead));
   run.intervals = table->flag("intervals", run.intervals);
-  run.journal = folder / table->text("journal", run.journal.filename().string());
+  const std::string journal = table->text("journal", run.journal.filename().string());
+  if (journal.empty())
+    table->reject("journal", "is empty, expected the name of a file such as \"study.latsch\"");
+  run.journal = folder / journal;
+  if (std::filesystem::is_directory(run.journal))
+    table->reject("journal", "is a folder, expected the name of a file in it");
+  const bool names_folder = std::filesystem::path(journal).has_parent_path();
+  if (names_folder && !std::filesystem::is_directory(run.journal.parent_path()))
+    table->reject("journal",
+                  "lies in the folder " + run.journal.parent_path().string() +
+                      ", which does not exist: make it first");
   return run;
 }
 

@@ -89,6 +89,13 @@ TEST(RunSettings, WhatMakesNoSenseIsRefusedInWords) {
   says("lookahead = 2", "lookahead");
 }
 
+TEST(RunSettings, AJournalThatCannotBeKeptIsRefusedBeforeTheFirstTrial) {
+  EXPECT_NE(run_complaint("journal = \"\"").find("is empty"), std::string::npos);
+  EXPECT_NE(run_complaint("journal = \"/\"").find("is a folder"), std::string::npos);
+  EXPECT_NE(run_complaint("journal = \"nowhere/a.latsch\"").find("folder/nowhere"),
+            std::string::npos);
+}
+
 TEST(RunSettings, MemoryIsCountedInPowersOfAThousand) {
   EXPECT_EQ(parse_memory("64 kB"), 64e3);
   EXPECT_EQ(parse_memory("0.5 TB"), 0.5e12);

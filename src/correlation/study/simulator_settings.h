@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// [simulator] in a study, in the place of `model`: an outside program evaluates the points.
+// [simulator] in a study, in place of `model`: an outside program evaluates the points.
 //
 //   [simulator]
 //   command = ["python3", "{study}/spring.py", "spring.txt"]   # {study}: folder of the study,
@@ -17,7 +17,7 @@
 //   [simulator.output.tip]
 //   file = "beam.dat"
 //   reader = "pattern"                 # or "columns" with columns = [1, 3], or "keys" with keys =
-//   pattern = '^\s*\d+\s+(\S+)\s+(\S+)\s+(\S+)\s*$'   #   ["k"], as the quantities unless given
+//   pattern = '^\s*\d+\s+(\S+)\s+(\S+)\s+(\S+)\s*$'   #   ["k"]; unless given, the quantities
 //   after = "displacements"
 //   quantities = ["ux [mm]", "uy [mm]", "uz [mm]"]
 //   samples = 1                        # fewer or more are a failure

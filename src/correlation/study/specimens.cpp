@@ -13,6 +13,7 @@
 #include "correlation/observable/compared_frame.h"
 #include "correlation/study/study.h"
 #include "correlation/study/variables.h"
+#include "experiment/language/kind_files.h"
 
 namespace latsch::correlation {
 namespace {
@@ -24,7 +25,11 @@ using experiment::SpecimenKind;
 fs::path existing_file(const Node& table, const char* key, const fs::path& folder) {
   const fs::path file = (folder / table.text(key)).lexically_normal();
   if (!fs::exists(file))
-    table.reject(key, "is " + in_quotes(file.string()) + ", which does not exist");
+    table.reject(key,
+                 "is " + in_quotes(table.text(key)) + ", which does not exist" +
+                     (folder.empty() || fs::path(table.text(key)).is_absolute()
+                          ? ""
+                          : " in the folder of the study"));
   return file;
 }
 
@@ -85,8 +90,9 @@ StudyModel read_model(const Node& study, const fs::path& folder, const Language&
   const bool is_stated = has_table(study, "model");
   if (is_stated) {
     const Node table = study.table("model");
-    kind = language.find_kind(table.choice("kind", language.kind_names()));
     model.file = existing_file(table, "file", folder);
+    kind = &experiment::kind_for_file(
+        table.choice("kind", language.kind_names()), model.file, language.kinds);
   } else {
     if (!study.has("model") && study.has("tire") && study.has("target"))
       study.reject("tire",
@@ -175,10 +181,13 @@ Channels measured_conditions(const Node& table,
         conditions.size() == 1 ? table.text("channel", condition.channel) : condition.channel;
     if (std::find(without.begin(), without.end(), condition.channel) != without.end()) continue;
     if (!condition.is_needed && !measurement.could_be(channel, condition.unit)) {
-      take_absent(table, condition, measurement, by);
+      if (condition.ignored.empty()) take_absent(table, condition, measurement, by);
       continue;
     }
-    measurement.note_use(channel, by);
+    if (condition.ignored.empty())
+      measurement.note_use(channel, by);
+    else
+      measurement.note_ignored(channel, by, condition.ignored);
     const auto& values = measurement.values(channel, condition.unit);
     const std::string frame = measurement.frame(channel);
     if (!frame.empty() && !condition.frame.empty() && !is_same_in(channel, frame, condition.frame))

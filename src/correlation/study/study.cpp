@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <sstream>
 
@@ -22,6 +23,7 @@
 #include "correlation/study/study_start.h"
 #include "correlation/study/variables.h"
 #include "evaluation/trial/encoding.h"
+#include "formats/text/pipe.h"
 
 namespace latsch::correlation {
 namespace {
@@ -51,6 +53,27 @@ DesignSpace read_variables(const Node& root,
   return DesignSpace(std::move(variables), std::move(constraints));
 }
 
+/// Rejects a variable whose number is a whole one by its meaning, such as a mode or a count of
+/// elements: the bounds may be whole, but the values between them are not.
+void expect_continuous(const Node& root,
+                       const experiment::SpecimenKind& kind,
+                       const DesignVariable& variable,
+                       const std::function<Document(double)>& model_with) {
+  constexpr double kBetween = 0.41421356;  // no whole number for any usual bounds
+  if (variable.unit != "1") return;
+  try {
+    kind.check(model_with(variable.lower + kBetween * (variable.upper - variable.lower)));
+  } catch (const InputError& error) {
+    if (std::string(error.what()).find("expected an integer") == std::string::npos) return;
+    for (const Node& table : root.named_tables("variable"))
+      if (table.name() == variable.name)
+        table.reject(table.has("paths") ? "paths" : "path",
+                     "leads to " + in_quotes(variable.paths.front()) +
+                         ", which is a whole number, such as a mode or a count of elements, and "
+                         "has no values between that a fit could try; expected another number");
+  }
+}
+
 /// Checks that the model accepts every bound of every variable, so that an error appears before the
 /// first trial and not after a night.
 void check_bounds(const Node& root,
@@ -58,12 +81,14 @@ void check_bounds(const Node& root,
                   const experiment::SpecimenKind& kind,
                   const DesignSpace& space) {
   const auto tables = root.named_tables("variable");
-  const auto accept = [&](int i, const char* key, double value) {
+  const auto changed = [&](int i, double value) {
     DesignPoint point = space.initial();
     point.values[i] = value;
-    const Document changed = at(model, space, point);
+    return at(model, space, point);
+  };
+  const auto accept = [&](int i, const char* key, double value) {
     try {
-      kind.check(changed);
+      kind.check(changed(i, value));
     } catch (const InputError& error) {
       const std::string why = std::string("a value the model does not accept: ") + error.what();
       if (i < std::ssize(tables)) tables[i].reject(key, "is " + why);
@@ -74,6 +99,7 @@ void check_bounds(const Node& root,
     accept(i, "initial", space[i].initial);
     accept(i, "lower", space[i].lower);
     accept(i, "upper", space[i].upper);
+    expect_continuous(root, kind, space[i], [&](double value) { return changed(i, value); });
   }
 }
 
@@ -168,15 +194,15 @@ void reject_unknown_table(const std::filesystem::path& file) {
   }
 }
 
-/// Returns the study without notes and formatting, without what changes no step of a search, and
-/// with its measurements. Its tests are in the identity of its journal, wherever they are stated.
-std::string search_key(const Study& study) {
+/// Returns a hash of the study without notes and formatting, without the given tables, and with the
+/// content of its measurements. Its tests are in the identity of its journal, wherever they are
+/// stated.
+std::string key_without(const std::set<std::string>& tables, const Study& study) {
   std::istringstream lines(canonical_text(Document::read(study.file)));
   std::uint64_t state = kHashStart;
   for (std::string line; std::getline(lines, line);) {
     const std::string top = line.substr(0, line.find_first_of(". "));
-    static const std::set<std::string> kChangeNoStep{"run", "doe", "refined", "title", "test"};
-    if (!kChangeNoStep.contains(top)) state = hash(line + "\n", state);
+    if (!tables.contains(top)) state = hash(line + "\n", state);
   }
   for (const StudyExperiment& experiment : study.experiments) {
     std::vector<std::filesystem::path> files{experiment.measurement_file, experiment.shapes_file};
@@ -190,11 +216,13 @@ std::string search_key(const Study& study) {
   return fmt::format("{:016x}", state);
 }
 
-/// Rejects everything that would make every trial fail.
+/// Rejects everything that would make every trial fail. `of` says whose test it is if it is not
+/// that of the study: "[refined.test.pressed]".
 void check_reach(const Node& root,
                  const std::vector<StudyTest>& tests,
                  const StudyExperiment& experiment,
-                 const CurveMeasurement& curve) {
+                 const CurveMeasurement& curve,
+                 const std::string& of = "") {
   const std::string& channel = curve.x.empty() ? curve.y : curve.x;
   const std::string name = test_of(channel);
   const auto test = std::find_if(
@@ -216,12 +244,13 @@ void check_reach(const Node& root,
   const auto [least, most] = std::minmax_element(curve.x_measured.begin(), curve.x_measured.end());
   if (reach->from <= *least && *most <= reach->to) return;
   table.reject("measurement",
-               fmt::format("reaches from {:g} to {:g} {}, but the test \"{}\" from {:g} to {:g}; "
+               fmt::format("reaches from {:g} to {:g} {}, but the test \"{}\"{} from {:g} to {:g}; "
                            "make the test longer or the measurement shorter",
                            *least,
                            *most,
                            curve.x_unit,
                            name,
+                           of,
                            reach->from,
                            reach->to));
 }
@@ -335,9 +364,14 @@ Study read(const Document& document,
   }
   study.stages = read_stages(root, document, study);
   study.refinement = read_refinement(root, document, study, language, laboratory);
+  if (study.refinement && measurements == Measurements::required)
+    for (const StudyExperiment& experiment : study.experiments)
+      if (const auto* curve = dynamic_cast<const Curve*>(experiment.observable.get()))
+        check_reach(root, study.refinement->tests, experiment, curve->measured(), " of [refined]");
   root.close();
   if (measurements == Measurements::required) refuse_doubtful(ledgers_of(study));
-  study.search_key = search_key(study);
+  study.search_key = key_without({"run", "doe", "refined", "title", "test"}, study);
+  study.target_key = key_without({"run", "doe", "refined", "title", "test", "optimizer"}, study);
   return study;
 }
 
@@ -346,6 +380,7 @@ Study read(const Document& document,
 Study read_study(const std::filesystem::path& file,
                  const experiment::Language& language,
                  Measurements measurements) {
+  formats::expect_no_pipe(file);
   const Document document = Document::read(file);
   if (document.root().has("kind"))
     document.root().reject("kind",

@@ -100,6 +100,8 @@ struct Study {
   bool asks_slopes = false;                 // true if trials must record slopes: study_slopes.h
   std::string search_key = {};              // everything a search depends on, for the journal's
                                             // marks
+  std::string target_key = {};              // the part of it on which the targets of trials and
+                                            // the choice of the best one depend
 };
 
 /// Returns the tests that fitted experiments and constraints name.

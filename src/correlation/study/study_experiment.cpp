@@ -13,26 +13,25 @@
 #include "correlation/observable/force_curve.h"
 #include "correlation/observable/mode_set.h"
 #include "correlation/observable/values.h"
-#include "experiment/tests/load_deflection.h"
-#include "experiment/tests/modes.h"
+#include "experiment/rigs/load_case.h"
 #include "formats/tables/measurement_file.h"
 
 namespace latsch::correlation {
 namespace {
-
-using experiment::LoadDeflection;
-using experiment::ModalTest;
 
 std::string last_part(const std::string& channel) {
   return channel.substr(channel.find_last_of('/') + 1);
 }
 
 constexpr long kMostModes = 200;
+/// With a larger exponent, errors of some percent give a target that is zero in the printed digits.
+constexpr double kLargestExponent = 10.0;
 
 ObjectiveSettings read_objective(const Node& table) {
   ObjectiveSettings settings;
   settings.weight = table.quantity("weight", "1", Range::not_negative(), settings.weight);
-  settings.exponent = table.quantity("exponent", "1", Range::positive(), settings.exponent);
+  settings.exponent =
+      table.quantity("exponent", "1", Range{0.0, kLargestExponent, true}, settings.exponent);
   return settings;
 }
 
@@ -85,13 +84,20 @@ const StudyTest& named_test(const Node& table,
                    "), which does not record " + in_quotes(channel));
 }
 
-/// Adds the test of an experiment that states one of its own. Its identity is made of the `keys`
-/// read for it, and equals that of the same keys in a [test.NAME].
+/// Adds the test of an experiment that states one of its own, of a kind with the experiment's name.
+/// The identity of the test is made of the keys read for it, and equals that of the same keys in a
+/// [test.NAME].
 void add_own_test(const Node& table,
                   const ExperimentContext& context,
-                  DocumentRecord& keys,
-                  std::shared_ptr<const experiment::Test> test,
+                  const experiment::MeasuredAbscissa& measured,
                   std::vector<StudyTest>& tests) {
+  DocumentRecord keys(table);
+  const experiment::TestKind* kind = context.language.find_test(table.text("kind"));
+  if (!kind || !kind->read_measured)
+    table.reject("kind",
+                 "is a test that this program does not have, expected one of " +
+                     list_of(context.language.test_names()) + " as [test.NAME]");
+  std::shared_ptr<const experiment::Test> test = kind->read_measured(table, measured, keys);
   if (const auto reason = reason_against(*context.kind, *test, context.language))
     table.reject("kind", *reason);
   for (const StudyTest& other : tests) {
@@ -128,10 +134,7 @@ std::shared_ptr<const Observable> read_load_deflection(const Node& table,
                                *samples));
     return std::make_shared<ForceCurve>(test.name, std::move(measured));
   }
-  LoadDeflection test;
-  DocumentRecord keys(table);
-  test.pressure = experiment::read_pressure(keys.node());
-  test.ground = experiment::read_ground(keys.node());
+  experiment::MeasuredAbscissa test;
   if (table.has("deflections"))
     test.deflections = table.quantities("deflections", "m", Range::positive());
   if (!file.empty()) {
@@ -143,36 +146,14 @@ std::shared_ptr<const Observable> read_load_deflection(const Node& table,
   } else {
     measured.position = test.deflections;
   }
-  if (!test.deflections.empty()) keys.put("deflections", canonical(test.deflections, "m"));
-  if (!test.loaded_radii.empty()) keys.put("loaded_radii", canonical(test.loaded_radii, "m"));
-  add_own_test(table,
-               context,
-               keys,
-               std::make_shared<experiment::LoadDeflectionTest>(std::move(test)),
-               tests);
+  add_own_test(table, context, test, tests);
   return std::make_shared<ForceCurve>(table.name(), std::move(measured));
-}
-
-void read_state(const Node& table, ModalTest& test) {
-  if (table.has("deflection") && table.has("load")) {
-    table.reject("load", "is given beside deflection, expected one of them");
-  }
-  if (table.has("deflection"))
-    test.deflection = table.quantity("deflection", "m", Range::positive());
-  if (table.has("load")) test.load = table.quantity("load", "N", Range::positive());
-}
-
-/// Returns points in the format of the key `points` of a test.
-std::string canonical_rows(const Eigen::Matrix3Xd& points) {
-  std::vector<std::vector<double>> rows;
-  for (const auto& point : points.colwise()) rows.push_back({point.x(), point.y(), point.z()});
-  return canonical(rows, {"m", "m", "m"});
 }
 
 /// Checks that shapes are measured and recorded at the same points.
 void check_sensors(const Node& table, const StudyTest& test, const Eigen::Matrix3Xd& points) {
-  const auto* modal = dynamic_cast<const experiment::ModesTest*>(test.test.get());
-  const Eigen::Matrix3Xd recorded = modal ? modal->settings().points : Eigen::Matrix3Xd();
+  const auto* modal = test.test->settings_as<experiment::ModalTest>();
+  const Eigen::Matrix3Xd recorded = modal ? modal->points : Eigen::Matrix3Xd();
   if (recorded.cols() == points.cols() && recorded == points) return;
   table.reject("shapes",
                fmt::format("has {} sensor points, but [test.{}] records shapes at {}; put points = "
@@ -216,25 +197,10 @@ std::shared_ptr<const Observable> read_modes(const Node& table,
                                      static_cast<std::size_t>(measured),
                                      experiment::sensor_points(modes));
   }
-  ModalTest test;
-  DocumentRecord keys(table);
-  test.pressure = experiment::read_pressure(keys.node());
-  test.ground = experiment::read_ground(keys.node());
-  read_state(keys.node(), test);
-  keys.put("camber", canonical(test.camber, "rad"));
-  test.points = experiment::sensor_points(modes);
-  if (test.points.cols() > 0) keys.put("points", canonical_rows(test.points));
-  test.count = static_cast<int>(
-      table.integer("simulated_modes",
-                    measured,
-                    kMostModes,
-                    std::min(kMostModes, measured + experiment::kMoreModesThanMeasured)));
-  keys.put("count", std::to_string(test.count));
-  add_own_test(table, context, keys, std::make_shared<experiment::ModesTest>(test), tests);
-  return std::make_shared<ModeSet>(table.name(),
-                                   experiment::mode_records(modes),
-                                   static_cast<std::size_t>(measured),
-                                   test.points);
+  const Eigen::Matrix3Xd points = experiment::sensor_points(modes);
+  add_own_test(table, context, {.modes = measured, .points = points}, tests);
+  return std::make_shared<ModeSet>(
+      table.name(), experiment::mode_records(modes), static_cast<std::size_t>(measured), points);
 }
 
 /// Returns the noise that the measurement states for the compared channel; none for a spectrum.

@@ -24,8 +24,8 @@
 //   kind = "modes"
 //   pressure = "2.6 bar"
 //   deflection = "25 mm"               # or load = "4 kN"; neither: unloaded
-//   measurement = "modes.csv"          # column frequency; n, type, phase where known
-//   shapes = "mode_shapes.csv"         # where measured: modes are then paired by MAC
+//   measurement = "modes.csv"          # column frequency; n, type, phase if known
+//   shapes = "mode_shapes.csv"         # if measured: modes are then paired by MAC
 //   min_mac = 0.5
 //   missing_mode = 1                   # |df| of a measured mode without a partner
 //   simulated_modes = 28               # lowest modes computed; 8 more than measured unless given

@@ -200,10 +200,6 @@ std::vector<StageSettings> read_stages(const Node& root, const Document& text, c
   return stages;
 }
 
-int stage_count(const Study& study) {
-  return std::max(1, static_cast<int>(std::ssize(study.stages)));
-}
-
 Study stage(const Study& study, int k, const std::optional<DesignPoint>& best_before) {
   Study part = study;
   part.stages.clear();
@@ -230,6 +226,12 @@ Study stage(const Study& study, int k, const std::optional<DesignPoint>& best_be
   part.run.on_failure.space = part.space;
   part.asks_slopes = asks_slopes(part);
   return part;
+}
+
+std::vector<Study> stages_of(const Study& study) {
+  std::vector<Study> stages{stage(study, 0)};
+  for (int k = 1; k < std::ssize(study.stages); ++k) stages.push_back(stage(study, k));
+  return stages;
 }
 
 Study stage_called(const Study& study, const std::string& name) {

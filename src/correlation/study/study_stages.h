@@ -3,7 +3,7 @@
 // by another method.
 //
 //   [stage.coarse]                  # in the order of the file; any name
-//   model.mesh.sectors = 30         # numbers of the model, in this stage alone
+//   model.mesh.sectors = 30         # numbers of the model, only in this stage
 //   step_tolerance = 0.02           # keys of [optimizer] for this stage; a stage that has none is
 //   max_steps = 60                  # run as [optimizer] says
 //
@@ -51,14 +51,14 @@ std::vector<std::pair<std::string, double>> read_changed_numbers(const Node& tab
                                                                  const Document& text,
                                                                  const Study& study);
 
-/// Returns the number of stages; a study without stages counts as one.
-int stage_count(const Study& study);
-
 /// Returns the study with the model, optimizer and journal of a stage. From the second stage on,
 /// its bounds lie around the best point of the stage before, if that is known.
 Study stage(const Study& study, int k, const std::optional<DesignPoint>& best_before = {});
 
-/// Returns the stage of that name, for a worker. Throws InputError if there is none.
+/// Returns all stages of a study, with its own bounds; a study without stages is its only one.
+std::vector<Study> stages_of(const Study& study);
+
+/// Returns the stage of the given name, for a worker. Throws InputError if there is none.
 Study stage_called(const Study& study, const std::string& name);
 
 /// Returns "coarse: mesh.sectors = 30" or "fine: bounds 0.25 as wide".

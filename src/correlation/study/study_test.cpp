@@ -11,7 +11,7 @@
 #include "correlation/study/variables.h"
 #include "correlation/target/residuals.h"
 #include "correlation/target/study_trials.h"
-#include "experiment/tests/modes.h"
+#include "experiment/rigs/load_case.h"
 
 namespace latsch::correlation {
 namespace {
@@ -106,7 +106,7 @@ TEST_F(StudyFile, IsReadInSi) {
   EXPECT_NEAR(study.space[1].upper, 35.0 * M_PI / 180.0, 1e-15);
   ASSERT_EQ(study.experiments.size(), 2u);
   EXPECT_EQ(forces_of(study), (std::vector<double>{3015.5, 6031.1}));
-  const auto& modes = dynamic_cast<const experiment::ModesTest&>(*study.tests[1].test).settings();
+  const auto& modes = *study.tests[1].test->settings_as<experiment::ModalTest>();
   EXPECT_DOUBLE_EQ(*modes.load, 4000.0);
   EXPECT_NEAR(*modes.pressure, 35.0 * 6894.757293168, 1e-4);
   EXPECT_EQ(modes.count, 2 + 8);
@@ -321,7 +321,7 @@ TEST_F(StudyFile, RejectsTiesThatFollowNothingOrThemselves) {
           "[experiment.stiffness]");
   EXPECT_SAYS(complaint(), "tie.outer.follows is \"angel\", which is no variable and no tie");
   replace("study.toml", "\"angel\"", "\"outer\"");
-  EXPECT_SAYS(complaint(), "study.toml:18: tie.outer.follows goes in a circle");
+  EXPECT_SAYS(complaint(), "study.toml:18: tie.outer.follows is circular");
   replace("study.toml", "\"outer\"", "\"sidewall\"");
   EXPECT_SAYS(complaint(), "tie.outer.path leads to a number in rad, but sidewall");
   replace("study.toml", "\"sidewall\"", "\"angle\"");

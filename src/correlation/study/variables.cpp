@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "base/unit_reading.h"
+#include "correlation/laboratory/stated_share.h"
 
 namespace latsch::correlation {
 namespace {
@@ -44,6 +45,8 @@ DesignVariable read_variable(const Node& table, const Document& model) {
   DesignVariable variable;
   variable.name = table.name();
   variable.place = table.place();
+  if (table.has("path") && table.has("paths"))
+    table.reject("path", "is given beside paths, expected one of them");
   const std::string key = table.has("paths") ? "paths" : "path";
   variable.paths = key == "paths" ? table.texts(key) : std::vector{table.text(key)};
   if (variable.paths.empty()) table.reject(key, "is empty, expected at least one path");
@@ -106,7 +109,7 @@ void read_prior(const Node& table, const std::string& unit, DesignVariable& vari
     table.reject("prior", "is not above 0, as a logarithmic variable has to be");
   }
   if (is_share(table, "prior_sigma")) {
-    prior.sigma = table.quantity("prior_sigma", "1", Range::positive());
+    prior.sigma = read_share(table, "prior_sigma", Range::positive(), unit);
     if (!prior.of_logarithm && unit != "1") {
       prior.sigma *= std::abs(prior.value);
       if (prior.sigma == 0.0) {
@@ -167,7 +170,7 @@ std::pair<DesignVariable*, double> leader(const Tie& tie,
     if (next == &tie || next == at) break;
     at = next;
   }
-  tie.table.reject("follows", "goes in a circle, expected a variable at its end: " + chain);
+  tie.table.reject("follows", "is circular, expected a variable at the end of the ties: " + chain);
 }
 
 void expect_unmoved(const Tie& tie,

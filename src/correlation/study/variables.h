@@ -48,9 +48,9 @@ std::vector<DesignVariable> read_varied(const Node& root,
 /// deviation is not positive, or if the prior of a logarithmic variable is not positive.
 void read_prior(const Node& table, const std::string& unit, DesignVariable& variable);
 
-/// Reads every [tie.NAME] into the variables they follow. Throws InputError if a tie follows
-/// nothing in the study, follows itself through others, follows a number of another unit, or if its
-/// number moves already.
+/// Reads every [tie.NAME] into the variable that it follows. Throws InputError if a tie follows
+/// nothing in the study, itself through other ties or a number of another unit, or if its number
+/// moves already.
 void read_ties(const Node& root, const Document& model, std::vector<DesignVariable>& variables);
 
 /// Returns the model at a design point.

@@ -13,7 +13,8 @@
 #include "correlation/analysis/coefficient_levels.h"
 #include "correlation/analysis/identifiability.h"
 #include "correlation/search/own_stages.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/search_standing.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/study_trials.h"
@@ -249,6 +250,7 @@ FittedModel fitted_model(const Study& study,
   provenance.measured_at = [study](const std::string& condition) {
     return driven_at(study, condition, /*fitted_only=*/true);
   };
+  if (journal && !wanted) require_best(weighted, *journal);
   std::optional<RatedTrial> best;
   if (journal) best = best_trial(weighted, *journal);
   if (!best || (wanted && *wanted != best->point)) {

@@ -31,8 +31,8 @@ struct FittedModel {
 
 /// Returns the model of the best trial in the journal of the study, or of the initial values if
 /// there is no journal. `at`: another point of the study, of which the journal need not know
-/// anything. Throws InputError if the journal belongs to another study, or to this one before it
-/// was edited.
+/// anything. InputError if the journal belongs to another study, or to this one before it was
+/// edited, also if only a measurement, a weight or a bound was (search/search_standing.h).
 FittedModel fitted_model(const Study& study,
                          const ExportedBy& by,
                          const std::optional<DesignPoint>& at = std::nullopt);

@@ -25,7 +25,7 @@ double value_at(const DesignSpace& space, const Eigen::VectorXd& u, int variable
 
 report::ProfileCurve curve(const Study& study,
                            const Identifiability& what,
-                           const Profile& profile) {
+                           const TargetProfile& profile) {
   const DesignVariable& v = study.space[profile.variable];
   const Interval interval = reported_interval(study, what, profile.variable);
   report::ProfileCurve curve;
@@ -79,12 +79,12 @@ std::vector<report::Gain> gains(const Study& study, const Identifiability& what)
 
 }  // namespace
 
-report::Identifiability identifiability_page(const Study& study,
-                                             const Identifiability& what,
-                                             const std::vector<ExperimentBand>& bands) {
+report::IdentifiabilityPage identifiability_page(const Study& study,
+                                                 const Identifiability& what,
+                                                 const std::vector<ExperimentBand>& bands) {
   const Identification& identification = what.identification;
   const Confidence& c = identification.confidence();
-  report::Identifiability page;
+  report::IdentifiabilityPage page;
   for (int i = 0; i < study.space.size(); ++i) {
     const DesignVariable& v = study.space[i];
     page.variables.push_back(v.name);
@@ -98,7 +98,7 @@ report::Identifiability identifiability_page(const Study& study,
   page.residuals = static_cast<int>(identification.residuals_used().size() - prior_count(study));
   page.priors = static_cast<int>(prior_count(study));
   page.correlation = c.correlation;
-  for (const Profile& profile : identification.profiles()) {
+  for (const TargetProfile& profile : identification.profiles()) {
     page.profiles.push_back(curve(study, what, profile));
   }
   if (what.cross_validation) page.left_out = left_out(study, *what.cross_validation);

@@ -15,9 +15,9 @@ namespace latsch::correlation {
 
 /// Returns the chapter on what the data determine. `bands` has one entry for every experiment, or
 /// none.
-report::Identifiability identifiability_page(const Study& study,
-                                             const Identifiability& what,
-                                             const std::vector<ExperimentBand>& bands);
+report::IdentifiabilityPage identifiability_page(const Study& study,
+                                                 const Identifiability& what,
+                                                 const std::vector<ExperimentBand>& bands);
 
 /// Returns the minima of the evaluated design; nullopt if there is none.
 std::optional<report::Basins> basins_of(const Study& study, const std::vector<RatedTrial>& trials);

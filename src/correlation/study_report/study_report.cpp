@@ -11,7 +11,7 @@
 #include "correlation/analysis/beyond_data.h"
 #include "correlation/analysis/coefficient_levels.h"
 #include "correlation/analysis/doe_surface.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/variables.h"
@@ -253,7 +253,7 @@ Result<StudyReport> study_report(const Study& study,
       initial.channels = score.failure();
   }
   page.run = run_facts(study, journal);
-  const std::vector<Fit> fits = recorded_fit(study, journal);
+  const std::vector<Fit> fits = recorded_stages(study, journal).fits;
   add_convergence(study, fits, page);
   page.is_of_design = !page.convergence;
   std::vector<ExperimentBand> bands;

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "correlation/target/study_trials.h"
+#include "correlation/target/trial_ownership.h"
+#include "evaluation/journal/asked_trials.h"
 
 namespace latsch::correlation {
 bool keeps_held(const Study& study, const DesignPoint& point) {
@@ -20,10 +22,25 @@ bool keeps_held(const Study& study, const DesignPoint& point) {
 std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal) {
   const Objective target = objective(study);
   std::vector<RatedTrial> rated;
-  journal.for_each_asked([&](const Trial& trial) {
-    if (!trial.outcome.result) return;
+  const AskedTrials asked(journal.marks());
+  long next = 0;
+  journal.for_each([&](const Trial& trial) {
+    const long row = next++;
+    if (!asked.contains(row, trial.point) || !trial.outcome.result) return;
     const auto score = target(trial.point, *trial.outcome.result);
-    if (score) rated.push_back({trial.point, score->value, violation(*score)});
+    if (score) rated.push_back({trial.point, score->value, violation(*score), row});
+  });
+  return rated;
+}
+
+std::vector<RatedTrial> rated_candidates(const Study& study, const Journal& journal) {
+  auto rated = rated_trials(study, journal);
+  const TrialOwnership ownership(study, journal.marks());
+  std::erase_if(rated, [&](const auto& trial) {
+    // Earlier bounds may have been wider, and a design of experiments may contain points that
+    // violate linear constraints.
+    return !study.space.contains(trial.point) || !keeps_held(study, trial.point) ||
+           !ownership.can_be_best(trial.row, trial.point);
   });
   return rated;
 }
@@ -36,12 +53,7 @@ bool is_better(const RatedTrial& a, const RatedTrial& b) {
 }
 
 std::optional<RatedTrial> best_trial(const Study& study, const Journal& journal) {
-  auto rated = rated_trials(study, journal);
-  // A design of experiments may contain points that violate linear constraints.
-  if (!study.space.constraints().empty()) {
-    std::erase_if(rated, [&](const auto& trial) { return !study.space.contains(trial.point); });
-  }
-  std::erase_if(rated, [&](const auto& trial) { return !keeps_held(study, trial.point); });
+  const auto rated = rated_candidates(study, journal);
   const auto least = std::min_element(
       rated.begin(), rated.end(), [](const auto& a, const auto& b) { return is_better(a, b); });
   if (least == rated.end()) return std::nullopt;

@@ -16,6 +16,7 @@ struct RatedTrial {
   DesignPoint point;
   double target = 0.0;
   double violation = 0.0;  // violation of the constraints on channels
+  long row = -1;           // in the journal, the first being 0; -1: not of a journal
 };
 
 /// True if a has less violation than b beyond what counts as fulfilled, or else a smaller target.
@@ -29,9 +30,14 @@ std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal)
 /// Always true for a study without that information.
 bool keeps_held(const Study& study, const DesignPoint& point);
 
-/// Returns nullopt if no trial succeeded; of equal trials, the first. If the study is in the state
-/// of its last stage, it knows which variables that stage holds, and trials with other values of
-/// these are ignored.
+/// The rated trials inside the bounds and linear constraints that can be the best of the study as
+/// it stands (trial_ownership.h). If it is in the state of its last stage, it knows which variables
+/// that stage holds, and trials with other values of these are ignored.
+std::vector<RatedTrial> rated_candidates(const Study& study, const Journal& journal);
+
+/// Returns the best of rated_candidates(); of equal ones, the first.
+/// Returns nullopt if there is none: no trial succeeded, or all were run for other measurements,
+/// weights or bounds.
 std::optional<RatedTrial> best_trial(const Study& study, const Journal& journal);
 
 }  // namespace latsch::correlation

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/units.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/study_trials.h"
 
 namespace latsch::correlation {
@@ -76,12 +77,13 @@ Objective residual_objective(const Study& study) {
   return Objective::OfTrial([experiments, mean, space = study.space](
                                 const DesignPoint& point,
                                 const Channels& channels) -> Result<Score> {
+    auto comparisons = compare_all(experiments, channels);
+    if (!comparisons) return comparisons.failure();
     Score score;
     bool has_slopes = true;
-    for (const StudyExperiment& experiment : experiments) {
-      const auto compared = experiment.observable->compare(channels, experiment.objective);
-      if (!compared) return compared.failure();
-      Comparison comparison = *compared;
+    for (std::size_t e = 0; e < experiments.size(); ++e) {
+      const StudyExperiment& experiment = experiments[e];
+      Comparison& comparison = (*comparisons)[e];
       for (int missing : comparison.pairing.missing) {
         comparison.differences[missing] = std::numeric_limits<double>::quiet_NaN();
       }
@@ -95,14 +97,11 @@ Objective residual_objective(const Study& study) {
       score.jacobian.insert(
           score.jacobian.end(), comparison.slopes.begin(), comparison.slopes.end());
     }
-    for (int i = 0; i < space.size(); ++i) {
-      if (!space[i].prior) continue;
-      const double x = point.values[static_cast<size_t>(i)];
-      const double r = space[i].prior->residual(x);
-      score.residuals.push_back(r);
-      score.value += r * r;
+    for (const PriorResidual& prior : prior_residuals(space, point)) {
+      score.residuals.push_back(prior.residual);
+      score.value += prior.residual * prior.residual;
       for (int j = 0; j < space.size(); ++j)
-        score.jacobian.push_back(i == j ? space[i].prior->slope(x) : 0.0);
+        score.jacobian.push_back(prior.variable == j ? prior.slope : 0.0);
     }
     if (!has_slopes) score.jacobian.clear();
     return score;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "correlation/study/study_slopes.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/weighing.h"
 
@@ -119,15 +120,13 @@ void add_priors(const DesignSpace& space,
                 double exponent,
                 Score& score) {
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  for (int i = 0; i < space.size(); ++i) {
-    if (!space[i].prior) continue;
-    const double d = common * space[i].prior->residual(point.values[static_cast<size_t>(i)]);
+  for (const PriorResidual& prior : prior_residuals(space, point)) {
+    const double d = common * prior.residual;
     score.value += std::pow(std::abs(d), exponent) / total;
     score.residuals.push_back(d / std::sqrt(total));
     if (score.jacobian.empty()) continue;
     std::vector<double> row(static_cast<size_t>(space.size()), 0.0);
-    row[static_cast<size_t>(i)] =
-        common * space[i].prior->slope(point.values[static_cast<size_t>(i)]) / std::sqrt(total);
+    row[static_cast<size_t>(prior.variable)] = common * prior.slope / std::sqrt(total);
     score.jacobian.insert(score.jacobian.end(), row.begin(), row.end());
   }
 }
@@ -161,21 +160,16 @@ Objective objective(const Study& study) {
   return Objective(
       [fitted, weights, common, space = study.space, constraints = study.constraints](
           const DesignPoint& point, const Channels& channels) -> Result<Score> {
-        std::vector<Comparison> comparisons;
+        auto comparisons = compare_all(fitted, channels);
+        if (!comparisons) return comparisons.failure();
+        for (std::size_t e = 0; e < fitted.size(); ++e) weigh(fitted[e], common, (*comparisons)[e]);
         Score score;
-        for (const StudyExperiment& experiment : fitted) {
-          auto comparison = experiment.observable->compare(channels, experiment.objective);
-          // A measurement may have got more rows since the trial.
-          if (!comparison) return comparison.failure();
-          comparisons.push_back(std::move(*comparison));
-          weigh(experiment, common, comparisons.back());
-        }
-        score.value = target(comparisons, weights);
-        score.residuals = weighted_residuals(comparisons, weights);
-        score.jacobian = weighted_slopes(comparisons, weights);
+        score.value = target(*comparisons, weights);
+        score.residuals = weighted_residuals(*comparisons, weights);
+        score.jacobian = weighted_slopes(*comparisons, weights);
         if (common)
           add_priors(space, point, *common, weights, fitted.front().objective.exponent, score);
-        for (const Comparison& comparison : comparisons) {
+        for (const Comparison& comparison : *comparisons) {
           score.stand_ins += static_cast<int>(comparison.pairing.missing.size());
         }
         for (const ChannelConstraint& constraint : constraints) {

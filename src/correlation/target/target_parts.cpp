@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/weighing.h"
 
 namespace latsch::correlation {
@@ -25,23 +26,20 @@ std::vector<std::string> PartedTarget::experiments() const {
 }
 
 Result<TargetParts> PartedTarget::parts(const DesignPoint& point, const Channels& channels) const {
+  auto comparisons = compare_all(fitted_, channels);
+  if (!comparisons) return comparisons.failure();
   TargetParts parts;
-  for (const StudyExperiment& experiment : fitted_) {
-    auto comparison = experiment.observable->compare(channels, experiment.objective);
-    if (!comparison) return comparison.failure();
-    parts.mean_errors.push_back(comparison->mean_error);
-    parts.largest_errors.push_back(comparison->largest_error);
-    weigh(experiment, common_, *comparison);
-    parts.values.push_back(comparison->value);
+  for (std::size_t e = 0; e < fitted_.size(); ++e) {
+    Comparison& comparison = (*comparisons)[e];
+    parts.mean_errors.push_back(comparison.mean_error);
+    parts.largest_errors.push_back(comparison.largest_error);
+    weigh(fitted_[e], common_, comparison);
+    parts.values.push_back(comparison.value);
   }
   if (common_) {
     const double exponent = fitted_.front().objective.exponent;
-    for (int i = 0; i < space_.size(); ++i) {
-      if (!space_[i].prior) continue;
-      const double d =
-          *common_ * space_[i].prior->residual(point.values[static_cast<std::size_t>(i)]);
-      parts.priors += std::pow(std::abs(d), exponent);
-    }
+    for (const PriorResidual& prior : prior_residuals(space_, point))
+      parts.priors += std::pow(std::abs(*common_ * prior.residual), exponent);
   }
   Score limits;
   for (const ChannelConstraint& constraint : constraints_)

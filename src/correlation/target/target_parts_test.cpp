@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "correlation/search/study_reuse_testing.h"
+#include "correlation/target/residuals.h"
 
 namespace latsch::correlation {
 namespace {
@@ -58,6 +59,32 @@ TEST_F(PartsOfTarget, WithoutNoise) { expect_same_at_any_weights(two_experiments
 TEST_F(PartsOfTarget, WithNoiseAndARobustLoss) {
   expect_same_at_any_weights(
       two_experiments("noise = \"3 %\"\nloss = \"huber\"\n", "noise = \"2 N*m\"\n"));
+}
+
+/// The three computations of one target agree: value, weighted residuals, and the residuals of the
+/// intervals, which are in units of the noise and not divided by the sum of weights.
+TEST_F(PartsOfTarget, ValueResidualsAndIntervalsAgreeToRounding) {
+  for (const bool has_noise : {false, true}) {
+    const Study study =
+        has_noise ? two_experiments("exponent = 2\nnoise = \"3 %\"\n", "noise = \"2 N*m\"\n")
+                  : two_experiments("exponent = 2\n", "");
+    const DesignPoint point{{1.1, -18.0}};
+    const auto channels = evaluator(study)(point);
+    ASSERT_TRUE(channels);
+    const auto of_target = objective(study)(point, *channels);
+    const auto of_intervals = residual_objective(study)(point, *channels);
+    ASSERT_TRUE(of_target && of_intervals);
+    double squares = 0.0;
+    for (const double r : of_target->residuals) squares += r * r;
+    EXPECT_NEAR(
+        squares, of_target->value, 4e-16 * std::sqrt(of_target->residuals.size()) * squares);
+    ASSERT_EQ(of_target->residuals.size(), of_intervals->residuals.size());
+    const double factor = std::sqrt(of_target->value / of_intervals->value);
+    for (std::size_t i = 0; i < of_target->residuals.size(); ++i)
+      EXPECT_NEAR(of_target->residuals[i],
+                  factor * of_intervals->residuals[i],
+                  4e-15 * std::abs(of_target->residuals[i]));
+  }
 }
 
 /// The sum of weights divides only the priors: with twice the weights, their contribution halves.

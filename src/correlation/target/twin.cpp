@@ -7,11 +7,12 @@
 #include <filesystem>
 #include <map>
 
+#include "base/file.h"
 #include "correlation/laboratory/frame_conversion.h"
 #include "correlation/laboratory/measurement.h"
 #include "correlation/observable/mode_set.h"
 #include "experiment/language/capabilities.h"
-#include "experiment/tests/modes.h"
+#include "experiment/rigs/load_case.h"
 
 namespace latsch::correlation {
 namespace {
@@ -25,17 +26,17 @@ Study with_sensors(Study study, experiment::Specimen& specimen) {
   for (StudyExperiment& experiment : study.experiments) {
     if (experiment.shapes_file.empty()) continue;
     for (StudyTest& test : study.tests) {
-      const auto* modes = dynamic_cast<const experiment::ModesTest*>(test.test.get());
+      const auto* modes = test.test->settings_as<experiment::ModalTest>();
       if (!modes || test.name != experiment.name) continue;
-      experiment::ModalTest settings = modes->settings();
-      if (settings.points.cols() == 0)
-        settings.points = specimen.find<experiment::Vibrates>()->sensor_points();
+      const Eigen::Matrix3Xd points = modes->points.cols() > 0
+                                          ? modes->points
+                                          : specimen.find<experiment::Vibrates>()->sensor_points();
       experiment.observable =
           std::make_shared<ModeSet>(test.name,
                                     std::vector<ModeRecord>{},
                                     static_cast<std::size_t>(experiment.measured_modes),
-                                    settings.points);
-      test.test = std::make_shared<experiment::ModesTest>(std::move(settings));
+                                    points);
+      test.test = test.test->with_points(points);
     }
   }
   return study;
@@ -62,7 +63,7 @@ void refuse_to_overwrite_inputs(const Study& study) {
 }
 
 /// Returns the channels an experiment's measurement will hold. If in_frame has turned one force of
-/// a file, these are all forces of the file.
+/// a file, they include all forces of the file.
 std::vector<std::string> answers(const StudyExperiment& experiment) {
   std::vector<std::string> all = experiment.observable->asks();
   if (!experiment.measurement || all.empty()) return all;
@@ -104,9 +105,23 @@ void refuse_two_answers(const Study& study, const Channels& trial) {
   }
 }
 
+/// Copies a file that no twin has written to a free name beside it, "curve.measured.csv".
+void keep_measured(const std::filesystem::path& file, std::vector<TwinFiles::Kept>& kept) {
+  if (file.empty() || !std::filesystem::is_regular_file(file)) return;
+  if (read_text_file(file).starts_with(std::string("# ") + kComment)) return;
+  std::filesystem::path as = file;
+  as.replace_extension(".measured" + file.extension().string());
+  for (int number = 2; std::filesystem::exists(as); ++number) {
+    as = file;
+    as.replace_extension(fmt::format(".measured_{}{}", number, file.extension().string()));
+  }
+  std::filesystem::copy_file(file, as);
+  kept.push_back({file, as});
+}
+
 }  // namespace
 
-Result<std::vector<std::filesystem::path>> write_twin(const Study& study) {
+Result<TwinFiles> write_twin(const Study& study) {
   const experiment::SpecimenKind* kind = study.specimens->kind();
   if (!kind) {
     throw InputError(
@@ -129,10 +144,16 @@ Result<std::vector<std::filesystem::path>> write_twin(const Study& study) {
     }
   }
   refuse_two_answers(twin, trial);
-  std::vector<std::filesystem::path> written;
+  TwinFiles files;
+  std::vector<std::filesystem::path>& written = files.written;
   for (const StudyExperiment& experiment : twin.experiments) {
     const bool is_shared =
         std::find(written.begin(), written.end(), experiment.measurement_file) != written.end();
+    for (const auto& file : {experiment.measurement_file, experiment.shapes_file}) {
+      if (std::find(written.begin(), written.end(), file) != written.end()) continue;
+      keep_measured(file, files.kept);
+      allow_to_replace(file);
+    }
     for (auto& file : experiment.observable->write(trial,
                                                    {experiment.measurement_file,
                                                     experiment.shapes_file,
@@ -141,7 +162,7 @@ Result<std::vector<std::filesystem::path>> write_twin(const Study& study) {
                                                     experiment.measurement.get()}))
       if (!is_shared) written.push_back(std::move(file));
   }
-  return written;
+  return files;
 }
 
 }  // namespace latsch::correlation

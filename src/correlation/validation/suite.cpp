@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/validation/suite.h"
 
+#include "correlation/laboratory/stated_share.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 
 namespace latsch::correlation {
@@ -29,9 +30,9 @@ void read_experiment_of(const Node& table,
                    "largest_error");
   }
   if (table.has("mean_error"))
-    check.mean_error = table.quantity("mean_error", "1", Range::not_negative());
+    check.mean_error = read_share(table, "mean_error", Range::not_negative());
   if (table.has("largest_error"))
-    check.largest_error = table.quantity("largest_error", "1", Range::not_negative());
+    check.largest_error = read_share(table, "largest_error", Range::not_negative());
   if (!check.mean_error && !check.largest_error)
     table.reject("largest_error",
                  "is missing, expected a limit such as largest_error = \"5 %\", or mean_error");

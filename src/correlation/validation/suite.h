@@ -10,8 +10,8 @@
 //   [check.stiffness]                  # an experiment as in a study, with limits of its errors
 //   kind = "load_deflection"
 //   measurement = "stiffness.csv"
-//   mean_error = "5 %"                 # of the amounts of all, at most
-//   largest_error = "10 %"             # of each, at most; one of the two or both
+//   mean_error = "5 %"                 # limit of the mean over all values
+//   largest_error = "10 %"             # limit for every value; one of the two or both
 //   source = "test report 4711, March 2025"
 //
 //   [check.vertical]                   # or one number of a channel, as a constraint of a study

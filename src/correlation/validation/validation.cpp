@@ -6,6 +6,8 @@
 #include <map>
 
 #include "base/units.h"
+#include "evaluation/trial/trial.h"
+#include "experiment/language/known_limits.h"
 
 namespace latsch::correlation {
 namespace {
@@ -15,9 +17,11 @@ constexpr int kDigits = 4;
 // their last bits.
 constexpr double kRounding = 1e-12;
 
+/// False for a value that is not a number.
 bool is_within(double value,
                const std::optional<double>& lower,
                const std::optional<double>& upper) {
+  if (!std::isfinite(value)) return false;
   const auto room = [](double limit) { return kRounding * std::abs(limit); };
   return (!lower || value >= *lower - room(*lower)) && (!upper || value <= *upper + room(*upper));
 }
@@ -99,6 +103,10 @@ Result<std::vector<double>> values_of(const Check& check,
   for (const std::string& channel : channels_of(check)) {
     const auto failure = recorded.failures.find(test_of(channel));
     if (failure != recorded.failures.end()) return Failure{failure->second};
+    Channels asked;
+    if (const Channel* found = recorded.channels.find(channel)) asked.add(*found);
+    const auto numbers = finite(std::move(asked));
+    if (!numbers) return numbers.failure();
   }
   if (!check.experiment) {
     const auto value = value_of(check.number, recorded.channels);
@@ -136,7 +144,9 @@ Validation validate(const Suite& suite,
   page.title = suite.title;
   page.study_file = suite.file.string();
   page.tire = kind.describe(numbers);
-  const Recorded recorded = record(suite, *kind.build(numbers), tell);
+  const auto specimen = kind.build(numbers);
+  const Recorded recorded = record(suite, *specimen, tell);
+  validation.notes = experiment::limits_met(*specimen);
   for (const Check& check : suite.checks) {
     const auto values = values_of(check, suite.tests, recorded, page);
     auto results = limits_of(check);

@@ -25,6 +25,7 @@ struct CheckResult {
 struct Validation {
   std::vector<CheckResult> results;
   report::StudyReport page;
+  std::vector<std::string> notes;  // limits of the model that the tests have met
 
   bool accepted() const;
 };

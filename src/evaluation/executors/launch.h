@@ -3,7 +3,7 @@
 // the trials of one run:
 //
 //   OMPI_COMM_WORLD_SIZE    mpirun of Open MPI
-//   SLURM_STEP_NUM_TASKS    srun; a batch script has SLURM_NTASKS alone, and is one process
+//   SLURM_STEP_NUM_TASKS    srun; a batch script has only SLURM_NTASKS, and is one process
 //   PMIX_NAMESPACE          with srun --mpi=pmix: Open MPI makes one job of the tasks
 //   PMI_SIZE                another MPI's mpirun, with which Open MPI makes no job
 //

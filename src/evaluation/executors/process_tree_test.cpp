@@ -37,7 +37,7 @@ struct Shell {
   }
   ~Shell() { ::close(output); }
 
-  /// Waits for that many bytes from the shell or its children.
+  /// Waits for the given number of bytes from the shell or its children.
   void await(int count) const {
     std::array<char, 1> byte;
     for (int i = 0; i < count; ++i) ASSERT_EQ(::read(output, byte.data(), 1), 1);

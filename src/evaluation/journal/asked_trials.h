@@ -27,7 +27,7 @@ class AskedTrials {
 
   bool is_marked() const { return is_marked_; }
 
-  /// True if the trial in that row of the journal, the first being 0, counts as requested.
+  /// True if the trial in the given row of the journal, the first being 0, counts as requested.
   bool contains(long row, const DesignPoint& point) const;
 
   /// Returns the text of a mark for these points (DesignPoint::bits) without those already marked;

@@ -23,6 +23,12 @@ using namespace journal_format;
 
 namespace {
 
+/// Returns the ways out of a damaged journal.
+std::string way_out(const std::string& journal) {
+  return "save the intact trials by latsch doctor " + journal +
+         " --salvage NEW.latsch, go back to a copy, or start a new journal";
+}
+
 constexpr int kBusyTimeout = 2000;       // ms
 constexpr int kReaderPatience = 60'000;  // ms; a commit waits this long for readers of a rollback
                                          // journal
@@ -71,9 +77,14 @@ struct Journal::Impl {
                "journal kept beside: latsch run STUDY --anew; or, if you know that the results "
                "are the same, keep its trials: latsch resume STUDY --adopt");
       }
-      refuse("belongs to another study: " + *what +
-             ". Take the study it was made with or another journal, or begin anew, with this "
-             "journal kept beside: latsch run STUDY --anew");
+      refuse(
+          fmt::format("belongs to another study: {}. None of its {} trials {} of the study as it "
+                      "stands",
+                      *what,
+                      tally.trials,
+                      tally.trials == 1 ? "is" : "are") +
+          ". Take the study it was made with or another journal, or begin anew, with this "
+          "journal kept beside: latsch run STUDY --anew");
     }
   }
 
@@ -104,8 +115,8 @@ struct Journal::Impl {
       case SQLITE_LOCKED:
         refuse("is locked by another program; close that program");
       default:
-        throw JournalError(fmt::format(
-            "{}: is damaged ({}); go back to a copy or start a new journal", name, error.what()));
+        throw JournalError(
+            fmt::format("{}: is damaged ({}); {}", name, error.what(), way_out(name)));
     }
   }
 
@@ -170,9 +181,10 @@ struct Journal::Impl {
       if (stored(state) == select.getColumn(2).getInt64()) continue;
       throw JournalError(
           fmt::format("{}: \"{}\" in the identity of the study does not agree with "
-                      "its hash: the file is damaged; go back to a copy",
+                      "its hash: the file is damaged; {}",
                       file.string(),
-                      identity.back().name));
+                      identity.back().name,
+                      way_out(file.string())));
     }
   }
 
@@ -181,28 +193,28 @@ struct Journal::Impl {
     if (!read) {
       throw JournalError(
           fmt::format("{}: the tally of its trials is missing: the file is damaged; "
-                      "go back to a copy",
-                      file.string()));
+                      "{}",
+                      file.string(),
+                      way_out(file.string())));
     }
     tally = *read;
     if (format < 4) return;
     auto read_too = read_marks(*database, tally);
     if (!read_too) {
       throw JournalError(
-          fmt::format("{}: its marks do not agree with their hashes: the file is damaged; go back "
-                      "to a copy",
-                      file.string()));
+          fmt::format("{}: its marks do not agree with their hashes: the file is damaged; {}",
+                      file.string(),
+                      way_out(file.string())));
     }
     marks = std::move(*read_too);
   }
 
   [[noreturn]] void damaged(std::int64_t number, const char* what) const {
-    throw JournalError(
-        fmt::format("{}: trial {} {}: the file is damaged; go back to a copy or "
-                    "start a new journal",
-                    file.string(),
-                    number,
-                    what));
+    throw JournalError(fmt::format("{}: trial {} {}: the file is damaged; {}",
+                                   file.string(),
+                                   number,
+                                   what,
+                                   way_out(file.string())));
   }
 
   void for_each_row(const std::function<void(const Row&)>& visit) const {

@@ -53,7 +53,7 @@ struct JournalFollower::Impl {
   std::vector<JournalMark> marks;
   std::optional<RowDecoder> decoder;
   std::int64_t number = 0;  // number of the last row visited
-  std::uint64_t state = 0;  // hash of the chain at that row
+  std::uint64_t state = 0;  // hash of the chain at this row
   std::int64_t total = 0;   // number of rows at the last read
   std::int64_t marks_seen = -1;
 

@@ -46,7 +46,7 @@ std::string holder_text() {
                      fmt::gmtime(std::time(nullptr)));
 }
 
-/// True if `fd` is still the file at that path. A holder removes its lock file when it ends.
+/// True if `fd` is still the file at the given path. A holder removes its lock file when it ends.
 bool is_current(int fd, const std::filesystem::path& file) {
   struct stat opened {};
   struct stat present {};

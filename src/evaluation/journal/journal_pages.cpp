@@ -106,8 +106,8 @@ std::int64_t read_integer(std::string_view bytes, std::size_t at, std::size_t si
   return size == 0 ? 0 : static_cast<std::int64_t>(value << unused) >> unused;
 }
 
-/// Returns how many bytes of a record of that size lie on the page of the row itself; a page has
-/// `usable` bytes.
+/// Returns how many bytes of a record of the given size lie on the page of the row itself; a page
+/// has `usable` bytes.
 std::size_t local_size(std::uint64_t size, std::size_t usable) {
   const std::size_t most = usable - 35;
   if (size <= most) return size;

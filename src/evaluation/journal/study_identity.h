@@ -36,7 +36,7 @@ inline constexpr const char* kProgramFilesPart = "program files";
 /// program is not installed.
 StudyIdentity without_program_files(StudyIdentity identity);
 
-/// True if at most those parts differ, and the parts of tests that an older journal lacks.
+/// True if at most the given parts differ, and the parts of tests that an older journal lacks.
 bool is_same_but_for_versions(const StudyIdentity& journal, const StudyIdentity& study);
 
 /// Returns the difference between the study of a journal and the present one, naming the part and

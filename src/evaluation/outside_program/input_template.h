@@ -26,7 +26,7 @@ class InputTemplate {
   /// Returns the text with values in place of the holes.
   std::string filled(const DesignSpace& space, const DesignPoint& point) const;
 
-  /// True if a hole names that variable.
+  /// True if a hole names the given variable.
   bool uses(int variable) const;
 
   /// Returns the text as read.

@@ -60,7 +60,7 @@ class Dispatcher {
              long planned);
 
   /// Returns the outcome of the first of these points. Meanwhile idle workers evaluate the points
-  /// after it, most wanted first. Returns nullptr if a stop was requested before the outcome was
+  /// after it, most urgent first. Returns nullptr if a stop was requested before the outcome was
   /// known.
   const Result<Score>* first_of(std::span<const DesignPoint> wanted);
 

@@ -265,7 +265,7 @@ Scripted::Script hanging_at(double x) {
   };
 }
 
-// Two workers have nothing else to do: one runs the point, the other one copies of it.
+// Two workers have nothing else to do: one runs the point, the other runs copies of it.
 TEST(Stragglers, APointThatHangsIsStartedTwiceAndThenCounts) {
   for (const int workers : {1, 2, 3, 8}) {
     for (const int retries : {0, 1, 3}) {

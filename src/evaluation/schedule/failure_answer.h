@@ -37,7 +37,7 @@ struct Step {
   std::optional<Score> answer = {};  // value reported to the optimizer in place of a failure
 };
 
-/// Returns the outcome of the first of these points, most wanted first; nullptr if it cannot be
+/// Returns the outcome of the first of these points, most urgent first; nullptr if it cannot be
 /// obtained.
 using Ask = std::function<const Result<Score>*(std::span<const DesignPoint> wanted)>;
 

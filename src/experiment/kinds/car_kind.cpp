@@ -14,6 +14,7 @@
 #include "experiment/kinds/suspension_scene.h"
 #include "experiment/kinds/tir_numbers.h"
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/language/specimen.h"
 #include "models/car/car_reader.h"
 #include "models/suspension/suspension_reader.h"
@@ -78,7 +79,7 @@ void refuse_unknown(const Node& car) {
                  fmt::format("is no key of a car, expected one of: {}", fmt::join(known, ", ")));
 }
 
-class CarSpecimen : public Specimen, public Drives, public HasAxles {
+class CarSpecimen : public Specimen, public Drives, public HasAxles, public KnowsLimits {
  public:
   explicit CarSpecimen(const Document& numbers)
       : numbers_(numbers), file_(car::read_car(numbers.root())) {
@@ -101,13 +102,27 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles {
       for (std::size_t side = 0; side < 2; ++side) {
         const std::string key = side == 1 && numbers.root().has(right) ? right : part;
         const Document tire = part_of(numbers, key);
-        const auto specimen = tire_kind(numbers.root(), tire, key).build(tire);
+        auto specimen = tire_kind(numbers.root(), tire, key).build(tire);
+        if (const auto* knows = specimen->find<KnowsLimits>(); knows && (side == 0 || key == right))
+          for (const std::string& limit : knows->limits_across())
+            limits_across_.push_back(key + ": " + limit);
         tires_[2 * axle + side] = mounted(specimen->find<Rolls>()->tire(),
                                           side_of(tire),
                                           side == 0 ? TireSide::left : TireSide::right);
+        built_from_.emplace_back(fmt::format("{}, {}", key, side == 0 ? "left" : "right"),
+                                 std::move(specimen));
       }
     }
     refuse_unknown(numbers.root());
+  }
+
+  /// Returns the limits that its tires have met, each with the tire's key and side.
+  std::vector<std::string> limits_met() const override {
+    std::vector<std::string> all;
+    for (const auto& [name, specimen] : built_from_)
+      for (const std::string& limit : experiment::limits_met(*specimen))
+        all.push_back(name + ": " + limit);
+    return all;
   }
 
   Result<std::unique_ptr<car::Car>> car(const car::CarInputs& at_rest) const override {
@@ -117,6 +132,10 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles {
     (*car)->guide.drives = file_.drives;
     return car;
   }
+
+  /// No car rolls over a single cleat.
+  std::vector<std::string> limits_on(const Cleat&) const override { return {}; }
+  std::vector<std::string> limits_across() const override { return limits_across_; }
 
   Result<Channels> load(const AxleKcTest& test, const Asked& asked) const override {
     const auto car = on_rig(test);
@@ -164,6 +183,8 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles {
   Document numbers_;
   car::CarFile file_;
   car::Tires tires_;
+  std::vector<std::pair<std::string, std::unique_ptr<Specimen>>> built_from_;  // tires by key, side
+  std::vector<std::string> limits_across_;
 };
 
 class CarKind : public SpecimenKind {

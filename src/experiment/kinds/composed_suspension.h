@@ -18,7 +18,7 @@ struct ComposedSuspension {
   struct Added {
     int line, count;                    // `count` lines behind line `line` of the file
     std::filesystem::path file = {};    // file that the lines come from, if any
-    std::vector<int> lines_there = {};  // line number of each in that file, from `line` on
+    std::vector<int> lines_there = {};  // line number of each in the file, from `line` on
   };
   std::vector<Added> added;  // in the order of insertion
 

@@ -129,12 +129,13 @@ TEST_P(EveryTire, TheDrumIsOfOrderTwo) {
 TEST_P(EveryTire, OnTheFlatTrackCarriesTheLoadOfTheTest) {
   SlipSweep sweep{.speed = 25.0, .load = 3500.0, .camber = 0.05, .alpha_to = 0.12, .duration = 0.5};
   double most[2] = {};
-  for (const Axle axle : {Axle::load, Axle::height}) {
+  for (const AxleHold axle : {AxleHold::load, AxleHold::height}) {
     sweep.axle = axle;
     const auto channels = run(*tire(), sweep);
     ASSERT_TRUE(channels) << channels.failure().reason;
     for (const double Fz : (*channels)["Fz"])
-      most[axle == Axle::height] = std::max(most[axle == Axle::height], std::abs(Fz - sweep.load));
+      most[axle == AxleHold::height] =
+          std::max(most[axle == AxleHold::height], std::abs(Fz - sweep.load));
   }
   EXPECT_LT(most[0], 0.01 * sweep.load);
   if (!has_point_contact()) {

@@ -28,7 +28,7 @@ TEST_P(RefinedTires, AnInflatedTireHoldsInEveryCircumferentialNumber) {
                               // pairs
   const TireDescription description = shipped(GetParam());
   for (const int along : {2, 4}) {
-    const Refinement refinement(1, along, 1);
+    const MeshRefinement refinement(1, along, 1);
     FeTire tire(build_mesh(description, refinement), build_materials(description, refinement));
     const auto inflated = tire.inflate(description.pressure);
     ASSERT_TRUE(inflated) << inflated.failure().reason;
@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Tires,
 
 TEST(RefinedTire, ATireOnTheGroundKeepsItsEquilibrium) {
   const TireDescription description = shipped("passenger_205_55R16.toml");
-  const Refinement refinement(1, 3, 1);
+  const MeshRefinement refinement(1, 3, 1);
   FeTire tire(build_mesh(description, refinement), build_materials(description, refinement));
   const auto inflated = tire.inflate(description.pressure);
   ASSERT_TRUE(inflated) << inflated.failure().reason;

@@ -102,12 +102,12 @@ void add_pictures(fe_tire::FeTire& tire,
                   report::StudyReport& page) {
   pictures.mesh = tire.mesh();
   for (const Test* test : tests) {
-    const auto* modes = dynamic_cast<const ModesTest*>(test);
-    if (modes && pictures.modes.empty()) add_modes(tire, modes->settings(), own_pressure, pictures);
+    const auto* modes = test->settings_as<ModalTest>();
+    if (modes && pictures.modes.empty()) add_modes(tire, *modes, own_pressure, pictures);
   }
   for (const Test* test : tests) {
-    if (const auto* load = dynamic_cast<const LoadDeflectionTest*>(test))
-      add_load(tire, load->settings(), own_pressure, pictures);
+    if (const auto* load = test->settings_as<LoadDeflection>())
+      add_load(tire, *load, own_pressure, pictures);
   }
   page.pictures = std::move(pictures);
 }
@@ -134,10 +134,11 @@ void add_mesh_error(const fe_tire::TireDescription& tire,
     settings.pressure = test.pressure.value_or(tire.pressure);
     settings.ground = test.ground;
   };
-  const Test* first = tests.empty() ? nullptr : tests.front();
-  if (const auto* modes = dynamic_cast<const ModesTest*>(first)) take_conditions(modes->settings());
-  if (const auto* load = dynamic_cast<const LoadDeflectionTest*>(first))
-    take_conditions(load->settings());
+  if (!tests.empty()) {
+    const Test& first = *tests.front();
+    if (const auto* modes = first.settings_as<ModalTest>()) take_conditions(*modes);
+    if (const auto* load = first.settings_as<LoadDeflection>()) take_conditions(*load);
+  }
   if (thoroughness == Thoroughness::minutes && page.pictures && page.pictures->loaded)
     settings.deflection = page.pictures->loaded->standing.deflection;
   const auto found = study_discretization(tire, settings);

@@ -6,16 +6,9 @@
 #include <algorithm>
 
 #include "experiment/kinds/fe_variations.h"
-#include "experiment/tests/modes.h"
 
 namespace latsch::experiment {
 namespace {
-
-bool states_pressure(const InflatedSizeTest& test) { return !test.pressures.empty(); }
-template <class Test>
-bool states_pressure(const Test& test) {
-  return test.pressure.has_value();
-}
 
 /// Returns the channels with zero slopes in the tire's own pressure, which has no effect on a test
 /// that states a pressure. Columns follow the order of the paths.
@@ -57,34 +50,27 @@ FeTireSpecimen::FeTireSpecimen(fe_tire::FeTire tire,
       rig_(std::make_unique<TireRig>(own_.tire(), pressure)) {}
 
 Result<Channels> FeTireSpecimen::press(const LoadDeflection& test, const Asked& asked) {
-  return run(test, asked);
-}
-Result<Channels> FeTireSpecimen::vibrate(const ModalTest& test, const Asked& asked) {
-  return run(test, asked);
-}
-Result<Channels> FeTireSpecimen::stand(const StandingTest& test, const Asked& asked) {
-  if (asked.paths.empty() || asked.channels.empty())
-    return experiment::stand(own_.tire(), pressure_, test);
-  const auto slopes = own_.slopes_in(asked.paths, numbers_);
-  if (!slopes) return slopes.failure();
-  const auto channels = experiment::stand(own_.tire(), pressure_, test, *slopes);
-  if (!channels || !states_pressure(test)) return channels;
-  return held_at_pressure(*channels, asked.paths);
-}
-Result<Channels> FeTireSpecimen::inflate(const InflatedSizeTest& test, const Asked& asked) {
-  return run(test, asked);
-}
-Result<Channels> FeTireSpecimen::weigh(const MassTest& test, const Asked& asked) {
-  return run(test, asked);
+  const auto press = [&](TireRig& rig, fe_tire::TireSlopes* slopes) {
+    return slopes ? rig.run(test, *slopes, asked.channels) : rig.run(test);
+  };
+  return drive(press, test.pressure.has_value(), asked);
 }
 
-template <class Test>
-Result<Channels> FeTireSpecimen::run(const Test& test, const Asked& asked) {
-  if (asked.paths.empty() || asked.channels.empty()) return rig_->run(test);
+Result<Channels> FeTireSpecimen::vibrate(const ModalTest& test, const Asked& asked) {
+  const auto vibrate = [&](TireRig& rig, fe_tire::TireSlopes* slopes) {
+    return slopes ? rig.run(test, *slopes, asked.channels) : rig.run(test);
+  };
+  return drive(vibrate, test.pressure.has_value(), asked);
+}
+
+Result<Channels> FeTireSpecimen::drive(const FeTireDrive& drive,
+                                       bool states_pressure,
+                                       const Asked& asked) {
+  if (asked.paths.empty() || asked.channels.empty()) return drive(*rig_, nullptr);
   const auto slopes = own_.slopes_in(asked.paths, numbers_);
   if (!slopes) return slopes.failure();
-  const auto channels = rig_->run(test, **slopes, asked.channels);
-  if (!channels || !states_pressure(test)) return channels;
+  const auto channels = drive(*rig_, *slopes);
+  if (!channels || !states_pressure) return channels;
   return held_at_pressure(*channels, asked.paths);
 }
 
@@ -121,15 +107,15 @@ Result<Channels> FeTireSpecimen::print(const FootprintTest& test, const Asked& a
   const auto found = footprint_slopes(test, *standing, prints, **slopes);
   if (!found) return found.failure();
   const Channels sloped = with_slopes(channels, *found);
-  return states_pressure(test) ? held_at_pressure(sloped, asked.paths) : sloped;
+  return test.pressure ? held_at_pressure(sloped, asked.paths) : sloped;
 }
 
 std::string far_points(const fe_tire::Mesh& mesh, const Test& test) {
   constexpr double kFar = 0.02;  // m; greatest distance between a measured point and the nearest
                                  // point of the model that passes without a remark
-  const auto* modes = dynamic_cast<const ModesTest*>(&test);
-  if (!modes || modes->settings().points.cols() == 0) return "";
-  const double distance = nearest_sensors(mesh, modes->settings().points).largest_distance;
+  const auto* modes = test.settings_as<ModalTest>();
+  if (!modes || modes->points.cols() == 0) return "";
+  const double distance = nearest_sensors(mesh, modes->points).largest_distance;
   if (distance <= kFar) return "";
   return fmt::format("a measured point lies {:.0f} mm from the outer surface of the model",
                      distance * 1e3);

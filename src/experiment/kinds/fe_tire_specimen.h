@@ -11,7 +11,6 @@
 #include "experiment/language/specimen.h"
 #include "experiment/rigs/fe_tire/tire_footprint.h"
 #include "experiment/rigs/fe_tire/tire_rig.h"
-#include "experiment/rigs/static_stiffness.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/slopes/tire_slopes.h"
 
@@ -42,9 +41,7 @@ class SlopedTire {
 class FeTireSpecimen : public Specimen,
                        public IsPressed,
                        public Vibrates,
-                       public StandsOnGround,
-                       public IsInflated,
-                       public IsWeighed,
+                       public IsFeTire,
                        public HasFootprint,
                        public TakesConditions {
  public:
@@ -56,9 +53,9 @@ class FeTireSpecimen : public Specimen,
   Result<Channels> press(const LoadDeflection& test, const Asked& asked) override;
   Result<Channels> vibrate(const ModalTest& test, const Asked& asked) override;
   Eigen::Matrix3Xd sensor_points() const override { return default_points(own_.tire().mesh()); }
-  Result<Channels> stand(const StandingTest& test, const Asked& asked) override;
-  Result<Channels> inflate(const InflatedSizeTest& test, const Asked& asked) override;
-  Result<Channels> weigh(const MassTest& test, const Asked& asked) override;
+  Result<Channels> drive(const FeTireDrive& drive,
+                         bool states_pressure,
+                         const Asked& asked) override;
   Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) override;
   Result<Channels> print(const FootprintTest& test, const Asked& asked) override;
 
@@ -70,9 +67,6 @@ class FeTireSpecimen : public Specimen,
 
  private:
   Result<StandingTire> standing(fe_tire::FeTire& tire, const FootprintTest& test) const;
-  template <class Test>
-  Result<Channels> run(const Test& test, const Asked& asked);
-
   SlopedTire own_;
   double pressure_;
   Document numbers_;

@@ -9,6 +9,7 @@
 #include "experiment/kinds/slip_plots.h"
 #include "experiment/kinds/tir_numbers.h"
 #include "experiment/kinds/tire_sanity.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/rigs/slip/slip_lag.h"
 #include "experiment/rigs/slip/slip_states.h"
 #include "formats/tire/tir_file.h"
@@ -21,15 +22,21 @@ namespace {
 using magic_formula::Conventions;
 using magic_formula::MagicFormula;
 
-class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates {
+class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, public KnowsLimits {
  public:
   explicit MagicFormulaSpecimen(const Document& numbers) : parameters_(parameters_of(numbers)) {}
 
   std::unique_ptr<Tire> tire(const Inflation& pressure) const override {
     magic_formula::MagicFormulaTireSettings settings;
     settings.pressure = pressure.value_or(settings.pressure);
+    settings.log = log_;
+    if (pressure) asked_pressure_ = pressure;
     return std::make_unique<magic_formula::MagicFormulaTire>(parameters_, settings);
   }
+  std::vector<std::string> limits_met() const override {
+    return limits_met_by(parameters_, *log_, asked_pressure_);
+  }
+  std::optional<double> section_height() const override { return section_height_of(parameters_); }
   Channels steady(const formats::CsvTable& table, const Conventions& conventions) const override {
     return answers(MagicFormula(parameters_, conventions), slip_states(table, parameters_).states);
   }
@@ -57,6 +64,13 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates {
           "to them (limits = \"off\" uses them unchanged)",
           outside,
           count));
+    if (const std::string assumed = assumed_states(table, parameters_); !assumed.empty())
+      notes.push_back(table.file() + ": " + assumed);
+    if (!values_of(table, "p").empty() && !magic_formula::pressure_acts(parameters_))
+      notes.push_back("column p has no effect: " + no_pressure_in_words());
+    if (!conventions.turn_slip && !values_of(table, "phit").empty())
+      notes.emplace_back(
+          "column phit has no effect: turn_slip is \"off\"; turn_slip = \"on\" uses it");
     if (conventions.turn_slip && !tire.conventions().turn_slip)
       notes.emplace_back(
           "the tire has no turn slip coefficients: it is computed without turn "
@@ -81,6 +95,8 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates {
 
  private:
   magic_formula::Parameters parameters_;
+  std::shared_ptr<magic_formula::RangeLog> log_ = std::make_shared<magic_formula::RangeLog>();
+  mutable Inflation asked_pressure_;  // the last one that a test stated
 };
 
 class MagicFormulaKind : public SpecimenKind {
@@ -114,6 +130,7 @@ class MagicFormulaKind : public SpecimenKind {
   std::optional<UsualRange> usual_range(const std::string& path) const override {
     return usual_range_of(path);
   }
+  std::optional<Size> size(const Document& numbers) const override { return tir_size(numbers); }
   std::string text(const Document& numbers) const override { return tir_text_of(numbers); }
   std::string annotated_text(const Document& numbers, const Provenance& provenance) const override {
     return fitted_tir_text(numbers, provenance);

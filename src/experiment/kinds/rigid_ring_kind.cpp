@@ -20,10 +20,16 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
   std::unique_ptr<Tire> tire(const Inflation& pressure) const override {
     magic_formula::MagicFormulaTireSettings settings;
     settings.pressure = pressure.value_or(settings.pressure);
+    settings.log = log_;
+    if (pressure) asked_pressure_ = pressure;
     auto tire = rigid_ring::RigidRingTire::make(parameters_, settings);
     if (!tire) throw InputError({file_, 0}, "makes no rigid ring: " + tire.failure().reason);
     return std::move(*tire);
   }
+  std::vector<std::string> limits_met() const override {
+    return limits_met_by(parameters_, *log_, asked_pressure_);
+  }
+  std::optional<double> section_height() const override { return section_height_of(parameters_); }
   /// One pair of cams scans a single line of the road.
   std::vector<std::string> limits_on(const Cleat& cleat) const override {
     if (std::abs(cleat.angle) < kStraightCleat || parameters_.ELLIPS_NWIDTH >= 2.0) return {};
@@ -31,10 +37,18 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
         "this rigid ring senses the road along one line (ELLIPS_NWIDTH is below 2): an oblique "
         "cleat acts on it like a longer straight one; more tracks sense the width"};
   }
+  std::vector<std::string> limits_across() const override {
+    if (parameters_.ELLIPS_NWIDTH >= 2.0) return {};
+    return {
+        "this rigid ring feels the road along one line (ELLIPS_NWIDTH is below 2): an edge below a "
+        "part of its width is felt wholly or not at all; more tracks feel the width"};
+  }
 
  private:
   magic_formula::Parameters parameters_;
   std::string file_;
+  std::shared_ptr<magic_formula::RangeLog> log_ = std::make_shared<magic_formula::RangeLog>();
+  mutable Inflation asked_pressure_;  // the last one that a test stated
 };
 
 class RigidRingKind : public SpecimenKind {
@@ -60,6 +74,7 @@ class RigidRingKind : public SpecimenKind {
     return std::make_unique<RigidRingSpecimen>(numbers);
   }
   void check(const Document& numbers) const override { RigidRingSpecimen(numbers).tire({}); }
+  std::optional<Size> size(const Document& numbers) const override { return tir_size(numbers); }
   std::string text(const Document& numbers) const override { return tir_text_of(numbers); }
   std::string annotated_text(const Document& numbers, const Provenance& provenance) const override {
     return fitted_tir_text(numbers, provenance);

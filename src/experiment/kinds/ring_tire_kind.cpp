@@ -36,6 +36,13 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
         "while that of a finite-element tire falls (docs/ring_tire.md); belt.bending_across lets "
         "the sections bend"};
   }
+  std::vector<std::string> limits_across() const override {
+    if (parameters_.belt.bending_across > 0.0) return {};
+    return {
+        "the sections of this flexible ring stay straight across (belt.bending_across is 0), so an "
+        "edge below a part of its width lifts it over its whole width, and Fz on the edge is too "
+        "large (docs/ring_tire.md); belt.bending_across lets the sections bend"};
+  }
 
  private:
   /// Returns the parameters of a file with that pressure.
@@ -82,6 +89,7 @@ class RingTireKind : public SpecimenKind {
     return std::make_unique<RingSpecimen>(numbers);
   }
   void check(const Document& numbers) const override { RingSpecimen(numbers).tire({}); }
+  bool has_usual_numbers() const override { return true; }
   bool has_body() const override { return true; }
   void draw_body(const Document& numbers,
                  const std::vector<const Test*>&,

@@ -24,7 +24,7 @@ std::vector<std::string> plots_of(const std::string& coefficients) {
   return names;
 }
 
-// A file of cornering alone has no Fx, so an axis from -1 N to 1 N would show nothing.
+// A file of pure cornering has no Fx, so an axis from -1 N to 1 N would show nothing.
 TEST(SlipPlots, ShowNoForceThatTheTireDoesNotHave) {
   using testing::Contains;
   using testing::HasSubstr;

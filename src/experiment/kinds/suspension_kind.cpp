@@ -53,7 +53,7 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
   }
 
   Document numbers_;
-  suspension::Corner corner_;
+  suspension::SuspensionCorner corner_;
 };
 
 class SuspensionKind : public SpecimenKind {

@@ -23,8 +23,8 @@ class BushingsOfFiles : public testing::Test {
     bushing_.damping = {1e3, 2e3, 3e3};
     bushing_.rotational_damping = {1.0, 2.0, 3.0};
     bushing_.parts = {{1,
-                       multibody::ElasticCurve{
-                           multibody::ForceCurve({{-1e-3, -9e3}, {0.0, 0.0}, {1e-3, 12e3}})}}};
+                       multibody::ElasticCurve{multibody::ForceCharacteristic(
+                           {{-1e-3, -9e3}, {0.0, 0.0}, {1e-3, 12e3}})}}};
     write_text_file(folder_ / "rubber.bus", formats::bus_text(bushing_, "ubj"));
     text_ = read_text_file(std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/kerb/front.toml",
                            1u << 20);

@@ -11,9 +11,9 @@
 namespace latsch::experiment {
 namespace {
 
+using magic_formula::MeasuredSide;
 using magic_formula::Parameters;
 using magic_formula::ParameterUnit;
-using magic_formula::Side;
 using magic_formula::Version;
 
 const char* si_unit_of(ParameterUnit unit) {
@@ -111,7 +111,7 @@ magic_formula::Parameters parameters_of(const Document& numbers) {
   const Node root = numbers.root();
   Parameters p;
   p.version = static_cast<Version>(index_of(root, "formula", {"5.2", "6.1", "6.2"}));
-  p.side = static_cast<Side>(index_of(root, "side", {"left", "right", "symmetric"}));
+  p.side = static_cast<MeasuredSide>(index_of(root, "side", {"left", "right", "symmetric"}));
   p.use_mode = static_cast<int>(root.integer("use_mode", -1'000'000, 1'000'000));
   if (root.has("curve_deflection")) {
     p.curve_deflection = root.quantities("curve_deflection", "m");
@@ -119,13 +119,45 @@ magic_formula::Parameters parameters_of(const Document& numbers) {
   }
   for (const auto& field : magic_formula::parameter_fields()) {
     const bool needed = field.name == "UNLOADED_RADIUS" || field.name == "FNOMIN" ||
-                        field.name == "VERTICAL_STIFFNESS" || field.name == "NOMPRES";
-    const Range range = needed ? Range::positive() : Range{};
+                        field.name == "VERTICAL_STIFFNESS" || field.name == "NOMPRES" ||
+                        field.name == "LONGVL";
+    const Range range = needed                  ? Range::positive()
+                        : field.name == "VXLOW" ? Range::not_negative()
+                                                : Range{};
     if (root.has(field.name)) {
       p.*field.member = root.quantity(field.name, si_unit_of(field.unit), range);
     }
   }
   return p;
+}
+
+std::optional<double> section_height_of(const Parameters& p) {
+  if (!(p.RIM_RADIUS > 0.0 && p.RIM_RADIUS < p.UNLOADED_RADIUS)) return std::nullopt;
+  return p.UNLOADED_RADIUS - p.RIM_RADIUS;
+}
+
+std::optional<SpecimenKind::Size> tir_size(const Document& numbers) {
+  const Parameters p = parameters_of(numbers);
+  const auto height = section_height_of(p);
+  if (!height) return std::nullopt;
+  return SpecimenKind::Size{p.UNLOADED_RADIUS, *height};
+}
+
+std::string no_pressure_in_words() {
+  return "the tire's file has no coefficient of the pressure (PFZ1, PPX1 to PPX4, PPY1 to PPY5, "
+         "PPZ1, PPZ2 ... are 0), so its forces are those at its own pressure";
+}
+
+std::vector<std::string> limits_met_by(const Parameters& parameters,
+                                       const magic_formula::RangeLog& log,
+                                       const Inflation& asked_pressure) {
+  auto sentences = magic_formula::ranges_left(log.inputs(), parameters);
+  constexpr double kRounding = 1e-9;
+  const double own = parameters.INFLPRES;
+  if (asked_pressure && std::abs(*asked_pressure - own) > kRounding * own &&
+      !magic_formula::pressure_acts(parameters))
+    sentences.push_back("the pressure of the test has no effect: " + no_pressure_in_words());
+  return sentences;
 }
 
 std::string tir_text_of(const Document& numbers) {

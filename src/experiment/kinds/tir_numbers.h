@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "base/document.h"
+#include "experiment/language/specimen.h"
+#include "experiment/rigs/inflation.h"
 #include "models/magic_formula/parameters.h"
+#include "models/magic_formula/limits/range_log.h"
 
 namespace latsch::experiment {
 
@@ -24,6 +27,18 @@ std::string side_in_words(const Document& numbers);
 
 /// Throws InputError if a number that the tire needs is not positive.
 magic_formula::Parameters parameters_of(const Document& numbers);
+
+/// Returns the height of the section, m; nullopt if the file states no RIM_RADIUS.
+std::optional<double> section_height_of(const magic_formula::Parameters& parameters);
+/// Returns the free radius and the height of the section; nullopt without RIM_RADIUS.
+std::optional<SpecimenKind::Size> tir_size(const Document& numbers);
+/// Says why a pressure has no effect.
+std::string no_pressure_in_words();
+/// Returns the ranges of the file that a tire has left, and whether the pressure that a test stated
+/// has no effect.
+std::vector<std::string> limits_met_by(const magic_formula::Parameters& parameters,
+                                       const magic_formula::RangeLog& log,
+                                       const Inflation& asked_pressure);
 
 std::string tir_text_of(const Document& numbers);
 

@@ -20,6 +20,22 @@ std::pair<double, double> reach_of(std::vector<double> values, double otherwise)
   return {values[tail], values[values.size() - 1 - tail]};
 }
 
+/// Returns the range for which the check, which widens a range 1.5 times, covers the given one.
+magic_formula::DataRange narrower(magic_formula::DataRange range) {
+  constexpr double kWider = 1.5;  // the factor of models/magic_formula/sanity.h
+  const auto narrow = [](double& from, double& to) {
+    const double middle = 0.5 * (from + to), half = 0.5 * (to - from) / kWider;
+    from = middle - half;
+    to = middle + half;
+  };
+  narrow(range.Fz_from, range.Fz_to);
+  narrow(range.gamma_from, range.gamma_to);
+  narrow(range.p_from, range.p_to);
+  range.alpha /= kWider;
+  range.kappa /= kWider;
+  return range;
+}
+
 }  // namespace
 
 std::vector<FaultBeyondData> tire_faults(const Document& numbers, const MeasuredAt& values_of) {
@@ -41,8 +57,12 @@ std::vector<FaultBeyondData> tire_faults(const Document& numbers, const Measured
     std::tie(range.p_from, range.p_to) = reach_of(values_of("p"), p.INFLPRES);
   }
   std::vector<FaultBeyondData> faults;
-  for (const auto& fault : sanity_faults(p, range)) {
-    FaultBeyondData told{fault.words, {}};
+  const auto found = sanity_faults(p, range);
+  const auto within = found.empty() ? found : sanity_faults(p, narrower(range));
+  for (const auto& fault : found) {
+    const bool is_within =
+        std::ranges::any_of(within, [&](const auto& one) { return one.row == fault.row; });
+    FaultBeyondData told{(is_within ? "within the data already, " : "") + fault.words, {}};
     for (const std::string& name : fault.coefficients)
       told.numbers.emplace_back(name, p.*magic_formula::find_parameter(name)->member);
     faults.push_back(std::move(told));

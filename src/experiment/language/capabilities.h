@@ -16,11 +16,11 @@
 #include "base/result.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/car/axle_kc_rig.h"
+#include "experiment/rigs/fe_tire/tire_rig.h"
 #include "experiment/rigs/footprint_rig.h"
 #include "experiment/rigs/inflation.h"
 #include "experiment/rigs/kc_rig.h"
 #include "experiment/rigs/load_case.h"
-#include "experiment/rigs/static_stiffness.h"
 #include "experiment/rigs/suspension/kinematics_rig.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/channels.h"
@@ -48,28 +48,19 @@ struct Vibrates {
   virtual Eigen::Matrix3Xd sensor_points() const { return {}; }
 };
 
-/// The specimen stands on the ground or on a bar and is moved in every direction there.
-struct StandsOnGround {
-  static constexpr const char* kName = "stands on the ground";
-  virtual ~StandsOnGround() = default;
-  /// Returns the channels with the requested slopes as far as they are known.
-  virtual Result<Channels> stand(const StandingTest& test, const Asked& asked) = 0;
-};
+/// Drives a finite-element tire through a test and returns its channels. `slopes` is nullptr if no
+/// slopes are requested; otherwise the channels have those that are known.
+using FeTireDrive = std::function<Result<Channels>(TireRig& rig, fe_tire::TireSlopes* slopes)>;
 
-/// The specimen grows under its pressure.
-struct IsInflated {
-  static constexpr const char* kName = "is inflated";
-  virtual ~IsInflated() = default;
-  /// Returns the channels with the requested slopes as far as they are known.
-  virtual Result<Channels> inflate(const InflatedSizeTest& test, const Asked& asked) = 0;
-};
-
-/// The specimen has a mass and moments of inertia of its own.
-struct IsWeighed {
-  static constexpr const char* kName = "is weighed";
-  virtual ~IsWeighed() = default;
-  /// Returns the channels with the requested slopes as far as they are known.
-  virtual Result<Channels> weigh(const MassTest& test, const Asked& asked) = 0;
+/// The specimen is a finite-element tire. A test that only such a tire can undergo drives the tire
+/// itself, in its own file, so that a new test needs no new capability.
+struct IsFeTire {
+  static constexpr const char* kName = "is a finite-element tire";
+  virtual ~IsFeTire() = default;
+  /// `states_pressure`: true if the test states the pressure, so that the tire's own has no effect.
+  virtual Result<Channels> drive(const FeTireDrive& drive,
+                                 bool states_pressure,
+                                 const Asked& asked) = 0;
 };
 
 struct HasFootprint {
@@ -175,9 +166,7 @@ std::vector<std::string> abilities_of() {
   };
   add(static_cast<IsPressed*>(nullptr));
   add(static_cast<Vibrates*>(nullptr));
-  add(static_cast<StandsOnGround*>(nullptr));
-  add(static_cast<IsInflated*>(nullptr));
-  add(static_cast<IsWeighed*>(nullptr));
+  add(static_cast<IsFeTire*>(nullptr));
   add(static_cast<HasFootprint*>(nullptr));
   add(static_cast<HasTreadElements*>(nullptr));
   add(static_cast<Rolls*>(nullptr));

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits of a tire model on an obstacle, reported beside the result of a test.
+// Limits of a tire model in a test, told beside the result of the test and before a study runs it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "experiment/language/specimen.h"
 #include "experiment/rigs/cleat.h"
 
 namespace latsch::experiment {
@@ -13,7 +15,23 @@ namespace latsch::experiment {
 struct KnowsLimits {
   virtual ~KnowsLimits() = default;
   /// Returns a sentence for every limit that matters on this cleat; empty if none does.
-  virtual std::vector<std::string> limits_on(const Cleat& cleat) const = 0;
+  virtual std::vector<std::string> limits_on(const Cleat&) const { return {}; }
+  /// Returns a sentence for every limit that matters on a road whose height differs across the
+  /// width of the tire; empty if none does.
+  virtual std::vector<std::string> limits_across() const { return {}; }
+  /// Returns a sentence for every limit that the specimen has met since it was built: ranges of its
+  /// file that it left, conditions that have no effect on it.
+  virtual std::vector<std::string> limits_met() const { return {}; }
+  /// Returns the height of the section, m; nullopt if the specimen's file does not say.
+  virtual std::optional<double> section_height() const { return std::nullopt; }
+};
+
+/// A test that knows when such a limit counts in it.
+struct TellsLimits {
+  virtual ~TellsLimits() = default;
+  /// Returns a sentence for every limit of the specimen that counts in this test, without running
+  /// it.
+  virtual std::vector<std::string> limits(Specimen& specimen) const = 0;
 };
 
 /// Angle of a cleat, rad, below which it acts like a straight cleat over the tire's width.
@@ -21,10 +39,16 @@ constexpr double kStraightCleat = 0.02;
 
 /// Returns the limits of a specimen on a test's cleat; empty if the specimen knows no limits or the
 /// test has no cleat.
-template <class Specimen>
-std::vector<std::string> limits_of(Specimen& specimen, const std::optional<Cleat>& cleat) {
-  const auto* knows = specimen.template find<KnowsLimits>();
+inline std::vector<std::string> limits_of(Specimen& specimen, const std::optional<Cleat>& cleat) {
+  const auto* knows = specimen.find<KnowsLimits>();
   return knows && cleat ? knows->limits_on(*cleat) : std::vector<std::string>();
 }
+
+/// Returns the limits that a specimen has met; empty if it knows none.
+std::vector<std::string> limits_met(Specimen& specimen);
+
+/// Throws InputError if a cleat is at least as high as the section of the specimen, so that the rim
+/// would hit it.
+void refuse_high_cleat(Specimen& specimen, const std::optional<Cleat>& cleat);
 
 }  // namespace latsch::experiment

@@ -90,8 +90,8 @@ class SpecimenKind {
   virtual void check(const Document& numbers) const { build(numbers); }
   /// Returns the text of a file with these numbers.
   virtual std::string text(const Document& numbers) const;
-  /// Returns that file with the origin of its numbers in comments (provenance.h). Reading it gives
-  /// the same numbers.
+  /// Returns the same file as text(), with the origin of its numbers in comments (provenance.h).
+  /// Reading it gives the same numbers.
   virtual std::string annotated_text(const Document& numbers, const Provenance& provenance) const;
   /// The characters that begin a comment line in its files.
   virtual std::string comment_mark() const { return "#"; }

@@ -6,11 +6,13 @@
 // tests/ and its line in language.cpp.
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "base/document.h"
@@ -26,7 +28,29 @@ namespace latsch::report {
 struct Scene;
 }
 
+namespace latsch {
+class DocumentRecord;
+}
+
 namespace latsch::experiment {
+
+struct DrumTest;
+struct LoadDeflection;
+struct ModalTest;
+
+/// The numbers of a test as its rig takes them, for callers that need more of a test than its
+/// channels: pages that draw the loaded tire, checks, comparisons; monostate: the test has none.
+using RigSettings =
+    std::variant<std::monostate, const DrumTest*, const LoadDeflection*, const ModalTest*>;
+
+/// Effect of the discretization on a channel: root mean square differences over the record, in the
+/// channel's unit.
+struct ChannelConvergence {
+  std::string name, unit;
+  double about_mean = 0.0;   // the channel itself about its mean
+  double by_step = 0.0;      // to a run with half the step
+  double by_segments = 0.0;  // to a run with 3/2 of the segments; 0: a model without segments
+};
 
 /// Description of a channel before the test runs.
 struct ChannelInfo {
@@ -79,6 +103,17 @@ class Test {
   /// a rolling tire. Empty: the test states none.
   virtual std::vector<double> driven_at(const std::string& /*condition*/) const { return {}; }
 
+  /// Returns nullptr, or the settings of that type.
+  template <class Settings>
+  const Settings* settings_as() const {
+    const auto settings = rig_settings();
+    const auto* found = std::get_if<const Settings*>(&settings);
+    return found ? *found : nullptr;
+  }
+  /// Returns the test with shapes of modes recorded at these points, [3 x points], m, wheel frame;
+  /// nullptr if it records no shapes.
+  virtual std::shared_ptr<const Test> with_points(const Eigen::Matrix3Xd&) const { return nullptr; }
+
   /// Throws InputError if the specimen does not accept a condition of the test.
   virtual Result<Channels> run(Specimen& specimen) const = 0;
   /// Passes the channels to `tell` block by block, for a recording that is too long to be kept.
@@ -94,10 +129,15 @@ class Test {
     Channels numbers;
   };
   virtual Result<Details> details(Specimen&) const { return Details{}; }
+  /// Repeats the test with finer steps in time and space; nullopt if the test has no such steps.
+  virtual std::optional<Result<std::vector<ChannelConvergence>>> convergence(
+      const SpecimenKind& /*kind*/, const Document& /*numbers*/) const {
+    return std::nullopt;
+  }
   /// True if film() shows anything.
   virtual bool has_film() const { return false; }
-  /// Adds to a scene the motion of the specimen in this test, in at most that many steps. Returns a
-  /// Failure if the run fails.
+  /// Adds to a scene the motion of the specimen in this test, in at most the given number of steps.
+  /// Returns a Failure if the run fails.
   virtual Result<bool> film(Specimen&, int /*most_steps*/, report::Scene&) const { return true; }
   /// Returns the positive direction of a channel or a detail, for conversion into the signs of
   /// another convention; nullopt: the test does not say.
@@ -106,8 +146,8 @@ class Test {
   }
   /// Returns the details in these signs.
   virtual Result<Details> details_in(suspension::SignView view, Specimen& specimen) const;
-  /// True if run_with_slopes() returns slopes of this channel in every number for which specimens
-  /// of the kind know them.
+  /// True if run_with_slopes() returns slopes of this channel in every number in which specimens of
+  /// the kind have slopes.
   virtual bool tells_slopes(const SpecimenKind& /*kind*/, const std::string& /*channel*/) const {
     return false;
   }
@@ -116,6 +156,9 @@ class Test {
   virtual Result<Channels> run_with_slopes(Specimen& specimen, const Asked&) const {
     return run(specimen);
   }
+
+ protected:
+  virtual RigSettings rig_settings() const { return {}; }
 };
 
 /// Origin of the keys of a test.
@@ -138,6 +181,13 @@ struct ReadTest {
   std::vector<std::filesystem::path> files;  // files that it reads beside its own
 };
 
+/// Measured numbers at which the test of an experiment runs that states no [test.NAME].
+struct MeasuredAbscissa {
+  std::vector<double> deflections = {}, loaded_radii = {};  // m; at most one of the two
+  long modes = 0;                                           // number of measured modes
+  Eigen::Matrix3Xd points = {};  // m, wheel frame, at which shapes were measured
+};
+
 struct TestKind {
   std::string name;                // "drum_cleat"
   std::string in_words;            // "rolls over a cleat on the drum"
@@ -149,6 +199,11 @@ struct TestKind {
   /// is part of the identity of its tests, so that a journal never mixes recordings of two
   /// versions.
   std::string scheme = "";
+  /// Reads the test from the table of an experiment that has no [test.NAME], and records the keys
+  /// that make the test's identity; nullptr: experiments state no such test.
+  std::unique_ptr<Test> (*read_measured)(const Node& experiment,
+                                         const MeasuredAbscissa& measured,
+                                         DocumentRecord& keys) = nullptr;
 };
 
 }  // namespace latsch::experiment

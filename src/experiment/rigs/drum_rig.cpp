@@ -16,6 +16,7 @@ namespace {
 constexpr double kFirstStiffness = 2.0e5;  // N/m, for a first guess of the deflection
 constexpr double kFirstShare = 0.25;       // share of the radius; greatest first guess of the
                                            // deflection
+constexpr double kShortestStep = 1e-6;     // s
 constexpr double kFastest = 200.0;         // m/s; a greater value means another unit in the file
 
 road::DrumRoad drum_of(const DrumTest& test) {
@@ -147,12 +148,13 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured) {
   if (root.has("deflection")) test.deflection = root.quantity("deflection", "m", Range::positive());
   test.pressure = read_pressure(root, measured);
   test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
-  test.diameter = root.quantity("drum_diameter", "m", Range::positive());
+  test.diameter = root.quantity("drum_diameter", "m", Range::between(0.2, 100.0));
   test.wheel_inertia = root.quantity("wheel_inertia", "kg m^2", Range::positive(), 1.0);
   test.run_in = root.quantity("run_in", "s", Range::not_negative(), test.run_in);
   test.duration = root.quantity("duration", "s", Range::positive(), test.duration);
   test.lead = root.quantity("lead", "s", Range::not_negative(), test.lead);
-  test.step = root.quantity("step", "s", {0.0, 0.01, true}, test.step);
+  test.step = root.quantity("step", "s", Range::between(kShortestStep, 0.01), test.step);
+  check_step(root, test.speed, test.step);
   test.sample_step = root.quantity("sample_step", "s", {0.0, 0.1, true}, test.step);
   test.passages = static_cast<int>(root.integer("passages", 1, 100, 1));
   test.wheel_step = root.quantity("wheel_step", "rad", {}, 0.0);
@@ -174,6 +176,25 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured) {
   return test;
 }
 
+std::string too_deep(const Tire& tire, double deflection) {
+  constexpr double kDeepest = 0.6;  // share of the radius
+  if (!(deflection > kDeepest * tire.free_radius())) return "";
+  return fmt::format(
+      "a deflection of {:.4g} mm is more than the section of a tire with a radius of "
+      "{:.4g} mm: its rim would be in the road",
+      1e3 * deflection,
+      1e3 * tire.free_radius());
+}
+
+void check_step(const Node& test, double speed, double step) {
+  if (speed * step <= kFarthestStep * (1.0 + 1e-9)) return;
+  test.reject("step",
+              fmt::format("moves the tire {:.3g} mm at {:.3g} km/h, expected at most {:.3g} mm",
+                          1e3 * speed * step,
+                          3.6 * speed,
+                          1e3 * kFarthestStep));
+}
+
 Result<double> height_under_load(Tire& tire,
                                  const road::Road& road,
                                  const Eigen::Matrix3d& carrier,
@@ -192,9 +213,17 @@ Result<double> height_under_load(Tire& tire,
   double z0 = free, F0 = 0.0, z = z0 - std::min(load / kFirstStiffness, kFirstShare * free);
   for (int i = 0; i < kMost; ++i) {
     const auto hub = tire.settle(standing(z, carrier), road, 0.0);
-    if (!hub) return failure(z, "there is " + hub.failure().reason);
+    if (!hub && z != z0 && i + 1 < kMost) {  // too deep a guess
+      z = 0.5 * (z + z0);
+      continue;
+    }
+    if (!hub) return failure(z, "it has no state of rest (" + hub.failure().reason + ")");
     const double F = (carrier * hub->force).z();
-    if (std::abs(F - load) <= kClose * load) return z;
+    if (std::abs(F - load) <= kClose * load) {
+      const std::string why = too_deep(tire, free - z);
+      if (!why.empty()) return failure(z, "it has no state of rest (" + why + ")");
+      return z;
+    }
     const double slope = z != z0 && F != F0 ? (F - F0) / (z - z0) : -kFirstStiffness;
     z0 = z;
     F0 = F;
@@ -208,6 +237,8 @@ Result<Channels> run(Tire& tire, const DrumTest& test) {
   WheelMotion start =
       standing(tire.free_radius() - test.deflection.value_or(0.0),
                Eigen::AngleAxisd(test.camber, Eigen::Vector3d::UnitX()).toRotationMatrix());
+  if (const std::string why = too_deep(tire, test.deflection.value_or(0.0)); !why.empty())
+    return Failure{"on the drum: " + why};
   if (test.load) {
     const auto height = height_under_load(tire, surfaces.smooth, start.carrier, *test.load);
     if (!height) return height.failure();

@@ -9,13 +9,13 @@
 //                                    # means of its Vx and Fz
 //   pressure = "2.6 bar"             # the tire's own unless given (inflation.h)
 //   camber = "2 deg"                 # about x, top to the right; default 0
-//   drum_diameter = "2.5 m"
+//   drum_diameter = "2.5 m"          # from 0.2 to 100 m
 //   wheel_inertia = "1 kg m^2"       # about the spin axis, default 1
 //   run_in = "0.2 s"                 # of rolling before the cleat, in which the wheel is
 //                                    # gradually released from the speed it started with
 //   duration = "0.25 s"              # recorded, from `lead` before the cleat is below the axle
 //   lead = "0.05 s"
-//   step = "0.5 ms"                  # of the simulation
+//   step = "0.5 ms"                  # of the simulation; moves the tire by 20 mm at most
 //   sample_step = "1 ms"             # of the record; a multiple of step, default step
 //   passages = 4                     # of the cleat, averaged; default 1
 //   wheel_step = "0.75 deg"          # angle by which the wheel is turned for each further passage
@@ -69,6 +69,16 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured = {
 
 /// Runs any tire; the tire keeps its final state.
 Result<Channels> run(Tire& tire, const DrumTest& test);
+
+/// Returns a sentence if a deflection, m, is deeper than the section of any tire of this radius;
+/// empty if it is not. A tire whose file states its rim refuses less.
+std::string too_deep(const Tire& tire, double deflection);
+
+/// Longest distance, m, that a tire may move in one step: a block of its tread gains and loses
+/// contact within some steps.
+constexpr double kFarthestStep = 0.02;
+/// Throws InputError if a step moves the tire farther at this speed.
+void check_step(const Node& test, double speed, double step);
 
 /// Returns the height of the axle above the road's origin, m, at which the tire carries `load` at
 /// rest.

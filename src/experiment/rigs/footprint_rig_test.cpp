@@ -67,7 +67,7 @@ double unbalanced(const fe_tire::TireDescription& description, double deflection
   const fe_tire::Ring ring(fe_tire::build_mesh(description), description.element);
   const fe_tire::RingUnknowns whole(ring, fe_tire::RingSymmetry::none, {});
   const fe_tire::RingAssembly assembly(whole);
-  fe_tire::RingState state = assembly.zero_state();
+  fe_tire::AssembledState state = assembly.zero_state();
   state.x = whole.compress(loaded->back().u);
   Eigen::VectorXd unbalanced;
   const fe_tire::RingElements elements(ring, tire.materials());

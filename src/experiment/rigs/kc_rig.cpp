@@ -80,7 +80,7 @@ Result<Channels> run(const suspension::CompliantCorner& corner,
   for (Eigen::Index i = 0; i < states; ++i) {
     on.force = test.loads.col(i).head<3>();
     on.moment = test.loads.col(i).tail<3>();
-    const multibody::Standing standing{.loads = {&on, 1}};
+    const multibody::RestSettings standing{.loads = {&on, 1}};
     auto found = statics.solve(standing, stands);
     if (!found)
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, found.failure().reason)};

@@ -57,7 +57,7 @@ struct RigState {
   std::span<const Wheel> wheels;
   Eigen::Index state;
 };
-/// Called for every state.
+/// The rig calls its watcher for every state.
 using RigWatcher = std::function<void(const RigState&)>;
 
 /// Records the stated loads, the motion and its slopes, with the requested slopes in varied

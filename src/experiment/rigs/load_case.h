@@ -36,14 +36,4 @@ struct ModalTest {
   bool loaded() const { return deflection || load; }
 };
 
-/// Dimensions of the inflated tire off the ground.
-struct InflatedSizeTest {
-  std::vector<double> pressures = {};  // Pa, gauge; none: the tire's own
-};
-
-/// Mass and moments of inertia without the rim, but inflated as on the rim.
-struct MassTest {
-  Inflation pressure = {};
-};
-
 }  // namespace latsch::experiment

@@ -29,6 +29,7 @@ struct MeasuredCondition {
   bool is_needed = false;      // false: the condition is left out if it was not recorded
   std::string frame = "";      // for a force
   std::string otherwise = "";  // value assumed if the condition was not recorded: "0"
+  std::string ignored = "";    // why the test computes without it; empty: the test uses it
 };
 
 /// Returns the channels that a table such as {from = "measurement.cornering"} names. Throws

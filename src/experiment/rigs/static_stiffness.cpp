@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/rigs/static_stiffness.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
@@ -57,6 +59,7 @@ const char* unit_of(Direction direction) {
 }
 
 Result<double> load_at(Tire& tire, double deflection, const std::optional<Cleat>& cleat) {
+  if (const std::string why = too_deep(tire, deflection); !why.empty()) return Failure{why};
   const auto on = [&](const road::Road& ground) -> Result<double> {
     const double height = ground.height(0.0, 0.0, 0.0) + tire.free_radius() - deflection;
     const auto hub = tire.settle(standing(height), ground, 0.0);
@@ -72,6 +75,14 @@ Result<double> stiffness(Tire& tire, const StiffnessTest& test) {
   const Eigen::Matrix3d carrier = standing(0.0, test.camber).carrier;
   const auto height = height_under_load(tire, ground, carrier, test.load);
   if (!height) return height.failure();
+  if (const double pressed = tire.free_radius() - *height;
+      test.direction == Direction::vertical && test.camber == 0.0 && test.travel >= pressed)
+    return Failure{
+        fmt::format("a travel of {:.3g} mm lifts the tire off the ground: {:g} N press "
+                    "it by {:.3g} mm; a shorter travel is expected",
+                    1e3 * test.travel,
+                    test.load,
+                    1e3 * pressed)};
   if (test.direction == Direction::vertical) {
     const auto load_on = [&](double lower) -> Result<double> {
       const auto hub = tire.settle(standing(*height - lower, test.camber), ground, 0.0);

@@ -21,7 +21,6 @@ namespace latsch::experiment {
 namespace {
 
 constexpr double kRunIn = 1.5;             // turns before the one that is averaged
-constexpr double kFarthestStep = 0.02;     // m: a block gains and loses contact within some steps
 constexpr double kFollow = 20e-3;          // s, time constant with which the axle follows the load
 constexpr double kLeastDeflection = 1e-3;  // m
 constexpr int kAngles = 720;               // positions in a turn at which its peaks are searched
@@ -154,11 +153,7 @@ UniformityTest read_uniformity_test(const Node& root, const MeasuredConditions& 
   test.harmonics = static_cast<int>(root.integer("harmonics", 1, 50, test.harmonics));
   const double longest = kFarthestStep / test.speed;
   test.step = root.quantity("step", "s", {0.0, 0.01, true}, std::min(test.step, longest));
-  if (test.step > longest * (1.0 + 1e-9))
-    root.reject("step",
-                fmt::format("moves the tire {:.3g} mm, expected at most {:.3g} mm",
-                            1e3 * test.speed * test.step,
-                            1e3 * kFarthestStep));
+  check_step(root, test.speed, test.step);
   return test;
 }
 

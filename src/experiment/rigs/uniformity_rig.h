@@ -24,7 +24,7 @@
 //   conicity   (F + B)/2,  has the same side in both directions
 //   ply steer  (F - B)/2,  changes sides with the direction
 // they are half the sum and half the difference of the lateral shifts, clockwise and
-// counterclockwise. Such machines are the subject of SAE J332. Beyond some m/s imbalance and modes
+// counterclockwise. Such machines are the subject of SAE J332. Above a few m/s imbalance and modes
 // of the tire contribute to the variations, as on machines for high speeds.
 #pragma once
 

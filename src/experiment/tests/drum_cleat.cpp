@@ -7,9 +7,9 @@
 
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
-#include "experiment/language/known_limits.h"
 #include "experiment/language/test_words.h"
 #include "experiment/rigs/wheel_scheme.h"
+#include "experiment/tests/drum_convergence.h"
 
 namespace latsch::experiment {
 
@@ -54,14 +54,24 @@ std::optional<Reach> DrumCleatTest::reach(const std::string& channel) const {
 }
 
 Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
+  refuse_high_cleat(specimen, test_.cleat);
   return experiment::run(*specimen.find<Rolls>()->tire(test_.pressure), test_);
+}
+
+std::vector<std::string> DrumCleatTest::limits(Specimen& specimen) const {
+  return limits_of(specimen, test_.cleat);
 }
 
 Result<std::vector<std::string>> DrumCleatTest::run_in_blocks(
     Specimen& specimen, const std::function<void(const Channels&)>& tell) const {
   const auto notes = Test::run_in_blocks(specimen, tell);
   if (!notes) return notes;
-  return limits_of(specimen, test_.cleat);
+  return limits(specimen);
+}
+
+std::optional<Result<std::vector<ChannelConvergence>>> DrumCleatTest::convergence(
+    const SpecimenKind& kind, const Document& numbers) const {
+  return drum_convergence(kind, numbers, test_);
 }
 
 namespace {

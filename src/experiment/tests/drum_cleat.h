@@ -2,26 +2,31 @@
 // kind = "drum_cleat": a tire that rolls over a cleat on the drum (rigs/drum_rig.h has the keys).
 #pragma once
 
+#include "experiment/language/known_limits.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/drum_rig.h"
 
 namespace latsch::experiment {
 
-class DrumCleatTest : public Test {
+class DrumCleatTest : public Test, public TellsLimits {
  public:
   explicit DrumCleatTest(const DrumTest& settings) : test_(settings) {}
-  const DrumTest& settings() const { return test_; }
 
   std::string in_words() const override;
   std::vector<ChannelInfo> channels() const override;
   std::vector<std::string> needs() const override;
   std::optional<Reach> reach(const std::string& channel) const override;
   Result<Channels> run(Specimen& specimen) const override;
-  /// Describes in words what the tire's model neglects on this cleat.
+  std::vector<std::string> limits(Specimen& specimen) const override;
+  /// Tells what the tire's model does not describe on the cleat.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override;
+  std::optional<Result<std::vector<ChannelConvergence>>> convergence(
+      const SpecimenKind& kind, const Document& numbers) const override;
 
  private:
+  RigSettings rig_settings() const override { return &test_; }
+
   DrumTest test_;
 };
 

@@ -8,18 +8,10 @@
 #include <vector>
 
 #include "experiment/language/specimen.h"
+#include "experiment/language/test.h"
 #include "experiment/rigs/drum_rig.h"
 
 namespace latsch::experiment {
-
-/// Root mean square errors of a force or moment over the record, N or N m.
-struct ChannelConvergence {
-  std::string name, unit;
-  double about_mean = 0.0;
-  double by_step = 0.0;      // difference to a run with half the step
-  double by_segments = 0.0;  // difference to a run with 3/2 of the segments; 0: a tire without
-                             // segments
-};
 
 /// Computes the errors of Fx .. Mz in the first frame of the test; returns a Failure if one of the
 /// runs has no solution.

@@ -18,11 +18,50 @@
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
+#include "experiment/rigs/fe_tire/channel_slopes.h"
 
 namespace latsch::experiment {
 
 extern const TestKind kInflation;
 namespace {
+
+/// Dimensions of the inflated tire off the ground.
+struct InflatedSizeTest {
+  std::vector<double> pressures = {};  // Pa, gauge; none: the tire's own
+};
+
+Result<Channels> inflate(TireRig& rig, const InflatedSizeTest& test, fe_tire::TireSlopes* slopes) {
+  std::vector<double> pressures = test.pressures;
+  if (pressures.empty()) pressures.push_back(rig.own_pressure());
+  Channel pressure{"pressure", "Pa", pressures}, radius{"outer_radius", "m", {}};
+  Channel width{"section_width", "m", {}}, growth{"growth", "m", {}};
+  const auto variables = slopes ? slopes->variables() : 0;
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(std::ssize(pressures), variables);
+  Eigen::MatrixXd by_pressure = none, by_radius = none, by_width = none, by_growth = none;
+  for (std::size_t i = 0; i < pressures.size(); ++i) {
+    const auto& inflated = rig.inflated(pressures[i]);
+    if (!inflated) return inflated.failure();
+    radius.values.push_back(inflated->radius);
+    width.values.push_back(inflated->width);
+    growth.values.push_back(inflated->growth);
+    if (!slopes) continue;
+    const auto of = slopes->of_inflated(*inflated);
+    if (!of) return of.failure();
+    const auto row = static_cast<Eigen::Index>(i);
+    by_radius.row(row) = of->radius;
+    by_width.row(row) = of->width;
+    by_growth.row(row) = of->growth;
+    by_pressure.row(row) = of->pressure;
+  }
+  Channels channels;
+  for (Channel* channel : {&pressure, &radius, &width, &growth}) channels.add(std::move(*channel));
+  if (!slopes) return channels;
+  return with_slopes(channels,
+                     {{"pressure", by_pressure},
+                      {"outer_radius", by_radius},
+                      {"section_width", by_width},
+                      {"growth", by_growth}});
+}
 
 std::string range_in_words(const std::vector<double>& pressures) {
   if (pressures.empty()) return "";
@@ -55,7 +94,10 @@ class InflationTest : public Test {
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
   bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
-    const auto measured = specimen.find<IsInflated>()->inflate(test_, asked);
+    const auto measured = specimen.find<IsFeTire>()->drive(
+        [this](TireRig& rig, fe_tire::TireSlopes* slopes) { return inflate(rig, test_, slopes); },
+        !test_.pressures.empty(),
+        asked);
     if (!measured) return measured;
     return with_slopes_of(asked.channels, *measured);
   }
@@ -77,7 +119,7 @@ std::unique_ptr<Test> read_inflation(const Node& root, const TestSource& source)
 
 const TestKind kInflation = {"inflation",
                              "is inflated: outer radius, section width, growth",
-                             {IsInflated::kName},
+                             {IsFeTire::kName},
                              read_inflation};
 
 }  // namespace latsch::experiment

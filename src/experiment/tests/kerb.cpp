@@ -47,10 +47,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/document_record.h"
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/kerb_rig.h"
@@ -64,7 +66,27 @@ namespace latsch::experiment {
 extern const TestKind kKerb;
 namespace {
 
-class KerbRunTest : public Test {
+/// True if the height of the road differs across the width of a wheel anywhere on its way.
+bool varies_across(const KerbTest& test, const car::Car& car) {
+  constexpr double kHalfWidth = 0.1;  // m, of a tire; a wider one meets what lies farther outside
+  constexpr double kAlong = 0.02;     // m, between the places looked at
+  constexpr double kDiffers = 1e-3;   // m, of height; less is below the roughness of a road
+  if (!test.kerb && !test.filed) return false;
+  const auto road = road_of(test, car);
+  const double reach = test.speed.area(test.duration) - test.speed.area(-test.run_in);
+  for (const auto& corner : car.parts().corners) {
+    const double y = corner.wheel_center.y() + test.line.at(0.0);
+    for (double x = 0.0; x <= reach; x += kAlong) {
+      const double at = corner.wheel_center.x() + x;
+      const double left = road->height(at, y + kHalfWidth, 0.0), middle = road->height(at, y, 0.0),
+                   right = road->height(at, y - kHalfWidth, 0.0);
+      if (std::max({left, middle, right}) - std::min({left, middle, right}) > kDiffers) return true;
+    }
+  }
+  return false;
+}
+
+class KerbRunTest : public Test, public TellsLimits {
  public:
   explicit KerbRunTest(KerbTest test) : test_(std::move(test)) {}
 
@@ -102,6 +124,20 @@ class KerbRunTest : public Test {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
     return experiment::run(**car, test_);
+  }
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    const auto* knows = specimen.find<KnowsLimits>();
+    if (!knows || knows->limits_across().empty()) return {};
+    const auto car = specimen.find<Drives>()->car({});
+    if (!car || !varies_across(test_, **car)) return {};
+    return knows->limits_across();
+  }
+  /// Tells what the tires' model does not describe on this road.
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    const auto notes = Test::run_in_blocks(specimen, tell);
+    if (!notes) return notes;
+    return limits(specimen);
   }
   Result<Details> details(Specimen& specimen) const override {
     auto car = specimen.find<Drives>()->car({});

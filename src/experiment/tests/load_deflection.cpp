@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/document_record.h"
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/rigs/static_stiffness.h"
@@ -124,11 +125,26 @@ std::unique_ptr<Test> read_load_deflection(const Node& root, const TestSource& s
   return std::make_unique<LoadDeflectionTest>(std::move(test));
 }
 
+std::unique_ptr<Test> load_deflection_as_measured(const Node&,
+                                                  const MeasuredAbscissa& measured,
+                                                  DocumentRecord& keys) {
+  LoadDeflection test;
+  test.pressure = read_pressure(keys.node());
+  test.ground = read_ground(keys.node());
+  test.deflections = measured.deflections;
+  test.loaded_radii = measured.loaded_radii;
+  if (!test.deflections.empty()) keys.put("deflections", canonical(test.deflections, "m"));
+  if (!test.loaded_radii.empty()) keys.put("loaded_radii", canonical(test.loaded_radii, "m"));
+  return std::make_unique<LoadDeflectionTest>(std::move(test));
+}
+
 }  // namespace
 
 const TestKind kLoadDeflection = {"load_deflection",
                                   "is pressed on the ground: force, patch",
                                   {IsPressed::kName, Rolls::kName},
-                                  read_load_deflection};
+                                  read_load_deflection,
+                                  "",
+                                  load_deflection_as_measured};
 
 }  // namespace latsch::experiment

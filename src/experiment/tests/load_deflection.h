@@ -22,7 +22,6 @@ namespace latsch::experiment {
 class LoadDeflectionTest : public Test {
  public:
   explicit LoadDeflectionTest(LoadDeflection settings) : test_(std::move(settings)) {}
-  const LoadDeflection& settings() const { return test_; }
 
   std::string in_words() const override;
   std::string conditions() const override;
@@ -36,6 +35,8 @@ class LoadDeflectionTest : public Test {
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override;
 
  private:
+  RigSettings rig_settings() const override { return &test_; }
+
   LoadDeflection test_;
 };
 

@@ -13,11 +13,34 @@
 
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
+#include "experiment/rigs/fe_tire/channel_slopes.h"
 
 namespace latsch::experiment {
 
 extern const TestKind kMassProperties;
 namespace {
+
+/// Mass and moments of inertia without the rim, but inflated as on the rim.
+struct MassTest {
+  Inflation pressure = {};
+};
+
+Result<Channels> weigh(TireRig& rig, const MassTest& test, fe_tire::TireSlopes* slopes) {
+  const auto& inflated = rig.inflated(test.pressure.value_or(rig.own_pressure()));
+  if (!inflated) return inflated.failure();
+  const fe_tire::MassProperties of = rig.tire().mass_properties(*inflated);
+  Channels channels;
+  channels.add({"mass", "kg", {of.mass}});
+  channels.add({"spin_inertia", "kg m^2", {of.spin_inertia}});
+  channels.add({"diametral_inertia", "kg m^2", {of.diametral_inertia}});
+  if (!slopes) return channels;
+  const auto by = slopes->of_mass(*inflated);
+  if (!by) return by.failure();
+  return with_slopes(channels,
+                     {{"mass", by->mass.transpose()},
+                      {"spin_inertia", by->spin_inertia.transpose()},
+                      {"diametral_inertia", by->diametral_inertia.transpose()}});
+}
 
 class MassPropertiesTest : public Test {
  public:
@@ -33,7 +56,10 @@ class MassPropertiesTest : public Test {
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
   bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
-    const auto weighed = specimen.find<IsWeighed>()->weigh(test_, asked);
+    const auto weighed = specimen.find<IsFeTire>()->drive(
+        [this](TireRig& rig, fe_tire::TireSlopes* slopes) { return weigh(rig, test_, slopes); },
+        test_.pressure.has_value(),
+        asked);
     if (!weighed) return weighed;
     return with_slopes_of(asked.channels, *weighed);
   }
@@ -51,7 +77,7 @@ std::unique_ptr<Test> read_mass_properties(const Node& root, const TestSource& s
 
 const TestKind kMassProperties = {"mass_properties",
                                   "is weighed and swung: mass, moments of inertia",
-                                  {IsWeighed::kName},
+                                  {IsFeTire::kName},
                                   read_mass_properties};
 
 }  // namespace latsch::experiment

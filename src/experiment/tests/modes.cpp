@@ -50,6 +50,12 @@ std::vector<std::string> ModesTest::needs() const {
   return kModes.needs;
 }
 
+std::shared_ptr<const Test> ModesTest::with_points(const Eigen::Matrix3Xd& points) const {
+  ModalTest test = test_;
+  test.points = points;
+  return std::make_shared<ModesTest>(std::move(test));
+}
+
 Result<Channels> ModesTest::run(Specimen& specimen) const { return run_with_slopes(specimen, {}); }
 
 Result<Channels> ModesTest::run_with_slopes(Specimen& specimen, const Asked& asked) const {
@@ -65,8 +71,9 @@ Eigen::Matrix3Xd points_of(const std::vector<std::vector<double>>& rows) {
   return points;
 }
 
+constexpr long kMost = 200;  // modes
+
 std::unique_ptr<Test> read_modes_test(const Node& root, const TestSource& source) {
-  constexpr long kMost = 200;
   ModalTest test;
   test.pressure = read_pressure(root, source.measured);
   test.ground = read_ground(root);
@@ -92,8 +99,41 @@ std::unique_ptr<Test> read_modes_test(const Node& root, const TestSource& source
   return std::make_unique<ModesTest>(std::move(test));
 }
 
+/// Returns points in the format of the key `points`.
+std::string canonical_rows(const Eigen::Matrix3Xd& points) {
+  std::vector<std::vector<double>> rows;
+  for (const auto& point : points.colwise()) rows.push_back({point.x(), point.y(), point.z()});
+  return canonical(rows, {"m", "m", "m"});
+}
+
+std::unique_ptr<Test> modes_as_measured(const Node& experiment,
+                                        const MeasuredAbscissa& measured,
+                                        DocumentRecord& keys) {
+  const Node& table = keys.node();
+  ModalTest test;
+  test.pressure = read_pressure(table);
+  test.ground = read_ground(table);
+  if (table.has("deflection") && table.has("load"))
+    table.reject("load", "is given beside deflection, expected one of them");
+  if (table.has("deflection"))
+    test.deflection = table.quantity("deflection", "m", Range::positive());
+  if (table.has("load")) test.load = table.quantity("load", "N", Range::positive());
+  keys.put("camber", canonical(test.camber, "rad"));
+  test.points = measured.points;
+  if (test.points.cols() > 0) keys.put("points", canonical_rows(test.points));
+  const long few = std::min(kMost, measured.modes + kMoreModesThanMeasured);
+  test.count = static_cast<int>(experiment.integer("simulated_modes", measured.modes, kMost, few));
+  keys.put("count", std::to_string(test.count));
+  return std::make_unique<ModesTest>(std::move(test));
+}
+
 }  // namespace
 
-const TestKind kModes = {"modes", "vibrates with its rim held", {Vibrates::kName}, read_modes_test};
+const TestKind kModes = {"modes",
+                         "vibrates with its rim held",
+                         {Vibrates::kName},
+                         read_modes_test,
+                         "",
+                         modes_as_measured};
 
 }  // namespace latsch::experiment

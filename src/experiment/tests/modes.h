@@ -29,12 +29,12 @@ constexpr long kMoreModesThanMeasured = 8;
 class ModesTest : public Test {
  public:
   explicit ModesTest(ModalTest settings) : test_(std::move(settings)) {}
-  const ModalTest& settings() const { return test_; }
 
   std::string in_words() const override;
   std::string conditions() const override;
   std::vector<ChannelInfo> channels() const override;
   std::vector<std::string> needs() const override;
+  std::shared_ptr<const Test> with_points(const Eigen::Matrix3Xd& points) const override;
   Result<Channels> run(Specimen& specimen) const override;
   /// The identifiers of a mode and its shape have no slopes.
   bool tells_slopes(const SpecimenKind&, const std::string& channel) const override {
@@ -44,6 +44,8 @@ class ModesTest : public Test {
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override;
 
  private:
+  RigSettings rig_settings() const override { return &test_; }
+
   ModalTest test_;
 };
 

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
+#include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/wheel_scheme.h"
 
 namespace latsch::experiment {
@@ -18,7 +19,6 @@ namespace latsch::experiment {
 extern const TestKind kRollingStiffness;
 namespace {
 
-constexpr double kFarthestStep = 0.02;  // m: a block gains and loses contact within some steps
 const std::vector<std::string> kMeasures = {"slip", "cornering", "camber"};
 
 class RollingStiffness : public Test {
@@ -96,16 +96,13 @@ std::unique_ptr<Test> read_rolling_stiffness(const Node& root, const TestSource&
   test.angle = root.quantity("angle", "rad", {0.0, 0.1, true}, test.angle);
   test.camber = root.quantity("camber", "rad", {0.0, 0.2, true}, test.camber);
   test.step = root.quantity("step", "s", {0.0, 0.01, true}, test.step);
-  if (test.speed * test.step > kFarthestStep * (1.0 + 1e-9))
-    root.reject("step",
-                fmt::format("moves the tire {:.3g} mm at {:.3g} km/h, expected at most {:.3g} mm",
-                            1e3 * test.speed * test.step,
-                            3.6 * test.speed,
-                            1e3 * kFarthestStep));
+  check_step(root, test.speed, test.step);
   std::vector<std::string> measures = root.has("measures") ? root.texts("measures") : kMeasures;
   for (const std::string& name : measures)
     if (std::find(kMeasures.begin(), kMeasures.end(), name) == kMeasures.end())
       root.reject("measures", "has " + in_quotes(name) + ", expected " + list_of(kMeasures));
+    else if (std::count(measures.begin(), measures.end(), name) > 1)
+      root.reject("measures", "has " + in_quotes(name) + " twice, expected each once");
   if (measures.empty()) root.reject("measures", "is empty, expected some of " + list_of(kMeasures));
   return std::make_unique<RollingStiffness>(test, std::move(measures));
 }

@@ -26,6 +26,9 @@ namespace latsch::experiment {
 extern const TestKind kSlipHistory;
 namespace {
 
+constexpr const char* kNoTurnSlip =
+    "a slip_history has no turn slip; steady_states with turn_slip = \"on\" computes with it";
+
 class SlipHistoryTest : public Test {
  public:
   SlipHistoryTest(const std::string& text, const std::string& name, bool is_measured)
@@ -52,7 +55,7 @@ class SlipHistoryTest : public Test {
   std::vector<std::string> needs() const override { return kSlipHistory.needs; }
   std::vector<Ledger> ledgers(const std::string& by) const override {
     if (is_measured_) return {};  // the measurement has a ledger of its own
-    Ledger ledger = ledger_of_states(history_, by);
+    Ledger ledger = ledger_of_states(history_, by, kNoTurnSlip);
     if (LedgerRow* time = ledger.find_written("time")) Ledger::use(*time, by);
     return {std::move(ledger)};
   }
@@ -77,7 +80,7 @@ std::unique_ptr<Test> read_slip_history(const Node& root, const TestSource& sour
   constexpr std::size_t kLargest = std::size_t{256} << 20;  // bytes
   if (const auto measured = find_measured(root, "states")) {
     std::vector<MeasuredCondition> wanted = {{"time", "s", true}};
-    for (const MeasuredCondition& state : measured_states()) wanted.push_back(state);
+    for (const MeasuredCondition& state : measured_states(kNoTurnSlip)) wanted.push_back(state);
     return std::make_unique<SlipHistoryTest>(
         formats::csv_text(take_measured(*measured, wanted, source.measured)),
         measured->text("from"),

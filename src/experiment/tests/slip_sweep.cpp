@@ -8,14 +8,14 @@
 //                                    # means of its Vx and Fz
 //   pressure = "2.6 bar"             # the tire's own unless given (rigs/inflation.h)
 //   camber = "2 deg"                 # default 0
-//   axle = "load"                    # the quantity it keeps; or "height": that of the axle
+//   axle = "load"                    # what the rig holds constant; or "height": the axle's
 //   frame = "W"                      # of the forces recorded (hub_frame.h); "W", "H", "C" or
 //                                    # several: ["C", "W"] records "FyC" and "FyW"
 //   alpha = ["-10 deg", "10 deg"]    # from, to
 //   kappa = [-0.1, 0.1]              # from, to
 //   run_in = "0.3 s"                 # default, as the next three
 //   duration = "1 s"
-//   step = "0.5 ms"
+//   step = "0.5 ms"                  # moves the tire by 20 mm at most
 //   sample_step = "5 ms"             # of the record; a multiple of step, default step
 #include <fmt/format.h>
 
@@ -25,6 +25,7 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test.h"
 #include "experiment/language/test_words.h"
+#include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/slip/flat_track.h"
 #include "experiment/rigs/wheel_scheme.h"
 
@@ -96,6 +97,24 @@ class SlipSweepTest : public Test {
     return thinned(*channels, std::lround(sample_step_ / sweep_.step));
   }
 
+  /// Says if the sweep is too short for the tire to follow it.
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    auto notes = Test::run_in_blocks(specimen, tell);
+    if (!notes) return notes;
+    constexpr double kRadii = 10.0;  // a relaxation length is about a radius
+    const double rolled = sweep_.speed * sweep_.duration;
+    const double radius = specimen.find<Rolls>()->tire(sweep_.pressure)->free_radius();
+    if (rolled < kRadii * radius)
+      notes->push_back(fmt::format(
+          "the sweep moves the tire {:.3g} m on, less than {:g} of its radii: its slips "
+          "lag behind by about a radius, so the forces belong to earlier slips; a "
+          "longer duration helps",
+          rolled,
+          kRadii));
+    return notes;
+  }
+
  private:
   SlipSweep sweep_;
   double sample_step_;  // s
@@ -105,12 +124,12 @@ std::unique_ptr<Test> read_slip_sweep(const Node& root, const TestSource& source
   SlipSweep sweep;
   const auto speed = find_measured(root, "speed"), load = find_measured(root, "load");
   sweep.speed = speed ? measured_mean(*speed, {"Vx", "m/s"}, source.measured)
-                      : root.quantity("speed", "m/s", Range::positive());
+                      : root.quantity("speed", "m/s", Range::between(0.1, 200.0));
   sweep.load = load ? measured_mean(*load, {"Fz", "N", true, "W"}, source.measured)
                     : root.quantity("load", "N", Range::positive());
   sweep.pressure = read_pressure(root, source.measured);
   sweep.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
-  if (root.choice("axle", {"load", "height"}, "load") == "height") sweep.axle = Axle::height;
+  if (root.choice("axle", {"load", "height"}, "load") == "height") sweep.axle = AxleHold::height;
   sweep.frames = read_frames(root, sweep.frames);
   if (root.has("alpha") == root.has("kappa"))
     root.reject("alpha", "or kappa is required, exactly one of the two");
@@ -123,6 +142,7 @@ std::unique_ptr<Test> read_slip_sweep(const Node& root, const TestSource& source
   sweep.run_in = root.quantity("run_in", "s", Range::positive(), sweep.run_in);
   sweep.duration = root.quantity("duration", "s", Range::positive(), sweep.duration);
   sweep.step = root.quantity("step", "s", {0.0, 0.01, true}, sweep.step);
+  check_step(root, sweep.speed, sweep.step);
   const double sample_step = root.quantity("sample_step", "s", {0.0, 1.0, true}, sweep.step);
   const double ratio = sample_step / sweep.step;
   if (std::abs(ratio - std::round(ratio)) > 1e-6 || ratio < 0.5)

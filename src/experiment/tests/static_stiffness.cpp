@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kWay = 1e-3;  // m or rad
 
-class StaticStiffnessTest : public Test {
+class StaticStiffnessTest : public Test, public TellsLimits {
  public:
   explicit StaticStiffnessTest(StandingTest test) : test_(std::move(test)) {}
 
@@ -66,16 +66,19 @@ class StaticStiffnessTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
-  /// Describes in words what the tire's model neglects on this cleat.
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    return limits_of(specimen, test_.cleat);
+  }
+  /// Tells what the tire's model does not describe on the cleat.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     const auto notes = Test::run_in_blocks(specimen, tell);
     if (!notes) return notes;
-    return limits_of(specimen, test_.cleat);
+    return limits(specimen);
   }
   /// True for a tire that stands; a rolling tire has no slopes.
   bool tells_slopes(const SpecimenKind& kind, const std::string&) const override {
-    return has_slopes() && kind.has(StandsOnGround::kName);
+    return has_slopes() && kind.has(IsFeTire::kName);
   }
   /// True if the tire is upright on flat ground without friction.
   bool has_slopes() const {
@@ -84,8 +87,13 @@ class StaticStiffnessTest : public Test {
            std::ranges::all_of(test_.directions, is_vertical);
   }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
-    if (auto* held = specimen.find<StandsOnGround>())
-      return held->stand(test_, has_slopes() ? asked : Asked{});
+    refuse_high_cleat(specimen, test_.cleat);
+    if (auto* held = specimen.find<IsFeTire>()) {
+      const auto press = [this](TireRig& rig, fe_tire::TireSlopes* slopes) {
+        return stand(rig.tire(), rig.own_pressure(), test_, slopes);
+      };
+      return held->drive(press, test_.pressure.has_value(), has_slopes() ? asked : Asked{});
+    }
     return stand(*specimen.find<Rolls>()->tire(test_.pressure), test_);
   }
 
@@ -111,7 +119,10 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
         root.reject("directions",
                     "has " + in_quotes(name) +
                         R"(, expected "vertical", "longitudinal", "lateral" or "torsional")");
-      test.directions.push_back(static_cast<Direction>(known - kDirections.begin()));
+      const auto direction = static_cast<Direction>(known - kDirections.begin());
+      if (std::ranges::find(test.directions, direction) != test.directions.end())
+        root.reject("directions", "has " + in_quotes(name) + " twice, expected each once");
+      test.directions.push_back(direction);
     }
   }
   test.pressure = read_pressure(root, source.measured);
@@ -121,8 +132,10 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
                 "is for stiffnesses under a load: deflections are those of an upright tire");
   if (root.has("friction"))
     test.friction = root.quantity("friction", "1", Range::between(0.0, 5.0));
-  test.travel = root.quantity("travel", "m", Range::positive(), test.travel);
-  test.twist = root.quantity("twist", "rad", Range::positive(), test.twist);
+  // Beyond these the patch of a tire slides, and its force over the travel is no stiffness.
+  constexpr double kFarthest = 0.02, kMostTwist = 0.1;  // m, rad
+  test.travel = root.quantity("travel", "m", {0.0, kFarthest, true}, test.travel);
+  test.twist = root.quantity("twist", "rad", {0.0, kMostTwist, true}, test.twist);
   if (test.deflections.empty() == test.directions.empty())
     root.reject("deflections", "or load with directions is required, exactly one of the two");
   constexpr double kAlong = 0.5 * std::numbers::pi;  // a bar in the direction of the road
@@ -136,7 +149,7 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
 
 const TestKind kStaticStiffness = {"static_stiffness",
                                    "stands: force over deflection, stiffnesses",
-                                   {StandsOnGround::kName, Rolls::kName},
+                                   {IsFeTire::kName, Rolls::kName},
                                    read_static_test};
 
 }  // namespace latsch::experiment

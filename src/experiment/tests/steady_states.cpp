@@ -34,6 +34,12 @@ namespace {
 using magic_formula::Angles;
 using magic_formula::Conventions;
 
+/// Returns why a column phit has no effect; empty if it has.
+std::string no_turn_slip(const Conventions& conventions) {
+  if (conventions.turn_slip) return "";
+  return "turn_slip of the test is \"off\"; turn_slip = \"on\" computes with it";
+}
+
 class SteadyStatesTest : public Test {
  public:
   SteadyStatesTest(std::shared_ptr<const MappedFile> table,
@@ -59,7 +65,7 @@ class SteadyStatesTest : public Test {
   std::vector<std::string> needs() const override { return kSteadyStates.needs; }
   std::vector<Ledger> ledgers(const std::string& by) const override {
     if (is_measured_) return {};  // the measurement has a ledger of its own
-    return {ledger_of_states(states_, by)};
+    return {ledger_of_states(states_, by, no_turn_slip(conventions_))};
   }
   std::vector<double> driven_at(const std::string& condition) const override {
     return values_of(states_, condition);
@@ -114,8 +120,8 @@ std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& sou
   }
   const std::string from = measured->text("from");
   return std::make_unique<SteadyStatesTest>(
-      std::make_shared<MappedFile>(
-          formats::csv_text(take_measured(*measured, measured_states(), source.measured))),
+      std::make_shared<MappedFile>(formats::csv_text(
+          take_measured(*measured, measured_states(no_turn_slip(conventions)), source.measured))),
       from,
       conventions,
       true);

@@ -17,7 +17,7 @@ namespace latsch::formats {
 namespace {
 
 using multibody::BushingParameters;
-using multibody::ForceCurve;
+using multibody::ForceCharacteristic;
 
 constexpr std::array<const char*, 6> kBusAxes = {"FX", "FY", "FZ", "TX", "TY", "TZ"};
 constexpr std::array<const char*, 6> kBusAxesInWords = {
@@ -49,8 +49,9 @@ void refuse_exchanged_columns(const TeimOrbitSection& section, const TeimOrbitTa
                                fmt::join(table.heads, " ")));
 }
 
-std::vector<ForceCurve::Point> read_points(const TeimOrbitSection& section, const BusScale& scale) {
-  std::vector<ForceCurve::Point> points;
+std::vector<ForceCharacteristic::Point> read_points(const TeimOrbitSection& section,
+                                                    const BusScale& scale) {
+  std::vector<ForceCharacteristic::Point> points;
   const TeimOrbitTable* table = section.find_table("");
   if (table) refuse_exchanged_columns(section, *table);
   const std::size_t rows = table ? table->rows.size() : 0;
@@ -66,7 +67,7 @@ std::vector<ForceCurve::Point> read_points(const TeimOrbitSection& section, cons
       throw InputError(
           section.place(row.line),
           fmt::format("a row of {} numbers, expected a deflection and a force", numbers.size()));
-    const ForceCurve::Point point(numbers[0] * scale.deflection, numbers[1] * scale.force);
+    const ForceCharacteristic::Point point(numbers[0] * scale.deflection, numbers[1] * scale.force);
     if (!std::isfinite(point.first) || !std::isfinite(point.second))
       throw InputError(section.place(row.line), "a number that is too large");
     if (!points.empty() && !(point.first > points.back().first))
@@ -86,10 +87,10 @@ std::vector<ForceCurve::Point> read_points(const TeimOrbitSection& section, cons
 }
 
 /// Returns the stiffness if the points are on a straight line through the origin.
-std::optional<double> straight(const std::vector<ForceCurve::Point>& points) {
+std::optional<double> straight(const std::vector<ForceCharacteristic::Point>& points) {
   double largest = 0.0;
-  ForceCurve::Point far{0.0, 0.0};
-  for (const ForceCurve::Point& point : points) {
+  ForceCharacteristic::Point far{0.0, 0.0};
+  for (const ForceCharacteristic::Point& point : points) {
     largest = std::max(largest, std::abs(point.second));
     if (std::abs(point.first) > std::abs(far.first)) far = point;
   }
@@ -102,24 +103,26 @@ std::optional<double> straight(const std::vector<ForceCurve::Point>& points) {
 
 void set_axis(BushingParameters& bushing,
               std::size_t axis,
-              const std::vector<ForceCurve::Point>& points,
+              const std::vector<ForceCharacteristic::Point>& points,
               double damping) {
   const auto i = static_cast<Eigen::Index>(axis % 3);
   const std::optional<double> k = straight(points);
   (axis < 3 ? bushing.stiffness : bushing.rotational)[i] = k.value_or(0.0);
   (axis < 3 ? bushing.damping : bushing.rotational_damping)[i] = damping;
   if (!k)
-    bushing.parts.push_back({static_cast<int>(axis), multibody::ElasticCurve{ForceCurve(points)}});
+    bushing.parts.push_back(
+        {static_cast<int>(axis), multibody::ElasticCurve{ForceCharacteristic(points)}});
 }
 
 /// Returns the curve of an axis as points. Throws InputError if the axis has further parts.
-std::vector<ForceCurve::Point> points_of(const BushingParameters& bushing,
-                                         std::size_t axis,
-                                         const std::string& name) {
+std::vector<ForceCharacteristic::Point> points_of(const BushingParameters& bushing,
+                                                  std::size_t axis,
+                                                  const std::string& name) {
   // These are powers of two, so that the stiffness is read back to the last bit.
   const double reach = axis < 3 ? 1.0 / 128.0 : 1.0 / 8.0;  // m, rad
   const double k = (axis < 3 ? bushing.stiffness : bushing.rotational)[static_cast<int>(axis % 3)];
-  std::vector<ForceCurve::Point> points;  // five on a straight line, as a spline needs several
+  std::vector<ForceCharacteristic::Point>
+      points;  // five on a straight line, as a spline needs several
   for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0})
     points.emplace_back(share * reach, k * share * reach + 0.0);  // + 0.0 turns -0 into 0
   bool is_curved = false;
@@ -174,10 +177,11 @@ void doubt_reach(const TeimOrbitSection& section,
 /// Doubts about a curve that resists on the whole.
 void doubt_curve(const TeimOrbitSection& section,
                  std::size_t axis,
-                 const std::vector<ForceCurve::Point>& points,
+                 const std::vector<ForceCharacteristic::Point>& points,
                  Ledger& ledger) {
   double largest = 0.0;
-  for (const ForceCurve::Point& point : points) largest = std::max(largest, std::abs(point.second));
+  for (const ForceCharacteristic::Point& point : points)
+    largest = std::max(largest, std::abs(point.second));
   const std::string name = "[" + section.name() + "]";
   const char* unit = axis < 3 ? "N" : "N m";
   for (std::size_t i = 1; i < points.size(); ++i)
@@ -200,7 +204,7 @@ void doubt_curve(const TeimOrbitSection& section,
                              section.place()});
     return;
   }
-  const double at_rest = ForceCurve(points).at(0.0);
+  const double at_rest = ForceCharacteristic(points).at(0.0);
   constexpr double kPreload = 1e-6;  // share of the largest force; smaller ones are rounding
   if (std::abs(at_rest) > kPreload * largest)
     ledger.doubts.push_back({name,
@@ -261,7 +265,7 @@ class BusReading {
     const double damping = read_damping(axis, dampings, key);
     const BusScale scale = bus_scale_of(axis, units_);
     const TeimOrbitSection& section = file_.section(name);
-    const std::vector<ForceCurve::Point> points = read_points(section, scale);
+    const std::vector<ForceCharacteristic::Point> points = read_points(section, scale);
     set_axis(result_.bushing, axis, points, damping);
     const std::string along = (axis < 3 ? "along " : "") + std::string(kBusAxesInWords[axis]);
     LedgerRow row = row_of("[" + name + "]", section.place().line, "spring " + along);

@@ -13,7 +13,7 @@ namespace {
 
 using multibody::BushingParameters;
 using multibody::ElasticCurve;
-using multibody::ForceCurve;
+using multibody::ForceCharacteristic;
 
 /// The units are the usual ones of such files: mm, degrees, newton.
 const char* const kRubber = R"($ a lower arm's rear bushing
@@ -104,11 +104,11 @@ TEST(BusFile, AnyOtherCurveIsAnElasticPartOfItsAxis) {
   EXPECT_EQ(bushing.parts[1].axis, 4);
   EXPECT_EQ(bushing.stiffness.y(), 0.0);
   EXPECT_EQ(bushing.rotational.y(), 0.0);
-  const ForceCurve& y = std::get<ElasticCurve>(bushing.parts[0].law).curve;
+  const ForceCharacteristic& y = std::get<ElasticCurve>(bushing.parts[0].law).curve;
   ASSERT_EQ(y.points().size(), 5u);
   EXPECT_DOUBLE_EQ(y.points()[0].first, -2e-3);
   EXPECT_DOUBLE_EQ(y.points()[0].second, -9e3);
-  const ForceCurve& about_y = std::get<ElasticCurve>(bushing.parts[1].law).curve;
+  const ForceCharacteristic& about_y = std::get<ElasticCurve>(bushing.parts[1].law).curve;
   EXPECT_NEAR(about_y.points()[2].first, 10.0 * kDegree, 1e-15);
   EXPECT_DOUBLE_EQ(about_y.points()[2].second, 8.0);
 }

@@ -427,7 +427,7 @@ class TireReader {
     const auto placed = tied_element(sector.connectivity[element_of_sector], tie_of);
     if (!placed)
       throw InputError(written.place,
-                       fmt::format("element {} has tied corners in other places than on one edge "
+                       fmt::format("element {} has tied corners other than those on one edge "
                                    "of its thickness, alike in both planes",
                                    written.number));
     for (int a = 0; a < 8; ++a) {
@@ -504,7 +504,7 @@ class TireReader {
   std::vector<KnownFace> inner_, outer_;
   FaceSet inner_faces_, outer_faces_;
   InpPlacedRebars placed_;
-  Ring ring_;
+  RingOfNodes ring_;
 };
 
 }  // namespace

@@ -84,7 +84,7 @@ class Rings {
   double tolerance_ = 0.0, angular_tolerance_ = 0.0, smallest_radius_ = 0.0;
 };
 
-bool maps_elements(const Ring& ring, const std::vector<int>& image) {
+bool maps_elements(const RingOfNodes& ring, const std::vector<int>& image) {
   std::map<HexNodes, std::int64_t> known;
   for (std::size_t e = 0; e < ring.elements.size(); ++e) known[ring.elements[e]] = ring.kind[e];
   for (std::size_t e = 0; e < ring.elements.size(); ++e) {
@@ -96,14 +96,14 @@ bool maps_elements(const Ring& ring, const std::vector<int>& image) {
   return true;
 }
 
-bool maps_held(const Ring& ring, const std::vector<int>& image) {
+bool maps_held(const RingOfNodes& ring, const std::vector<int>& image) {
   for (std::size_t i = 0; i < image.size(); ++i)
     if (ring.held[i] != ring.held[image[i]]) return false;
   return true;
 }
 
 /// Sector numbers of all nodes, counted from the smallest angle at or after the bottom.
-std::vector<int> sector_numbers(const Ring& ring, const Rings& rings, int S) {
+std::vector<int> sector_numbers(const RingOfNodes& ring, const Rings& rings, int S) {
   const double tolerance = 4.0 * rings.angular_tolerance();
   const double first = -tolerance;
   std::vector<int> sector(ring.X.cols());
@@ -117,7 +117,7 @@ std::vector<int> sector_numbers(const Ring& ring, const Rings& rings, int S) {
 
 /// Returns the sector of the elements that start in sector 0; nothing if one extends beyond the
 /// next sector.
-std::optional<Sector> cut(const Ring& ring,
+std::optional<Sector> cut(const RingOfNodes& ring,
                           const Rings& rings,
                           const std::vector<int>& image,
                           int S) {
@@ -150,7 +150,7 @@ std::optional<Sector> cut(const Ring& ring,
   return sector;
 }
 
-Sector whole(const Ring& ring) {
+Sector whole(const RingOfNodes& ring) {
   Sector sector;
   sector.nodes.resize(ring.X.cols());
   std::iota(sector.nodes.begin(), sector.nodes.end(), 0);
@@ -162,7 +162,7 @@ Sector whole(const Ring& ring) {
 
 }  // namespace
 
-Sector find_sector(const Ring& ring) {
+Sector find_sector(const RingOfNodes& ring) {
   if (ring.X.cols() == 0) return whole(ring);
   const Rings rings(ring.X);
   const int common = rings.common_count();

@@ -16,7 +16,7 @@ namespace latsch::formats {
 
 /// A complete ring in the frame of models/fe_tire/element/mesh.h: spin axis y, angles from the
 /// bottom toward +x.
-struct Ring {
+struct RingOfNodes {
   Eigen::Matrix3Xd X;              // m
   std::vector<HexNodes> elements;  // node indices; local axes are already those of mesh.h
   std::vector<std::int64_t> kind;  // one for each element; equal in all sectors
@@ -32,6 +32,6 @@ struct Sector {
   std::vector<HexNodes> connectivity;  // a node of the next sector counts nodes.size() higher
 };
 
-Sector find_sector(const Ring& ring);
+Sector find_sector(const RingOfNodes& ring);
 
 }  // namespace latsch::formats

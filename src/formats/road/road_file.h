@@ -36,8 +36,8 @@ struct RoadFile {
   std::vector<std::string> warnings;  // with file and line
   std::vector<LedgerDoubt> doubts;    // unused parts of a .rdf that would change the surface
   std::unique_ptr<const road::Road> road;
-  const road::CrgRoad* crg = nullptr;             // not nullptr if the road is of that kind
-  const road::TriangleRoad* triangles = nullptr;  // not nullptr if the road is of that kind
+  const road::CrgRoad* crg = nullptr;             // `road` as OpenCRG; nullptr: another kind
+  const road::TriangleRoad* triangles = nullptr;  // `road` as triangles; nullptr: another kind
 };
 
 /// Returns a file that read_road_file() has read, and the files it refers to.

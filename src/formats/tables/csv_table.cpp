@@ -12,7 +12,9 @@
 #include "base/unit_reading.h"
 #include "formats/tables/csv_header.h"
 #include "formats/text/csv_fields.h"
+#include "formats/text/fortran_number.h"
 #include "formats/text/text_encoding.h"
+#include "measurement/meaning/channel_words.h"
 
 namespace latsch::formats {
 namespace {
@@ -113,7 +115,9 @@ double CsvTable::number_or_gap(const CsvFields::Row& row, int column, const Unit
   const std::string_view cell = trimmed(row.cells[static_cast<std::size_t>(column)]);
   const auto read = [&](std::string_view digits) {
     const auto parts = split_number(digits);
-    return parts && parts->rest.empty() ? unit.to_si(parts->number) : std::nan("");
+    if (parts && parts->rest.empty()) return unit.to_si(parts->number);
+    const auto fortran = parts ? parse_fortran_number(digits) : std::nullopt;
+    return fortran ? unit.to_si(*fortran) : std::nan("");
   };
   double si = std::nan("");
   if (decimal_comma_ && cell.find('.') == cell.npos) {
@@ -260,6 +264,8 @@ std::string CsvTable::text(std::string_view column, int wanted) const {
 Channels CsvTable::channels() const {
   std::vector<Wanted> wanted;
   for (TableColumn column : columns_) {
+    const auto known = recognized(column.name);  // "SA_deg" is in degrees
+    if (known && column.unit.empty()) take_unit_of_name(column, std::string(known->meaning->unit));
     const Unit unit = unit_of_column(column, "", {file_, column.unit_line});
     wanted.push_back({column.name, si_unit(unit.dimension())});
   }
@@ -325,7 +331,8 @@ std::string csv_rows(const Channels& channels, const std::vector<std::string>& u
     for (std::size_t i = 0; i < written.size(); ++i) {
       if (i > 0) text += ',';
       const std::vector<double>& values = channels.all()[i].values;
-      if (row < values.size()) written[i].append_exact_number(values[row], text);
+      // The sum writes a negative zero as 0.
+      if (row < values.size()) written[i].append_exact_number(0.0 + values[row], text);
     }
     text += '\n';
   }

@@ -42,7 +42,7 @@ class CsvTable {
   const std::string& file() const { return file_; }
   int rows() const { return rows_; }
   bool has(std::string_view column) const;
-  /// True if the table states the unit of that column.
+  /// True if the table states the unit of the given column.
   bool has_unit(std::string_view column) const;
   /// Returns the unit as written; "" if the table states none.
   const std::string& unit(std::string_view column) const;

@@ -50,7 +50,7 @@ TEST(CsvTable, UnitsMayStandInASecondRow) {
     EXPECT_EQ(table.integers("n"), (std::vector<int>{1}));
   }
   EXPECT_EQ(parse("a,b\n1,2\n").rows(), 1);     // numbers are data
-  EXPECT_EQ(parse("a,b\nx,none\n").rows(), 1);  // so are words that are no units
+  EXPECT_EQ(parse("a,b\nx,none\n").rows(), 1);  // words that are no units are data, too
 }
 
 TEST(CsvTable, SpreadsheetsOfOtherCountriesUseSemicolonAndComma) {

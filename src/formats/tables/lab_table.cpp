@@ -11,9 +11,11 @@
 #include "base/mapped_file.h"
 #include "base/text.h"
 #include "base/unit_reading.h"
+#include "base/utf8.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/mat_file.h"
 #include "formats/tables/tydex_file.h"
+#include "formats/text/fortran_number.h"
 #include "formats/text/letter_case.h"
 #include "formats/text/text_encoding.h"
 
@@ -71,6 +73,7 @@ void add_columns(std::vector<LabColumn> columns,
                  const ExpectedUnit& expected,
                  const Place& header,
                  LabTable& table) {
+  for (LabColumn& column : columns) take_minus_of_name(column.source);
   expect_once(columns, header);
   take_stated_units(columns, units, header);
   table.header = header;
@@ -96,6 +99,8 @@ void add_columns(std::vector<LabColumn> columns,
     const Unit unit = unit_of_column(source, wanted, place);
     if (!column.is_si)
       for (double& value : column.values) value = unit.to_si(value);
+    if (source.is_negative)
+      for (double& value : column.values) value = -value;
     table.channels.add({source.name, si_unit(unit.dimension()), std::move(column.values)});
     // For a unit with several meanings, the spelling of the chosen meaning is recorded.
     table.units.push_back(source.unit.empty() || unit.text() == source.unit ? source.unit
@@ -119,13 +124,15 @@ LabTable read_csv(const std::filesystem::path& file,
   std::vector<CsvTable::Wanted> wanted;
   std::vector<LabColumn> columns;
   for (TableColumn source : csv.header()) {
+    const std::string in_file = source.name;
+    take_minus_of_name(source);
     if (expected && !units.contains(source.name)) take_unit_of_name(source, expected(source.name));
     const std::string known = expected && !source.unit.empty() ? expected(source.name) : "";
     const bool is_si = !source.unit.empty() && fault_of_unit(source, known).empty();
     // The number is converted from its digits, to the last bit.
     std::string si = known;
     if (is_si && si.empty()) si = si_unit(reading_of_unit(source.unit).unit->dimension());
-    wanted.push_back({source.name, is_si ? si : ""});
+    wanted.push_back({in_file, is_si ? si : ""});
     columns.push_back({source, {}, is_si});
   }
   CsvTable::Gaps gaps = csv.numbers_and_gaps(wanted);
@@ -230,6 +237,7 @@ std::vector<LabColumn> header_of(const std::vector<Line>& before, bool tabs) {
 /// "1" is also the unit of plain numbers; then other units follow.
 bool begins_with_number(const Line& line) {
   const auto fields = fields_of(trimmed(line.text), false);
+  if (parse_fortran_number(fields.front())) return true;
   if (!parse_number(fields.front())) return false;
   return fields.front() != "1" || std::none_of(fields.begin(), fields.end(), [](auto field) {
            return !parse_number(field) && !is_gap_word(field) && looks_like_unit(field);
@@ -255,6 +263,8 @@ double cell_of_dat(std::string_view field, const LabColumn& column, const Place&
   if (const auto number = parse_number(field))
     return std::isfinite(*number) ? *number : std::nan("");
   if (is_gap_word(field)) return std::nan("");
+  if (const auto number = parse_fortran_number(field); number && std::isfinite(*number))
+    return *number;
   throw InputError(
       place, column.source.name + " is " + in_quotes(field) + reason_of_no_number(field, "a .dat"));
 }
@@ -309,6 +319,35 @@ LabTable read_mat(const std::filesystem::path& file,
   return table;
 }
 
+/// Leaves out a constant for which the file has a channel, too, and says if the two contradict.
+void leave_out_constant(const TydexFile::Entry& constant, const Channel& channel, LabTable& table) {
+  double low = INFINITY, high = -INFINITY;
+  for (const double value : channel.values) {
+    if (std::isnan(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  constexpr double kRounding = 1e-6;
+  const double slack = kRounding * std::max(std::abs(low), std::abs(high));
+  const bool fits = constant.si_unit == channel.unit && *constant.number >= low - slack &&
+                    *constant.number <= high + slack;
+  const std::string name = constant.name + " of **CONSTANTS";
+  const std::string range = low <= high ? fmt::format(" goes from {} to {}",
+                                                      format_quantity(low, channel.unit, 4),
+                                                      format_quantity(high, channel.unit, 4))
+                                        : std::string(" has no values");
+  table.left_out[name] = fits ? "is not used: the channel of that name is"
+                              : fmt::format("is {} {}, but the channel {}{}: the channel is used",
+                                            constant.text,
+                                            constant.unit,
+                                            constant.name,
+                                            range);
+  TableColumn source{.name = name, .unit = constant.unit, .title = name};
+  source.line = source.unit_line = constant.line;
+  source.unit_place = UnitPlace::field;
+  table.left_columns.push_back(std::move(source));
+}
+
 LabTable read_tydex(const std::filesystem::path& file,
                     const Units& units,
                     const ExpectedUnit& expected) {
@@ -340,7 +379,11 @@ LabTable read_tydex(const std::filesystem::path& file,
     add(channel.name, about.unit, about.line, channel.values);
   }
   for (const TydexFile::Entry& constant : tydex.constants) {
-    if (!constant.number || tydex.channels.find(constant.name)) continue;
+    if (!constant.number) continue;
+    if (const Channel* channel = tydex.channels.find(constant.name)) {
+      leave_out_constant(constant, *channel, table);
+      continue;
+    }
     add(constant.name,
         constant.unit,
         constant.line,
@@ -369,6 +412,43 @@ LabTable read_tydex(const std::filesystem::path& file,
   return table;
 }
 
+/// Counts the pairs of bytes that Shift-JIS (Windows code page 932) writes for one character each,
+/// and the bytes above ASCII that belong to no such pair.
+std::pair<std::size_t, std::size_t> japanese_pairs(std::string_view bytes) {
+  std::size_t pairs = 0, others = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const auto first = static_cast<unsigned char>(bytes[i]);
+    if (first < 0x80) continue;
+    const auto second = i + 1 < bytes.size() ? static_cast<unsigned char>(bytes[i + 1]) : 0;
+    const bool leads = (first >= 0x81 && first <= 0x9f) || (first >= 0xe0 && first <= 0xfc);
+    const bool follows = second >= 0x40 && second != 0x7f && second <= 0xfc;
+    const bool is_kana = first >= 0xa1 && first <= 0xdf;  // half-width, one byte each
+    if (leads && follows) {
+      ++pairs;
+      ++i;
+    } else if (!is_kana) {
+      ++others;
+    }
+  }
+  return {pairs, others};
+}
+
+/// Returns in words which encoding is assumed for a text that is no UTF-8; empty for UTF-8. Only
+/// the beginning of a long file is looked at, because names stand there.
+std::string encoding_of(const std::filesystem::path& file) {
+  constexpr std::size_t kLookedAt = std::size_t{1} << 16;  // bytes
+  const MappedFile mapped(file, kLargestLabFile);
+  std::string_view bytes = mapped.text().substr(0, kLookedAt);
+  if (bytes.size() == kLookedAt) bytes = bytes.substr(0, bytes.rfind('\n'));
+  if (is_utf8(bytes)) return "";
+  const auto [pairs, others] = japanese_pairs(bytes);
+  constexpr std::size_t kFewestPairs = 2;
+  if (pairs >= kFewestPairs && others == 0)
+    return "Windows-1252, because the bytes are no UTF-8; they look like Shift-JIS, in which the "
+           "names are others: save the file as UTF-8";
+  return "Windows-1252, because the bytes are no UTF-8";
+}
+
 }  // namespace
 
 Place LabTable::place(std::size_t sample) const {
@@ -390,7 +470,11 @@ LabTable read_lab_table(const std::filesystem::path& file,
   const std::string ending = lower(file.extension().string());
   std::vector<std::string> endings;
   for (const auto& [known, reader] : kReaders) {
-    if (known == ending) return reader(file, units, expected);
+    if (known == ending) {
+      LabTable table = reader(file, units, expected);
+      if (known != ".mat") table.assumed_encoding = encoding_of(file);
+      return table;
+    }
     endings.push_back(known);
   }
   throw InputError({file.string(), 0},

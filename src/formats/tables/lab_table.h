@@ -18,6 +18,9 @@
 // Lines before the names are not read; the line of units may be missing. A line contains units if
 // at least half of its words are units; another word in it is an unknown unit, never a name.
 //
+// A column whose name begins with a minus, "-SA", holds minus the quantity: the table has SA with
+// the sign changed, and the column is marked as negative.
+//
 // A cell that is empty or says that there is no value (NaN, n/a, -) is a gap, NaN. Any other text
 // among numbers is a fault of its column: "1,234" may mean a thousand or one. A column with a
 // fault, in its cells or in its unit, is left out, and `left_out` says why; if the caller expects
@@ -44,6 +47,7 @@ struct LabTable {
   std::map<std::string, std::string> left_out;  // name -> why
   std::vector<TableColumn> left_columns;        // the columns left out, as the file states them
   Place header;                                 // line of the names
+  std::string assumed_encoding;                 // encoding of a text that is no UTF-8, in words
 
   /// Returns the place of a sample for messages: the line, or the file alone.
   Place place(std::size_t sample) const;

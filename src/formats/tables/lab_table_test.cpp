@@ -204,6 +204,25 @@ TEST_F(LabTables, OfTydexHoldTheirConstantsAllAlong) {
   EXPECT_TRUE(std::isnan(table.channels["FZW"][1]));
 }
 
+TEST_F(LabTables, OfTydexSayWhichConstantsTheirChannelsReplace) {
+  const LabTable table =
+      read("b.tdx",
+           "**HEADER\nRELEASE   Release of TYDEX-Format                 1.3\n"
+           "**CONSTANTS\n"
+           "INCLANGL  Camber                        deg       3\n"
+           "FZW       Vertical force                N         1050\n"
+           "**MEASURCHANNELS\n"
+           "INCLANGL  Camber                        deg       1         0         0\n"
+           "FZW       Vertical force                N         1         0         0\n"
+           "**MEASURDATA\n0 1000\n0.5 1100\n**END\n");
+  ASSERT_EQ(table.left_columns.size(), 2u);
+  EXPECT_EQ(table.left_columns[0].line, 4);
+  EXPECT_EQ(table.left_out.at("INCLANGL of **CONSTANTS"),
+            "is 3 deg, but the channel INCLANGL goes from 0 rad to 0.008727 rad: the channel is "
+            "used");
+  EXPECT_EQ(table.left_out.at("FZW of **CONSTANTS"), "is not used: the channel of that name is");
+}
+
 // The layout of consortium files: vectors by name, their units in channel.units.
 TEST_F(LabTables, OfMatTakeTheUnitsListedBesideTheChannels) {
   write_text_file(folder_ / "script",

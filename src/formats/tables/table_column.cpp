@@ -42,6 +42,41 @@ std::string unit_to_propose(std::string_view written, const std::string& expecte
   return natural_unit(expected);
 }
 
+/// Returns the text with the full-width letters, digits and brackets of Japanese as plain ones.
+std::string narrow_letters(std::string_view text) {
+  constexpr std::size_t kBytes = 3;
+  std::string narrow;
+  while (!text.empty()) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const bool is_long = text.size() >= kBytes;
+    const int code = is_long && (byte(0) & 0xf0) == 0xe0
+                         ? ((byte(0) & 0x0f) << 12) | ((byte(1) & 0x3f) << 6) | (byte(2) & 0x3f)
+                         : 0;
+    const bool is_letter = code >= 0xff01 && code <= 0xff5e;  // in the order of ASCII
+    if (is_letter || code == 0x3000) {
+      narrow += is_letter ? static_cast<char>(code - 0xff01 + '!') : ' ';
+      text.remove_prefix(kBytes);
+      continue;
+    }
+    narrow += text.front();
+    text.remove_prefix(1);
+  }
+  return narrow;
+}
+
+/// Says what a unit of another dimension most likely means where an angle is expected.
+std::string about_unit_of_angle(const TableColumn& column, const Unit& unit) {
+  const std::string written = lower(column.unit);
+  if (unit.same_dimension(Unit::of("s"))) {
+    if (written == "min" || written == "mn") return " (minutes of arc are \"arcmin\")";
+    if (written == "s" || written == "sec") return " (seconds of arc are \"arcsec\")";
+  }
+  if (unit.same_dimension(Unit::of("m")) && lower(column.name).find("toe") != column.name.npos)
+    return " (a toe in millimeters depends on the diameter d at which it was measured: its angle "
+           "is asin(toe / d), or half of that for the toe of both wheels)";
+  return "";
+}
+
 std::string called_column(const TableColumn& column) { return "column " + in_quotes(column.name); }
 
 /// True if the mark is a thousands separator, as in "1,234": one to three digits, the mark, three
@@ -55,6 +90,15 @@ bool is_group(std::string_view number, std::size_t mark) {
          std::all_of(behind.begin(), behind.end(), is_digit);
 }
 
+/// Returns the unit of a cell such as "83 kPa" or "2,5 mm"; empty if the cell has none.
+std::string unit_in_cell(std::string_view cell) {
+  const std::size_t end = cell.find_first_not_of("+-0123456789.,eE ");
+  if (end == cell.npos || end == 0 || cell.substr(0, end).find_first_of("0123456789") == cell.npos)
+    return "";
+  const std::string_view unit = trimmed(cell.substr(end));
+  return Unit::find(unit) ? std::string(unit) : "";
+}
+
 bool is_number_with(std::string_view cell, char decimal) {
   std::string plain(trimmed(cell));
   if (std::count(plain.begin(), plain.end(), decimal) > 1) return false;
@@ -64,9 +108,10 @@ bool is_number_with(std::string_view cell, char decimal) {
 
 }  // namespace
 
-TableColumn column_of_title(std::string_view title) {
-  title = trimmed(title);
-  TableColumn column{.name = std::string(title), .title = std::string(title)};
+TableColumn column_of_title(std::string_view written) {
+  const std::string narrow = narrow_letters(trimmed(written));
+  const std::string_view title = trimmed(narrow);
+  TableColumn column{.name = std::string(title), .title = std::string(trimmed(written))};
   const auto split = [&](std::size_t name_end, std::string_view unit) {
     std::string_view name = trimmed(title.substr(0, name_end));
     if (name.ends_with(" /")) name = trimmed(name.substr(0, name.size() - 2));  // "v / (km/h)"
@@ -107,7 +152,10 @@ std::string fault_of_unit(const TableColumn& column, const std::string& expected
   return called_column(column) +
          (column.unit.empty() ? " has no unit" : " is in " + in_quotes(column.unit)) +
          ", expected " + words_for(wanted).noun + ", such as " +
-         unit_in_file(column, unit_to_propose(column.unit, expected));
+         unit_in_file(column, unit_to_propose(column.unit, expected)) +
+         (wanted.same_dimension(Unit::of("rad")) && !column.unit.empty()
+              ? about_unit_of_angle(column, *reading.unit)
+              : "");
 }
 
 std::string unit_in_file(const TableColumn& column, const std::string& unit) {
@@ -128,6 +176,20 @@ std::string unit_in_file(const TableColumn& column, const std::string& unit) {
       return fmt::format("a struct {0} with {0}.data and {0}.unit = '{1}'", column.name, unit);
   }
   return in_quotes(column.name + " [" + unit + "]");
+}
+
+void take_minus_of_name(TableColumn& column) {
+  for (const std::string_view minus : {"-", "\u2212", "\u2013"}) {
+    if (!column.name.starts_with(minus)) continue;
+    const std::string_view rest = trimmed(std::string_view(column.name).substr(minus.size()));
+    const char first = rest.empty() ? '\0' : rest.front();
+    const bool is_letter = (first >= 'A' && first <= 'Z') || (first >= 'a' && first <= 'z') ||
+                           static_cast<unsigned char>(first) >= 0x80;
+    if (!is_letter || rest.starts_with("\u2212") || rest.starts_with("\u2013")) return;
+    column.name = std::string(rest);
+    column.is_negative = true;
+    return;
+  }
 }
 
 void take_unit_of_name(TableColumn& column, const std::string& expected) {
@@ -204,6 +266,16 @@ std::string reason_of_no_number(std::string_view cell, std::string_view kind_of_
   for (const char c : cell)
     if (c != ',' && c != '.' && c != '\'' && c != ' ') digits += c;
   if (parse_number(digits)) return ", expected a number without thousands separators";
+  if (cell.find_first_not_of('#') == cell.npos)
+    return ", which a spreadsheet writes where a column is too narrow: widen it and save again";
+  if (cell.starts_with('(')) return ", expected a number: a negative one begins with a minus";
+  if (const std::string unit = unit_in_cell(cell); !unit.empty())
+    return fmt::format(
+        ", a number with a unit: write [{}] behind the name of the column, and numbers alone below "
+        "it",
+        unit);
+  if (!cell.empty() && cell.find_first_of("0123456789") == cell.npos)
+    return ", a text among numbers, expected a finite number: cut off lines that are no samples";
   return ", expected a finite number";
 }
 

@@ -31,6 +31,7 @@ struct TableColumn {
   int place = 0;             // among the columns, from 1
   std::string assumed = {};  // for a unit with several meanings, the assumed one
   UnitPlace unit_place = UnitPlace::title;
+  bool is_negative = false;  // the title is minus the name: "-SA" holds minus SA
 
   bool operator==(const TableColumn&) const = default;
 };
@@ -40,8 +41,12 @@ struct TableColumn {
 /// frame, a side or an axle ("Fz (H)", "toe (L)") are none.
 TableColumn column_of_title(std::string_view title);
 
-/// Returns the SI unit that a column of that name must have; "" if the name does not say.
+/// Returns the SI unit that a column of the given name must have; "" if the name does not say.
 using ExpectedUnit = std::function<std::string(const std::string& name)>;
+
+/// Takes the minus off a name such as "-SA" and marks the column as negative. Does nothing if no
+/// letter follows the minus.
+void take_minus_of_name(TableColumn& column);
 
 /// Uses the unit that ends a name, "deg" in "alpha_deg", for a column without a unit whose SI unit
 /// `expected` is known. Does nothing if the last word is no unit of that dimension.

@@ -122,6 +122,17 @@ class Reading {
       fail(line_, "has **MEASURDATA, expected the channels in **MEASURCHANNELS before them");
     }
     keyword_ = word;
+    if (word == "**MEASURDATA") take_count(line);
+  }
+
+  /// Reads the number of samples, which may follow the keyword.
+  void take_count(std::string_view line) {
+    const auto words = words_of(line);
+    if (words.size() < 2) return;
+    const auto count = number_of(words[1]);
+    if (!count || !std::isfinite(static_cast<double>(*count))) return;
+    stated_samples_ = static_cast<double>(*count);
+    line_of_data_ = line_;
   }
 
   void take_line(std::string_view line) {
@@ -295,6 +306,14 @@ class Reading {
     if (seen_.contains("**MEASURDATA") && file_.lines.empty()) {
       fail(line_, "ends **MEASURDATA without a sample");
     }
+    if (stated_samples_ && *stated_samples_ != static_cast<double>(file_.lines.size())) {
+      fail(line_of_data_,
+           fmt::format(
+               "**MEASURDATA states {:g} samples, but {} follow: is a part of the file lost? "
+               "If the file is whole, correct the number or leave it out",
+               *stated_samples_,
+               file_.lines.size()));
+    }
     std::vector<TydexFile::Description> kept;
     for (std::size_t i = 0; i < raw_.size(); ++i) {
       if (file_.left_out.contains(raw_[i].name)) continue;
@@ -313,6 +332,8 @@ class Reading {
   std::size_t at_ = 0;
   int line_ = 0;
   std::string keyword_;
+  std::optional<double> stated_samples_;  // behind **MEASURDATA
+  int line_of_data_ = 0;
   std::set<std::string> seen_, names_;
   std::vector<Unit> units_;
   std::vector<Channel> raw_;

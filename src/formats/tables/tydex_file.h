@@ -49,7 +49,7 @@ struct TydexFile {
   struct Description {
     std::string comment;
     std::string unit;                                                   // text in the file
-    double factor = 1.0, measured_offset = 0.0, physical_offset = 0.0;  // in that unit
+    double factor = 1.0, measured_offset = 0.0, physical_offset = 0.0;  // in `unit`
     int line = 0;
   };
   /// A section like **MODELPARAMETERS, in the order of the file.
@@ -67,7 +67,7 @@ struct TydexFile {
   std::vector<Description> descriptions;        // one for each channel
   std::vector<int> lines;                       // one for each sample
   std::map<std::string, std::string> left_out;  // channels and constants of unknown units -> why
-  std::map<std::string, std::pair<int, std::string>> left_units;  // lines and units of these
+  std::map<std::string, std::pair<int, std::string>> left_units;  // line, unit of each name
 
   /// Throw InputError naming file, line, what was found and expected; also for a file without
   /// **HEADER or **END, which is incomplete.

@@ -47,6 +47,17 @@ void expect_tydex_message(const std::string& text,
   EXPECT_NE(message.find(words), std::string::npos) << message;
 }
 
+TEST(TydexFile, TheNumberOfSamplesBehindTheKeywordIsThatOfTheSamples) {
+  const auto with_count = [](const std::string& count) {
+    std::string data = kData;
+    return kHead + kChannels + data.replace(0, 12, "**MEASURDATA" + count);
+  };
+  EXPECT_EQ(message_of(with_count("  2")), "");
+  EXPECT_EQ(message_of(with_count(" samples")), "");
+  expect_tydex_message(with_count("  50"), "rig.tdx:12: ", "states 50 samples, but 2 follow");
+  expect_tydex_message(with_count("  1"), "rig.tdx:12: ", "states 1 samples, but 2 follow");
+}
+
 TEST(TydexFile, ReadsHeaderConstantsAndChannelsInSi) {
   const TydexFile file = TydexFile::parse(kHead + kChannels + kData, "rig.tdx");
   EXPECT_EQ(file.find("RELEASE")->text, "1.3");

@@ -184,6 +184,9 @@ class TeimOrbitReader {
                            entry.key));
       value = value.substr(1, end - 1);
     }
+    // Some programs write texts in double quotes.
+    if (value.size() >= 2 && value.front() == '"' && value.back() == '"')
+      value = value.substr(1, value.size() - 2);
     entry.value = std::string(trimmed(value));
     section().entries_.push_back(std::move(entry));
     table_open_ = false;

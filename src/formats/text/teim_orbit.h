@@ -144,9 +144,9 @@ class TeimOrbit {
 
   const std::string& file() const { return *file_; }
   const std::vector<TeimOrbitSection>& sections() const { return sections_; }
-  /// Returns the first section of that name; nullptr if there is none.
+  /// Returns the first section of the given name; nullptr if there is none.
   const TeimOrbitSection* find(std::string_view section) const;
-  /// Returns the first section of that name; throws InputError if there is none.
+  /// Returns the first section of the given name; throws InputError if there is none.
   const TeimOrbitSection& section(std::string_view name) const;
   /// Throws InputError for an unknown unit.
   TeimOrbitUnits units(TeimOrbitUnits::Missing missing = TeimOrbitUnits::Missing::is_refused) const;

@@ -13,13 +13,13 @@
 namespace latsch::formats {
 namespace {
 
+using magic_formula::MeasuredSide;
 using magic_formula::ParameterField;
 using magic_formula::Parameters;
-using magic_formula::Side;
 using magic_formula::Version;
 
-const char* name_of(Side side) {
-  return side == Side::left ? "LEFT" : side == Side::right ? "RIGHT" : "SYMMETRIC";
+const char* name_of(MeasuredSide side) {
+  return side == MeasuredSide::left ? "LEFT" : side == MeasuredSide::right ? "RIGHT" : "SYMMETRIC";
 }
 
 int fittyp_of(Version version) {

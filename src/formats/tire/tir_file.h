@@ -2,7 +2,7 @@
 // Magic Formula tires in .tir files: MF-Tyre/MF-Swift 5.0 to 5.2, 6.0 to 6.2 and PAC2002, which is
 // 5.2 with inflation pressure (tir_dialect.h).
 //
-// Every coefficient is searched by its name in any section except [UNITS] and [MDI_HEADER] and
+// Every coefficient is searched for by its name in any section except [UNITS] and [MDI_HEADER] and
 // converted to SI. Keys of PAC2002 with another name are recognized: QPZ1 is PPZ1, QPX1 is PPMX1,
 // IP_NOM is NOMPRES; its factors LIP and LCZ multiply NOMPRES and VERTICAL_STIFFNESS. `keys` says
 // for every key of the file which parameter it is, or why it has no effect (tir_keys.h); `notes`

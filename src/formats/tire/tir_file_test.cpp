@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstring>
 #include <functional>
 
 #include "base/file.h"
@@ -13,8 +15,8 @@
 namespace latsch::formats {
 namespace {
 
+using magic_formula::MeasuredSide;
 using magic_formula::Parameters;
-using magic_formula::Side;
 using magic_formula::Version;
 
 const std::filesystem::path kTires = LATSCH_SOURCE_DIR "/../shared/data/tir";
@@ -55,6 +57,86 @@ void expect_same(const Parameters& a, const Parameters& b) {
     EXPECT_EQ(a.*field.member, b.*field.member) << field.name;
 }
 
+bool says(const TirFile& tir, const std::string& part) {
+  return std::any_of(tir.notes.begin(), tir.notes.end(), [&](const std::string& note) {
+    return note.find(part) != std::string::npos;
+  });
+}
+
+/// kSmall with another line before [VERTICAL].
+std::string with_line(const std::string& line) {
+  return replaced("[VERTICAL]\n", line + "\n[VERTICAL]\n");
+}
+
+TEST(TirFile, ASpeedThatIsNotPositiveIsRefusedWithItsLine) {
+  const std::string version = "FITTYP=61 $ version\n";
+  EXPECT_EQ(tir_complaint(replaced(version, version + "LONGVL=0\n")),
+            "t.tir:10: LONGVL is 0 m/s, expected a positive speed: that of the measurement, to "
+            "which the forces refer");
+  EXPECT_NE(tir_complaint(replaced(version, version + "LONGVL=-16700\n")).find("LONGVL is -16.7"),
+            std::string::npos);
+  EXPECT_NE(tir_complaint(replaced(version, version + "VXLOW=-1\n")).find("t.tir:10: VXLOW is"),
+            std::string::npos);
+  EXPECT_EQ(tir_complaint(replaced(version, version + "LONGVL=16700\n")), "");
+}
+
+TEST(TirFile, NegativeMassesInertiasAndDampingsAreRefused) {
+  for (const char* line : {"IYY=-1",
+                           "BELT_MASS=-4",
+                           "DAMP_LONG=-0.1",
+                           "DAMP_RESIDUAL=-0.001",
+                           "FREQ_LAT=-40",
+                           "YAW_STIFFNESS=-5"}) {
+    const std::string complaint = tir_complaint(with_line(line));
+    EXPECT_NE(complaint.find(std::string("t.tir:18: ") + std::string(line, strchr(line, '='))),
+              std::string::npos)
+        << complaint;
+  }
+  EXPECT_NE(tir_complaint(replaced("MASS=9.3", "MASS=-9.3")).find("MASS is -9.3 kg"),
+            std::string::npos);
+}
+
+TEST(TirFile, GramsAndPercentAndMillisecondsAreNoticed) {
+  EXPECT_TRUE(
+      says(parse_tir(replaced("MASS=9.3", "MASS=9300"), "t.tir"), "t.tir:17: MASS is 9300"));
+  EXPECT_TRUE(
+      says(parse_tir(with_line("BELT_MASS=20"), "t.tir"), "the belt is a part of the tire"));
+  EXPECT_TRUE(says(parse_tir(with_line("DAMP_LAT=11.5"), "t.tir"), "is it in percent?"));
+  EXPECT_TRUE(says(parse_tir(with_line("FREQ_LONG=68000"), "t.tir"), "FREQ_LONG is 6.8e+04 Hz"));
+  EXPECT_TRUE(says(parse_tir(with_line("IYY=8e8"), "t.tir"), "within UNLOADED_RADIUS"));
+  EXPECT_FALSE(says(parse_tir(with_line("BELT_MASS=4.5\nDAMP_LAT=0.1"), "t.tir"), "t.tir:1"));
+}
+
+TEST(TirFile, AWidthGivesTheMassOfATireOfItsSize) {
+  // pi 0.3^2 0.2 m^3 of 10 to 1500 kg/m^3
+  const std::string sized = "UNLOADED_RADIUS=300\nWIDTH=200\n";
+  std::string text = replaced("UNLOADED_RADIUS=300\n", sized);
+  EXPECT_FALSE(says(parse_tir(text, "t.tir"), "MASS"));
+  text.replace(text.find("MASS=9.3"), 8, "MASS=930");
+  EXPECT_TRUE(says(parse_tir(text, "t.tir"), "a tire of this size has 0.57 to 85 kg"));
+  EXPECT_TRUE(
+      says(parse_tir(replaced("UNLOADED_RADIUS=300\n", "UNLOADED_RADIUS=300\nWIDTH=0\n"), "t.tir"),
+           "WIDTH is 0 m"));
+}
+
+TEST(TirFile, AKeyInAnUnknownSectionAndACoefficientOfZeroAreReported) {
+  EXPECT_TRUE(says(parse_tir(with_line("[FOO]\nPDY2=-0.5"), "t.tir"),
+                   "t.tir:19: PDY2 is in [FOO], a section that is not known, it belongs in "
+                   "[LATERAL_COEFFICIENTS]"));
+  EXPECT_TRUE(says(parse_tir(replaced("PCY1=1.3", "PCY1=0"), "t.tir"),
+                   "PCY1 is 0: the tire has no side force"));
+  EXPECT_TRUE(says(parse_tir(replaced("PXX9=3", "PDX1=0"), "t.tir"),
+                   "PDX1 is 0: the tire has no longitudinal force"));
+  EXPECT_FALSE(says(parse_tir(kSmall, "t.tir"), "the tire has no"));
+}
+
+TEST(TirFile, AModeThatDoesNotExistIsReported) {
+  const std::string version = "FITTYP=61 $ version\n";
+  EXPECT_TRUE(says(parse_tir(replaced(version, version + "USE_MODE=99\n"), "t.tir"),
+                   "USE_MODE is 99, expected a last digit of 0 to 5"));
+  EXPECT_FALSE(says(parse_tir(replaced(version, version + "USE_MODE=125\n"), "t.tir"), "USE_MODE"));
+}
+
 TEST(TirFile, UnitsBecomeSiAndTheTwoMassesStayApart) {
   const Parameters p = parse_tir(kSmall, "t.tir").parameters;
   EXPECT_DOUBLE_EQ(p.UNLOADED_RADIUS, 0.3);
@@ -63,7 +145,7 @@ TEST(TirFile, UnitsBecomeSiAndTheTwoMassesStayApart) {
   EXPECT_DOUBLE_EQ(p.INFLPRES, 2.5e5);
   EXPECT_NEAR(p.ALPMAX, 0.5235987755982988, 1e-15);
   EXPECT_EQ(p.MASS, 9.3);
-  EXPECT_EQ(p.side, Side::right);
+  EXPECT_EQ(p.side, MeasuredSide::right);
   EXPECT_EQ(p.version, Version::mf61);
   EXPECT_EQ(p.PKY4, 2.0);  // absent from the file
   EXPECT_EQ(p.LMUY, 1.0);
@@ -368,7 +450,7 @@ TEST(TirFile, SampleFilesOfOtherPrograms) {
   const auto read = [](const char* name) { return read_tir(kTires / name); };
   const TirFile mf61 = read("MagicFormula61_Parameters.tir");
   EXPECT_EQ(mf61.parameters.version, Version::mf61);
-  EXPECT_EQ(mf61.parameters.side, Side::right);
+  EXPECT_EQ(mf61.parameters.side, MeasuredSide::right);
   EXPECT_EQ(mf61.parameters.MASS, 17.451);
   EXPECT_EQ(mf61.parameters.use_mode, 124);
   EXPECT_TRUE(mf61.parameters.turn_slip_known());

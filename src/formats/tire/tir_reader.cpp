@@ -16,14 +16,15 @@
 #include "formats/tire/tir_dialect.h"
 #include "formats/tire/tir_keys.h"
 #include "formats/tire/tir_modes.h"
+#include "formats/tire/tir_sizes.h"
 
 namespace latsch::formats {
 namespace {
 
+using magic_formula::MeasuredSide;
 using magic_formula::ParameterField;
 using magic_formula::Parameters;
 using magic_formula::ParameterUnit;
-using magic_formula::Side;
 using magic_formula::Version;
 
 /// Scaling factors that the equations divide by, or that would remove the tire if they were 0.
@@ -132,44 +133,18 @@ class TirReader {
     tir_.notes.push_back(Place{tir_.source.file(), line}.text() + ": " + text);
   }
 
-  /// Rejects sizes that no tire has: a unit of [UNITS] is wrong.
+  /// Reports or refuses sizes that no tire has.
   void check_sizes() {
-    struct Size {
-      const char *name, *unit;
-      double from, to;
-    };
-    constexpr Size kSizes[] = {{"UNLOADED_RADIUS", "m", 0.05, 3.0},
-                               {"RIM_RADIUS", "m", 0.02, 2.0},
-                               {"WIDTH", "m", 0.01, 2.0},
-                               {"FNOMIN", "N", 10.0, 1e6},
-                               {"VERTICAL_STIFFNESS", "N/m", 1e3, 1e8},
-                               {"NOMPRES", "Pa", 2e4, 1.2e6},
-                               {"INFLPRES", "Pa", 2e4, 1.2e6}};
-    for (const Size& size : kSizes) {
-      const double value = tir_.parameters.*magic_formula::find_parameter(size.name)->member;
-      if (value == 0.0 || (size.from <= value && value <= size.to)) continue;
-      doubt(size.name,
-            line_of(size.name),
-            fmt::format("{} is {:.4g} {}, where tires have {:g} to {:g} {}: is a unit of [UNITS] "
-                        "right?",
-                        size.name,
-                        value,
-                        size.unit,
-                        size.from,
-                        size.to,
-                        size.unit));
-    }
-    if (tir_.parameters.RIM_RADIUS >= tir_.parameters.UNLOADED_RADIUS)
-      doubt("RIM_RADIUS", line_of("RIM_RADIUS"), "RIM_RADIUS is not below UNLOADED_RADIUS");
+    examine_sizes(
+        tir_.parameters,
+        [&](std::string_view name) { return found_.contains(std::string(name)); },
+        [&](std::string_view name, const std::string& sentence) {
+          throw InputError(place_of(std::string(name)), sentence);
+        },
+        [&](std::string_view name, const std::string& sentence) {
+          doubt(std::string(name), place_of(std::string(name)).line, sentence);
+        });
   }
-  /// Line of a key in any section; 0: the file lacks it.
-  int line_of(std::string_view key) const {
-    for (const TeimOrbitSection& section : tir_.source.sections())
-      for (const TeimOrbitEntry& entry : section.entries())
-        if (entry.key == key) return entry.line;
-    return 0;
-  }
-
   void read_section(const TeimOrbitSection& section) {
     std::map<std::string_view, const TeimOrbitEntry*> seen;
     for (const TeimOrbitEntry& entry : section.entries()) {
@@ -308,14 +283,15 @@ class TirReader {
                                    before->second->line,
                                    before->second->value));
     tir_.parameters.*field.member = value;
-    const bool astray = is_coefficient_group(field.section) && section.name() != field.section &&
-                        home_sections().contains(section.name());
+    const bool astray = is_coefficient_group(field.section) && section.name() != field.section;
     if (astray)
       note(entry.line,
-           fmt::format("{} is in [{}], it belongs in [{}]; used unchanged",
-                       entry.key,
-                       section.name(),
-                       field.section));
+           fmt::format(
+               "{} is in [{}]{}, it belongs in [{}]; used unchanged",
+               entry.key,
+               section.name(),
+               home_sections().contains(section.name()) ? "" : ", a section that is not known",
+               field.section));
   }
 
   void read_mode(const TeimOrbitSection& model) {
@@ -327,6 +303,15 @@ class TirReader {
                         "made here; taken as {} (side = \"other\" of a test mirrors)",
                         mode,
                         -mode));
+    constexpr long kModes = 6, kLags = 3;  // digits that differ: 0 to 5, 0 to 2
+    const long units = std::abs(mode) % 10, tens = std::abs(mode) / 10 % 10;
+    if (units >= kModes || tens >= kLags)
+      doubt("USE_MODE",
+            model.find("USE_MODE")->line,
+            fmt::format("USE_MODE is {}, expected a last digit of 0 to 5 and 0 to 2 before it; "
+                        "computed as {}",
+                        mode,
+                        10 * std::min(tens, kLags - 1) + (units >= kModes ? 4 : units)));
     tir_.parameters.use_mode = static_cast<int>(std::abs(mode));
     if (const std::string unlike = unlike_use_mode(tir_); !unlike.empty())
       doubt("USE_MODE", model.find("USE_MODE")->line, unlike);
@@ -334,8 +319,9 @@ class TirReader {
 
   void read_side(const TeimOrbitSection& model) {
     const std::string side = model.text("TYRESIDE", "LEFT");
-    const std::map<std::string, Side> sides = {
-        {"LEFT", Side::left}, {"RIGHT", Side::right}, {"SYMMETRIC", Side::symmetric}};
+    const std::map<std::string, MeasuredSide> sides = {{"LEFT", MeasuredSide::left},
+                                                       {"RIGHT", MeasuredSide::right},
+                                                       {"SYMMETRIC", MeasuredSide::symmetric}};
     const auto known = sides.find(capitals(side));
     if (known == sides.end()) {
       doubt("TYRESIDE",
@@ -501,7 +487,7 @@ class TirReader {
            "steering do not diminish each other's forces");
   }
 
-  /// Reports missing coefficients without which the tire has no force of that kind.
+  /// Reports missing coefficients without which the tire has no force of the given kind.
   void report_missing() {
     const bool new_formula = tir_.parameters.version != Version::mf52;
     std::vector<std::string> expected = {

@@ -16,6 +16,7 @@
 #include "base/units.h"
 #include "measurement/meaning/channel_words.h"
 #include "measurement/meaning/suspension_checks.h"
+#include "measurement/meaning/natural_unit.h"
 
 namespace latsch {
 namespace {
@@ -33,9 +34,9 @@ struct UsualRange {
 constexpr std::string_view kRadians = "is it in deg, and the file says rad, or says nothing?";
 constexpr std::array kRanges = {
     UsualRange{"alpha", "deg", -90, -90, 90, 90, kRadians},
-    UsualRange{"gamma", "deg", -90, -90, 90, 90, kRadians},
+    UsualRange{"gamma", "deg", -90, -65, 65, 90, kRadians},
     UsualRange{"toe", "deg", -90, -90, 90, 90, kRadians},
-    UsualRange{"camber", "deg", -90, -90, 90, 90, kRadians},
+    UsualRange{"camber", "deg", -90, -65, 65, 90, kRadians},
     UsualRange{"caster", "deg", -90, -90, 90, 90, kRadians},
     UsualRange{"Vx", "km/h", -1500, 0, 250, 1500, "is it in another unit?"},
     UsualRange{"omega", "rad/s", -1e4, -1e3, 1e3, 1e4, "is it in another unit?"},
@@ -138,6 +139,43 @@ std::optional<ChannelDoubt> out_of_range(const Channel& channel, const UsualRang
                       is_error};
 }
 
+/// Finds numbers such as -9999 that stand for a gap: no number of the channel except them comes
+/// near them. They are searched in SI and in the channel's natural unit.
+std::optional<ChannelDoubt> sign_of_a_gap(const Channel& channel) {
+  constexpr double kSigns[] = {999, 9999, 99999, 999999, 32767, 32768};
+  constexpr double kFar = 2.0;  // ratio to the largest other value
+  constexpr std::size_t kFewest = 4;
+  if (numbers_in(channel.values) < kFewest || channel.name == "time") return std::nullopt;
+  double most = 0.0;
+  for (const double value : channel.values)
+    if (!std::isnan(value)) most = std::max(most, std::abs(value));
+  const std::string natural = natural_unit(channel.unit);
+  for (const std::string& unit : {channel.unit, natural}) {
+    const double written = std::abs(Unit::of(unit).from_si(most));
+    const bool is_sign = std::ranges::any_of(
+        kSigns, [&](double sign) { return std::abs(written - sign) <= 1e-9 * sign; });
+    if (!is_sign) continue;
+    const auto equals = [&](double value) {
+      return std::abs(std::abs(value) - most) <= 1e-9 * most;
+    };
+    double other = 0.0;
+    for (const double value : channel.values)
+      if (!std::isnan(value) && !equals(value)) other = std::max(other, std::abs(value));
+    const Counted gaps = count_where(channel.values, equals);
+    if (kFar * other > most || gaps.count == numbers_in(channel.values)) return std::nullopt;
+    const double sign = channel.values[gaps.first] < 0.0 ? -written : written;
+    return ChannelDoubt{
+        channel.name,
+        fmt::format("is {} {}, all others are within {}: does the number stand for a gap? "
+                    "A gap is an empty cell, NaN or NOTAVAIL",
+                    format_number(sign, 6),
+                    of_samples(gaps.count, numbers_in(channel.values)),
+                    format_quantity(other, unit, 4)),
+        gaps.first};
+  }
+  return std::nullopt;
+}
+
 /// Checks that the loads are positive, as those of a wheel on the ground.
 std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
   constexpr double kHop = 0.02;   // share of the largest load: noise about 0 while the wheel is in
@@ -157,6 +195,7 @@ std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
                                     of_samples(below.count, all),
                                     reach_in_words(channel, "N")),
                         below.first,
+                        true,
                         true,
                         true};
   const Counted odd =
@@ -235,7 +274,49 @@ void check_pairs(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
                                   pair.sign < 0.0 ? "the same" : "not the same",
                                   a->name,
                                   r,
-                                  pair.law)});
+                                  pair.law),
+                      0,
+                      false,
+                      false,
+                      true});
+  }
+}
+
+/// Checks that a horizontal force is at most three times the load.
+void check_friction(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
+  constexpr double kMostFriction = 3.0;
+  constexpr double kLeastLoad = 0.2;  // share of the median load: below it the wheel nearly hops
+  const Channel* Fz = only(channels, "Fz");
+  if (!Fz || Fz->unit != "N") return;
+  std::vector<double> loads;
+  for (const double value : Fz->values)
+    if (value > 0.0) loads.push_back(value);
+  if (2 * loads.size() <= Fz->values.size()) return;  // changes of a load, not loads
+  const auto middle = loads.begin() + static_cast<std::ptrdiff_t>(loads.size() / 2);
+  std::nth_element(loads.begin(), middle, loads.end());
+  const double least = kLeastLoad * *middle;
+  for (const char* name : {"Fx", "Fy"}) {
+    const Channel* force = only(channels, name);
+    if (!force || force->unit != "N") continue;
+    std::size_t count = 0, first = 0, all = 0;
+    double most = 0.0;
+    for (std::size_t i = 0; i < std::min(force->values.size(), Fz->values.size()); ++i) {
+      if (!(Fz->values[i] >= least) || std::isnan(force->values[i])) continue;
+      ++all;
+      const double friction = std::abs(force->values[i]) / Fz->values[i];
+      most = std::max(most, friction);
+      if (friction > kMostFriction && count++ == 0) first = i;
+    }
+    if (count == 0) continue;
+    doubts.push_back({force->name,
+                      fmt::format("is more than {} times the load {} {}, at most {} times: no "
+                                  "tire has such a friction; is one of the two in another unit, or "
+                                  "a spike?",
+                                  kMostFriction,
+                                  Fz->name,
+                                  of_samples(count, all),
+                                  format_number(most, 3)),
+                      first});
   }
 }
 
@@ -283,21 +364,60 @@ void check_inclination(const Channels& channels, std::vector<ChannelDoubt>& doub
                                 "iso axes a tire whose top leans to the right pulls to the right: "
                                 "is the sign of the inclination wrong?",
                                 x[1] * std::numbers::pi / 180.0,
-                                alpha->name)});
+                                alpha->name),
+                    0,
+                    false,
+                    false,
+                    true});
 }
 
-/// Checks that the time increases.
-void check_time(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
+/// Checks that the time rises from each sample to the next one of its run.
+void check_time(const Channels& channels,
+                const std::vector<std::size_t>& breaks,
+                std::vector<ChannelDoubt>& doubts) {
   const Channel* time = only(channels, "time");
-  if (!time || time->unit != "s" || time->values.size() < 3) return;
-  std::size_t back = 0, first = 0;
-  for (std::size_t i = 1; i < time->values.size(); ++i)
-    if (time->values[i] < time->values[i - 1] && back++ == 0) first = i;
-  if (2 * back < time->values.size()) return;  // a file of several runs
-  doubts.push_back(
-      {time->name,
-       fmt::format("goes backward {}: is its sign wrong?", of_samples(back, time->values.size())),
-       first});
+  if (!time || time->unit != "s") return;
+  const std::vector<double>& t = time->values;
+  constexpr std::size_t kShortestRun = 3;  // samples
+  std::size_t back = 0, first_back = 0, same = 0, first_same = 0, steps = 0, begin = 0;
+  // A run of at least three samples, behind which the time begins where it began, is followed by
+  // another run.
+  const auto begins_anew = [&](std::size_t i) {
+    return i - begin >= kShortestRun && std::abs(t[i] - t[begin]) <= t[begin + 1] - t[begin];
+  };
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    if (std::isnan(t[i]) || std::isnan(t[i - 1]) ||
+        std::find(breaks.begin(), breaks.end(), i) != breaks.end()) {
+      begin = i;
+      continue;
+    }
+    ++steps;
+    if (t[i] < t[i - 1] && begins_anew(i)) {
+      begin = i;
+      continue;
+    }
+    if (t[i] < t[i - 1] && back++ == 0) first_back = i;
+    if (t[i] == t[i - 1] && same++ == 0) first_same = i;
+  }
+  const auto in_words = [&](std::size_t i) {
+    return fmt::format("from {} to {} s", format_number(t[i - 1], 9), format_number(t[i], 9));
+  };
+  if (back > 0)
+    doubts.push_back(
+        {time->name,
+         fmt::format("goes back {}, first {}: {}",
+                     of_samples(back, t.size()),
+                     in_words(first_back),
+                     2 * back < steps ? "are the rows not in order, or does another run begin?"
+                                      : "is its sign wrong?"),
+         first_back});
+  if (same > 0)
+    doubts.push_back({time->name,
+                      fmt::format("repeats {}, first at {} s: did a row come twice, or is it "
+                                  "rounded?",
+                                  of_samples(same, t.size()),
+                                  format_number(t[first_same], 9)),
+                      first_same});
 }
 
 /// Checks two lengths of a header: the rim must be smaller than its tire.
@@ -318,10 +438,15 @@ void check_rim(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
 
 }  // namespace
 
-std::vector<ChannelDoubt> doubts_about(const Channels& channels) {
+std::vector<ChannelDoubt> doubts_about(const Channels& channels,
+                                       const std::vector<std::size_t>& breaks) {
   std::vector<ChannelDoubt> doubts;
   for (const Channel& channel : channels.all()) {
     const std::string name = base_name(channel);
+    if (auto doubt = sign_of_a_gap(channel)) {
+      doubts.push_back(std::move(*doubt));
+      continue;
+    }
     if (name == "Fz" && channel.unit == "N" && channel.name != "load")
       if (auto doubt = sign_of_load(channel)) {
         doubts.push_back(std::move(*doubt));
@@ -334,11 +459,12 @@ std::vector<ChannelDoubt> doubts_about(const Channels& channels) {
   const bool is_turned = std::any_of(
       doubts.begin(), doubts.end(), [](const ChannelDoubt& one) { return one.all_loads_negative; });
   if (!is_turned) {
+    check_friction(channels, doubts);
     check_pairs(channels, doubts);
     check_inclination(channels, doubts);
     for (ChannelDoubt& doubt : suspension_doubts(channels)) doubts.push_back(std::move(doubt));
   }
-  check_time(channels, doubts);
+  check_time(channels, breaks, doubts);
   check_rim(channels, doubts);
   return doubts;
 }

@@ -12,11 +12,13 @@
 //   loaded_radius, R_e            0.05 to 3 m               below 0.01, above 10 m
 //   kappa                         -1.05 to 1.5              beyond 100
 //   mux, muy, friction            0 to 3
+//   |Fx| / Fz, |Fy| / Fz          0 to 3, where Fz is above a fifth of its median
 //   RIMDIAME                      below OVALLDIA            above it
 //
 //   slip angle and side force     opposite: Fy falls as alpha rises
 //   slip angle, aligning moment   equal in small slip angles
 //   inclination and side force    opposite, at one slip angle
+//   time                          rises from sample to sample of a run
 //   kappa and Fx; dx, dy, dz and the force along them; Vx and omega     equal
 //
 // The signs of toe, camber, caster and steer of a K&C table: suspension_checks.h.
@@ -42,10 +44,13 @@ struct ChannelDoubt {
   std::size_t sample = 0;  // the first odd one
   bool is_error = false;
   bool all_loads_negative = false;  // suggests another convention
+  bool is_of_sign = false;  // true for a contradiction between signs, which another sign removes
 };
 
-/// Checks channels in SI and iso, under our names; gaps are NaN.
-std::vector<ChannelDoubt> doubts_about(const Channels& channels);
+/// Checks channels in SI and iso, under our names; gaps are NaN. `breaks` are samples at which
+/// another file begins, whose time may begin anew.
+std::vector<ChannelDoubt> doubts_about(const Channels& channels,
+                                       const std::vector<std::size_t>& breaks = {});
 
 /// Returns the channels that are empty in some samples. A channel that is empty as a whole was not
 /// recorded.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measurement/meaning/channel_checks.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,11 +50,64 @@ Channels times(const std::string& name, double factor, std::size_t every = 1) {
 
 TEST(ChannelChecks, FindNothingInAGoodRecord) { EXPECT_TRUE(doubts_about(cornering()).empty()); }
 
+std::string said_of_time(std::vector<double> seconds, const std::vector<std::size_t>& breaks = {}) {
+  Channels channels;
+  channels.add({"time", "s", std::move(seconds)});
+  std::string said;
+  for (const ChannelDoubt& doubt : doubts_about(channels, breaks))
+    said += fmt::format("{}@{};", doubt.sentence, doubt.sample);
+  return said;
+}
+
+TEST(ChannelChecks, TimeRisesFromSampleToSample) {
+  EXPECT_EQ(said_of_time({0.0, 0.1, 0.2, 0.3}), "");
+  EXPECT_NE(said_of_time({0.0, 0.1, 0.05, 0.3})
+                .find("goes back in 1 of 4 samples, first from 0.1 to 0.05 s"),
+            std::string::npos);
+  EXPECT_NE(said_of_time({0.0, 0.1, 0.05, 0.3}).find("@2;"), std::string::npos);
+  EXPECT_NE(said_of_time({0.0, 0.1, 0.1, 0.3}).find("repeats in 1 of 4 samples, first at 0.1 s"),
+            std::string::npos);
+  EXPECT_NE(said_of_time({0.3, 0.2, 0.1, 0.0}).find("sign"), std::string::npos);
+  EXPECT_NE(said_of_time({0.3, 0.4, 0.5, 0.0, 0.1}).find("goes back in 1 of 5"), std::string::npos);
+  EXPECT_EQ(said_of_time({0.0, 0.1, 0.0, 0.1}, {2}), "");  // the second file begins anew
+}
+
+// A force of one sample in four kilonewtons, read as newtons, or a spike.
+TEST(ChannelChecks, NoForceIsMoreThanThreeTimesTheLoad) {
+  const auto doubts = doubts_about(times("Fy", 20.0, 17));
+  ASSERT_FALSE(doubts.empty());
+  EXPECT_EQ(doubts[0].channel, "Fy");
+  EXPECT_NE(doubts[0].sentence.find("more than 3 times the load Fz"), std::string::npos)
+      << doubts[0].sentence;
+  EXPECT_FALSE(doubts[0].is_error);
+}
+
 TEST(ChannelChecks, RefuseLoadsThatPull) {
   const auto doubts = doubts_about(times("Fz", -1.0));
   ASSERT_EQ(doubts.size(), 1u);
   EXPECT_TRUE(doubts[0].is_error && doubts[0].all_loads_negative);
   EXPECT_EQ(doubts[0].channel, "Fz");
+}
+
+TEST(ChannelChecks, FindNumbersThatStandForAGap) {
+  const auto with_gap = [](const std::string& name, double value) {
+    Channels changed;
+    for (Channel channel : cornering().all()) {
+      if (channel.name == name) channel.values[5] = channel.values[7] = value;
+      changed.add(std::move(channel));
+    }
+    return doubts_about(changed);
+  };
+  for (const auto& [name, value] : {std::pair{"Fy", -9999.0}, {"Mz", 99999.0}, {"Fz", -9999.0}}) {
+    const auto doubts = with_gap(name, value);
+    ASSERT_FALSE(doubts.empty()) << name;
+    EXPECT_EQ(doubts[0].channel, name);
+    EXPECT_EQ(doubts[0].sample, 5u);
+    EXPECT_NE(doubts[0].sentence.find("in 2 of 51 samples"), std::string::npos);
+    EXPECT_NE(doubts[0].sentence.find("does the number stand for a gap?"), std::string::npos);
+  }
+  EXPECT_FALSE(with_gap("alpha", -999.0 * kDegreeOfChecks).empty());  // in deg
+  EXPECT_TRUE(with_gap("Fy", -3000.0).empty());
 }
 
 TEST(ChannelChecks, CountAMinority) {

@@ -222,9 +222,12 @@ std::string folded(std::string_view text) {
        {"Ω", "omega"}}};
   std::string result;
   while (!text.empty()) {
-    const auto letter = std::find_if(kLetters.begin(), kLetters.end(), [&](const auto& one) {
-      return text.starts_with(one.first);
-    });
+    const bool is_ascii = static_cast<unsigned char>(text.front()) < 0x80;
+    const auto letter = is_ascii
+                            ? kLetters.end()
+                            : std::find_if(kLetters.begin(), kLetters.end(), [&](const auto& one) {
+                                return text.starts_with(one.first);
+                              });
     if (letter != kLetters.end()) {
       result += letter->second;
       text.remove_prefix(letter->first.size());
@@ -236,6 +239,34 @@ std::string folded(std::string_view text) {
     text.remove_prefix(1);
   }
   return result;
+}
+
+/// Returns the length in bytes of a character that a name may contain without another meaning: a
+/// letter, a digit, a mark between words; 0 for any other. An operator changes the quantity: "-SA",
+/// "|SA|", "ΔSA" and "Fy/Fz" are not what they contain.
+std::size_t plain_character(std::string_view text) {
+  constexpr std::array<std::string_view, 21> kOthers = {
+      "ä", "ö", "ü", "Ä", "Ö",      "Ü",      "ß",      "α",      "γ",      "κ",     "ω",
+      "Α", "Γ", "Κ", "Ω", "\u00a0", "\u0308", "\u2010", "\u2011", "\u202f", "\ufeff"};
+  const char c = text.front();
+  const bool is_capital = c >= 'A' && c <= 'Z';
+  if (is_capital || is_plain_letter(c) ||
+      std::string_view(" \t-_.:{}\\$\"").find(c) != std::string_view::npos)
+    return 1;
+  for (const std::string_view other : kOthers)
+    if (text.starts_with(other)) return other.size();
+  return 0;
+}
+
+/// True for a name without operators. A mark between words does not begin the name.
+bool is_plain_name(std::string_view text) {
+  if (text.starts_with('-')) return false;
+  while (!text.empty()) {
+    const std::size_t size = plain_character(text);
+    if (size == 0) return false;
+    text.remove_prefix(size);
+  }
+  return true;
 }
 
 /// Turns "fyw" into "FyW"; returns "" if the word is no force or moment.
@@ -254,7 +285,7 @@ std::string force_of(const std::string& word) {
 /// Recognizes a whole word without unit and wheel.
 std::optional<RecognizedName> word(std::string_view text) {
   const std::string key = folded(text);
-  if (key.empty()) return std::nullopt;
+  if (key.empty() || !is_plain_name(trimmed(text))) return std::nullopt;
   const bool is_our_own = find_meaning(text) != nullptr;
   for (const Spelling& spelling : kSpellings)
     if (spelling.written == key)
@@ -264,8 +295,13 @@ std::optional<RecognizedName> word(std::string_view text) {
                             spelling.keeps_name || (is_our_own && text != spelling.channel)};
   if (const std::string force = force_of(key); !force.empty())
     return RecognizedName{find_meaning(force.substr(0, 2)), force, ""};
-  for (const ChannelMeaning& meaning : kMeanings)
-    if (folded(meaning.name) == key) return RecognizedName{&meaning, std::string(meaning.name), ""};
+  static const std::vector<std::string> kFolded = [] {
+    std::vector<std::string> names;
+    for (const ChannelMeaning& meaning : kMeanings) names.push_back(folded(meaning.name));
+    return names;
+  }();
+  for (std::size_t i = 0; i < kMeanings.size(); ++i)
+    if (kFolded[i] == key) return RecognizedName{&kMeanings[i], std::string(kMeanings[i].name), ""};
   return std::nullopt;
 }
 
@@ -344,6 +380,12 @@ std::optional<RecognizedName> recognized(std::string_view written) {
   return found;
 }
 
+std::vector<std::string> channel_names() {
+  std::vector<std::string> names;
+  for (const ChannelMeaning& meaning : kMeanings) names.emplace_back(meaning.name);
+  return names;
+}
+
 bool same_channel(std::string_view a, std::string_view b) {
   if (a == b) return true;
   const auto one = recognized(a), other = recognized(b);
@@ -383,7 +425,9 @@ std::vector<std::string> look_like(std::string_view channel,
         const int edits = edit_distance(key, spelling);
         if (edits <= std::min(allowed, kMostEdits)) best = std::min(best, edits);
       }
-      const std::string first = folded(name.substr(0, name.find_first_of("_ -./([")));
+      const std::size_t begin = std::min(name.find_first_not_of("_ -./(["), name.size());
+      const std::size_t end = name.find_first_of("_ -./([", begin);
+      const std::string first = folded(name.substr(begin, end - begin));
       if (first == spelling && first.size() >= 2) best = std::min(best, kMostEdits + 1);
     }
     if (best <= kMostEdits + 1) alike.emplace_back(best, name);

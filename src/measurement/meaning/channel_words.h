@@ -24,7 +24,8 @@
 //
 // A name may end in a unit, in brackets or behind an underscore ("Alpha (deg)", "Fz[N]", "p_kPa"),
 // in a wheel ("Fz_FL", "FZ_L") or, for a force, in its frame ("FYW"). SL, the slip of the loaded
-// radius, is no kappa and keeps its name, as every unknown name does.
+// radius, is no kappa and keeps its name, as every unknown name does. A name with an operator is
+// not known: "-SA", "|SA|", "ΔSA" and "Fy/Fz" are other quantities than those that they contain.
 #pragma once
 
 #include <optional>
@@ -51,6 +52,9 @@ struct RecognizedName {
 /// Returns the channel a written name means; nothing if the name is not known. The caller has to
 /// check that the unit of the values fits.
 std::optional<RecognizedName> recognized(std::string_view written);
+
+/// Returns our names of all channels of the vocabulary, without frames and wheels.
+std::vector<std::string> channel_names();
 
 /// True if two names mean the same channel: equal names, or two spellings of one channel.
 bool same_channel(std::string_view a, std::string_view b);

@@ -69,6 +69,14 @@ TEST(ChannelWords, OthersAreNotTaken) {
     EXPECT_FALSE(recognized(name)) << name;
 }
 
+TEST(ChannelWords, AnOperatorMakesAnotherQuantity) {
+  for (const char* name :
+       {"-SA", "|SA|", "ΔSA", "σ FY", "SA*2", "1/SR", "Fy/Fz", "SA²", "FZ'", "±SA", "−SA"})
+    EXPECT_FALSE(recognized(name)) << name;
+  for (const char* name : {"F_{z}", "F\u00a0z", "Schra\u0308glaufwinkel", "slip\u2010angle", "SA."})
+    EXPECT_TRUE(recognized(name)) << name;
+}
+
 TEST(ChannelWords, AWordOfTwoMeaningsKeepsItsName) {
   for (const char* name : {"camber", "pressure", "speed", "load", "wheel_speed"}) {
     ASSERT_TRUE(recognized(name));

@@ -24,7 +24,7 @@ struct LoaderSolution {
   Eigen::Vector4d unreachable;         // unit vector: the combination of the four forces that no
                                        // loaders can produce
   Eigen::Matrix<double, 4, 3> slopes;  // S
-  CarState state;                      // state at rest with the loaders, at that speed
+  CarState state;                      // state at rest with the loaders, at the requested speed
 
   /// Returns F and the remainder for other forces nearby.
   std::pair<Eigen::Vector3d, Eigen::Vector4d> near(const Eigen::Vector4d& pushrods) const;

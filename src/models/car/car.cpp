@@ -13,11 +13,11 @@ namespace latsch::car {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+using multibody::BodyForce;
 using multibody::Motion;
 using multibody::Pose;
 using multibody::Poses;
 using multibody::Vector6d;
-using multibody::Wrench;
 
 namespace {
 
@@ -224,12 +224,12 @@ Vector3d Car::off_guide(const Pose& chassis, const GuidePoint& point) const {
 
 void Car::add_guide(const Motion& motion,
                     const GuidePoint& point,
-                    std::vector<Wrench>& wrenches) const {
+                    std::vector<BodyForce>& wrenches) const {
   Vector6d rate = Vector6d::Zero();
   if (motion.rates) rate = motion.rates->segment<6>(6 * parts_.chassis);
   const Vector3d off = off_guide(motion.poses[at(parts_.chassis)], point);
   const double mass = mechanism_->mass(), yaw_inertia = parameters_.chassis.body.inertia(2, 2);
-  Wrench wrench{.body = parts_.chassis};
+  BodyForce wrench{.body = parts_.chassis};
   const auto hold = [&](int axis, double k, double inertia, double from, double rate_from) {
     const double c = motion.rates ? critical(k, inertia) : 0.0;
     if (!motion.rates) k *= kStill;
@@ -245,10 +245,10 @@ void Car::add_guide(const Motion& motion,
 void Car::add_guide(const Motion& motion,
                     const GuidePoint& point,
                     const Trim& trim,
-                    std::vector<Wrench>& wrenches) const {
+                    std::vector<BodyForce>& wrenches) const {
   const std::size_t first = wrenches.size();
   add_guide(motion, point, wrenches);
-  Wrench& chassis = wrenches[first];
+  BodyForce& chassis = wrenches[first];
   // A guide without stiffness in a direction does not start with a force there either.
   if (guide.lateral > 0.0) chassis.value[1] += trim.lateral;
   if (guide.yaw > 0.0) chassis.value[5] += trim.yaw;
@@ -260,28 +260,28 @@ void Car::add_guide(const Motion& motion,
 void Car::add_pull(const Motion& motion,
                    double pull,
                    const Trim& trim,
-                   std::vector<Wrench>& wrenches) const {
+                   std::vector<BodyForce>& wrenches) const {
   for (int corner = 0; corner < kCorners; ++corner) {
     const double share = 0.5 * guide.drives[is_front(corner) ? 0 : 1];
     if (share == 0.0) continue;
     const Vector3d force(share * pull, 0.0, 0.0);
     const int upright = parts_.corners[at(corner)].upright;
     const Vector3d arm = motion.poses[at(upright)].turn * wheel_center_in_upright(corner);
-    Wrench wheel{.body = upright};
+    BodyForce wheel{.body = upright};
     wheel.value << force, arm.cross(force);
     wheel.slopes.bottomRightCorner<3, 3>() = multibody::cross(force) * multibody::cross(arm);
     wrenches.push_back(wheel);
     const int chassis = is_front(corner) ? parts_.chassis : parts_.chassis_rear;
     const Vector3d across = motion.poses[at(chassis)].turn.col(1);
     const double torque = share * pull * trim.arm[at(corner)];
-    Wrench reaction{.body = chassis};
+    BodyForce reaction{.body = chassis};
     reaction.value.tail<3>() = -torque * across;
     reaction.slopes.bottomRightCorner<3, 3>() = torque * multibody::cross(across);
     wrenches.push_back(reaction);
   }
 }
 
-void Car::add_air(const Motion& motion, double speed, std::vector<Wrench>& wrenches) const {
+void Car::add_air(const Motion& motion, double speed, std::vector<BodyForce>& wrenches) const {
   if (!parameters_.aero) return;
   const AeroMap& air = *parameters_.aero;
   const Pose& pose = motion.poses[at(parts_.chassis)];
@@ -298,7 +298,7 @@ void Car::add_air(const Motion& motion, double speed, std::vector<Wrench>& wrenc
     by_height[i] << Vector3d::UnitZ(), arms[i].cross(Vector3d::UnitZ());
   const auto c = air.at(pose.place.z() + arms[0].z(), pose.place.z() + arms[1].z());
   const double q = 0.5 * air.density * speed * speed * air.area;
-  Wrench wrench{.body = parts_.chassis};
+  BodyForce wrench{.body = parts_.chassis};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     const Vector3d force(0.0, 0.0, -q * c.downforce[row]);
@@ -361,7 +361,7 @@ void Car::add_wheels(const CarState& state,
                      const Motion& motion,
                      const CarInputs& inputs,
                      const GuidePoint& guide,
-                     std::vector<Wrench>& wrenches) const {
+                     std::vector<BodyForce>& wrenches) const {
   double driven = 0.0;
   for (int corner = 0; corner < kCorners; ++corner) {
     const CornerParts& parts = parts_.corners[at(corner)];
@@ -376,7 +376,7 @@ void Car::add_wheels(const CarState& state,
                                     : Vector3d::Zero().eval();
     const double momentum = masses(corner).wheel_spin * wheel.wheel.spin->rate;
     const Vector3d arm = upright.turn * wheel_center_in_upright(corner);
-    Wrench wrench{.body = parts.upright};
+    BodyForce wrench{.body = parts.upright};
     wrench.value << force, arm.cross(force) + carrier * Vector3d(moment.x(), 0.0, moment.z()) -
                                momentum * w.cross(axis) - wheel.brake_moment * axis;
     wrench.slopes.bottomRightCorner<3, 3>() = motion.share * momentum * multibody::cross(axis);
@@ -386,7 +386,7 @@ void Car::add_wheels(const CarState& state,
   add_guide(motion, guide, state.trim, wrenches);
   if (motion.rates) add_air(motion, (*motion.rates)[6 * parts_.chassis], wrenches);
   if (driven != 0.0) {
-    Wrench reaction{.body = parts_.chassis_rear};
+    BodyForce reaction{.body = parts_.chassis_rear};
     reaction.value.tail<3>() = -driven * motion.poses[at(parts_.chassis_rear)].turn.col(1);
     wrenches.push_back(reaction);
   }
@@ -411,7 +411,7 @@ Result<bool> Car::advance(CarState& state,
     state.rack = share == 1.0 ? inputs.rack : state.rack + share * (inputs.rack - state.rack);
     approach(state.loads, inputs.loads, share);
     const std::array<double, kDrivers> drivers = {state.rack};
-    const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {
+    const multibody::Outside outside = [&](const Motion& motion, std::vector<BodyForce>& wrenches) {
       if (i == 1) trouble = roll(state, motion, step - part, step, road, inputs);
       add_wheels(
           state, before, static_cast<double>(i) / mechanism_steps, motion, inputs, guide, wrenches);

@@ -141,19 +141,19 @@ class Car {
   /// holds the chassis' center, so that statics and linear models have its slope there.
   void add_guide(const multibody::Motion& motion,
                  const GuidePoint& point,
-                 std::vector<multibody::Wrench>& wrenches) const;
+                 std::vector<multibody::BodyForce>& wrenches) const;
   /// Adds the guide's wrench in motion. Longitudinally it pulls by the driven axle, with its
   /// initial force.
   void add_guide(const multibody::Motion& motion,
                  const GuidePoint& point,
                  const Trim& trim,
-                 std::vector<multibody::Wrench>& wrenches) const;
+                 std::vector<multibody::BodyForce>& wrenches) const;
 
   /// Adds the air's wrench on the chassis at a forward speed, with its slopes; nothing without a
   /// map.
   void add_air(const multibody::Motion& motion,
                double speed,
-               std::vector<multibody::Wrench>& wrenches) const;
+               std::vector<multibody::BodyForce>& wrenches) const;
 
   multibody::Equilibrium& statics() { return *statics_; }
 
@@ -180,7 +180,7 @@ class Car {
   void add_pull(const multibody::Motion& motion,
                 double pull,
                 const Trim& trim,
-                std::vector<multibody::Wrench>& wrenches) const;
+                std::vector<multibody::BodyForce>& wrenches) const;
   /// Describes how far the car at rest has sunk at its worst corner.
   std::string sunk(const multibody::Rest& rest, const LineTires& tires, double speed) const;
   /// Returns the deviation of the chassis from the guide's line and heading, m, m, rad.
@@ -218,7 +218,7 @@ class Car {
                   const multibody::Motion& motion,
                   const CarInputs& inputs,
                   const GuidePoint& guide,
-                  std::vector<multibody::Wrench>& wrenches) const;
+                  std::vector<multibody::BodyForce>& wrenches) const;
   Eigen::Vector3d wheel_center_in_upright(int corner) const;
   /// Describes where the point below the wheel in its plane is off the road; empty if there is
   /// road.

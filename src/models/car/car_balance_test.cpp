@@ -26,7 +26,7 @@ void make_rigid(CarParameters& car) {
 
 void add_bump_stops(CarParameters& car) {
   for (Axle* axle : {&car.front, &car.rear})
-    axle->inboard->unit.parts.push_back(multibody::ElasticCurve{multibody::ForceCurve(
+    axle->inboard->unit.parts.push_back(multibody::ElasticCurve{multibody::ForceCharacteristic(
         {{-0.040, -12e3}, {-0.030, -2e3}, {-0.025, 0.0}, {0.0, 0.0}, {0.1, 0.0}})});
 }
 

@@ -12,9 +12,9 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
+using multibody::BodyForce;
 using multibody::Matrix6d;
 using multibody::Motion;
-using multibody::Wrench;
 
 namespace {
 
@@ -64,20 +64,20 @@ Eigen::Matrix<double, 3, 6> center_by_upright(const Vector3d& arm) {
 }
 
 struct Wheels {
-  std::array<TireSlopes, kCorners> slopes;
+  std::array<TireStiffness, kCorners> slopes;
   std::array<Vector3d, kCorners> forces, arms;
 };
 
 void add_tires(const Car& car,
                const Wheels& wheels,
                const Motion& motion,
-               std::vector<Wrench>& wrenches) {
+               std::vector<BodyForce>& wrenches) {
   for (std::size_t i = 0; i < kCorners; ++i) {
     const Vector3d &arm = wheels.arms[i], &force = wheels.forces[i];
     const auto G = center_by_upright(arm);
-    Wrench wrench{.body = car.parts().corners[i].upright};
+    BodyForce wrench{.body = car.parts().corners[i].upright};
     wrench.value << force, arm.cross(force);
-    const TireSlopes& tire = wheels.slopes[i];
+    const TireStiffness& tire = wheels.slopes[i];
     wrench.slopes = -G.transpose() * (tire.stiffness + motion.share * tire.damping) * G;
     wrench.slopes.bottomRightCorner<3, 3>() += multibody::cross(force) * multibody::cross(arm);
     wrenches.push_back(wrench);
@@ -86,7 +86,7 @@ void add_tires(const Car& car,
 
 multibody::LinearOutputs sensors_of(const Car& car,
                                     const multibody::Rest& rest,
-                                    const multibody::Standing& standing,
+                                    const multibody::RestSettings& standing,
                                     const Wheels& wheels) {
   const Index size = 6 * std::ssize(rest.poses), count = 2 * kCorners + 1;
   multibody::LinearOutputs y{
@@ -108,11 +108,11 @@ multibody::LinearOutputs sensors_of(const Car& car,
 
 }  // namespace
 
-Result<TireSlopes> probe(const WheelState& wheel,
-                         const road::Road& road,
-                         double time,
-                         const TireProbe& settings) {
-  TireSlopes slopes;
+Result<TireStiffness> probe(const WheelState& wheel,
+                            const road::Road& road,
+                            double time,
+                            const TireProbe& settings) {
+  TireStiffness slopes;
   for (const int axis : {1, 2}) {
     const Vector3d v = settings.speed * Vector3d::Unit(axis);
     const auto one = move_evenly(wheel, road, time, v, settings),
@@ -147,14 +147,14 @@ Result<LinearCar> linearize(const Car& car,
     wheels.arms[at(corner)] = wheel.motion.center - state.bodies.poses[at(upright)].place;
   }
   const GuidePoint start = inputs.guide.value_or(GuidePoint{0.0, 0.0, 0.0});
-  const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {
+  const multibody::Outside outside = [&](const Motion& motion, std::vector<BodyForce>& wrenches) {
     add_tires(car, wheels, motion, wrenches);
     car.add_guide(motion, start, wrenches);
     car.add_air(motion, state.speed, wrenches);
   };
   const std::array<double, kDrivers> drivers = {inputs.rack};
   const multibody::Rest rest{state.bodies.poses, state.bodies.memories};
-  const multibody::Standing standing{
+  const multibody::RestSettings standing{
       .loads = inputs.loads, .drivers = drivers, .outside = &outside};
   LinearCar linear;
   linear.model = linear_model(car.mechanism(), rest, standing);
@@ -163,7 +163,7 @@ Result<LinearCar> linearize(const Car& car,
   for (int corner = 0; corner < kCorners; ++corner) {
     const int upright = 6 * car.parts().corners[at(corner)].upright;
     const auto G = center_by_upright(wheels.arms[at(corner)]);
-    const TireSlopes& tire = wheels.slopes[at(corner)];
+    const TireStiffness& tire = wheels.slopes[at(corner)];
     linear.heights.P.col(corner).segment<6>(upright) = G.transpose() * tire.stiffness.col(2);
     linear.heights.Q.col(corner).segment<6>(upright) = G.transpose() * tire.damping.col(2);
   }

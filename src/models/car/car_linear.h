@@ -19,7 +19,7 @@
 namespace latsch::car {
 
 /// Slopes of a tire's force by motion along y and z.
-struct TireSlopes {
+struct TireStiffness {
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();  // k, N/m
   Eigen::Matrix3d damping = Eigen::Matrix3d::Zero();    // c, N s/m
 };
@@ -31,10 +31,10 @@ struct TireProbe {
 };
 
 /// Probes a wheel in its state, which is not changed.
-Result<TireSlopes> probe(const WheelState& wheel,
-                         const road::Road& road,
-                         double time,
-                         const TireProbe& settings = {});
+Result<TireStiffness> probe(const WheelState& wheel,
+                            const road::Road& road,
+                            double time,
+                            const TireProbe& settings = {});
 
 struct LinearCar {
   multibody::LinearModel model;

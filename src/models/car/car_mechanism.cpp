@@ -13,8 +13,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using multibody::Body;
+using multibody::BodyMass;
 using multibody::Joint;
-using multibody::MassProperties;
 using multibody::Strut;
 using suspension::DoubleWishbone;
 
@@ -37,7 +37,7 @@ DoubleWishbone corner_of(const Axle& axle, bool left) {
   return corner;
 }
 
-Body body_of(std::string name, const MassProperties& mass) {
+Body body_of(std::string name, const BodyMass& mass) {
   return {std::move(name), mass.center, mass.mass, mass.inertia};
 }
 
@@ -86,8 +86,8 @@ class Builder {
     const double spared = 0.8 * std::min({I.y(), I.z(), 0.5 * (I.y() + I.z() - I.x())});
     const double apart =
         std::min(front - rear, std::sqrt(spared / (chassis.body.mass * share * (1.0 - share))));
-    const auto half = [&](double part, double x) -> MassProperties {
-      MassProperties mass;
+    const auto half = [&](double part, double x) -> BodyMass {
+      BodyMass mass;
       mass.mass = part * chassis.body.mass;
       mass.center = {x, chassis.body.center.y(), chassis.body.center.z()};
       const double away = chassis.body.mass * share * (1.0 - share) * apart * apart;
@@ -187,12 +187,12 @@ class Builder {
                    const Axle& axle,
                    bool left,
                    const std::string& name) {
-    MassProperties upright = axle.masses.upright;
+    BodyMass upright = axle.masses.upright;
     upright.center = corner.wheel_center + at_side(left, upright.center);
     if (!left) upright.inertia = mirrored(upright.inertia);
     const double across = axle.masses.wheel_across;
     // The wheel turns freely about y, so it adds nothing there.
-    const MassProperties wheel{
+    const BodyMass wheel{
         axle.masses.wheel, corner.wheel_center, Vector3d(across, 0.0, across).asDiagonal()};
     bodies_[bodies_.size() - 5 + DoubleWishbone::kUpright] =
         body_of("the upright " + name, multibody::together(upright, wheel));

@@ -51,11 +51,11 @@ struct Inboard {
 /// Masses of one side, kg.
 struct AxleMasses {
   double upper_wishbone = 0.8, lower_wishbone = 1.0, pushrod = 0.4, trackrod = 0.3;
-  double rod_radius = 0.01;                // m
-  multibody::MassProperties upright = {};  // m, its center relative to the wheel center
-  double wheel = 0.0;                      // kg, with the mass of the tire that its model lacks
-  double wheel_spin = 0.0;                 // kg m^2 about the spin axis, likewise
-  double wheel_across = 0.0;               // kg m^2 about an axis across it
+  double rod_radius = 0.01;          // m
+  multibody::BodyMass upright = {};  // m, its center relative to the wheel center
+  double wheel = 0.0;                // kg, with the mass of the tire that its model lacks
+  double wheel_spin = 0.0;           // kg m^2 about the spin axis, likewise
+  double wheel_across = 0.0;         // kg m^2 about an axis across it
 };
 
 struct Axle {
@@ -67,7 +67,7 @@ struct Axle {
 };
 
 struct Chassis {
-  multibody::MassProperties body;
+  multibody::BodyMass body;
   /// Torsion between its halves, about an axis along x at `x` and height `z`. Each half takes the
   /// share of the mass that its axle would carry.
   struct Torsion {

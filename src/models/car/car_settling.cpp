@@ -12,11 +12,11 @@
 namespace latsch::car {
 
 using Eigen::Vector3d;
+using multibody::BodyForce;
 using multibody::Motion;
 using multibody::Pose;
 using multibody::Rest;
 using multibody::Vector6d;
-using multibody::Wrench;
 
 namespace {
 
@@ -30,7 +30,7 @@ Result<Rest> Car::stand(const LineTires& tires,
                         const Rest& from,
                         Trim& trim,
                         double* held) {
-  const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {
+  const multibody::Outside outside = [&](const Motion& motion, std::vector<BodyForce>& wrenches) {
     for (int corner = 0; corner < kCorners; ++corner) {
       const CornerParts& parts = parts_.corners[at(corner)];
       const LineTire& tire = tires[at(corner)];
@@ -39,7 +39,7 @@ Result<Rest> Car::stand(const LineTires& tires,
       const double z = upright.place.z() + arm.z();
       Vector3d force = tire.beside.head<3>();
       force.z() += tire.force + tire.stiffness * (tire.height - z);
-      Wrench wrench{.body = parts.upright};
+      BodyForce wrench{.body = parts.upright};
       wrench.value << force, arm.cross(force) + tire.beside.tail<3>();
       Vector6d by_z;  // derivative of z by the upright's motion
       by_z << Vector3d::UnitZ(), arm.cross(Vector3d::UnitZ());
@@ -53,10 +53,10 @@ Result<Rest> Car::stand(const LineTires& tires,
     add_air(motion, speed, wrenches);
   };
   const std::array<double, kDrivers> drivers = {inputs.rack};
-  const multibody::Standing standing{
+  const multibody::RestSettings standing{
       .loads = inputs.loads, .drivers = drivers, .outside = &outside};
   auto found = statics_->solve(standing, from);
-  // If that fails, the load is applied from the drawn position in shares of the whole.
+  // If this start fails, the load is applied from the drawn position in shares of the whole.
   if (!found) found = statics_->solve(standing, statics_->unloaded());
   if (!found)
     return Failure{found.failure().reason + "; " + sunk(statics_->reached(), tires, speed)};
@@ -319,7 +319,7 @@ Result<CarState> Car::settle(const road::Road& road, double speed, const CarInpu
   state.trim.yaw = (1.0 - kStill) * guide.yaw * off.z();
   state.rack = inputs.rack;
   state.loads = inputs.loads;
-  const multibody::Outside outside = [&](const Motion& motion, std::vector<Wrench>& wrenches) {
+  const multibody::Outside outside = [&](const Motion& motion, std::vector<BodyForce>& wrenches) {
     add_wheels(state, {}, 1.0, motion, inputs, start, wrenches);
   };
   const std::array<double, kDrivers> drivers = {inputs.rack};

@@ -131,7 +131,7 @@ TEST(Car, ATwistedChassisIsASpringAboutItsAxis) {
   const CarMechanism car = build(parameters);
   const auto& bodies = car.mechanism.bodies();
   // Both halves together are the whole.
-  const multibody::MassProperties both =
+  const multibody::BodyMass both =
       multibody::together({bodies[0].mass, bodies[0].origin, bodies[0].inertia},
                           {bodies[1].mass, bodies[1].origin, bodies[1].inertia});
   EXPECT_NEAR(both.mass, 180.0, 1e-12);

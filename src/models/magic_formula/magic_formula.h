@@ -51,7 +51,7 @@ class MagicFormula {
   SteadyState evaluate(const State& state) const;
   /// Evaluates many states, several times faster. The results are identical to the last bit.
   void evaluate(std::span<const State> states, std::span<SteadyState> results) const;
-  /// Computes forces and moments alone.
+  /// Computes only forces and moments.
   void forces(const StateColumns& states, const ForceColumns& results) const;
 
   /// For MF 6.2 and below: returns the vertical force at a deflection, N; the inverse of `rho` for

@@ -74,13 +74,13 @@ std::size_t field_of(double Fields::*member) {
   return &(fields.*member) - reinterpret_cast<const double*>(&fields);
 }
 
-Asked asked_for(std::span<const Output> outputs) {
+AskedOutputs asked_for(std::span<const Output> outputs) {
   const auto any_of = [&](std::initializer_list<Output> these) {
     return std::find_first_of(outputs.begin(), outputs.end(), these.begin(), these.end()) !=
            outputs.end();
   };
   using S = SteadyState;
-  Asked asked;
+  AskedOutputs asked;
   asked.Mx = any_of({&S::Mx});
   asked.My = any_of({&S::My});
   asked.Mz = any_of({&S::Mz, &S::Mzr, &S::t});
@@ -94,7 +94,7 @@ Asked asked_for(std::span<const Output> outputs) {
 /// exists.
 class Pass {
  public:
-  Pass(const MagicFormula& tire, std::span<const Variable> variables, const Asked& asked)
+  Pass(const MagicFormula& tire, std::span<const Variable> variables, const AskedOutputs& asked)
       : tire_(tire),
         plain_(tire.parameters(), tire.parameters().version),
         dual_(seeded(variables), tire.parameters().version),
@@ -133,7 +133,7 @@ class Pass {
     return p;
   }
 
-  /// Returns field i of state k alone.
+  /// Returns field i of state k, with its slopes, as one number.
   template <int fields>
   DualNumber alone(const FieldsOfEight<fields>& eight, std::size_t i, int k) {
     const SlopeBlock* of_eight = eight.slopes[i];
@@ -191,7 +191,7 @@ class Pass {
   WheelOfEight wheel_;
   TireConstants plain_;
   TireConstantsOf<DualNumber> dual_;
-  Asked asked_;
+  AskedOutputs asked_;
   SlopeArena::Mark start_;
 };
 
@@ -229,7 +229,7 @@ void steady_state_slopes(const MagicFormula& tire,
   for (Eigen::MatrixXd& slopes : found.slopes) slopes.setZero(count, variables.size());
   std::vector<std::size_t> fields;
   for (const Output output : outputs) fields.push_back(field_of(output));
-  const Asked asked = asked_for(outputs);
+  const AskedOutputs asked = asked_for(outputs);
 
   for (std::size_t first = 0; first == 0 || first < places.size(); first += kVariables) {
     const auto these = std::span(places).subspan(first);

@@ -19,7 +19,7 @@ LATSCH_INLINE void take_apart(const Fields& fields, Eight& eight) {
 
 void evaluate_with_slopes(const TireConstantsOf<DualNumber>& tire,
                           const Conventions& conventions,
-                          const Asked& asked,
+                          const AskedOutputs& asked,
                           const StateOfEight& given,
                           SteadyStateOfEight& result,
                           WheelOfEight& wheel) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/magic_formula/magic_formula_tire.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -35,11 +37,26 @@ Parameters on_road(Parameters parameters, double friction) {
   return parameters;
 }
 
+std::string rim_in_road(const Parameters& p, const WheelContact& contact) {
+  // A rim that bottoms on its own stiffness may go below the radius of its bead seat a little.
+  constexpr double kBottomed = 0.9, kNoRim = 0.4;  // shares of the rim's and of the free radius
+  const double lowest = p.RIM_RADIUS > 0.0 ? (p.BOTTOM_STIFF > 0.0 ? kBottomed : 1.0) * p.RIM_RADIUS
+                                           : kNoRim * p.UNLOADED_RADIUS;
+  if (!(contact.height < lowest)) return "";
+  return fmt::format(
+      "the axle is {:.4g} mm above the road, but the rim {} {:.4g} mm: the tire is "
+      "pressed by more than its section",
+      1e3 * contact.height,
+      p.RIM_RADIUS > 0.0 ? "has a radius of" : "of a tire of this size has at least",
+      1e3 * (p.RIM_RADIUS > 0.0 ? p.RIM_RADIUS : lowest));
+}
+
 MagicFormulaTire::MagicFormulaTire(const Parameters& parameters,
                                    const MagicFormulaTireSettings& settings)
     : parameters_(parameters),
       settings_(settings),
-      formula_(parameters, for_mode(settings.conventions, settings.use_mode)) {
+      formula_(parameters, for_mode(settings.conventions, settings.use_mode)),
+      watch_(settings.log) {
   if (settings_.pressure <= 0.0) settings_.pressure = parameters.INFLPRES;
 }
 
@@ -252,6 +269,7 @@ Result<HubForces> MagicFormulaTire::settle(const WheelMotion& motion,
   auto contact = touch(motion, plane);
   if (!contact) return Failure{"the wheel lies flat: its spin axis is perpendicular to the road"};
   take_friction(contact->friction);
+  if (std::string why = rim_in_road(parameters_, *contact); !why.empty()) return Failure{why};
   contact->approach = contact->Vx = contact->Vy = contact->yaw_rate = 0.0;
   const double Fz = vertical_force(*contact, 0.0);
   if (Fz > 0.0) forces_ = answer(*contact, {.Fz = Fz}, patch_);
@@ -268,8 +286,15 @@ Result<HubForces> MagicFormulaTire::advance(const WheelMotion& motion,
   const RoadPlane plane = tangent_plane(motion, road, time);
   const auto contact = touch(motion, plane);
   if (!contact) return Failure{"the wheel lies flat: its spin axis is perpendicular to the road"};
+  if (std::string why = rim_in_road(parameters_, *contact); !why.empty()) return Failure{why};
   take_friction(contact->friction);
   roll(*contact, motion.spin_rate, step);
+  watch_.see({.Fz = forces_.Fz,
+              .kappa = patch_.kappa,
+              .alpha = patch_.alpha,
+              .gamma = contact->gamma,
+              .Vx = contact->Vx,
+              .p = settings_.pressure});
   if (forces_.Fz <= 0.0) return HubForces{};
   const HubForces hub = hub_forces(motion, *contact);
   if (!hub.force.allFinite() || !hub.moment.allFinite())

@@ -19,6 +19,7 @@
 #pragma once
 
 #include "models/magic_formula/magic_formula.h"
+#include "models/magic_formula/limits/range_log.h"
 #include "models/magic_formula/standstill.h"
 #include "models/magic_formula/wheel_contact.h"
 #include "models/tire/tire.h"
@@ -28,7 +29,8 @@ namespace latsch::magic_formula {
 struct MagicFormulaTireSettings {
   Conventions conventions = {};
   int use_mode = 14;
-  double pressure = 0.0;  // Pa; 0: INFLPRES
+  double pressure = 0.0;               // Pa; 0: INFLPRES
+  std::shared_ptr<RangeLog> log = {};  // collects the inputs of its steps; null: nothing does
 };
 
 /// Returns the rectangle 2 a x 2 b of the formula without slip; nullopt if the formula has no
@@ -95,7 +97,11 @@ class MagicFormulaTire final : public Tire {
   Patch patch_;
   std::optional<Sliding> before_;  // at the end of the last step; empty in the air
   SteadyState forces_{};
+  RangeWatch watch_;
 };
+
+/// Returns a sentence if the axle is so low that the rim would be in the road; empty if it is not.
+std::string rim_in_road(const Parameters& parameters, const WheelContact& contact);
 
 /// Returns the coefficients for a road whose friction differs by a factor.
 Parameters on_road(Parameters parameters, double friction);

@@ -20,7 +20,7 @@ inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 enum class Version { mf52, mf61, mf62 };
 
 /// The vehicle side for which the coefficients were measured.
-enum class Side { left, right, symmetric };
+enum class MeasuredSide { left, right, symmetric };
 
 /// The numbers among the parameters, as doubles or, for slopes, as dual numbers (dual_number.h).
 template <class K>
@@ -32,7 +32,7 @@ struct CoefficientsOf {
 
 struct Parameters : CoefficientsOf<double> {
   Version version = Version::mf61;
-  Side side = Side::left;
+  MeasuredSide side = MeasuredSide::left;
   /// USE_MODE: the units digit selects the forces (0 vertical only, 1 Fx My, 2 Fy Mx Mz, 3 all
   /// without interaction, 4 all), the tens digit the dynamics (0 steady state, 1 relaxation with
   /// constant, 2 with load- and slip-dependent lengths, 3 and 4 with a belt), the hundreds digit
@@ -71,7 +71,7 @@ struct ParameterField {
 
 /// Returns all parameters in the order of the file.
 const std::vector<ParameterField>& parameter_fields();
-/// Returns nullptr if no parameter has that name (capitals).
+/// Returns nullptr if no parameter has the given name (capitals).
 const ParameterField* find_parameter(std::string_view name);
 
 }  // namespace latsch::magic_formula

@@ -46,7 +46,7 @@ LATSCH_INLINE void find_everything(const TireOf<R>& tire,
                                    const Conventions& conventions,
                                    const StateOf<R>& state,
                                    Everything<R>& e,
-                                   const Asked& asked = {}) {
+                                   const AskedOutputs& asked = {}) {
   find_operating_point(tire, conventions, on_measured_side(state, conventions), e.o);
   Shapes<R> shapes;
   e.x = longitudinal_terms(tire, conventions, e.o, shapes);
@@ -91,7 +91,7 @@ LATSCH_INLINE void steady_state(const TireOf<R>& tire,
                                 const StateOf<R>& state,
                                 SteadyStateOf<R>& s,
                                 WheelUnderLoadOf<R>& wheel,
-                                const Asked& asked = {}) {
+                                const AskedOutputs& asked = {}) {
   Everything<R> e;
   find_everything(tire, conventions, state, e, asked);
   const auto& [o, x, pure, y, z] = e;

@@ -21,7 +21,7 @@ struct StateOf {
 };
 
 /// The outputs requested in addition to Fx, Fy and their components.
-struct Asked {
+struct AskedOutputs {
   bool Mx = true, My = true, Mz = true;
   bool deflection = true, patch = true, relaxation = true;
 };

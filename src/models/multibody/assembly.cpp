@@ -83,7 +83,7 @@ void Assembly::evaluate(const Motion& motion,
   if (!outside) return;
   outside_.clear();
   outside(motion, outside_);
-  for (const Wrench& wrench : outside_) {
+  for (const BodyForce& wrench : outside_) {
     add(wrench.body, wrench.value);
     J_.block(wrench.body, wrench.body) += wrench.slopes;
   }

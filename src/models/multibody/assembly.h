@@ -18,7 +18,7 @@
 namespace latsch::multibody {
 
 /// Force and moment on a body about its origin from something outside the mechanism.
-struct Wrench {
+struct BodyForce {
   int body;
   Vector6d value = Vector6d::Zero();   // N, N m
   Matrix6d slopes = Matrix6d::Zero();  // ∂/∂x + share ∂/∂v, their significant parts
@@ -40,7 +40,7 @@ struct Motion {
 };
 
 /// Adds actions from outside, such as tires on their road.
-using Outside = std::function<void(const Motion&, std::vector<Wrench>&)>;
+using Outside = std::function<void(const Motion&, std::vector<BodyForce>&)>;
 
 class Assembly {
  public:
@@ -112,7 +112,7 @@ class Assembly {
   std::vector<LineGeometry> lines_;
   Eigen::VectorXd forces_;
   std::vector<Eigen::Matrix3d> inertia_;
-  std::vector<Wrench> outside_;
+  std::vector<BodyForce> outside_;
   Memories none_;  // memories at rest
   Pose ground_;
   double turned_ = 0.0;

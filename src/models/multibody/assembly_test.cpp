@@ -26,7 +26,7 @@ Mechanism some_mechanism(bool with_parts) {
   soft.rotational_damping = {0.1, 0.2, 0.3};
   if (with_parts)
     soft.parts = {{1, Play{1e-4, 1e5}},
-                  {4, ElasticCurve{ForceCurve({{-1, -30}, {0, 0}, {1, 90}})}}};
+                  {4, ElasticCurve{ForceCharacteristic({{-1, -30}, {0, 0}, {1, 90}})}}};
   Joint driven{"c", 0, 2, {0.5, 0.1, 0.2}, soft};
   driven.driver = 0;
   driven.along = Vector3d(0.6, 0.0, 0.8);
@@ -37,7 +37,7 @@ Mechanism some_mechanism(bool with_parts) {
               .damping = 100.0,
               .preload = -300.0,
               .driver = 1};
-  if (with_parts) strut.parts = {ViscousCurve{ForceCurve({{-1, -500}, {0, 0}, {1, 900}})}};
+  if (with_parts) strut.parts = {ViscousCurve{ForceCharacteristic({{-1, -500}, {0, 0}, {1, 900}})}};
   return Mechanism(
       {body("a", {0.0, 0.0, 0.0}, 1.0),
        body("b", {0.4, 0.0, 0.1}, 2.0),

@@ -30,7 +30,7 @@ struct EliminationNeighbor {
 struct EliminationUpdate {
   int to, below, right;
 };
-struct Elimination {
+struct EliminationPlan {
   int bodies;
   const EliminatedBody* order;
   const EliminationNeighbor* neighbors;
@@ -64,7 +64,7 @@ class BlockElimination {
   Matrix6d inverse_block(int row, int column) const;
 
  private:
-  Elimination elimination() const {
+  EliminationPlan elimination() const {
     return {bodies_, order_.data(), neighbors_.data(), updates_.data()};
   }
   std::span<const EliminationNeighbor> neighbors(const EliminatedBody& k) const {

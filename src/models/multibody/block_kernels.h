@@ -143,7 +143,7 @@ LATSCH_INLINE bool invert(const double* A, double* x) {
 }
 
 /// Returns -1, or the body whose pivot is singular.
-int factorize(const Elimination& of, double* blocks, double* pivots) {
+int factorize(const EliminationPlan& of, double* blocks, double* pivots) {
   for (int i = 0; i < of.bodies; ++i) {
     const EliminatedBody& k = of.order[i];
     double* const pivot = pivots + 36 * k.body;
@@ -159,7 +159,7 @@ int factorize(const Elimination& of, double* blocks, double* pivots) {
 }
 
 /// Solves for one column.
-void solve(const Elimination& of, const double* blocks, const double* pivots, double* x) {
+void solve(const EliminationPlan& of, const double* blocks, const double* pivots, double* x) {
   for (int i = 0; i < of.bodies; ++i) {
     const EliminatedBody& k = of.order[i];
     double* const own = x + 6 * k.body;

@@ -64,7 +64,7 @@ struct BushingForces {
   Vector6d f, slopes;
 };
 
-/// Computes the forces of springs alone.
+/// Computes only the forces of the springs.
 BushingForces spring_forces(const BushingStrain& strain, const BushingParameters& parameters);
 /// Computes the forces of a moving bushing. The slopes are those by d and q if the rates change by
 /// `rate_share` times the changes of d and q. `memory` holds an entry for each part. If `kept` is

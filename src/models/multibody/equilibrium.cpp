@@ -23,7 +23,7 @@ Result<Poses> Equilibrium::solve(std::span<const Load> loads, const Poses* start
   return std::move(rest->poses);
 }
 
-Result<Rest> Equilibrium::solve(const Standing& standing, const Rest& before) {
+Result<Rest> Equilibrium::solve(const RestSettings& standing, const Rest& before) {
   iterations_ = 0;
   held_.resize(0);
   Rest at_once = before;
@@ -33,7 +33,7 @@ Result<Rest> Equilibrium::solve(const Standing& standing, const Rest& before) {
   return at_once;
 }
 
-Result<Rest> Equilibrium::follow(const Standing& standing,
+Result<Rest> Equilibrium::follow(const RestSettings& standing,
                                  const Rest& before,
                                  const std::string& trouble_at_once) {
   reached_ = before;
@@ -66,7 +66,7 @@ Result<Rest> Equilibrium::follow(const Standing& standing,
   return found;
 }
 
-void Equilibrium::assemble(const Rest& rest, const Standing& standing, double share) {
+void Equilibrium::assemble(const Rest& rest, const RestSettings& standing, double share) {
   static const Outside kNothing;
   drivers_.assign(standing.drivers.begin(), standing.drivers.end());
   for (std::size_t i = 0; i < drivers_.size(); ++i) {
@@ -118,7 +118,7 @@ std::string nothing_holds(const std::string& body) {
 
 }  // namespace
 
-std::string Equilibrium::newton(Rest& rest, const Standing& standing, double share) {
+std::string Equilibrium::newton(Rest& rest, const RestSettings& standing, double share) {
   for (int i = 0; i <= settings_.iterations; ++i) {
     assemble(rest, standing, share);
     left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
@@ -140,7 +140,7 @@ std::string Equilibrium::newton(Rest& rest, const Standing& standing, double sha
                      assembly_.most_turned(rest.poses));
 }
 
-bool Equilibrium::go_on(Rest& rest, const Standing& standing, double share) {
+bool Equilibrium::go_on(Rest& rest, const RestSettings& standing, double share) {
   constexpr double kShortest = 1.0 / 256.0;  // share of a correction
   const BlockElimination J = assembly_.J();  // copied, because each trial computes another tangent
   const Eigen::VectorXd correction = step_;
@@ -161,7 +161,7 @@ bool Equilibrium::go_on(Rest& rest, const Standing& standing, double share) {
   return false;
 }
 
-std::string Equilibrium::damped_newton(Rest& rest, const Standing& standing, double share) {
+std::string Equilibrium::damped_newton(Rest& rest, const RestSettings& standing, double share) {
   constexpr int kIterations = 50;
   assemble(rest, standing, share);
   left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
@@ -186,7 +186,7 @@ std::string Equilibrium::linearize(const Poses& poses, std::span<const Load> loa
   return linearize({poses, mechanism_.no_memories()}, {.loads = loads});
 }
 
-std::string Equilibrium::linearize(const Rest& rest, const Standing& standing) {
+std::string Equilibrium::linearize(const Rest& rest, const RestSettings& standing) {
   assemble(rest, standing, 1.0);
   if (assembly_.J().factorize()) return {};
   return fmt::format(

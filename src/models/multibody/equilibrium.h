@@ -31,7 +31,7 @@ struct EquilibriumSettings {
 
 /// Actions on a mechanism that comes to rest. If they are applied in shares, loads start from none,
 /// drivers from their previous values, and all others from balance at the start.
-struct Standing {
+struct RestSettings {
   std::span<const Load> loads = {};
   std::span<const double> drivers = {};  // m; empty: all zero
   const Outside* outside = nullptr;
@@ -52,7 +52,7 @@ class Equilibrium {
   /// Solves from `start`, or from rest. A Failure names the part that failed.
   Result<Poses> solve(std::span<const Load> loads, const Poses* start = nullptr);
   /// Solves for all kinds of action, starting at the rest found before.
-  Result<Rest> solve(const Standing& standing, const Rest& before);
+  Result<Rest> solve(const RestSettings& standing, const Rest& before);
   Rest unloaded() const { return {mechanism_.at_rest(), mechanism_.no_memories()}; }
   /// Iterations of the last solve.
   int iterations() const { return iterations_; }
@@ -64,7 +64,7 @@ class Equilibrium {
   /// Computes J at these poses under these loads for the functions below. Returns an empty text, or
   /// the part that nothing holds.
   std::string linearize(const Poses& poses, std::span<const Load> loads);
-  std::string linearize(const Rest& rest, const Standing& standing);
+  std::string linearize(const Rest& rest, const RestSettings& standing);
   /// Returns travel and rotation of body `of` at its origin per force and moment on body `by` at a
   /// point of it, in m/N and so on: 6 x 6.
   Matrix6d compliance(int of, int by, const Eigen::Vector3d& arm) const;
@@ -76,21 +76,21 @@ class Equilibrium {
 
  private:
   /// Returns an empty text, or the reason why no rest was found.
-  std::string newton(Rest& rest, const Standing& standing, double share);
-  std::string damped_newton(Rest& rest, const Standing& standing, double share);
+  std::string newton(Rest& rest, const RestSettings& standing, double share);
+  std::string damped_newton(Rest& rest, const RestSettings& standing, double share);
   /// Corrects the poses as long as corrections become shorter. Returns false if no step length
   /// achieves this.
-  bool go_on(Rest& rest, const Standing& standing, double share);
+  bool go_on(Rest& rest, const RestSettings& standing, double share);
   std::string end_of_newton(Rest& rest);
   /// Applies the actions in shares, from a start that is held in balance.
-  Result<Rest> follow(const Standing& standing, const Rest& before, const std::string& trouble);
-  void assemble(const Rest& rest, const Standing& standing, double share);
+  Result<Rest> follow(const RestSettings& standing, const Rest& before, const std::string& trouble);
+  void assemble(const Rest& rest, const RestSettings& standing, double share);
   double enough() const;
 
   const Mechanism& mechanism_;
   EquilibriumSettings settings_;
   Assembly assembly_;
-  Eigen::VectorXd step_, held_;  // held: compensates the unbalance of the start; empty: none
+  Eigen::VectorXd step_, held_;  // held: compensates the imbalance of the start; empty: none
   Rest reached_;
   double share_ = 0.0;
   std::vector<double> drivers_;

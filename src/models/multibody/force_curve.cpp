@@ -9,7 +9,7 @@
 
 namespace latsch::multibody {
 
-std::string ForceCurve::fault(const std::vector<Point>& points) {
+std::string ForceCharacteristic::fault(const std::vector<Point>& points) {
   if (points.size() < 2)
     return fmt::format("has {} points, two at least are needed", points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -24,7 +24,7 @@ std::string ForceCurve::fault(const std::vector<Point>& points) {
   return {};
 }
 
-ForceCurve::ForceCurve(std::vector<Point> points) : points_(std::move(points)) {
+ForceCharacteristic::ForceCharacteristic(std::vector<Point> points) : points_(std::move(points)) {
   assert(fault(points_).empty());
   const std::size_t last = points_.size() - 1;
   const auto width = [&](std::size_t i) { return points_[i + 1].first - points_[i].first; };
@@ -43,7 +43,7 @@ ForceCurve::ForceCurve(std::vector<Point> points) : points_(std::move(points)) {
   for (std::size_t i = 1; i <= last; ++i) areas_[i] = area_from_first(points_[i].first);
 }
 
-std::size_t ForceCurve::interval(double x) const {
+std::size_t ForceCharacteristic::interval(double x) const {
   const auto behind =
       std::upper_bound(points_.begin() + 1, points_.end() - 1, x, [](double v, const Point& p) {
         return v < p.first;
@@ -51,7 +51,7 @@ std::size_t ForceCurve::interval(double x) const {
   return static_cast<std::size_t>(behind - points_.begin()) - 1;
 }
 
-double ForceCurve::at(double x) const {
+double ForceCharacteristic::at(double x) const {
   const Point &first = points_.front(), &last = points_.back();
   if (x <= first.first) return first.second + slopes_.front() * (x - first.first);
   if (x >= last.first) return last.second + slopes_.back() * (x - last.first);
@@ -62,7 +62,7 @@ double ForceCurve::at(double x) const {
          s * s * ((1.0 + 2.0 * r) * points_[i + 1].second - r * w * slopes_[i + 1]);
 }
 
-double ForceCurve::slope(double x) const {
+double ForceCharacteristic::slope(double x) const {
   if (x <= points_.front().first) return slopes_.front();
   if (x >= points_.back().first) return slopes_.back();
   const std::size_t i = interval(x);
@@ -72,7 +72,7 @@ double ForceCurve::slope(double x) const {
          r * (r - 2.0 * s) * slopes_[i] + s * (s - 2.0 * r) * slopes_[i + 1];
 }
 
-double ForceCurve::area_from_first(double x) const {
+double ForceCharacteristic::area_from_first(double x) const {
   const Point &first = points_.front(), &last = points_.back();
   if (x <= first.first) {
     const double d = x - first.first;
@@ -87,6 +87,8 @@ double ForceCurve::area_from_first(double x) const {
   return areas_[i] + (x - x0) / 6.0 * (points_[i].second + 4.0 * at(0.5 * (x0 + x)) + at(x));
 }
 
-double ForceCurve::area(double x) const { return area_from_first(x) - area_from_first(0.0); }
+double ForceCharacteristic::area(double x) const {
+  return area_from_first(x) - area_from_first(0.0);
+}
 
 }  // namespace latsch::multibody

@@ -12,7 +12,7 @@
 
 namespace latsch::multibody {
 
-class ForceCurve {
+class ForceCharacteristic {
  public:
   using Point = std::pair<double, double>;  // deflection or rate; force
 
@@ -20,14 +20,14 @@ class ForceCurve {
   /// finite, x that does not increase.
   static std::string fault(const std::vector<Point>& points);
   /// Takes points without fault.
-  explicit ForceCurve(std::vector<Point> points);
+  explicit ForceCharacteristic(std::vector<Point> points);
 
   double at(double x) const;
   double slope(double x) const;
   /// Returns the area below the curve from 0 to x, J if x is a deflection.
   double area(double x) const;
   const std::vector<Point>& points() const { return points_; }
-  bool operator==(const ForceCurve&) const = default;
+  bool operator==(const ForceCharacteristic&) const = default;
 
  private:
   std::size_t interval(double x) const;

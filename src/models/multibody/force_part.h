@@ -23,11 +23,11 @@
 namespace latsch::multibody {
 
 struct ElasticCurve {
-  ForceCurve curve;
+  ForceCharacteristic curve;
   bool operator==(const ElasticCurve&) const = default;
 };
 struct ViscousCurve {
-  ForceCurve curve;
+  ForceCharacteristic curve;
   bool operator==(const ViscousCurve&) const = default;
 };
 struct Play {

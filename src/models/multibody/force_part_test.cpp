@@ -10,16 +10,16 @@ namespace {
 
 const PartMemory kRest;
 
-TEST(ForceCurve, GoesThroughItsPointsRisesWithThemAndIsStraightBeyond) {
-  const ForceCurve curve({{-0.02, -900.0}, {-0.01, -200.0}, {0.0, 0.0}, {0.005, 400.0}});
+TEST(ForceCharacteristic, GoesThroughItsPointsRisesWithThemAndIsStraightBeyond) {
+  const ForceCharacteristic curve({{-0.02, -900.0}, {-0.01, -200.0}, {0.0, 0.0}, {0.005, 400.0}});
   for (const auto& [x, f] : curve.points()) EXPECT_NEAR(curve.at(x), f, 1e-9);
   for (double x = -0.03; x < 0.01; x += 1e-4) EXPECT_GT(curve.at(x + 1e-4), curve.at(x)) << x;
   EXPECT_NEAR(curve.at(0.015) - curve.at(0.01), 400.0 / 0.005 * 0.005, 1e-9);
   EXPECT_NEAR(curve.at(-0.03) - curve.at(-0.02), -700.0 / 0.01 * 0.01, 1e-9);
 }
 
-TEST(ForceCurve, SlopeAndAreaAreThoseOfDifferences) {
-  const ForceCurve curve(
+TEST(ForceCharacteristic, SlopeAndAreaAreThoseOfDifferences) {
+  const ForceCharacteristic curve(
       {{-0.02, -900.0}, {-0.01, -200.0}, {0.0, 0.0}, {0.005, 400.0}, {0.02, 500.0}});
   EXPECT_EQ(curve.area(0.0), 0.0);
   const double h = 1e-7;
@@ -29,15 +29,17 @@ TEST(ForceCurve, SlopeAndAreaAreThoseOfDifferences) {
   }
 }
 
-TEST(ForceCurve, APointOnALineStaysOnTheLine) {
-  const ForceCurve curve({{-1.0, -3.0}, {0.5, 1.5}, {2.0, 6.0}});
+TEST(ForceCharacteristic, APointOnALineStaysOnTheLine) {
+  const ForceCharacteristic curve({{-1.0, -3.0}, {0.5, 1.5}, {2.0, 6.0}});
   for (double x = -2.0; x < 3.0; x += 0.1) EXPECT_NEAR(curve.at(x), 3.0 * x, 1e-12);
 }
 
-TEST(ForceCurve, WhatIsNoneIsNamed) {
-  EXPECT_NE(ForceCurve::fault({{0.0, 1.0}}).find("1 points"), std::string::npos);
-  EXPECT_NE(ForceCurve::fault({{0.0, 1.0}, {0.0, 2.0}}).find("point 2"), std::string::npos);
-  EXPECT_NE(ForceCurve::fault({{0.0, 1.0}, {NAN, 2.0}}).find("no number"), std::string::npos);
+TEST(ForceCharacteristic, WhatIsNoneIsNamed) {
+  EXPECT_NE(ForceCharacteristic::fault({{0.0, 1.0}}).find("1 points"), std::string::npos);
+  EXPECT_NE(ForceCharacteristic::fault({{0.0, 1.0}, {0.0, 2.0}}).find("point 2"),
+            std::string::npos);
+  EXPECT_NE(ForceCharacteristic::fault({{0.0, 1.0}, {NAN, 2.0}}).find("no number"),
+            std::string::npos);
 }
 
 /// Returns f along a path of deflections, in statics.
@@ -84,7 +86,7 @@ TEST(ForcePart, AMaxwellPartIsExactAtConstantRateForAnyStep) {
 }
 
 TEST(ForcePart, SlopesAreThoseOfDifferences) {
-  const ForceCurve curve({{-0.02, -900.0}, {0.0, 0.0}, {0.005, 400.0}});
+  const ForceCharacteristic curve({{-0.02, -900.0}, {0.0, 0.0}, {0.005, 400.0}});
   const std::vector<ForcePart> parts = {ElasticCurve{curve},
                                         ViscousCurve{curve},
                                         Play{1e-4, 2e6},

@@ -31,7 +31,7 @@ MatrixXd dense(const BlockElimination& J) {
 /// Evaluates a mechanism at rest with the laws of motion.
 class Resting {
  public:
-  Resting(const Mechanism& mechanism, const Rest& rest, const Standing& standing)
+  Resting(const Mechanism& mechanism, const Rest& rest, const RestSettings& standing)
       : rest_(rest),
         standing_(standing),
         assembly_(mechanism),
@@ -56,7 +56,7 @@ class Resting {
   }
 
   const Rest& rest_;
-  const Standing& standing_;
+  const RestSettings& standing_;
   Assembly assembly_;
   VectorXd still_;
 };
@@ -74,7 +74,9 @@ MatrixXd masses(const Mechanism& mechanism, const Poses& poses) {
 
 }  // namespace
 
-LinearModel linear_model(const Mechanism& mechanism, const Rest& rest, const Standing& standing) {
+LinearModel linear_model(const Mechanism& mechanism,
+                         const Rest& rest,
+                         const RestSettings& standing) {
   Resting resting(mechanism, rest, standing);
   const MatrixXd J = resting.J(0.0, 0.0);
   LinearModel model;
@@ -86,7 +88,7 @@ LinearModel linear_model(const Mechanism& mechanism, const Rest& rest, const Sta
 
 JointRow joint_force_row(const Mechanism& mechanism,
                          const Rest& rest,
-                         const Standing& standing,
+                         const RestSettings& standing,
                          int which,
                          const Vector3d& direction,
                          int direction_body) {

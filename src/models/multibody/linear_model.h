@@ -37,7 +37,9 @@ struct LinearOutputs {
 };
 
 /// Returns the model of the mechanism at this rest, under the actions that keep it there.
-LinearModel linear_model(const Mechanism& mechanism, const Rest& rest, const Standing& standing);
+LinearModel linear_model(const Mechanism& mechanism,
+                         const Rest& rest,
+                         const RestSettings& standing);
 
 /// Rows of A and B for the force in a joint along a line fixed in one of its bodies. Positive: the
 /// force pushes the joint's second body along `direction` (unit vector in the ground's axes at
@@ -47,7 +49,7 @@ struct JointRow {
 };
 JointRow joint_force_row(const Mechanism& mechanism,
                          const Rest& rest,
-                         const Standing& standing,
+                         const RestSettings& standing,
                          int joint,
                          const Eigen::Vector3d& direction,
                          int direction_body);

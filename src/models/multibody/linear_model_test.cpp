@@ -127,8 +127,8 @@ TEST(LinearModel, OfAnUndampedQuarterCarHasItsTwoNaturalFrequencies) {
 class Loaded : public testing::Test {
  protected:
   Loaded() : rest_(drawn(mechanism_)) {
-    outside_ = [](const Motion& motion, std::vector<Wrench>& wrenches) {
-      Wrench wrench{.body = 1};
+    outside_ = [](const Motion& motion, std::vector<BodyForce>& wrenches) {
+      BodyForce wrench{.body = 1};
       wrench.value[2] = 40.0 - 900.0 * motion.poses[1].place.z();
       if (motion.rates) wrench.value[2] -= 12.0 * (*motion.rates)[8];
       wrench.slopes(2, 2) = -900.0 - motion.share * 12.0;
@@ -137,7 +137,7 @@ class Loaded : public testing::Test {
     Equilibrium statics(mechanism_);
     rest_ = *statics.solve(standing(), rest_);
   }
-  Standing standing() const { return {.loads = loads_, .outside = &outside_}; }
+  RestSettings standing() const { return {.loads = loads_, .outside = &outside_}; }
 
   static Mechanism made() {
     std::vector<Body> bodies;
@@ -160,8 +160,8 @@ class Loaded : public testing::Test {
         .damping = 40.0,
         .inertance = 0.3,
         .preload = 15.0,
-        .parts = {ViscousCurve{ForceCurve({{-1.0, -70.0}, {0.1, 9.0}, {1.0, 50.0}})},
-                  ElasticCurve{ForceCurve({{-0.1, -300.0}, {0.02, 50.0}, {0.1, 500.0}})}}};
+        .parts = {ViscousCurve{ForceCharacteristic({{-1.0, -70.0}, {0.1, 9.0}, {1.0, 50.0}})},
+                  ElasticCurve{ForceCharacteristic({{-0.1, -300.0}, {0.02, 50.0}, {0.1, 500.0}})}}};
     return Mechanism(bodies, joints, {unit}, 0, {0.0, 0.0, -9.81});
   }
 

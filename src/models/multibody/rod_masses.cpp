@@ -15,8 +15,8 @@ Matrix3d of_point_mass(double mass, const Vector3d& from) {
 
 }  // namespace
 
-MassProperties together(const MassProperties& a, const MassProperties& b) {
-  MassProperties both;
+BodyMass together(const BodyMass& a, const BodyMass& b) {
+  BodyMass both;
   both.mass = a.mass + b.mass;
   if (both.mass == 0.0) return a;
   both.center = (a.mass * a.center + b.mass * b.center) / both.mass;
@@ -25,12 +25,12 @@ MassProperties together(const MassProperties& a, const MassProperties& b) {
   return both;
 }
 
-MassProperties mass_of_rods(const std::vector<std::pair<Vector3d, Vector3d>>& rods,
-                            double mass,
-                            double radius) {
+BodyMass mass_of_rods(const std::vector<std::pair<Vector3d, Vector3d>>& rods,
+                      double mass,
+                      double radius) {
   double length = 0.0;
   for (const auto& [from, to] : rods) length += (to - from).norm();
-  MassProperties all;
+  BodyMass all;
   for (const auto& [from, to] : rods) {
     const double L = (to - from).norm(), m = mass * L / length, r2 = radius * radius;
     const Vector3d n = (to - from) / L;

@@ -10,18 +10,18 @@
 
 namespace latsch::multibody {
 
-struct MassProperties {
+struct BodyMass {
   double mass = 0.0;                                  // kg
   Eigen::Vector3d center = Eigen::Vector3d::Zero();   // m
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the center, kg m^2
 };
 
 /// `rods`: ends of the rods, m; `radius`: r, m.
-MassProperties mass_of_rods(const std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& rods,
-                            double mass,
-                            double radius);
+BodyMass mass_of_rods(const std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& rods,
+                      double mass,
+                      double radius);
 
 /// Combines both to one rigid body.
-MassProperties together(const MassProperties& a, const MassProperties& b);
+BodyMass together(const BodyMass& a, const BodyMass& b);
 
 }  // namespace latsch::multibody

@@ -18,7 +18,7 @@ const Outside kNothing;
 
 constexpr double kWild = 10.0;  // m: largest plausible motion of a part in a step
 
-const Outside& outside_of(const Standing& standing) {
+const Outside& outside_of(const RestSettings& standing) {
   return standing.outside ? *standing.outside : kNothing;
 }
 
@@ -63,7 +63,7 @@ Motion Transient::motion_of(const MechanismState& state, std::span<const double>
 }
 
 Result<MechanismState> Transient::start(const Rest& rest,
-                                        const Standing& standing,
+                                        const RestSettings& standing,
                                         double time,
                                         const VectorXd* rates) {
   MechanismState state;
@@ -119,7 +119,7 @@ void Transient::place(const MechanismState& from, double h, MechanismState& to) 
   }
 }
 
-Result<bool> Transient::advance(MechanismState& state, double h, const Standing& standing) {
+Result<bool> Transient::advance(MechanismState& state, double h, const RestSettings& standing) {
   assert(h > 0.0);
   next_.time = state.time + h;
   next_.poses.resize(state.poses.size());

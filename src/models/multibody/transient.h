@@ -51,12 +51,12 @@ class Transient {
   /// Returns the state at these poses with these rates (null: at rest), and accelerations with M g
   /// = f.
   Result<MechanismState> start(const Rest& rest,
-                               const Standing& standing,
+                               const RestSettings& standing,
                                double time = 0.0,
                                const Eigen::VectorXd* rates = nullptr);
   /// Advances the state by `step` seconds; loads, drivers and actions from outside are those of the
   /// end. A Failure leaves the state unchanged and names the part that moves too far.
-  Result<bool> advance(MechanismState& state, double step, const Standing& standing);
+  Result<bool> advance(MechanismState& state, double step, const RestSettings& standing);
 
   /// Returns the motion of a state, for forces of elements and energies.
   Motion motion_of(const MechanismState& state, std::span<const double> drivers = {}) const;

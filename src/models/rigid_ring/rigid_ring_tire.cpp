@@ -50,7 +50,8 @@ RigidRingTire::RigidRingTire(const Parameters& parameters,
       settings_(settings),
       formula_(parameters, settings.conventions),
       ring_(ring),
-      cams_(parameters) {
+      cams_(parameters),
+      watch_(settings.log) {
   if (settings_.pressure <= 0.0) settings_.pressure = parameters.INFLPRES;
 }
 
@@ -122,6 +123,7 @@ void RigidRingTire::slip(
   state.alpha = std::atan(std::clamp((y[13] + k * Vsy) / sigma_y, -kMostSlip, kMostSlip));
   forces_ = at_any_speed(formula_, state, y[14]);
   forces_.Fz = Fz;
+  input_ = state;
   Pivot pivot = pivot_of(p, still);
   if (ring_.c_rpsi > 0.0) pivot.stiffness = ring_.c_rpsi;
   forces_.Mz -= (1.0 - q) * pivot.stiffness * y[15];
@@ -276,6 +278,8 @@ Result<HubForces> RigidRingTire::settle(const WheelMotion& motion,
   before_ = motion;
   moving_ = true;
   if (!state_.allFinite()) return Failure{"the ring finds no equilibrium on this road"};
+  if (const auto wheel = touch(motion, plane_))
+    if (std::string why = rim_in_road(parameters_, *wheel); !why.empty()) return Failure{why};
   return hub_forces(state_, 0.0);
 }
 
@@ -321,6 +325,8 @@ Result<HubForces> RigidRingTire::advance(const WheelMotion& motion,
   const magic_formula::RoadPlane plane = plane_ahead(motion, step, road, time);
   const auto wheel = touch(belt_motion(state_, motion), plane);
   if (!wheel) return Failure{"the wheel lies flat: its spin axis is perpendicular to the road"};
+  if (const auto rim = touch(motion, plane))
+    if (std::string why = rim_in_road(parameters_, *rim); !why.empty()) return Failure{why};
   take_friction(plane.friction);
   if (step == 0.0) return hub_forces(state_, motion.spin_rate);
   const int n = substeps(step, wheel->Vx);
@@ -338,6 +344,7 @@ Result<HubForces> RigidRingTire::advance(const WheelMotion& motion,
   before_ = motion;
   plane_ = plane;
   load_rate_ = (forces_.Fz - load_before) / step;
+  if (forces_.Fz > 0.0) watch_.see(input_);
   if (!state_.allFinite()) return Failure{"the ring left its springs: take smaller steps"};
   return hub_forces(state_, motion.spin_rate);
 }

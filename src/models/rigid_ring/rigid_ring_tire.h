@@ -129,6 +129,8 @@ class RigidRingTire final : public Tire {
   double load_rate_ = 0.0;          // N/s, over the last step
   Eigen::Vector2d most_;            // m: largest |u|, |v|, from the last rate
   magic_formula::SteadyState forces_{};
+  magic_formula::State input_{};  // input of the last forces
+  magic_formula::RangeWatch watch_;
 };
 
 }  // namespace latsch::rigid_ring

@@ -27,6 +27,11 @@ Result<RingConstants> ring_constants(const magic_formula::Parameters& p, double 
     return Failure{"a rigid ring needs BELT_MASS, BELT_IXX and BELT_IYY above zero"};
   if (!(p.FREQ_LONG > 0.0 && p.FREQ_LAT > 0.0 && p.FREQ_YAW > 0.0 && p.FREQ_WINDUP > 0.0))
     return Failure{"a rigid ring needs FREQ_LONG, FREQ_LAT, FREQ_YAW and FREQ_WINDUP above zero"};
+  if (!(p.DAMP_LONG >= 0.0 && p.DAMP_LAT >= 0.0 && p.DAMP_YAW >= 0.0 && p.DAMP_WINDUP >= 0.0 &&
+        p.DAMP_RESIDUAL >= 0.0))
+    return Failure{
+        "a rigid ring needs DAMP_LONG, DAMP_LAT, DAMP_YAW, DAMP_WINDUP and DAMP_RESIDUAL of at "
+        "least zero: a negative damping feeds the vibration"};
   c.k_bx = stiffness(c.m_b, p.FREQ_LONG);
   c.k_by = stiffness(c.m_b, p.FREQ_LAT);
   c.k_bgamma = stiffness(c.I_xx, p.FREQ_YAW);

@@ -55,7 +55,7 @@ class Profile {
   using Place = std::vector<Point>::const_iterator;
 
   Place first_from(double s) const;
-  /// Searches from `near` on, if s is near it.
+  /// The search starts at `near` if s is close to it.
   Place first_from(double s, Place near) const;
   Place search(double s, Place from, Place to) const;
   Value at(double s, Place right) const;

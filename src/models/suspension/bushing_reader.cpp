@@ -103,16 +103,16 @@ bool has_curve(const std::vector<BushingParameters::Part>& parts, std::size_t ax
 
 }  // namespace
 
-multibody::ForceCurve read_curve(const Node& table,
-                                 const std::string& key,
-                                 const std::string& unit,
-                                 const std::string& unit_of_force) {
-  std::vector<multibody::ForceCurve::Point> points;
+multibody::ForceCharacteristic read_curve(const Node& table,
+                                          const std::string& key,
+                                          const std::string& unit,
+                                          const std::string& unit_of_force) {
+  std::vector<multibody::ForceCharacteristic::Point> points;
   for (const auto& row : table.rows(key, {unit, unit_of_force}))
     points.emplace_back(row[0], row[1]);
-  if (const std::string fault = multibody::ForceCurve::fault(points); !fault.empty())
+  if (const std::string fault = multibody::ForceCharacteristic::fault(points); !fault.empty())
     table.reject(key, fault);
-  return multibody::ForceCurve(std::move(points));
+  return multibody::ForceCharacteristic(std::move(points));
 }
 
 BushingParameters read_bushing(const Node& bushings, const std::string& name) {

@@ -36,9 +36,9 @@ std::vector<std::string> bushing_lines(const multibody::BushingParameters& bushi
 const std::vector<std::string>& keys_in_place_of_a_file();
 
 /// Reads a curve such as [["-1 mm", "-9 kN"], ...].
-multibody::ForceCurve read_curve(const Node& table,
-                                 const std::string& key,
-                                 const std::string& unit,
-                                 const std::string& unit_of_force);
+multibody::ForceCharacteristic read_curve(const Node& table,
+                                          const std::string& key,
+                                          const std::string& unit,
+                                          const std::string& unit_of_force);
 
 }  // namespace latsch::suspension

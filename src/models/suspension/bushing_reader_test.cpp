@@ -162,10 +162,10 @@ TEST(BushingReader, WhatItsLinesSayIsTheBushingTheyWereMadeOf) {
   bushing.rotational = {0.1, 200.0, 0.0};
   bushing.damping = {1.0 / 3.0, 2.0, 0.0};
   bushing.rotational_damping = {0.0, 0.7, 1e-3};
-  using multibody::ForceCurve;
+  using multibody::ForceCharacteristic;
   bushing.parts = {
-      {1, multibody::ElasticCurve{ForceCurve({{-1e-3 / 3.0, -2.0}, {0.1, 7.1}})}},
-      {5, multibody::ElasticCurve{ForceCurve({{-0.3, -2.0}, {0.0, 1.0}, {0.1, 7.1}})}}};
+      {1, multibody::ElasticCurve{ForceCharacteristic({{-1e-3 / 3.0, -2.0}, {0.1, 7.1}})}},
+      {5, multibody::ElasticCurve{ForceCharacteristic({{-0.3, -2.0}, {0.0, 1.0}, {0.1, 7.1}})}}};
   std::string own;
   for (const std::string& line : bushing_lines(bushing)) own += line + "\n";
   EXPECT_TRUE(ubj_of(own, "damping = \"1 s\"\n") == bushing) << own;

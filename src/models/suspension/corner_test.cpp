@@ -38,7 +38,7 @@ std::array<double, 6> moved(const WheelPosition& at, const WheelPosition& rest) 
           (at.caster - rest.caster) / kDegree};
 }
 
-class Corner : public testing::Test {
+class SuspensionCorner : public testing::Test {
  protected:
   DoubleWishbone corner_ = race_corner();
   Mechanism mechanism_{corner_.bodies(), corner_.joints()};
@@ -52,7 +52,7 @@ class Corner : public testing::Test {
   }
 };
 
-TEST_F(Corner, MovesAsTwoIndependentProgramsSay) {
+TEST_F(SuspensionCorner, MovesAsTwoIndependentProgramsSay) {
   ASSERT_EQ(corner_.fault(), "");
   ASSERT_EQ(Mechanism::fault(corner_.bodies(), corner_.joints()), "");
   Equilibrium statics(mechanism_);
@@ -69,7 +69,7 @@ TEST_F(Corner, MovesAsTwoIndependentProgramsSay) {
   }
 }
 
-TEST_F(Corner, ComplianceIsTheSlopeOfItsStatics) {
+TEST_F(SuspensionCorner, ComplianceIsTheSlopeOfItsStatics) {
   Equilibrium statics(mechanism_);
   const Load on = load({-500.0, -2000.0, 3000.0}, {0.0, 0.0, 50.0});
   const Poses poses = *statics.solve({&on, 1});
@@ -94,7 +94,7 @@ TEST_F(Corner, ComplianceIsTheSlopeOfItsStatics) {
   }
 }
 
-TEST_F(Corner, SlopesInStiffnessesAreThoseOfDifferences) {
+TEST_F(SuspensionCorner, SlopesInStiffnessesAreThoseOfDifferences) {
   Equilibrium statics(mechanism_);
   const Load on = load({-500.0, -2000.0, 3000.0}, {0.0, 0.0, 50.0});
   const Poses poses = *statics.solve({&on, 1});
@@ -124,7 +124,7 @@ TEST_F(Corner, SlopesInStiffnessesAreThoseOfDifferences) {
   }
 }
 
-TEST_F(Corner, OfTheRightSideIsItsMirrorImage) {
+TEST_F(SuspensionCorner, OfTheRightSideIsItsMirrorImage) {
   DoubleWishbone right = corner_;
   for (Vector3d& point : right.points) point.y() = -point.y();
   right.wheel_center.y() = -right.wheel_center.y();
@@ -143,7 +143,7 @@ TEST_F(Corner, OfTheRightSideIsItsMirrorImage) {
   EXPECT_NEAR(a.caster, b.caster, 1e-12);
 }
 
-TEST_F(Corner, LoadsBeyondWhatItHoldsFailInWords) {
+TEST_F(SuspensionCorner, LoadsBeyondWhatItHoldsFailInWords) {
   for (BushingParameters& bushing : corner_.bushings) bushing.stiffness.setConstant(1e3);
   const Mechanism soft(corner_.bodies(), corner_.joints());
   const Load on = load(Vector3d::Zero(), {0.0, 0.0, 1e6});
@@ -153,7 +153,7 @@ TEST_F(Corner, LoadsBeyondWhatItHoldsFailInWords) {
       << poses.failure().reason;
 }
 
-TEST_F(Corner, JointsThatHardlyGiveAreSolvedAsFarAsNumbersGo) {
+TEST_F(SuspensionCorner, JointsThatHardlyGiveAreSolvedAsFarAsNumbersGo) {
   const Load on = load({0.0, 0.0, 5e3}, Vector3d::Zero());
   const WheelPosition rest = wheel(mechanism_.at_rest());
   const auto travel = [&](double stiffness) {
@@ -166,7 +166,7 @@ TEST_F(Corner, JointsThatHardlyGiveAreSolvedAsFarAsNumbersGo) {
   EXPECT_NEAR(travel(1e12) / travel(1e9), 1e-3, 1e-6);
 }
 
-TEST_F(Corner, BushingsSoSoftThatItTurnsOverAreNamed) {
+TEST_F(SuspensionCorner, BushingsSoSoftThatItTurnsOverAreNamed) {
   for (BushingParameters& bushing : corner_.bushings) bushing.stiffness.setConstant(3e3);
   const Mechanism soft(corner_.bodies(), corner_.joints());
   const Load on = load({0.0, 0.0, 5e3}, Vector3d::Zero());
@@ -176,7 +176,7 @@ TEST_F(Corner, BushingsSoSoftThatItTurnsOverAreNamed) {
       << poses.failure().reason;
 }
 
-TEST_F(Corner, ARodThatSpinsFreelyIsNamed) {
+TEST_F(SuspensionCorner, ARodThatSpinsFreelyIsNamed) {
   for (BushingParameters& bushing : corner_.bushings) bushing.rotational.setZero();
   const std::string fault = Mechanism::fault(corner_.bodies(), corner_.joints());
   EXPECT_NE(fault.find("the push-rod spins freely from pushrod_inner to pushrod_outer"),
@@ -194,7 +194,7 @@ TEST_F(Corner, ARodThatSpinsFreelyIsNamed) {
   EXPECT_NE(poses.failure().reason.find("rod"), std::string::npos) << poses.failure().reason;
 }
 
-TEST_F(Corner, PartsThatMakeNoneAreNamed) {
+TEST_F(SuspensionCorner, PartsThatMakeNoneAreNamed) {
   DoubleWishbone bad = corner_;
   bad.points[DoubleWishbone::kUbj] = bad.points[DoubleWishbone::kUcaFront];
   EXPECT_NE(bad.fault().find("uca_front, uca_rear and ubj"), std::string::npos) << bad.fault();

@@ -38,10 +38,10 @@ CompliantCorner read_five_links(const Node& hardpoint,
 
 }  // namespace
 
-Corner read_corner(const Node& root) {
+SuspensionCorner read_corner(const Node& root) {
   root.choice("kind", {"suspension"});
   root.text("title", "");
-  Corner found{read_geometry(root), std::nullopt, std::nullopt};
+  SuspensionCorner found{read_geometry(root), std::nullopt, std::nullopt};
   const Node hardpoint = root.table("hardpoint");
   const auto bushings = root.find_table("bushing");
   std::string fault;
@@ -70,7 +70,7 @@ Corner read_corner(const Node& root) {
 }
 
 DoubleWishbone read_suspension(const Node& root) {
-  const Corner found = read_corner(root);
+  const SuspensionCorner found = read_corner(root);
   if (found.statics) return *found.statics;
   if (!found.geometry.kingpin)
     root.reject("type", "is \"five_link\": a car needs double wishbones with their bushings");

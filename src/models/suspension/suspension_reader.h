@@ -32,14 +32,14 @@
 
 namespace latsch::suspension {
 
-struct Corner {
+struct SuspensionCorner {
   CornerGeometry geometry;
   std::optional<CompliantCorner> compliant;  // none without [bushing]
   std::optional<DoubleWishbone> statics;     // its double wishbone; none for five links
 };
 
 /// Throws InputError naming the place, or the part that is no suspension.
-Corner read_corner(const Node& root);
+SuspensionCorner read_corner(const Node& root);
 /// Reads the double wishbone with bushings. Throws InputError also if there is none.
 DoubleWishbone read_suspension(const Node& root);
 

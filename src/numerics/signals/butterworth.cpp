@@ -131,29 +131,33 @@ double distance_to_circle(const RootPair& pair) { return 1.0 - std::abs(pair.fro
 
 }  // namespace
 
-ZerosAndPoles butterworth(int order, Band band, const std::vector<double>& edges, double rate) {
+ZerosAndPoles butterworth(int order,
+                          FilterBand band,
+                          const std::vector<double>& edges,
+                          double rate) {
   assert(order >= 1 && !edges.empty());
   const auto warped = [&](double frequency) {
     assert(frequency > 0.0 && frequency < rate / 2.0);
     return 2.0 * rate * std::tan(std::numbers::pi * frequency / rate);
   };
   Analog analog = prototype(order);
-  if (band == Band::low_pass) {
+  if (band == FilterBand::low_pass) {
     to_low_pass(analog, warped(edges[0]));
-  } else if (band == Band::high_pass) {
+  } else if (band == FilterBand::high_pass) {
     to_high_pass(analog, warped(edges[0]));
   } else {
     assert(edges.size() == 2 && edges[0] < edges[1]);
     const double w1 = warped(edges[0]), w2 = warped(edges[1]);
     const double w0 = std::sqrt(w1 * w2), width = w2 - w1;
-    band == Band::band_pass ? to_band_pass(analog, w0, width) : to_band_stop(analog, w0, width);
+    band == FilterBand::band_pass ? to_band_pass(analog, w0, width)
+                                  : to_band_stop(analog, w0, width);
   }
   return bilinear(analog, rate);
 }
 
-std::vector<Section> sections_of(const ZerosAndPoles& filter) {
+std::vector<FilterSection> sections_of(const ZerosAndPoles& filter) {
   std::vector<RootPair> poles = pairs_of(filter.poles), zeros = pairs_of(filter.zeros);
-  std::vector<Section> sections;
+  std::vector<FilterSection> sections;
   // Pole pairs are combined with the zeros at the same index, and a single pole with the single
   // zero.
   assert(poles.size() == zeros.size());
@@ -168,7 +172,7 @@ std::vector<Section> sections_of(const ZerosAndPoles& filter) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
     return distance_to_circle(poles[i]) > distance_to_circle(poles[j]);
   });
-  std::vector<Section> sorted;
+  std::vector<FilterSection> sorted;
   for (const std::size_t i : order) sorted.push_back(sections[i]);
   sorted.front().b0 *= filter.gain;
   sorted.front().b1 *= filter.gain;

@@ -12,7 +12,7 @@
 
 namespace latsch::numerics {
 
-enum class Band { low_pass, high_pass, band_pass, band_stop };
+enum class FilterBand { low_pass, high_pass, band_pass, band_stop };
 
 /// Filter gain * prod (z - zero) / prod (z - pole).
 struct ZerosAndPoles {
@@ -22,10 +22,13 @@ struct ZerosAndPoles {
 
 /// `edges`: one frequency for low and high pass, two rising ones for the bands; Hz, between 0 and
 /// rate / 2. `order` is at least 1; bands have twice as many poles.
-ZerosAndPoles butterworth(int order, Band band, const std::vector<double>& edges, double rate);
+ZerosAndPoles butterworth(int order,
+                          FilterBand band,
+                          const std::vector<double>& edges,
+                          double rate);
 
 /// Returns second-order sections, those nearest the unit circle last.
-std::vector<Section> sections_of(const ZerosAndPoles& filter);
+std::vector<FilterSection> sections_of(const ZerosAndPoles& filter);
 RationalFilter polynomials_of(const ZerosAndPoles& filter);
 
 }  // namespace latsch::numerics

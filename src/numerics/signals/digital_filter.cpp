@@ -42,7 +42,7 @@ void run(const RationalFilter& f, std::vector<double>& x, std::vector<double>& s
   }
 }
 
-void run(const Section& s, std::vector<double>& x, double z0, double z1) {
+void run(const FilterSection& s, std::vector<double>& x, double z0, double z1) {
   for (double& value : x) {
     const double in = value;
     const double out = s.b0 * in + z0;
@@ -52,12 +52,12 @@ void run(const Section& s, std::vector<double>& x, double z0, double z1) {
   }
 }
 
-double gain_at_rest(const Section& s) { return (s.b0 + s.b1 + s.b2) / (1.0 + s.a1 + s.a2); }
+double gain_at_rest(const FilterSection& s) { return (s.b0 + s.b1 + s.b2) / (1.0 + s.a1 + s.a2); }
 
 /// Runs the sections, starting each in the steady state of the constant input x[0].
-void run_from_steady_state(const std::vector<Section>& sections, std::vector<double>& x) {
+void run_from_steady_state(const std::vector<FilterSection>& sections, std::vector<double>& x) {
   double in = x.front();
-  for (const Section& s : sections) {
+  for (const FilterSection& s : sections) {
     const double out = in * gain_at_rest(s);
     const double z1 = s.b2 * in - s.a2 * out;
     run(s, x, s.b1 * in - s.a1 * out + z1, z1);
@@ -101,9 +101,9 @@ std::vector<double> filter(const RationalFilter& given,
   return y;
 }
 
-std::vector<double> filter(const std::vector<Section>& sections, std::span<const double> x) {
+std::vector<double> filter(const std::vector<FilterSection>& sections, std::span<const double> x) {
   std::vector<double> y(x.begin(), x.end());
-  for (const Section& section : sections) run(section, y, 0.0, 0.0);
+  for (const FilterSection& section : sections) run(section, y, 0.0, 0.0);
   return y;
 }
 
@@ -131,7 +131,7 @@ std::vector<double> filter_forward_backward(const RationalFilter& given,
   });
 }
 
-std::vector<double> filter_forward_backward(const std::vector<Section>& sections,
+std::vector<double> filter_forward_backward(const std::vector<FilterSection>& sections,
                                             std::span<const double> x) {
   return both_ways(x, forward_backward_padding(sections), [&](std::vector<double>& y) {
     run_from_steady_state(sections, y);
@@ -142,9 +142,9 @@ int forward_backward_padding(const RationalFilter& filter) {
   return 3 * static_cast<int>(std::max(filter.a.size(), filter.b.size()));
 }
 
-int forward_backward_padding(const std::vector<Section>& sections) {
+int forward_backward_padding(const std::vector<FilterSection>& sections) {
   int first_order_b = 0, first_order_a = 0;
-  for (const Section& s : sections) {
+  for (const FilterSection& s : sections) {
     first_order_b += s.b2 == 0.0;
     first_order_a += s.a2 == 0.0;
   }

@@ -24,7 +24,7 @@ struct RationalFilter {
 };
 
 /// Second-order section with a_0 = 1.
-struct Section {
+struct FilterSection {
   double b0 = 1.0, b1 = 0.0, b2 = 0.0, a1 = 0.0, a2 = 0.0;
 };
 
@@ -33,7 +33,7 @@ std::vector<double> filter(const RationalFilter& filter, std::span<const double>
 std::vector<double> filter(const RationalFilter& filter,
                            std::span<const double> x,
                            std::vector<double> state);
-std::vector<double> filter(const std::vector<Section>& sections, std::span<const double> x);
+std::vector<double> filter(const std::vector<FilterSection>& sections, std::span<const double> x);
 
 /// Returns the state in which a constant input of 1 gives a constant output. The sum of a must not
 /// vanish.
@@ -42,10 +42,10 @@ std::vector<double> steady_state(const RationalFilter& filter);
 /// Filters with zero phase. x must have more samples than forward_backward_padding() returns.
 std::vector<double> filter_forward_backward(const RationalFilter& filter,
                                             std::span<const double> x);
-std::vector<double> filter_forward_backward(const std::vector<Section>& sections,
+std::vector<double> filter_forward_backward(const std::vector<FilterSection>& sections,
                                             std::span<const double> x);
 int forward_backward_padding(const RationalFilter& filter);
-int forward_backward_padding(const std::vector<Section>& sections);
+int forward_backward_padding(const std::vector<FilterSection>& sections);
 
 /// True if every pole lies inside the unit circle.
 bool is_stable(const RationalFilter& filter);

@@ -125,14 +125,14 @@ class SciPySignal : public testing::Test {
 
 struct NamedBand {
   const char* name;
-  Band band;
+  FilterBand band;
   std::vector<double> edges;
 };
 
-const std::vector<NamedBand> kBands{{"lowpass", Band::low_pass, {60.0}},
-                                    {"highpass", Band::high_pass, {60.0}},
-                                    {"bandpass", Band::band_pass, {60.0, 150.0}},
-                                    {"bandstop", Band::band_stop, {60.0, 150.0}}};
+const std::vector<NamedBand> kBands{{"lowpass", FilterBand::low_pass, {60.0}},
+                                    {"highpass", FilterBand::high_pass, {60.0}},
+                                    {"bandpass", FilterBand::band_pass, {60.0, 150.0}},
+                                    {"bandstop", FilterBand::band_stop, {60.0, 150.0}}};
 
 TEST_F(SciPySignal, DesignsTheSameButterworthFilters) {
   for (const auto& [name, band, edges] : kBands) {
@@ -153,7 +153,7 @@ TEST_F(SciPySignal, FiltersBySectionsForwardAndBothWays) {
 }
 
 TEST_F(SciPySignal, FiltersByPolynomials) {
-  const auto f = polynomials_of(butterworth(4, Band::low_pass, {60.0}, kRate));
+  const auto f = polynomials_of(butterworth(4, FilterBand::low_pass, {60.0}, kRate));
   agrees("lfilter", filter(f, x_));
   agrees("zi", steady_state(f));
   agrees("filtfilt", filter_forward_backward(f, x_));
@@ -170,7 +170,8 @@ TEST_F(SciPySignal, WelchIsTheSameInEveryConvention) {
   agrees("welch", scipy.value);
   agrees("welch_frequency", scipy.frequency);
   agrees("welch_odd",
-         power_density(x_, kRate, {301, 100, 512, Window::hamming_periodic, Detrend::segment_line})
+         power_density(
+             x_, kRate, {301, 100, 512, SpectralWindow::hamming_periodic, Detrend::segment_line})
              .value);
   const auto octave = welch_settings(Convention::octave, kSamples);
   EXPECT_EQ(octave.segment, 64);  // next power of two above sqrt(1600) = 40

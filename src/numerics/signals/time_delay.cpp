@@ -90,7 +90,7 @@ constexpr int kTaps = 2 * kInterpolationReach;
 /// Returns weights of the samples -reach + 1 .. reach for a point `share` of a sample behind sample
 /// 0.
 std::array<double, kTaps> interpolation_weights(double share) {
-  constexpr double kBeta = 12.0;  // Kaiser's: side lobes of 1e-6 (118 dB)
+  constexpr double kBeta = 12.0;  // Kaiser window: side lobes of 1e-6 (118 dB)
   static const double whole = bessel_i0(kBeta);
   std::array<double, kTaps> weights{};
   for (int i = 0; i < kTaps; ++i) {

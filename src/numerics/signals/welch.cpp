@@ -92,10 +92,12 @@ void scale(std::vector<T>& sums, double rate, double window_power, int segments,
 
 }  // namespace
 
-std::vector<double> window_values(Window window, int count) {
-  if (window == Window::rectangular || count == 1) return std::vector<double>(count, 1.0);
-  const bool hann = window == Window::hann_periodic || window == Window::hann_symmetric;
-  const bool periodic = window == Window::hann_periodic || window == Window::hamming_periodic;
+std::vector<double> window_values(SpectralWindow window, int count) {
+  if (window == SpectralWindow::rectangular || count == 1) return std::vector<double>(count, 1.0);
+  const bool hann =
+      window == SpectralWindow::hann_periodic || window == SpectralWindow::hann_symmetric;
+  const bool periodic =
+      window == SpectralWindow::hann_periodic || window == SpectralWindow::hamming_periodic;
   const double mean = hann ? 0.5 : 0.54;
   const double step = 2.0 * std::numbers::pi / (periodic ? count : count - 1);
   std::vector<double> w(count);
@@ -114,7 +116,7 @@ WelchSettings welch_settings(Convention convention, int samples, std::optional<i
   s.overlap = s.segment / 2;
   s.length = s.segment;
   if (convention == Convention::scipy) return s;
-  s.window = Window::hamming_symmetric;
+  s.window = SpectralWindow::hamming_symmetric;
   s.detrend = convention == Convention::octave ? Detrend::record_mean : Detrend::none;
   if (convention == Convention::matlab) {
     s.length = std::max(kMatlabLeastLength, power_of_two(s.segment));

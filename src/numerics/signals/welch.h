@@ -25,7 +25,7 @@
 
 namespace latsch::numerics {
 
-enum class Window {
+enum class SpectralWindow {
   hann_periodic,
   hann_symmetric,
   hamming_periodic,
@@ -34,13 +34,13 @@ enum class Window {
 };
 enum class Detrend { none, segment_mean, segment_line, record_mean };
 
-std::vector<double> window_values(Window window, int count);
+std::vector<double> window_values(SpectralWindow window, int count);
 
 struct WelchSettings {
   int segment = 256;  // samples, at least 2 and at most those of the record
   int overlap = 128;  // samples, fewer than the segment
   int length = 256;   // transform's length: the segment and zeros
-  Window window = Window::hann_periodic;
+  SpectralWindow window = SpectralWindow::hann_periodic;
   Detrend detrend = Detrend::segment_mean;
 };
 

@@ -2,23 +2,26 @@
 // Kernels for eight right-hand sides side by side, one register of single precision for every
 // unknown. A number of the factor is read once for all of them, and no sum runs across them.
 // Included once per kernel set, by columns_together.cpp.
+#include "numerics/sparse/eight_floats.h"
+
 namespace latsch::numerics::LATSCH_KERNELS {
 
-using Floats8 = float __attribute__((vector_size(32), aligned(4), may_alias));
 using Doubles4 = double __attribute__((vector_size(32), aligned(8), may_alias));
 
 /// Returns a + b c.
-inline __attribute__((always_inline)) Floats8 mul_add(Floats8 a, float b, Floats8 c) {
+inline __attribute__((always_inline)) EightFloats mul_add(EightFloats a, float b, EightFloats c) {
 #if LATSCH_KERNEL_WIDTH > 2
-  return (Floats8)_mm256_fmadd_ps(_mm256_set1_ps(b), (__m256)c, (__m256)a);
+  return (EightFloats)_mm256_fmadd_ps(_mm256_set1_ps(b), (__m256)c, (__m256)a);
 #else
   return a + b * c;
 #endif
 }
 
-inline __attribute__((always_inline)) Floats8 mul_add(Floats8 a, Floats8 b, Floats8 c) {
+inline __attribute__((always_inline)) EightFloats mul_add(EightFloats a,
+                                                          EightFloats b,
+                                                          EightFloats c) {
 #if LATSCH_KERNEL_WIDTH > 2
-  return (Floats8)_mm256_fmadd_ps((__m256)b, (__m256)c, (__m256)a);
+  return (EightFloats)_mm256_fmadd_ps((__m256)b, (__m256)c, (__m256)a);
 #else
   return a + b * c;
 #endif
@@ -41,10 +44,10 @@ inline __attribute__((always_inline)) void fetch(const float* column, int ld) {
 /// Adds the sum over `width` columns of L_ij y_j to v_i, for rows first ... end-1.
 template <int width>
 inline __attribute__((always_inline)) void add_columns(
-    const float* L, int ld, const Floats8* y, int first, int end, Floats8* v) {
+    const float* L, int ld, const EightFloats* y, int first, int end, EightFloats* v) {
   for (int i = first; i < end; ++i) {
     if (i % 16 == 0) fetch<width>(L + static_cast<size_t>(width) * ld + i, ld);
-    Floats8 sum = v[i];
+    EightFloats sum = v[i];
     for (int j = 0; j < width; ++j) sum = mul_add(sum, L[static_cast<size_t>(j) * ld + i], y[j]);
     v[i] = sum;
   }
@@ -53,16 +56,16 @@ inline __attribute__((always_inline)) void add_columns(
 /// Adds the sum of L_ij v_i over rows first ... end-1 to y_j, two rows at a time.
 template <int width>
 inline __attribute__((always_inline)) void add_rows(
-    const float* L, int ld, const Floats8* v, int first, int end, Floats8* y) {
-  Floats8 even[width], odd[width];
+    const float* L, int ld, const EightFloats* v, int first, int end, EightFloats* y) {
+  EightFloats even[width], odd[width];
   for (int j = 0; j < width; ++j) {
     even[j] = y[j];
-    odd[j] = Floats8{};
+    odd[j] = EightFloats{};
   }
   int i = first;
   for (; i + 1 < end; i += 2) {
     if (i % 16 < 2) fetch<width>(L - static_cast<std::ptrdiff_t>(width) * ld + i, ld);
-    const Floats8 a = v[i], b = v[i + 1];
+    const EightFloats a = v[i], b = v[i + 1];
     for (int j = 0; j < width; ++j) {
       const float* column = L + static_cast<size_t>(j) * ld + i;
       even[j] = mul_add(even[j], column[0], a);
@@ -79,11 +82,11 @@ inline __attribute__((always_inline)) void add_rows(
 
 template <int width>
 inline __attribute__((always_inline)) void eliminate(
-    const float* L, int ld, int j, int rows, Floats8* v) {
-  Floats8 y[width];
+    const float* L, int ld, int j, int rows, EightFloats* v) {
+  EightFloats y[width];
   for (int k = 0; k < width; ++k) {
     const float* column = L + static_cast<size_t>(j + k) * ld;
-    Floats8 x = v[j + k];
+    EightFloats x = v[j + k];
     for (int m = 0; m < k; ++m) {
       x = mul_add(x, L[static_cast<size_t>(j + m) * ld + j + k], y[m]);
     }
@@ -96,8 +99,8 @@ inline __attribute__((always_inline)) void eliminate(
 
 template <int width>
 inline __attribute__((always_inline)) void substitute(
-    const float* L, int ld, int j, int rows, Floats8* v) {
-  Floats8 y[width];
+    const float* L, int ld, int j, int rows, EightFloats* v) {
+  EightFloats y[width];
   for (int k = 0; k < width; ++k) y[k] = -v[j + k];
   add_rows<width>(L + static_cast<size_t>(j) * ld, ld, v, j + width, rows, y);
   for (int k = width - 1; k >= 0; --k) {
@@ -122,11 +125,11 @@ inline __attribute__((always_inline)) void eliminate_one(
   }
   for (int i = j + width; i < rows; i += 8) {
     fetch<width>(L + static_cast<size_t>(width) * ld + i, ld);
-    Floats8* to = reinterpret_cast<Floats8*>(v + i);
-    Floats8 sum{};  // The sum is added at once, so that v is rounded once.
+    EightFloats* to = reinterpret_cast<EightFloats*>(v + i);
+    EightFloats sum{};  // The sum is added at once, so that v is rounded once.
     for (int k = 0; k < width; ++k) {
       const float* column = L + static_cast<size_t>(k) * ld + i;
-      sum = mul_add(sum, y[k], *reinterpret_cast<const Floats8*>(column));
+      sum = mul_add(sum, y[k], *reinterpret_cast<const EightFloats*>(column));
     }
     *to = *to + sum;
   }
@@ -137,18 +140,18 @@ template <int width>
 inline __attribute__((always_inline)) void substitute_one(
     const float* L, int ld, int j, int rows, float* v) {
   L += static_cast<size_t>(j) * ld;
-  Floats8 sums[width];
-  for (int k = 0; k < width; ++k) sums[k] = Floats8{};
+  EightFloats sums[width];
+  for (int k = 0; k < width; ++k) sums[k] = EightFloats{};
   for (int i = j + width; i < rows; i += 8) {
     fetch<width>(L - static_cast<std::ptrdiff_t>(width) * ld + i, ld);
-    const Floats8 x = *reinterpret_cast<const Floats8*>(v + i);
+    const EightFloats x = *reinterpret_cast<const EightFloats*>(v + i);
     for (int k = 0; k < width; ++k) {
       const float* column = L + static_cast<size_t>(k) * ld + i;
-      sums[k] = mul_add(sums[k], *reinterpret_cast<const Floats8*>(column), x);
+      sums[k] = mul_add(sums[k], *reinterpret_cast<const EightFloats*>(column), x);
     }
   }
   for (int k = width - 1; k >= 0; --k) {
-    const Floats8& s = sums[k];
+    const EightFloats& s = sums[k];
     const float* column = L + static_cast<size_t>(k) * ld + j;
     double x = v[j + k];
     x -= ((s[0] + s[4]) + (s[1] + s[5])) + ((s[2] + s[6]) + (s[3] + s[7]));
@@ -174,14 +177,14 @@ void backward_one(int pivots, int rows, const float* L, float* v) {
 }
 
 void forward(int pivots, int rows, const float* L, float* columns) {
-  Floats8* v = reinterpret_cast<Floats8*>(columns);
+  EightFloats* v = reinterpret_cast<EightFloats*>(columns);
   int j = 0;
   for (; j + 4 <= pivots; j += 4) eliminate<4>(L, rows, j, rows, v);
   for (; j < pivots; ++j) eliminate<1>(L, rows, j, rows, v);
 }
 
 void backward(int pivots, int rows, const float* L, float* columns) {
-  Floats8* v = reinterpret_cast<Floats8*>(columns);
+  EightFloats* v = reinterpret_cast<EightFloats*>(columns);
   int j = pivots;
   for (; j % 4 != 0; --j) substitute<1>(L, rows, j - 1, rows, v);
   for (; j > 0; j -= 4) substitute<4>(L, rows, j - 4, rows, v);

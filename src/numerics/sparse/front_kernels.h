@@ -3,14 +3,16 @@
 // more time packing and dividing than multiplying. Registers hold eight rows of a column; up to six
 // columns by sixteen rows of a result stay in registers. Every number is a sum in the order of the
 // pivots. Included once per kernel set, by front_algebra.cpp.
+#include "numerics/sparse/eight_floats.h"
+
 namespace latsch::numerics::LATSCH_KERNELS {
 
-using Floats8 = float __attribute__((vector_size(32), aligned(4), may_alias));
-
 /// Returns a - b c.
-inline __attribute__((always_inline)) Floats8 less_product(Floats8 a, float b, Floats8 c) {
+inline __attribute__((always_inline)) EightFloats less_product(EightFloats a,
+                                                               float b,
+                                                               EightFloats c) {
 #if LATSCH_KERNEL_WIDTH > 2
-  return (Floats8)_mm256_fnmadd_ps(_mm256_set1_ps(b), (__m256)c, (__m256)a);
+  return (EightFloats)_mm256_fnmadd_ps(_mm256_set1_ps(b), (__m256)c, (__m256)a);
 #else
   return a - b * c;
 #endif
@@ -27,16 +29,16 @@ struct Rows {
 #else
   explicit Rows(int n) : count(n < 8 ? n : 8) {}
 #endif
-  inline __attribute__((always_inline)) Floats8 load(const float* from) const {
+  inline __attribute__((always_inline)) EightFloats load(const float* from) const {
 #if LATSCH_KERNEL_WIDTH > 2
-    return (Floats8)_mm256_maskload_ps(from, mask);
+    return (EightFloats)_mm256_maskload_ps(from, mask);
 #else
-    Floats8 v{};
+    EightFloats v{};
     for (int r = 0; r < count; ++r) v[r] = from[r];
     return v;
 #endif
   }
-  inline __attribute__((always_inline)) void store(Floats8 v, float* to) const {
+  inline __attribute__((always_inline)) void store(EightFloats v, float* to) const {
 #if LATSCH_KERNEL_WIDTH > 2
     _mm256_maskstore_ps(to, mask, (__m256)v);
 #else
@@ -47,21 +49,25 @@ struct Rows {
 
 /// All eight rows.
 struct EightRows {
-  inline __attribute__((always_inline)) Floats8 load(const float* from) const {
-    return *reinterpret_cast<const Floats8*>(from);
+  inline __attribute__((always_inline)) EightFloats load(const float* from) const {
+    return *reinterpret_cast<const EightFloats*>(from);
   }
-  inline __attribute__((always_inline)) void store(Floats8 v, float* to) const {
-    *reinterpret_cast<Floats8*>(to) = v;
+  inline __attribute__((always_inline)) void store(EightFloats v, float* to) const {
+    *reinterpret_cast<EightFloats*>(to) = v;
   }
 };
 
 /// Computes sum <- sum - B_r L_c' over the first n columns, for `registers` times eight rows of B
 /// and `width` rows of L, both with one column every ld numbers.
 template <int width, int registers, class Some>
-inline __attribute__((always_inline)) void subtract_products(
-    int n, const float* L, const float* B, int ld, Some rows, Floats8 (&sum)[width][registers]) {
+inline __attribute__((always_inline)) void subtract_products(int n,
+                                                             const float* L,
+                                                             const float* B,
+                                                             int ld,
+                                                             Some rows,
+                                                             EightFloats (&sum)[width][registers]) {
   for (int k = 0; k < n; ++k, L += ld, B += ld) {
-    Floats8 b[registers];
+    EightFloats b[registers];
     for (int r = 0; r < registers; ++r) b[r] = rows.load(B + 8 * r);
     for (int c = 0; c < width; ++c) {
       for (int r = 0; r < registers; ++r) sum[c][r] = less_product(sum[c][r], L[c], b[r]);
@@ -73,7 +79,7 @@ inline __attribute__((always_inline)) void subtract_products(
 template <int width, int registers, class Some>
 inline __attribute__((always_inline)) void solve_columns(
     int j, const float* L, const float* inverse, int ld, float* B, Some rows) {
-  Floats8 x[width][registers];
+  EightFloats x[width][registers];
   const std::size_t first = static_cast<std::size_t>(j) * ld;
   for (int c = 0; c < width; ++c) {
     for (int r = 0; r < registers; ++r)
@@ -116,7 +122,7 @@ inline __attribute__((always_inline)) bool factorize_columns(
   float* own = A + static_cast<std::size_t>(j) * ld;
   for (int i = j; i < n; i += 8) {
     const Rows rows(n - i);
-    Floats8 x[width][1];
+    EightFloats x[width][1];
     for (int c = 0; c < width; ++c) x[c][0] = rows.load(own + static_cast<std::size_t>(c) * ld + i);
     subtract_products<width, 1>(j, A + j, A + i, ld, rows, x);
     for (int c = 0; c < width; ++c) rows.store(x[c][0], own + static_cast<std::size_t>(c) * ld + i);
@@ -153,7 +159,7 @@ bool factorize(int n, float* A, float* inverse, int ld) {
 template <int width, int registers, class Some>
 inline __attribute__((always_inline)) void square_columns(
     int j, int n, const float* B, int ld, int i, Some rows, float* C, int ldc) {
-  Floats8 sum[width][registers]{};
+  EightFloats sum[width][registers]{};
   subtract_products<width, registers>(n, B + j, B + i, ld, rows, sum);
   for (int c = 0; c < width; ++c) {
     for (int r = 0; r < registers; ++r)

@@ -167,7 +167,7 @@ bool Identification::center_observed(const std::vector<Result<Evaluated>>& evalu
     }
   }
   const auto rows = used(evaluated.front());
-  assert(rows);  // a later center was evaluated before
+  assert(rows);  // every center but the first was evaluated as a trial point
   r_ = rows->r;
   least_ = r_->squaredNorm();
   least_point_ = center_;

@@ -53,7 +53,7 @@ class Identification {
   /// Empty when done.
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
   /// Records the outcomes of the wanted points, in their order; a Failure if the evaluation failed.
-  /// `evaluated` may hold the first alone if is_enough() is true for it.
+  /// `evaluated` may hold only the first if is_enough() is true for it.
   void observe(const std::vector<Result<Evaluated>>& evaluated);
   /// True if the first of the wanted points makes the others needless: the center with its slopes.
   bool is_enough(const Result<Evaluated>& first) const {
@@ -96,7 +96,7 @@ class Identification {
   /// Returns the linearization at the least sum of squares, after round 2.
   const Linearization& refitted() const { return *best_; }
   /// One profile for each variable that may move, when done and requested.
-  const std::vector<Profile>& profiles() const { return profiles_; }
+  const std::vector<TargetProfile>& profiles() const { return profiles_; }
 
  private:
   void begin_at(const DesignPoint& center);
@@ -145,7 +145,7 @@ class Identification {
   std::optional<BroydenFit> refit_;
   std::vector<ProfileBranch> branches_;  // down and up, variable by variable
   std::vector<int> asked_;               // branches that `wanted_` belongs to
-  std::vector<Profile> profiles_;
+  std::vector<TargetProfile> profiles_;
   std::vector<double> thresholds_;  // one a variable
 };
 

@@ -77,7 +77,7 @@ TEST(Identification, OfALinearModelTheProfileIsTheLinearInterval) {
       },
       kNoise);
   for (int i = 0; i < 2; ++i) {
-    const Profile& p = a.identification.profiles()[i];
+    const TargetProfile& p = a.identification.profiles()[i];
     EXPECT_EQ(p.verdict, Verdict::identifiable);
     EXPECT_NEAR(p.interval.lower, a.identification.confidence().intervals[i].lower, 1e-6);
     EXPECT_NEAR(p.interval.upper, a.identification.confidence().intervals[i].upper, 1e-6);
@@ -99,7 +99,7 @@ TEST(Identification, ProfilesKeepToLinearConstraints) {
                          },
                          {.confidence = {.sigma = 0.1}});
   const double t2s2 = 0.03841459;
-  for (const Profile& p : a.identification.profiles()) {
+  for (const TargetProfile& p : a.identification.profiles()) {
     EXPECT_NEAR(p.interval.lower, 0.5 - std::sqrt(t2s2), 1e-3);
     EXPECT_NEAR(p.interval.upper, 0.5 + 0.01 + std::sqrt(0.5 * t2s2 - 0.0001), 1e-3);
     EXPECT_NEAR(p.points.back().u[p.variable], 1.0, 2e-3);  // the other variable at 0.02 or less
@@ -115,7 +115,7 @@ TEST(Identification, TwoSpringsInSeriesAreFlatUntilOneIsMeasuredAlone) {
       kNoise);
   // One spring can grow without limit only while the other stays above 2, so each has a limit but
   // no value.
-  for (const Profile& p : alone.identification.profiles()) {
+  for (const TargetProfile& p : alone.identification.profiles()) {
     EXPECT_EQ(p.verdict, Verdict::one_sided);
     EXPECT_TRUE(std::isfinite(p.interval.lower));
   }
@@ -125,7 +125,7 @@ TEST(Identification, TwoSpringsInSeriesAreFlatUntilOneIsMeasuredAlone) {
         return Eigen::VectorXd{{stiffness(x[0], x[1]) / 2 - 1, x[0] / 4 - 1}};
       },
       kNoise);
-  for (const Profile& p : both.identification.profiles())
+  for (const TargetProfile& p : both.identification.profiles())
     EXPECT_EQ(p.verdict, Verdict::identifiable);
 }
 
@@ -134,7 +134,7 @@ TEST(Identification, AProductAloneLeavesBothFactorsFlat) {
       box({1, 1}, 0.9, 1.1),
       [](const auto& x) { return Eigen::VectorXd{{x[0] * x[1] - 1}}; },
       kNoise);
-  for (const Profile& p : a.identification.profiles()) EXPECT_EQ(p.verdict, Verdict::flat);
+  for (const TargetProfile& p : a.identification.profiles()) EXPECT_EQ(p.verdict, Verdict::flat);
   EXPECT_GT(a.identification.confidence().deviation(1), 1.0);
 }
 
@@ -146,7 +146,7 @@ TEST(Identification, ASignThatCannotBeSeenMakesTwoMinima) {
         return Eigen::VectorXd{{x[0] * x[0] - 1, x[1] - 0.3, x[0] * x[0] + x[1] - 1.3}};
       },
       kNoise);
-  const Profile& p = a.identification.profiles()[0];
+  const TargetProfile& p = a.identification.profiles()[0];
   EXPECT_EQ(p.verdict, Verdict::several_minima);
   ASSERT_EQ(p.other_minima.size(), 1u);
   EXPECT_NEAR(-1.6 + 3.2 * p.points[p.other_minima[0]].u[0], -1.0, 0.16);  // half a rung
@@ -167,7 +167,7 @@ TEST(Identification, ARiseThatGoesAwayFromBehindIsNoOtherMinimum) {
                 return Eigen::VectorXd{{y * y - 1, 2 * x[0] * (y - 1), 0.1 * (y + 1), x[0]}};
               },
               {.confidence = {.sigma = 0.3}});
-  const Profile& p = a.identification.profiles()[0];
+  const TargetProfile& p = a.identification.profiles()[0];
   EXPECT_EQ(p.verdict, Verdict::identifiable);
   const double end = std::sqrt(0.09 * 1.959964 * 1.959964 - 0.04);
   EXPECT_NEAR(p.interval.lower, 0.5 - 0.5 * end, 0.01);
@@ -231,7 +231,7 @@ TEST(Identification, GoesOnToABetterPoint) {
                 least[i],
                 std::sqrt(0.1) * 0.5 * (interval.upper - interval.lower));
   }
-  const Profile& p = a.identification.profiles()[0];
+  const TargetProfile& p = a.identification.profiles()[0];
   EXPECT_LT(p.interval.lower, a.identification.center().values[0]);
   EXPECT_GT(p.interval.upper, a.identification.center().values[0]);
 }
@@ -274,7 +274,7 @@ TEST(Identification, WhereTheModelFailsAProfileIsNotEvaluableRatherThanFlat) {
         return Eigen::VectorXd{{0.01 * (x[0] - 0.5), 0.02 * (x[0] - 0.5)}};
       },
       kNoise);
-  const Profile& p = a.identification.profiles()[0];
+  const TargetProfile& p = a.identification.profiles()[0];
   EXPECT_EQ(p.verdict, Verdict::not_evaluable);
   EXPECT_GT(p.points.back().u[0], 0.68);  // the edge is searched for
 }
@@ -288,7 +288,7 @@ TEST(Identification, AFailureBeyondTheIntervalLeavesItIdentifiable) {
         return Eigen::VectorXd{{x[0] - 0.5}};
       },
       kNoise);
-  const Profile& p = a.identification.profiles()[0];
+  const TargetProfile& p = a.identification.profiles()[0];
   EXPECT_EQ(p.verdict, Verdict::identifiable);
   EXPECT_NEAR(p.interval.upper, 0.5 + 1.959964 * 0.01, 1e-4);
 }
@@ -310,7 +310,7 @@ TEST(Identification, OfAPerfectFitIsIdentifiableWithAWidthOfRounding) {
   const auto a = analyze(box({0.5, 0.5}, 0, 1), [](const auto& x) {
     return Eigen::VectorXd{{x[0] - 0.5, x[1] - 0.5, x[0] * x[1] - 0.25}};
   });
-  for (const Profile& p : a.identification.profiles()) {
+  for (const TargetProfile& p : a.identification.profiles()) {
     EXPECT_EQ(p.verdict, Verdict::identifiable);
     EXPECT_GT(p.threshold, 0.0);
     EXPECT_NEAR(p.interval.upper, 0.5, 1e-6);

@@ -57,7 +57,7 @@ double last_value(const FeasibleRegion& region,
 
 /// Returns the variable's value where S first exceeds the threshold, outward from `start`. The root
 /// of S is nearly linear there.
-double crossing(const Profile& p, int start, int direction) {
+double crossing(const TargetProfile& p, int start, int direction) {
   const auto rise = [&](int k) { return std::max(0.0, p.points[k].S - p.least); };
   const auto at = [&](int k) { return p.points[k].u[p.variable]; };
   const int end = direction > 0 ? static_cast<int>(p.points.size()) : -1;
@@ -71,7 +71,7 @@ double crossing(const Profile& p, int start, int direction) {
 }
 
 /// Finds the values at which S falls again behind a rise, on one side of the start.
-void find_minima(Profile& p, int start, int direction) {
+void find_minima(TargetProfile& p, int start, int direction) {
   const int end = direction > 0 ? static_cast<int>(p.points.size()) : -1;
   double barrier = p.points[start].S;
   int lowest = -1;  // index behind the barrier
@@ -289,12 +289,12 @@ void ProfileBranch::climb(const Linearization& from, double to) {
   refit_.emplace(from, free_, options, variable_, to);
 }
 
-Profile judge(const Linearization& best,
-              int variable,
-              const ProfileBranch& down,
-              const ProfileBranch& up,
-              double threshold) {
-  Profile p;
+TargetProfile judge(const Linearization& best,
+                    int variable,
+                    const ProfileBranch& down,
+                    const ProfileBranch& up,
+                    double threshold) {
+  TargetProfile p;
   p.variable = variable;
   p.threshold = threshold;
   p.points.assign(down.points().rbegin(), down.points().rend());
@@ -319,7 +319,7 @@ Profile judge(const Linearization& best,
   return p;
 }
 
-int Profile::unconverged() const {
+int TargetProfile::unconverged() const {
   return static_cast<int>(
       std::count_if(points.begin(), points.end(), [](const auto& at) { return !at.converged; }));
 }
@@ -341,7 +341,7 @@ std::string name(Verdict verdict) {
   return "";
 }
 
-std::string in_words(const Profile& profile) {
+std::string in_words(const TargetProfile& profile) {
   std::string words = name(profile.verdict);
   if (profile.verdict == Verdict::flat) words += ": any value between the bounds fits as well";
   if (profile.verdict == Verdict::several_minima) words += ": a search can end in the wrong one";

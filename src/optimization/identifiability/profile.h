@@ -116,7 +116,7 @@ class ProfileBranch {
 
 enum class Verdict { identifiable, one_sided, flat, several_minima, not_evaluable };
 
-struct Profile {
+struct TargetProfile {
   int variable = 0;
   std::vector<ProfilePoint> points;  // ascending in the variable, the best point among them
   double least = 0.0;                // S that the profile is measured against
@@ -132,15 +132,15 @@ struct Profile {
 };
 
 /// Joins the two branches of a variable and gives the verdict.
-Profile judge(const Linearization& best,
-              int variable,
-              const ProfileBranch& down,
-              const ProfileBranch& up,
-              double threshold);
+TargetProfile judge(const Linearization& best,
+                    int variable,
+                    const ProfileBranch& down,
+                    const ProfileBranch& up,
+                    double threshold);
 
 /// "identifiable", "one-sided", "flat", "several minima", "not evaluable beyond".
 std::string name(Verdict verdict);
 /// Returns the verdict as a sentence: "one-sided: the data give only an upper limit".
-std::string in_words(const Profile& profile);
+std::string in_words(const TargetProfile& profile);
 
 }  // namespace latsch

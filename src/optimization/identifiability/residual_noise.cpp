@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include "numerics/dense/cholesky.h"
 #include "numerics/dense/orthogonal_factors.h"
@@ -52,6 +53,30 @@ double least_between(double a, double b, int cuts, const Function& f) {
     }
   }
   return fx < fy ? x : y;
+}
+
+/// True if a few rows are far off and the fit of all others, anew, leaves no more than `least` of
+/// them: exact values beside a few wrong ones. The wrong ones say nothing of what neighbors share.
+/// A robust loss takes their derivatives away, so that a variable which moves all other rows alike
+/// could be taken for the noise of these, and the wrong row for the only one that shows it.
+bool is_exact_but_for_few(const Eigen::VectorXd& x, const Eigen::MatrixXd& Q, double least) {
+  constexpr Eigen::Index kMostFar = 5;
+  std::vector<Eigen::Index> rows(static_cast<size_t>(x.size()));
+  std::iota(rows.begin(), rows.end(), 0);
+  for (Eigen::Index far = 1; far <= kMostFar; ++far) {
+    rows.erase(std::max_element(rows.begin(), rows.end(), [&](Eigen::Index a, Eigen::Index b) {
+      return std::abs(x[a]) < std::abs(x[b]);
+    }));
+    const Eigen::Index freedom = std::ssize(rows) - Q.cols();
+    if (freedom < kMostFar) return false;
+    Eigen::VectorXd left = x(rows);
+    if (Q.cols() > 0) {
+      const Eigen::MatrixXd basis = numerics::range_basis(Q(rows, Eigen::all));
+      left -= basis * (basis.transpose() * left);
+    }
+    if (left.norm() <= least * std::sqrt(static_cast<double>(freedom))) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -103,7 +128,8 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& r,
     curve_sums_.push_back(sums(curve, curve.process));
     add(all, curve_sums_.back(), 1.0);
   }
-  if (freedom_ > 0.0 && sigma_of(all) > least_seen) {
+  if (freedom_ > 0.0 && !curves_.empty() && sigma_of(all) > least_seen &&
+      !is_exact_but_for_few(x_, Q_, least_seen)) {
     for (size_t k = 0; k < curves_.size(); ++k) {
       add(all, curve_sums_[k], -1.0);
       fit(curves_[k], all);

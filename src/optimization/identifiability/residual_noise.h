@@ -13,6 +13,8 @@
 // for the fit bending toward its noise, which would otherwise look like whiteness. The order is the
 // one with the least -2 l + 2 p [Akaike, IEEE Trans. Automat. Contr. 19 (1974) 716].
 //
+// Exact values beside a few that are far off, as after a fit with a robust loss, are white as well.
+//
 // Limits: neighbors count as equally far apart, and a curve with fewer than kFewestSamples samples
 // beyond the number of variables counts as white. Deviations that a model cannot reproduce look
 // like slow noise and are treated as noise.

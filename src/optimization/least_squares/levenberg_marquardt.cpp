@@ -179,7 +179,7 @@ struct LevenbergMarquardt::State {
     return back.length > step.length ? steps.within(step.length) : back;
   }
 
-  /// Judges a step together with its returns.
+  /// Judges a step together with the returns after it.
   void judge_returns(const Attempt& tried, double gain) {
     const LevenbergMarquardtStep& step = *tried.step;
     if (gain > kGainToExpand) {
@@ -341,21 +341,21 @@ std::string LevenbergMarquardt::ending() const {
     case LevenbergMarquardtEnding::none:
       return "";
     case LevenbergMarquardtEnding::flat:
-      return "at a minimum: the slopes of the residuals promise nothing better";
+      return "at a minimum: the slopes of the residuals predict no improvement";
     case LevenbergMarquardtEnding::short_step:
       return "at a minimum: the next step is shorter than the tolerance";
     case LevenbergMarquardtEnding::nothing_left:
       return "with nothing left: the residuals have vanished";
     case LevenbergMarquardtEnding::slow:
       return "in a bent valley or at a kink: three steps together gained less than the noise of "
-             "one measured value, and the slopes promise no more";
+             "one measured value, and the slopes predict no more";
     case LevenbergMarquardtEnding::edge:
       return "at the edge of failed trials: steps that would gain fail";
     case LevenbergMarquardtEnding::rounding:
       return "with next to nothing left: the residuals are below the accuracy of the trials";
     case LevenbergMarquardtEnding::rough:
-      return "where steps, however short, do not bring what the derivatives promise: these are "
-             "wrong or the residuals are not smooth";
+      return "on rough ground: steps, however short, do not bring the gain that the derivatives "
+             "predict: these are wrong or the residuals are not smooth";
     case LevenbergMarquardtEnding::hopeless:
       return "without a result: every trial failed";
   }

@@ -20,7 +20,7 @@ class FeasibleRegion {
   /// Uses the given constraints in the cube of the space.
   FeasibleRegion(const DesignSpace& space, const std::vector<LinearConstraint>& constraints);
 
-  /// True without linear constraints: there are bounds alone.
+  /// True without linear constraints: there are only bounds.
   bool is_cube() const { return is_cube_; }
   const Eigen::MatrixXd& E() const { return E_; }
   const Eigen::VectorXd& f() const { return f_; }

@@ -77,7 +77,7 @@ inline LinearConstraint equal(std::vector<double> a, double value) {
   return between(std::move(a), value, value);
 }
 
-/// Problems with bounds and linear constraints alone.
+/// Problems with only bounds and linear constraints.
 inline std::vector<ConstrainedProblem> linearly_constrained_problems() {
   const double root3 = std::sqrt(3.0);
   const Box wide{-10.0, 10.0};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An optimizer proposes points and observes their outcomes; it never evaluates.
 //
-// propose(count) lists the points to evaluate, most wanted first. The first point is the next step
+// propose(count) lists the points to evaluate, most urgent first. The first point is the next step
 // of the method. The points behind it are speculative: the method would propose them next if the
 // outstanding outcomes came out as it expects. The caller evaluates as many points at once as it
 // has workers, observes the *first* one, and calls propose again. Points that are no longer listed
@@ -30,7 +30,7 @@ class Optimizer {
  public:
   virtual ~Optimizer() = default;
 
-  /// Returns at most `count` >= 1 different points, most wanted first; empty only when converged.
+  /// Returns at most `count` >= 1 different points, most urgent first; empty only when converged.
   virtual std::vector<DesignPoint> propose(int count) const = 0;
 
   /// Receives the outcome of a point. A Failure is an ordinary outcome: the point is worse than any

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The points whose outcomes an ask/tell method waits for (optimizer.h), most wanted first, each
+// The points whose outcomes an ask/tell method waits for (optimizer.h), most urgent first, each
 // with the data the method needs when its outcome arrives; and the plan of different points that
 // the method proposes.
 #pragma once
@@ -35,8 +35,8 @@ class PendingPoints {
 
   bool contains(const DesignPoint& point) const { return find(point) != points_.end(); }
 
-  /// Removes and returns the first pending entry at that point; nullopt if the method does not wait
-  /// for that point.
+  /// Removes and returns the first pending entry at the given point; nullopt if the method does not
+  /// wait for it.
   std::optional<Pending> take(const DesignPoint& point) {
     const auto found = find(point);
     if (found == points_.end()) return std::nullopt;

@@ -40,7 +40,8 @@ constexpr double kMostFailures = 0.5;  // with more failures, models have too fe
 // increases it by as much. A linear model that predicts a gain of a thousandth of that is a
 // thirtieth of a standard deviation from its minimum.
 constexpr double kFeltByNobody = 1e-3;
-constexpr int kMostPolled = 40;  // number of variables: a poll needs that many evaluations
+constexpr int kMostPolled = 40;  // number of variables, which is the number of evaluations of a
+                                 // poll
 
 void check_constraints(Method method, const ProblemTraits& traits) {
   if (!traits.has_nonlinear_constraints || entry(method).knows_nonlinear) return;

@@ -28,7 +28,7 @@ class LostVariableTrials {
                const Eigen::VectorXd& u,
                const std::optional<ResidualSample>& sample);
   /// Outcome assumed for a point when planning ahead for idle workers: the models' prediction, and
-  /// for a look for lost variables an outcome without information.
+  /// for a search for lost variables an outcome without information.
   ResidualSample expected(const DesignPoint& point) const;
   /// Sets the number of points proposed at a time from now on.
   void widen(int count) { run_.widen(count); }

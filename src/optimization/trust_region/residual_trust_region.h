@@ -46,8 +46,8 @@
 // evaluations starts afresh, and the best of the trials and the run continues. The trials count as
 // restarts unless they brought a clearly better value.
 //
-// If a Score brings a Jacobian, its slopes replace the geometry, and samples contribute curvature
-// alone: there are no probes and no fresh slopes at the end.
+// If a Score brings a Jacobian, its slopes replace the geometry, and samples contribute only
+// curvature: there are no probes and no fresh slopes at the end.
 //
 // Parallel evaluation: `outstanding` points are being evaluated at any time. The second and later
 // ones are steps in boxes of other sizes, then points around the best predicted one. Idle workers

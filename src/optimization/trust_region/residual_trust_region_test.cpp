@@ -268,7 +268,7 @@ TEST(ResidualTrustRegion, EndsOnARippledProblemInWhatNoiseAllows) {
     const Found found = minimize(space, [&](const auto& E) { return rippled(E, draw, false); });
     EXPECT_LT(exact, found.f + 6.0 * 0.02 * 0.02);  // one deviation of every stiffness
   }
-  EXPECT_LT(evaluations, 8 * 20 * 7);  // 20 (n + 1) in the mean
+  EXPECT_LT(evaluations, 8 * 20 * 7);  // 20 (n + 1) on average
 }
 
 // In a curved valley with 1 % of noise on every residual, a step that gains by chance leaves a

@@ -8,21 +8,22 @@ std::string in_words(Ending ending) {
     case Ending::none:
       return "";
     case Ending::verified:
-      return "at a minimum: slopes recomputed around the best point promise nothing better";
+      return "at a minimum: slopes recomputed around the best point predict no improvement";
     case Ending::noise:
-      return "in the noise: slopes recomputed around the best point promise nothing above noise "
+      return "in the noise: slopes recomputed around the best point predict no gain above noise "
              "and ripple of the simulations";
     case Ending::edge:
       return "at the edge of failed trials: steps that would gain fail";
     case Ending::rough:
-      return "on rough ground: steps do not bring what slopes around the best point promise";
+      return "on rough ground: steps do not bring the gain that slopes around the best point "
+             "predict";
     case Ending::blind:
       return "without having seen a minimum: beside the best point trials fail, or the residuals "
              "change by many times their size however short the step; if the range of a variable "
              "is "
              "that wide, narrow its bounds or give it a logarithmic scale";
     case Ending::known:
-      return "at a minimum: the slopes the model brings promise nothing better";
+      return "at a minimum: the slopes that the model returns predict no improvement";
     case Ending::explained:
       return "with nothing left: less than a ten-thousandth of the first residuals";
     case Ending::hopeless:

@@ -35,7 +35,7 @@ using Moment = std::chrono::steady_clock::time_point;
 class Connection;
 
 /// Decision about a request whose head is known.
-struct Verdict {
+struct RequestVerdict {
   enum class Kind : std::uint8_t { refuse, answer, handle, follow } kind = Kind::refuse;
   Answer answer;  // used by refuse and answer
   Target target;  // used by handle and follow
@@ -44,7 +44,7 @@ struct Verdict {
 /// The server as seen by its connections.
 class ConnectionOwner {
  public:
-  virtual Verdict judge(const Head& head) = 0;
+  virtual RequestVerdict judge(const Head& head) = 0;
   /// The owner answers by Connection::answer(), in the connection's thread.
   virtual void handle(std::shared_ptr<Connection> connection, Request request) = 0;
   virtual void follow(net::ip::tcp::socket socket, const Target& target) = 0;
@@ -153,18 +153,18 @@ inline void Connection::read_request() {
 inline void Connection::read_head_done(error_code error) {
   if (error) return refuse_unreadable(error);
   head_ = head_of(parser_->get());
-  Verdict verdict = owner_.judge(head_);
-  is_trusted_ = is_trusted_ || verdict.kind != Verdict::Kind::refuse;
+  RequestVerdict verdict = owner_.judge(head_);
+  is_trusted_ = is_trusted_ || verdict.kind != RequestVerdict::Kind::refuse;
   target_ = std::move(verdict.target);
   switch (verdict.kind) {
-    case Verdict::Kind::refuse:
+    case RequestVerdict::Kind::refuse:
       is_refused_ = true;
       return answer(std::move(verdict.answer));
-    case Verdict::Kind::answer:
+    case RequestVerdict::Kind::answer:
       return answer(std::move(verdict.answer));
-    case Verdict::Kind::handle:
+    case RequestVerdict::Kind::handle:
       return read_body();
-    case Verdict::Kind::follow:
+    case RequestVerdict::Kind::follow:
       owner_.follow(std::move(socket_), target_);
       return owner_.forget(*this);
   }

@@ -84,7 +84,7 @@ class RawClient {
       if (!receive(patience)) return false;
     return true;
   }
-  /// True if the server closes the connection in that time. Bytes that came before are kept.
+  /// True if the server closes the connection in the given time. Bytes that came before are kept.
   bool is_ended(Milliseconds patience = kPatience) {
     const auto until = std::chrono::steady_clock::now() + patience;
     while (receive(std::max(

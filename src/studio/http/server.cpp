@@ -92,13 +92,13 @@ class Server::Impl final : public ConnectionOwner {
   void publish(std::string_view topic, EventText text);
 
  private:
-  Verdict judge(const Head& head) override;
+  RequestVerdict judge(const Head& head) override;
   void handle(std::shared_ptr<Connection> connection, Request request) override;
   void follow(tcp::socket socket, const Target& target) override;
   Answer refusal(const Head& head, const Refusal& refusal) override;
   void forget(const Connection& connection) override;
 
-  Verdict opened_with_token(const Head& head, std::string_view token);
+  RequestVerdict opened_with_token(const Head& head, std::string_view token);
   const Asset* asset(const std::string& path) const;
   Response response_of(const Request& request) const;
 
@@ -177,12 +177,12 @@ std::string Server::Impl::address() const {
 
 // The following functions handle requests.
 
-Verdict Server::Impl::judge(const Head& head) {
+RequestVerdict Server::Impl::judge(const Head& head) {
   const auto refuse = [&](const Refusal& why) {
-    return Verdict{Verdict::Kind::refuse, refusal(head, why), {}};
+    return RequestVerdict{RequestVerdict::Kind::refuse, refusal(head, why), {}};
   };
   const auto answer = [](Answer answer) {
-    return Verdict{Verdict::Kind::answer, std::move(answer), {}};
+    return RequestVerdict{RequestVerdict::Kind::answer, std::move(answer), {}};
   };
   if (const auto why = admission_.refuse_stranger(head)) return refuse(*why);
   Target target;
@@ -210,18 +210,18 @@ Verdict Server::Impl::judge(const Head& head) {
       std::erase_if(event_clients_, [](const auto& each) { return !each->is_open(); });
       if (event_clients_.size() >= options_.limits.event_clients)
         return refuse({503, "too many pages are open", "close some of them"});
-      return {Verdict::Kind::follow, {}, std::move(target)};
+      return {RequestVerdict::Kind::follow, {}, std::move(target)};
     }
   }
-  return {Verdict::Kind::handle, {}, std::move(target)};
+  return {RequestVerdict::Kind::handle, {}, std::move(target)};
 }
 
 // Redirects to / with the cookie in place of the token, so that the address may be shown and
 // stored. A browser that comes from another page follows a redirection as a request of that page,
 // without the cookie. A page opened by our own page counts as ours [RFC 6265bis, 5.2].
-Verdict Server::Impl::opened_with_token(const Head& head, std::string_view token) {
+RequestVerdict Server::Impl::opened_with_token(const Head& head, std::string_view token) {
   if (!admission_.is_token(token)) {
-    return {Verdict::Kind::refuse,
+    return {RequestVerdict::Kind::refuse,
             refusal(head,
                     {401,
                      "this is not the token of this server",
@@ -238,7 +238,7 @@ Verdict Server::Impl::opened_with_token(const Head& head, std::string_view token
   } else {
     answer.fields += "Location: /\r\n";
   }
-  return {Verdict::Kind::answer, std::move(answer), {}};
+  return {RequestVerdict::Kind::answer, std::move(answer), {}};
 }
 
 const Asset* Server::Impl::asset(const std::string& path) const {

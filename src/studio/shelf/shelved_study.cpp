@@ -10,7 +10,8 @@
 #include "base/document_record.h"
 #include "base/error.h"
 #include "correlation/analysis/beyond_data.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/search_standing.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/estimated_noise.h"
@@ -81,20 +82,13 @@ std::vector<fs::path> files_of(const Study& study) {
   return files;
 }
 
-/// Returns the last stage that has begun a journal of its own, or else the first stage.
-Study shown_stage(const Study& study) {
-  if (study.stages.empty()) return study;
-  for (int k = correlation::stage_count(study) - 1; k > 0; --k) {
-    const Study part = correlation::stage(study, k);
-    if (fs::exists(part.run.journal)) return part;
-  }
-  return correlation::stage(study, 0);
-}
-
-/// Returns why the trials of a journal do not belong to the study; empty if they do.
-std::string journal_fault(const Study& study) {
+/// Returns why the trials of a journal do not belong to the study, and their number; empty if they
+/// do.
+std::string journal_fault(const Study& study, long& trials) {
+  trials = 0;
   try {
     if (!fs::exists(study.run.journal)) return "";
+    trials = Journal::read(study.run.journal).size();
     Journal::read(study.run.journal, correlation::identity(study));
     return "";
   } catch (const std::exception& error) {
@@ -170,8 +164,8 @@ void ShelvedStudy::read_files() {
 }
 
 void ShelvedStudy::show_stage() {
-  Study shown = shown_stage(*whole_);
-  journal_fault_ = journal_fault(shown);
+  Study shown = correlation::begun_stage(*whole_);
+  journal_fault_ = journal_fault(shown, of_another_study_);
   journal_error_.clear();
   const bool is_last = !whole_->stages.empty() && shown.stage == whole_->stages.back().name;
   if ((is_last || correlation::estimates_noise(*whole_)) && fs::exists(whole_->run.journal) &&
@@ -189,7 +183,7 @@ void ShelvedStudy::check_journal() {
   const bool was_another = !journal_fault_.empty();
   if (!was_another && !table_->rows().empty()) return;
   ending_.reset();
-  journal_fault_ = journal_fault(*study_);
+  journal_fault_ = journal_fault(*study_, of_another_study_);
   if (was_another && journal_fault_.empty()) show_stage();
 }
 
@@ -208,8 +202,10 @@ ShelvedStudy::Changes ShelvedStudy::refresh(long most_trials) {
   if (!study_) return changes;
   const std::string error_before = error();
   try {
-    if (!whole_->stages.empty() &&
-        shown_stage(*whole_).run.journal != study_->run.journal) {  // the next stage has begun
+    const bool has_next_begun =
+        !whole_->stages.empty() &&
+        correlation::begun_stage(*whole_).run.journal != study_->run.journal;
+    if (has_next_begun) {
       show_stage();
       changes.of_study = true;
     }
@@ -257,24 +253,17 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
     found.edition = table_->edition();
     is_begun = may_be_begun(*whole, table_->rows());
   }
-  Study weighted = *whole;  // with the noise that its stages found
+  correlation::StagesRun stages{*whole};
   try {
-    std::vector<correlation::Fit> fits;
-    if (is_begun)
-      fits = correlation::recorded_fit(*whole, Journal::read(whole->run.journal), &weighted);
-    if (fits.empty()) {  // no search was begun: a design of experiments
-      found.has_ended = true;
-    } else {
-      found.has_ended = static_cast<int>(fits.size()) == correlation::stage_count(*whole) &&
-                        fits.back().run.end != RunEnd::stopped;
-      if (found.has_ended) {
-        found.words = fits.back().run.ending;
-        const Journal journal = Journal::read(whole->run.journal);
-        found.spoiled = correlation::spoiled_experiments(weighted, fits, journal);
-        if (const auto best = correlation::best_trial(weighted, journal))
-          for (std::string& words : correlation::faults_beyond_data(weighted, best->point))
-            found.spoiled.push_back(std::move(words));
-      }
+    if (is_begun) stages = correlation::recorded_stages(*whole, Journal::read(whole->run.journal));
+    found.has_ended = stages.has_ended || stages.fits.empty();  // a design of experiments alone
+    if (stages.has_ended) {
+      found.words = stages.fits.back().run.ending;
+      const Journal journal = Journal::read(whole->run.journal);
+      found.spoiled = correlation::spoiled_experiments(stages, journal);
+      if (const auto best = correlation::best_trial(stages.study, journal))
+        for (std::string& words : correlation::faults_beyond_data(stages.study, best->point))
+          found.spoiled.push_back(std::move(words));
     }
   } catch (const std::exception&) {  // a missing or changed stage
   }
@@ -282,10 +271,10 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
   if (whole != whole_) return {};
   const bool is_of_now = found.rows == table_->rows().size() && found.edition == table_->edition();
   ending_ = std::move(found);
-  if (!is_of_now || have_same_last_stage(weighted, *study_)) return {.of_state = true};
+  if (!is_of_now || have_same_last_stage(stages.study, *study_)) return {.of_state = true};
   // Trials since the study was read have changed the noise.
   Study shown = *study_;
-  correlation::take_stage(weighted, shown);
+  correlation::take_stage(stages.study, shown);
   std::unique_ptr<TrialTable> table;
   try {
     table = std::make_unique<TrialTable>(shown);
@@ -297,6 +286,15 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
   study_ = std::make_shared<const Study>(std::move(shown));
   table_ = std::move(table);
   return {.of_study = true, .of_state = true};
+}
+
+/// Returns why the nearest trial is no best point of the study as it stands.
+std::string ShelvedStudy::why_no_best() const {
+  const bool was_replayed = ending_ && ending_->rows == table_->rows().size();
+  return correlation::why_no_best(*study_,
+                                  table_->counts_read(),
+                                  table_->ownership(),
+                                  holder_ || !was_replayed || ending_->has_ended);
 }
 
 ShelvedStudy::Sight ShelvedStudy::sight() const {
@@ -314,6 +312,8 @@ ShelvedStudy::Sight ShelvedStudy::sight() const {
   }
   Sight sight{.state = state,
               .error = error(),
+              .of_another_study = journal_fault_.empty() ? 0 : of_another_study_,
+              .no_best = study_ ? why_no_best() : "",
               .study = study_,
               .table = table_.get(),
               .holder = holder_,

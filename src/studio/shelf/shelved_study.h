@@ -51,7 +51,10 @@ class ShelvedStudy {
   /// The current state, held constant: the table does not change while `look` runs.
   struct Sight {
     StudyState state;
-    std::string error;  // error of the file, or of the journal
+    std::string error;          // error of the file, or of the journal
+    long of_another_study = 0;  // number of trials of the journal if none belongs to the study
+    std::string no_best;  // reason why no trial is the best of the study as it stands; empty: one
+                          // is, or none has succeeded
     std::shared_ptr<const correlation::Study>
         study;                // the study in the stage that is shown; nullptr: broken
     const TrialTable* table;  // nullptr: broken
@@ -76,6 +79,7 @@ class ShelvedStudy {
   void check_journal();
   bool look_at_run();
   std::string error() const;
+  std::string why_no_best() const;
   Sight sight() const;
 
   std::string id_;
@@ -86,6 +90,7 @@ class ShelvedStudy {
   bool is_read_ = false, ignores_runs_ = false;
   std::string error_;          // error of the file
   std::string journal_fault_;  // why the journal does not belong to the study: none of it is shown
+  long of_another_study_ = 0;  // number of trials of such a journal
   std::string journal_error_;  // why the rest of the journal cannot be read
   std::map<std::filesystem::path, std::filesystem::file_time_type> read_at_;  // at last reading
   std::filesystem::file_time_type changed_ = std::filesystem::file_time_type::min();

@@ -72,7 +72,7 @@ std::pair<std::size_t, std::size_t> line_around(const std::string& text, std::si
   return {begin, end == std::string::npos ? text.size() : end + 1};
 }
 
-/// Returns the end of the line with that number, the first line being 1.
+/// Returns the end of the line with the given number, the first line being 1.
 std::size_t end_of_line(const std::string& text, int line) {
   std::size_t at = 0;
   for (int k = 0; k < line; ++k) {
@@ -147,6 +147,7 @@ std::string write_study_text(const fs::path& file,
   if (read_study_text(file).version != version)
     throw ChangedMeanwhile(
         file.string() + " was changed by somebody else meanwhile: load it again before you write");
+  allow_to_replace(file);  // edited on the page
   write_text_file(file, text);
   return version_of(text);
 }
@@ -232,7 +233,7 @@ Checked check_study_text(const fs::path& file,
     const auto study = correlation::read_study(read, language);
     checked.ok = true;
     for (const correlation::Finding& finding : correlation::implausible(study)) {
-      message(finding.place.text() + ": " + finding.sentence, finding.place, finding.impossible);
+      message(experiment::in_words(finding), finding.place, finding.impossible);
       checked.ok = checked.ok && !finding.impossible;
     }
     study.specimens->check(study);

@@ -30,10 +30,29 @@ TrialTable::TrialTable(const correlation::Study& study)
       study_(study),
       target_(study),
       own_weights_(target_.weighting(target_.weights())),
-      follower_(study.run.journal) {}
+      follower_(study.run.journal),
+      ownership_(study, {}) {}
 
-bool TrialTable::can_be_best(const DesignPoint& point) const {
+bool TrialTable::is_inside(const DesignPoint& point) const {
   return space_.contains(point) && correlation::keeps_held(study_, point);
+}
+
+bool TrialTable::can_be_best(std::size_t row) const {
+  return is_inside(rows_[row].point) &&
+         ownership_.can_be_best(static_cast<long>(row), rows_[row].point);
+}
+
+bool TrialTable::is_foreign(std::size_t row) const {
+  return ownership_.is_known() && !ownership_.is_own(static_cast<long>(row), rows_[row].point);
+}
+
+correlation::TrialCounts TrialTable::counts_read() const {
+  correlation::TrialCounts counts{.trials = static_cast<long>(rows_.size()), .failed = failed_};
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    if (is_foreign(row)) ++counts.foreign;
+    if (!is_foreign(row) && rows_[row].parts) ++counts.own_succeeded;
+  }
+  return counts;
 }
 
 void TrialTable::take(const Trial& trial) {
@@ -50,7 +69,7 @@ void TrialTable::take(const Trial& trial) {
     }
     const bool is_best = !kept_best_ || rank_of(own_weights_, *row.parts) <
                                             rank_of(own_weights_, *rows_[*kept_best_].parts);
-    if (is_best && can_be_best(trial.point)) {
+    if (is_best && is_inside(trial.point)) {
       kept_best_ = place;
       kept_best_channels_ = *result;
     }
@@ -76,7 +95,10 @@ bool TrialTable::follow(long most) {
     kept_best_.reset();
     initial_.reset();
   }
-  if (news.has_marks) asked_ = AskedTrials(follower_.marks());
+  if (news.has_marks) {
+    asked_ = AskedTrials(follower_.marks());
+    ownership_ = correlation::TrialOwnership(study_, follower_.marks());
+  }
   if (news.begins_anew || news.has_marks) ++edition_;
   return news.begins_anew || news.has_marks || news.trials > 0;
 }
@@ -91,7 +113,7 @@ std::optional<std::size_t> TrialTable::best(const PartedTarget::Weighting& weigh
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     if (!rows_[k].parts) continue;
     const Rank rank = rank_of(weighting, *rows_[k].parts);
-    if (!(rank < least) || !counts(k) || !can_be_best(rows_[k].point)) continue;
+    if (!(rank < least) || !counts(k) || !can_be_best(k)) continue;
     least = rank;
     best = k;
   }

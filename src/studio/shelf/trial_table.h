@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "correlation/target/target_parts.h"
+#include "correlation/target/trial_ownership.h"
 #include "evaluation/journal/asked_trials.h"
 #include "evaluation/journal/journal_follower.h"
 
@@ -47,6 +48,13 @@ class TrialTable {
   const std::vector<std::string>& reasons() const { return reasons_; }
   bool counts(std::size_t row) const;
   long failed() const { return failed_; }
+  /// Counts the rows read, in the way of the terminal (search/search_standing.h).
+  correlation::TrialCounts counts_read() const;
+  /// True if the row can be the best of the study as it stands (target/trial_ownership.h).
+  bool can_be_best(std::size_t row) const;
+  /// True if the row was run for other measurements, weights or bounds.
+  bool is_foreign(std::size_t row) const;
+  const correlation::TrialOwnership& ownership() const { return ownership_; }
   /// Returns the number of trials in the journal, read or not.
   long total() const { return follower_.total(); }
   const StudyIdentity& identity() const { return follower_.identity(); }
@@ -68,7 +76,7 @@ class TrialTable {
  private:
   void take(const Trial& trial);
   /// True if the point can be a result: inside the space, with the held variables at their values.
-  bool can_be_best(const DesignPoint& point) const;
+  bool is_inside(const DesignPoint& point) const;
 
   DesignSpace space_;
   correlation::Study study_;
@@ -76,6 +84,7 @@ class TrialTable {
   correlation::PartedTarget::Weighting own_weights_;
   JournalFollower follower_;
   AskedTrials asked_{{}};
+  correlation::TrialOwnership ownership_;
   std::vector<TableRow> rows_;
   std::vector<std::string> reasons_;
   std::map<std::string, int> reason_places_;

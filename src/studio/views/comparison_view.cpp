@@ -117,7 +117,7 @@ Json band_of(const std::vector<double>& x,
           {"inside", band.inside}};
 }
 
-Json curve_of(const report::ForceCurve& curve) {
+Json curve_of(const report::ComparedForces& curve) {
   Json errors = Json::array();
   for (std::size_t k = 0; k < curve.measured.size(); ++k)
     errors.push_back(finite((curve.measured[k] - curve.simulated[k]) / curve.measured[k]));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <chrono>
 
 #include "studio/views/json_values.h"
@@ -21,8 +22,10 @@ Json row(const ShelvedStudy& study) {
     row["title"] = sight.study->title;
     row["variables"] = sight.study->space.size();
     row["experiments"] = sight.study->experiments.size();
-    row["trials"] = sight.table->total();
+    row["trials"] = std::max(sight.of_another_study, sight.table->total());
     row["failed"] = sight.table->failed();
+    row["foreign"] =
+        sight.of_another_study > 0 ? sight.of_another_study : sight.table->counts_read().foreign;
     const auto best = sight.table->best();
     const auto& target = sight.table->target();
     row["best"] =

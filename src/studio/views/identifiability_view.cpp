@@ -34,7 +34,7 @@ Json profile_of(const report::ProfileCurve& profile) {
           {"interval", profile.interval}};
 }
 
-Json of_page(const report::Identifiability& page, const std::string& why_not) {
+Json of_page(const report::IdentifiabilityPage& page, const std::string& why_not) {
   Json view{{"known", why_not.empty()}, {"why_not", why_not}};
   view["variables"] = Json::array();
   for (std::size_t i = 0; i < page.variables.size(); ++i)

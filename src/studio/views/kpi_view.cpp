@@ -74,7 +74,9 @@ Row mean_row(const std::string& experiment,
   return row;
 }
 
-Row mode_row(const report::ModalComparison& modes, const report::ModePair& pair, double weight) {
+Row mode_row(const report::ModalComparison& modes,
+             const report::ComparedModes& pair,
+             double weight) {
   Row row{pair.label, modes.experiment, "Hz", weight};
   const double error = (pair.simulated - pair.measured) / pair.measured;
   row.target = finite(pair.measured);
@@ -100,7 +102,8 @@ Row value_row(const report::MeasuredValue& value) {
   return row;
 }
 
-std::vector<double> force_errors(const report::ForceCurve& curve, const std::vector<double>& of) {
+std::vector<double> force_errors(const report::ComparedForces& curve,
+                                 const std::vector<double>& of) {
   std::vector<double> errors;
   for (std::size_t k = 0; k < of.size(); ++k)
     errors.push_back((curve.measured[k] - of[k]) / curve.measured[k]);

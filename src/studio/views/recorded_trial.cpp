@@ -24,6 +24,7 @@ std::size_t place_of(const ShelvedStudy::Sight& sight, const std::string& trial)
   if (trial.empty() || trial == "best") {
     if (const auto best = sight.table->best()) return *best;
     if (!sight.error.empty()) throw InputError(sight.error);
+    if (!sight.no_best.empty()) throw InputError(sight.no_best);
     throw InputError(sight.table->total() == 0 ? "no trial has been run yet: start the study"
                                                : "no trial has succeeded yet");
   }

@@ -107,6 +107,7 @@ Json failures(const TrialTable& table) {
 Json warnings(const Study& study, const Sight& sight) {
   Json list = Json::array();
   if (!sight.error.empty()) list.push_back(sight.error);
+  if (!sight.no_best.empty()) list.push_back(sight.no_best);
   for (const Ledger& ledger : correlation::ledgers_of(study))
     for (const LedgerDoubt& doubt : ledger.doubts)
       if (std::find(list.begin(), list.end(), Json(doubt.sentence)) == list.end())
@@ -182,6 +183,16 @@ Json best_of(const Study& study, const TrialTable& table, std::size_t place) {
           {"shown", shown}};
 }
 
+/// Adds the counts of trials, as `latsch check --json` gives them.
+void add_counts(Json& view, const Sight& sight) {
+  const bool is_other = sight.of_another_study > 0;
+  const correlation::TrialCounts counts = sight.table->counts_read();
+  view["trials"] = is_other ? sight.of_another_study : sight.table->total();
+  view["succeeded"] = is_other ? Json(nullptr) : Json(counts.succeeded());
+  view["failed"] = is_other ? Json(nullptr) : Json(counts.failed);
+  view["foreign"] = is_other ? sight.of_another_study : counts.foreign;
+}
+
 }  // namespace
 
 Json study_view(const ShelvedStudy& shelved, StudyRuns& runs) {
@@ -210,10 +221,8 @@ Json study_view(const ShelvedStudy& shelved, StudyRuns& runs) {
     view["has_design"] = study.doe.has_value();
     view["workers"] = study.run.workers;
     view["run"] = run_of(shelved, sight, last_run);
-    view["trials"] = table.total();
     view["read"] = table.rows().size();
-    view["succeeded"] = static_cast<long>(table.rows().size()) - table.failed();
-    view["failed"] = table.failed();
+    add_counts(view, sight);
     view["best"] = best ? best_of(study, table, *best) : Json(nullptr);
     const auto initial = table.initial();
     view["initial"] = initial ? Json{{"trial", *initial + 1},

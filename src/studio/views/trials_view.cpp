@@ -36,6 +36,7 @@ Json row_of(const Sight& sight, std::size_t place, const Weighting& weighting) {
           {"target", failed ? Json(nullptr) : finite(weighting.target(*row.parts))},
           {"violation", failed ? Json(nullptr) : finite(row.parts->violation)},
           {"counts", sight.table->counts(place)},
+          {"foreign", sight.table->is_foreign(place)},
           {"values", values_of(*sight.study, row.point)},
           {"reason",
            failed ? sight.table->reasons()[static_cast<std::size_t>(row.reason)] : std::string()},
@@ -51,7 +52,7 @@ struct Extremes {
 }  // namespace
 
 Json convergence_view(const ShelvedStudy& study,
-                      const Stretch& stretch,
+                      const TrialRange& stretch,
                       const std::string& weights) {
   return study.look([&](const Sight& sight) {
     const TrialTable& table = table_of(study, sight);
@@ -70,7 +71,8 @@ Json convergence_view(const ShelvedStudy& study,
     for (std::size_t k = 0; k < targets.size(); ++k) {
       const TableRow& row = table.rows()[k];
       targets[k] = row.parts ? weighting.target(*row.parts) : std::nan("");
-      if (row.parts && row.parts->violation <= kFulfilled && table.counts(k))
+      if (row.parts && row.parts->violation <= kFulfilled && table.counts(k) &&
+          table.can_be_best(k))
         least = std::min(least, targets[k]);
       best[k] = least;
     }

@@ -10,12 +10,11 @@
 #include <optional>
 #include <string>
 
+#include "formats/text/json.h"
 #include "studio/shelf/shelf.h"
 #include "studio/shelf/study_runs.h"
 
 namespace latsch::studio {
-
-using Json = nlohmann::ordered_json;
 
 /// Returns the studies of the folder, their states and best targets.
 Json home_view(const Shelf& shelf, const std::string& version, bool has_page);
@@ -25,11 +24,11 @@ Json study_view(const ShelvedStudy& study, StudyRuns& runs);
 
 /// Target over trials, at most `most` of them: the least and the greatest of every stretch. Trials
 /// are numbered from 1; `to` = 0 means the last.
-struct Stretch {
+struct TrialRange {
   long from = 1, to = 0, most = 4000;
 };
 Json convergence_view(const ShelvedStudy& study,
-                      const Stretch& stretch,
+                      const TrialRange& stretch,
                       const std::string& weights);
 
 /// Rows of the table of trials.

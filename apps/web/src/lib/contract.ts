@@ -15,6 +15,7 @@ export interface HomeStudy {
   state: StudyState;
   trials: number;
   failed: number;
+  foreign: number;
   best: Value;
   variables: number;
   changed: number;
@@ -86,8 +87,9 @@ export interface Study {
   workers: number;
   run: Run | null;
   trials: number;
-  succeeded: number;
-  failed: number;
+  succeeded: number | null; // null: the journal is of another study
+  failed: number | null;
+  foreign: number; // run for another study, or for other measurements, weights or bounds
   best: { trial: number; target: Value; words: string; violation: Value; values: Value[]; shown: string[] } | null;
   initial: { trial: number; target: Value } | null;
   variables: Variable[];

@@ -305,6 +305,17 @@ std::vector<Ledger> ledgers_of_file(const fs::path& file, const std::string& by)
   return all;
 }
 
+std::vector<Ledger> ledgers_of_named_files(const fs::path& document,
+                                           const std::string& by,
+                                           const std::vector<Ledger>& known) {
+  std::vector<Ledger> all;
+  Following following(all);
+  for (const Ledger& ledger : known) following.skip(ledger.file);
+  following.skip(document);
+  for (const fs::path& file : DocumentRows(document, "").named) following.follow(file, by);
+  return all;
+}
+
 std::vector<Ledger> ledgers_of_opened_files(const Study& study, const std::vector<Ledger>& known) {
   std::vector<Ledger> all;
   Following following(all);

@@ -18,7 +18,13 @@ namespace latsch::correlation {
 /// reason.
 std::vector<Ledger> ledgers_of_file(const std::filesystem::path& file, const std::string& by);
 
-/// Returns the ledgers of the study's model, tests and their files, except the `known` ones.
+/// The ledgers of the files that a document names, and of those that they name, but for the `known`
+/// ones and the document itself. `by`: "the comparison".
+std::vector<Ledger> ledgers_of_named_files(const std::filesystem::path& document,
+                                           const std::string& by,
+                                           const std::vector<Ledger>& known);
+
+/// The ledgers of the study's model, its tests and their files, but for the `known` ones.
 std::vector<Ledger> ledgers_of_opened_files(const Study& study, const std::vector<Ledger>& known);
 
 }  // namespace latsch::correlation

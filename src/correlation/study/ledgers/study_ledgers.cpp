@@ -40,20 +40,26 @@ void add_table(const std::filesystem::path& file,
 }  // namespace
 
 std::vector<Ledger> ledgers_of(const Study& study) {
+  return ledgers_of(study.laboratory, study.experiments, study.tests);
+}
+
+std::vector<Ledger> ledgers_of(const Laboratory& laboratory,
+                               const std::vector<StudyExperiment>& experiments,
+                               const std::vector<StudyTest>& tests) {
   std::vector<Ledger> all;
   std::set<const Measurement*> seen;
   const auto add = [&](const std::shared_ptr<const Measurement>& measurement) {
     if (!measurement || !seen.insert(measurement.get()).second) return;
     for (Ledger& ledger : measurement->ledgers()) all.push_back(std::move(ledger));
   };
-  for (const auto& measurement : study.laboratory) add(measurement);
-  for (const StudyExperiment& experiment : study.experiments) {
+  for (const auto& measurement : laboratory) add(measurement);
+  for (const StudyExperiment& experiment : experiments) {
     add(experiment.read_from);
     if (experiment.read_from) continue;
     for (const auto* file : {&experiment.measurement_file, &experiment.shapes_file})
       add_table(*file, "experiment " + experiment.name, all);
   }
-  for (const StudyTest& test : study.tests)
+  for (const StudyTest& test : tests)
     for (Ledger& ledger : test.test->ledgers(test.in_words())) all.push_back(std::move(ledger));
   return all;
 }

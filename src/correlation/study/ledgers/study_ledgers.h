@@ -15,7 +15,12 @@ namespace latsch::correlation {
 /// measurements, experiments, tests.
 std::vector<Ledger> ledgers_of(const Study& study);
 
-/// Returns those ledgers, then the ledgers of every other file that the study opens.
+/// Returns them for the parts of a study, or of a suite of checks.
+std::vector<Ledger> ledgers_of(const Laboratory& laboratory,
+                               const std::vector<StudyExperiment>& experiments,
+                               const std::vector<StudyTest>& tests);
+
+/// Returns those ledgers and behind them the ledgers of every other file that the study opens.
 std::vector<Ledger> all_ledgers_of(const Study& study);
 
 /// Throws InputError for the first doubt that is an error, naming file, line and column.

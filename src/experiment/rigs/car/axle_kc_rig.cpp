@@ -188,7 +188,7 @@ class AxleOnRig {
     return wheel_position(wheel_points(side),
                           rest.poses[static_cast<std::size_t>(corner(side).upright)]);
   }
-  multibody::Standing standing() const { return {.loads = loads_, .drivers = drivers_}; }
+  multibody::RestSettings standing() const { return {.loads = loads_, .drivers = drivers_}; }
   multibody::Motion motion() const {
     return {.poses = rest_.poses, .memories = &rest_.memories, .drivers = drivers_};
   }

@@ -115,7 +115,7 @@ TEST_F(AxleOnKcRig, PadsOfEachWheelRollIt) {
 /// dL/dz of a spring of length L that a linkage of rigid rods moves (suspension/linkage.h), dF/dz
 /// by differences.
 double wheel_rate_of_linkage(const Document& suspension, double k, double preload, double z) {
-  const suspension::Corner corner = suspension::read_corner(suspension.root());
+  const suspension::SuspensionCorner corner = suspension::read_corner(suspension.root());
   suspension::KinematicCorner linkage(corner.geometry, suspension::TravelOf::wheel_center);
   const double at_rest = linkage.move_to(0.0, 0.0)->spring_length;
   constexpr double h = 1e-5;  // m

@@ -81,8 +81,8 @@ Response response_of(const std::vector<double>& u,
     kept.density.push_back(s.yy[i]);
   }
   constexpr double kHalfLine = 0.7;  // share of a line's width, times the segment
-  // The response of a car lasts a second or two. A higher order resolves longer responses, but
-  // needs more lines than half of those within a line's width.
+  // The response of a car lasts a second or two. A higher order resolves longer responses, but must
+  // be fitted to more lines than kHalfLine allows.
   constexpr int kOrder = 6;
   constexpr double kDelay = 0.8;  // s
   const auto local = numerics::local_response(

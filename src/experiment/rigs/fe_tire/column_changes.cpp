@@ -21,7 +21,7 @@ namespace {
 Result<Quantities> quantities(const TireDescription& description,
                               const Start& start,
                               int modes,
-                              fe_tire::Refinement refinement = 1) {
+                              fe_tire::MeshRefinement refinement = 1) {
   FeTire tire(build_mesh(description, refinement),
               build_materials(description, refinement),
               {.element = description.element});
@@ -98,7 +98,7 @@ Eigen::ArrayXd together(const Eigen::ArrayXd& all,
 Result<std::vector<Judged>> judge(const std::vector<TireDescription>& meshes,
                                   const Start& start,
                                   int modes) {
-  const std::vector<fe_tire::Refinement> finer = {
+  const std::vector<fe_tire::MeshRefinement> finer = {
       3, 2, {1, 2, 1}, {2, 1, 1}, 1};  // the slowest first
   const auto each = std::ssize(finer);
   const auto found = at_once<Quantities>(std::ssize(meshes) * each, [&](Eigen::Index i) {

@@ -99,7 +99,7 @@ TEST(ColumnPlacement, ChoosesAnEvenNumberOfSectorsWithinTheUnknowns) {
 /// Largest error of the vertical force and six modes on the ground, against elements split into
 /// three around and along.
 double loaded_error_of(const TireDescription& description, double deflection) {
-  const auto quantities = [&](const fe_tire::Refinement& refinement) {
+  const auto quantities = [&](const fe_tire::MeshRefinement& refinement) {
     FeTire tire(build_mesh(description, refinement),
                 build_materials(description, refinement),
                 {.element = description.element});

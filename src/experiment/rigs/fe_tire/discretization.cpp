@@ -103,14 +103,14 @@ using Measure = Result<MeshQuantities> (*)(FeTire&,
 Result<std::vector<MeshQuantities>> refine(
     const fe_tire::TireDescription& tire,
     const DiscretizationSettings& settings,
-    const std::vector<fe_tire::Refinement>& refinements,
+    const std::vector<fe_tire::MeshRefinement>& refinements,
     Measure measure,
     const std::string& what,
     const std::function<void(const std::string&)>& progress) {
   std::vector<MeshQuantities> meshes;
   fe_tire::SectionGrid grid;  // grid of the previous mesh, inflated: a start on the next one
   std::optional<Inflated> inflated;
-  for (const fe_tire::Refinement& r : refinements) {
+  for (const fe_tire::MeshRefinement& r : refinements) {
     FeTire model(fe_tire::build_mesh(tire, r),
                  fe_tire::build_materials(tire, r),
                  {.element = settings.element});

@@ -26,7 +26,7 @@ struct DiscretizationSettings {
   std::vector<int> refinements = {
       1, 2, 3, 4};  // refinements for inflation and unloaded modes: cheap, one sector
   /// Extrapolates the loaded ring from few meshes (loaded_limits.h): from three with up to eight
-  /// times the unknowns or, if true, from five with up to sixteen times, in some four times the
+  /// times the unknowns or, if true, from five with up to sixteen times, in about four times the
   /// time.
   bool loaded_thoroughly = false;
 };
@@ -66,8 +66,8 @@ using MeshQuantities = std::vector<std::pair<std::string, double>>;
 /// Limit of values on three meshes.
 struct MeshLimit {
   double value = 0.0;
-  double order = 0.0;        // like that of a row
-  double uncertainty = 0.0;  // like that of a row
+  double order = 0.0;        // observed order
+  double uncertainty = 0.0;  // see DiscretizationRow::uncertainty
 };
 MeshLimit mesh_limit(const std::array<int, 3>& refinements, const std::array<double, 3>& values);
 

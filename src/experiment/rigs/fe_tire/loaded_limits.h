@@ -7,7 +7,7 @@
 // be known: with refinement the rows of a smeared section pass the limit and come back slowly. The
 // vertical force has no counterpart. Its correction is a share of its change by refining the
 // section; the share is a least-squares fit to the modes. The error of sectors is computed from the
-// pressed tire itself, because its sectors are narrow at the contact alone.
+// pressed tire itself, because its sectors are narrow only at the contact.
 #pragma once
 
 #include <map>
@@ -28,7 +28,7 @@ struct RoughLimit {
 
 /// A set of meshes, and the extrapolation of a quantity's values on them.
 struct FewMeshes {
-  std::vector<fe_tire::Refinement> refinements;  // the first is the mesh itself
+  std::vector<fe_tire::MeshRefinement> refinements;  // the first is the mesh itself
   RoughLimit (*extrapolate)(const std::vector<double>& values);
 };
 
@@ -37,7 +37,7 @@ struct FewMeshes {
 const FewMeshes& few_meshes();
 
 /// Adds meshes with columns and sectors halved once and twice, which are extrapolated together, in
-/// some four times the time. Rows are halved once. (On meshes refined 1, 2, 3 times patches would
+/// about four times the time. Rows are halved once. (On meshes refined 1, 2, 3 times patches would
 /// end at arbitrary points of the few sectors.)
 const FewMeshes& thorough_meshes();
 

@@ -89,7 +89,7 @@ TEST(LoadedLimits, WithoutUnloadedModesTheSecondOrderIsTakenAndTheFirstIsWithinT
 TEST(LoadedLimits, ThoroughlySectorsAndColumnsAreExtrapolatedAndRowsAsTheyAreUnloaded) {
   const auto on_meshes = [](double v, double c, double coarse, double fine) {
     return std::vector{v * (1.0 + c + coarse),
-                       v * (1.0 + c + coarse),  // sectors alone: not used
+                       v * (1.0 + c + coarse),  // only sectors refined: not used
                        v * (1.0 + c / 4.0 + coarse),
                        v * (1.0 + c / 16.0 + coarse),
                        v * (1.0 + c / 4.0 + fine)};

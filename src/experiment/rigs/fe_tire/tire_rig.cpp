@@ -239,69 +239,6 @@ Result<Channels> TireRig::run(const ModalTest& test,
   return with_slopes(channels, all);
 }
 
-Result<Channels> TireRig::run(const InflatedSizeTest& test) { return measure(test, nullptr); }
-
-Result<Channels> TireRig::run(const InflatedSizeTest& test,
-                              fe_tire::TireSlopes& slopes,
-                              const Asked&) {
-  return measure(test, &slopes);
-}
-
-Result<Channels> TireRig::measure(const InflatedSizeTest& test, fe_tire::TireSlopes* slopes) {
-  std::vector<double> pressures = test.pressures;
-  if (pressures.empty()) pressures.push_back(own_pressure_);
-  Channel pressure{"pressure", "Pa", pressures}, radius{"outer_radius", "m", {}};
-  Channel width{"section_width", "m", {}}, growth{"growth", "m", {}};
-  const auto variables = slopes ? slopes->variables() : 0;
-  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(std::ssize(pressures), variables);
-  Eigen::MatrixXd by_pressure = none, by_radius = none, by_width = none, by_growth = none;
-  for (std::size_t i = 0; i < pressures.size(); ++i) {
-    const auto& inflated = this->inflated(pressures[i]);
-    if (!inflated) return inflated.failure();
-    radius.values.push_back(inflated->radius);
-    width.values.push_back(inflated->width);
-    growth.values.push_back(inflated->growth);
-    if (!slopes) continue;
-    const auto of = slopes->of_inflated(*inflated);
-    if (!of) return of.failure();
-    const auto row = static_cast<Eigen::Index>(i);
-    by_radius.row(row) = of->radius;
-    by_width.row(row) = of->width;
-    by_growth.row(row) = of->growth;
-    by_pressure.row(row) = of->pressure;
-  }
-  Channels channels;
-  for (Channel* channel : {&pressure, &radius, &width, &growth}) channels.add(std::move(*channel));
-  if (!slopes) return channels;
-  return with_slopes(channels,
-                     {{"pressure", by_pressure},
-                      {"outer_radius", by_radius},
-                      {"section_width", by_width},
-                      {"growth", by_growth}});
-}
-
-Result<Channels> TireRig::run(const MassTest& test) {
-  const auto& inflated = this->inflated(test.pressure.value_or(own_pressure_));
-  if (!inflated) return inflated.failure();
-  const fe_tire::MassProperties of = tire_.mass_properties(*inflated);
-  Channels channels;
-  channels.add({"mass", "kg", {of.mass}});
-  channels.add({"spin_inertia", "kg m^2", {of.spin_inertia}});
-  channels.add({"diametral_inertia", "kg m^2", {of.diametral_inertia}});
-  return channels;
-}
-
-Result<Channels> TireRig::run(const MassTest& test, fe_tire::TireSlopes& slopes, const Asked&) {
-  const auto channels = run(test);
-  if (!channels) return channels;
-  const auto of = slopes.of_mass(**inflated_);
-  if (!of) return of.failure();
-  return with_slopes(*channels,
-                     {{"mass", of->mass.transpose()},
-                      {"spin_inertia", of->spin_inertia.transpose()},
-                      {"diametral_inertia", of->diametral_inertia.transpose()}});
-}
-
 namespace {
 
 /// Index of the plane nearest to an angle from the contact, rad.

@@ -5,9 +5,7 @@
 // "deflection" m, "loaded_radius" m, "force" N, "patch_length" m, "patch_width" m, "patch_area"
 // m^2. A loaded radius larger than the radius of the inflated tire means no contact: force and
 // patch are 0. Channels of a modal test: those of mode_record.h, and for a loaded tire
-// "deflection", "loaded_radius", "force" (one value). Of an inflation: "pressure" Pa,
-// "outer_radius" m, "section_width" m, "growth" m, one value for each pressure. Of a mass test:
-// "mass" kg, "spin_inertia" and "diametral_inertia" kg m^2.
+// "deflection", "loaded_radius", "force" (one value). Other tests drive tire() themselves.
 //
 // Every test has a path of its own: a curve is pressed once through its deflections, ascending; a
 // single deflection is reached in five even steps. So its recording does not depend on other tests.
@@ -33,17 +31,16 @@ class TireRig {
 
   Result<Channels> run(const LoadDeflection& test);
   Result<Channels> run(const ModalTest& test);
-  Result<Channels> run(const InflatedSizeTest& test);
-  Result<Channels> run(const MassTest& test);
   /// Measures with slopes: of all channels except shapes, those of a patch and the standing state
   /// of a modal test only if they are requested in `asked`. Without friction and upright only.
   using Asked = std::vector<std::string>;
   Result<Channels> run(const LoadDeflection& test, fe_tire::TireSlopes& slopes, const Asked& asked);
   Result<Channels> run(const ModalTest& test, fe_tire::TireSlopes& slopes, const Asked& asked);
-  Result<Channels> run(const InflatedSizeTest& test,
-                       fe_tire::TireSlopes& slopes,
-                       const Asked& asked);
-  Result<Channels> run(const MassTest& test, fe_tire::TireSlopes& slopes, const Asked& asked);
+
+  fe_tire::FeTire& tire() const { return tire_; }
+  double own_pressure() const { return own_pressure_; }
+  /// Returns the tire inflated to a pressure, Pa, on its rim and off the ground.
+  const Result<fe_tire::Inflated>& inflated(double pressure);
 
  private:
   struct Pressed {
@@ -52,9 +49,6 @@ class TireRig {
     Result<std::vector<fe_tire::TireState>> states;  // at the deflections
   };
 
-  /// Measures with slopes if there are any.
-  Result<Channels> measure(const InflatedSizeTest& test, fe_tire::TireSlopes* slopes);
-  const Result<fe_tire::Inflated>& inflated(double pressure);
   const Result<std::vector<fe_tire::TireState>>& pressed(const std::vector<double>& way,
                                                          const fe_tire::Ground& ground);
   struct Vibrating {

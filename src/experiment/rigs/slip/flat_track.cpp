@@ -50,7 +50,7 @@ class Track {
     auto hub = tire_.settle(motion_, belt_, 0.0);
     if (!hub) return hub.failure();
     FreeWheel wheel;
-    if (sweep_.axle == Axle::load) wheel.height = axle(*hub);
+    if (sweep_.axle == AxleHold::load) wheel.height = axle(*hub);
     wheel.spin = {.inertia = kWheelInertia,
                   .place = motion_.spin,
                   .rate = motion_.spin_rate,

@@ -23,12 +23,12 @@
 namespace latsch::experiment {
 
 /// The quantity that the axle keeps constant.
-enum class Axle { load, height };
+enum class AxleHold { load, height };
 
 struct SlipSweep {
   double speed = 10.0;   // m/s, of the belt
   double load = 4000.0;  // N
-  Axle axle = Axle::load;
+  AxleHold axle = AxleHold::load;
   std::vector<AxisFrame> frames = {AxisFrame::W};  // frames of the forces
   double camber = 0.0;                             // rad
   double alpha_from = 0.0, alpha_to = 0.0;         // rad

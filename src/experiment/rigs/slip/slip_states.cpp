@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 #include "base/text.h"
 #include "base/units.h"
 #include "measurement/axes.h"
+#include "measurement/meaning/absent_channel.h"
 #include "measurement/meaning/channel_checks.h"
 #include "measurement/meaning/channel_words.h"
+#include "measurement/meaning/filler_numbers.h"
 #include "measurement/meaning/natural_unit.h"
 #include "models/magic_formula/magic_formula_slopes.h"
 
@@ -59,6 +62,9 @@ constexpr std::array<AnswerColumn, 23> kAnswerColumns = {{
     {"sigma_y", "m", &SteadyState::sigma_y},
 }};
 
+constexpr std::size_t kMostLines =
+    100;  // Lines of one filler in one message; a message has to stay short.
+
 bool same_name(const std::string& a, const std::string& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
     return std::tolower(x) == std::tolower(y);
@@ -70,6 +76,28 @@ struct Meant {
   std::string column;
   const StateColumn* state = nullptr;
 };
+
+/// Returns the unit that ends a name such as "SA_deg" of a column without a unit of its own; empty
+/// if there is none.
+std::string unit_in_name(const formats::CsvTable& table,
+                         const std::string& column,
+                         const char* expected) {
+  const auto found = std::find_if(table.header().begin(),
+                                  table.header().end(),
+                                  [&](const auto& one) { return one.name == column; });
+  if (found == table.header().end() || !found->unit.empty()) return "";
+  formats::TableColumn named = *found;
+  formats::take_unit_of_name(named, expected);
+  return named.unit;
+}
+
+/// Returns the unit in which a column of states is read: that of the state, or that of a plain
+/// number if the column has no unit at all and is in SI.
+std::string unit_to_read(const formats::CsvTable& table,
+                         const std::string& column,
+                         const char* unit) {
+  return unit_in_name(table, column, unit).empty() ? table.si_or_plain(column, unit) : unit;
+}
 
 const StateColumn* state_of(const formats::CsvTable& table, const std::string& column) {
   for (const StateColumn& state : kStateColumns)
@@ -85,6 +113,7 @@ const StateColumn* state_of(const formats::CsvTable& table, const std::string& c
     const bool fits = unit && unit->same_dimension(Unit::of(state.unit));
     if (column.size() == 1 && !fits && !written.empty()) return nullptr;  // "V" may be a voltage
     if (fits || Unit::of(state.unit).dimensionless() || !written.empty()) return &state;
+    if (!unit_in_name(table, column, state.unit).empty()) return &state;
     throw InputError(
         table.header_place(),
         fmt::format("column {0} has no unit, and {1} is {2}: write it as {3}, or call the column "
@@ -129,14 +158,17 @@ std::vector<Meant> meant_by(const formats::CsvTable& table) {
     const std::string hint =
         alike.empty()
             ? ""
-            : fmt::format("; column {} looks like it: call it {}, or give it another name",
+            : fmt::format("; column {} looks like it: call it {}, or give it another name{}",
                           in_quotes(alike.front()),
-                          state.name);
+                          state.name,
+                          alike.front().starts_with('-')
+                              ? " (a minus in a name is not applied: change the signs, too)"
+                              : "");
     if (state.member == &State::Fz)
       throw InputError(table.header_place(),
                        "there is no column Fz; a table of states has Fz and any of kappa, alpha, "
                        "gamma, phit, Vx, p" +
-                           hint);
+                           hint + " (columns: " + list_of(table.columns()) + ")");
     if (!alike.empty())
       throw InputError(table.header_place(),
                        fmt::format("there is no column {}, which would be taken as {}{}",
@@ -147,9 +179,69 @@ std::vector<Meant> meant_by(const formats::CsvTable& table) {
   return all;
 }
 
+/// Notes numbers that are hardly states as doubts and makes gaps of them for the other checks.
+void note_fillers(const formats::CsvTable& table, Channels& states, Ledger& ledger) {
+  Channels plain;
+  for (Channel channel : states.all()) {
+    const LedgerRow& row = *ledger.find_taken(channel.name);
+    std::vector<double> numbers = channel.values;
+    for (double& value : numbers) value = (value - row.offset) / row.factor;
+    for (const FillerNumber& filler : filler_numbers(numbers, false)) {
+      std::vector<long> lines;
+      for (const std::size_t i : filler.samples) {
+        if (lines.size() < kMostLines) lines.push_back(table.place(static_cast<int>(i)).line);
+        channel.values[i] = std::nan("");
+      }
+      ledger.doubts.push_back(
+          {row.written,
+           fmt::format("column {} is {}{} in {} of {} rows (line {}{}), {}: cut the rows off",
+                       in_quotes(row.written),
+                       format_number(filler.number, 10),
+                       row.unit_written.empty() ? "" : " " + row.unit_written,
+                       filler.samples.size(),
+                       table.rows(),
+                       runs_in_words(lines),
+                       filler.samples.size() > kMostLines ? " and more" : "",
+                       filler.reason),
+           table.place(static_cast<int>(filler.samples.front())),
+           filler.is_certain});
+    }
+    plain.add(std::move(channel));
+  }
+  states = std::move(plain);
+}
+
+/// Reports a turn slip other than 0 that the test ignores.
+void note_no_turn_slip(const formats::CsvTable& table,
+                       const Channels& states,
+                       const std::string& by,
+                       const std::string& why,
+                       Ledger& ledger) {
+  const Channel* phit = states.find("phit");
+  if (!phit ||
+      std::all_of(phit->values.begin(), phit->values.end(), [](double x) { return x == 0.0; }))
+    return;
+  const std::string& column = ledger.find_taken("phit")->written;
+  ledger.doubts.push_back(
+      {column,
+       fmt::format("{}: column {} (phit) is not used: {}", by, in_quotes(column), why),
+       table.header_place()});
+}
+
+OtherColumn other_column(const formats::CsvTable& table,
+                         const std::string& column,
+                         const StateColumn* state) {
+  const auto unit = Unit::find(table.unit(column));
+  return {column,
+          unit && table.has_unit(column) ? si_unit(unit->dimension()) : "",
+          table.has_unit(column),
+          state ? state->name : "",
+          state != nullptr};
+}
+
 }  // namespace
 
-std::vector<experiment::MeasuredCondition> measured_states() {
+std::vector<experiment::MeasuredCondition> measured_states(const std::string& no_turn_slip) {
   std::vector<experiment::MeasuredCondition> conditions;
   for (const StateColumn& column : kStateColumns) {
     const bool is_load = column.member == &State::Fz;
@@ -157,17 +249,20 @@ std::vector<experiment::MeasuredCondition> measured_states() {
                           .unit = column.unit,
                           .is_needed = is_load,
                           .frame = is_load ? name_of(AxisFrame::W) : std::string(),
-                          .otherwise = column.otherwise});
+                          .otherwise = column.otherwise,
+                          .ignored = column.member == &State::phit ? no_turn_slip : std::string()});
   }
   return conditions;
 }
 
-Ledger ledger_of_states(const formats::CsvTable& table, const std::string& by) {
+Ledger ledger_of_states(const formats::CsvTable& table,
+                        const std::string& by,
+                        const std::string& no_turn_slip) {
   Ledger ledger{table.file()};
   Channels states;
   std::vector<formats::CsvTable::Wanted> wanted;
   int place = 0;
-  std::vector<std::string> unused;
+  std::vector<OtherColumn> others;
   const auto meant = meant_by(table);
   for (const auto& [column, state] : meant) {
     LedgerRow row;
@@ -175,9 +270,11 @@ Ledger ledger_of_states(const formats::CsvTable& table, const std::string& by) {
     row.line = table.header_place().line;
     row.column = ++place;
     row.unit_written = table.unit(column);
+    if (state && row.unit_written.empty())
+      row.unit_written = unit_in_name(table, column, state->unit);
+    others.push_back(other_column(table, column, state));
     if (!state) {
       if (const auto known = recognized(column)) row.meaning = known->meaning->words;
-      if (row.meaning.empty()) unused.push_back(column);
       ledger.rows.push_back(std::move(row));
       continue;
     }
@@ -189,37 +286,39 @@ Ledger ledger_of_states(const formats::CsvTable& table, const std::string& by) {
       row.factor = unit->to_si(1.0L) - row.offset;
     }
     row.axes = "iso";
-    Ledger::use(row, by);
+    const bool is_ignored = state->member == &State::phit && !no_turn_slip.empty();
+    if (!is_ignored) Ledger::use(row, by);
+    if (is_ignored) row.remark = "not used: " + no_turn_slip;
     if (row.unit_written.empty() && row.unit != "1")
       row.remark = "no unit: " + row.unit + " is taken";
     ledger.rows.push_back(std::move(row));
-    wanted.push_back({column, table.si_or_plain(column, state->unit)});
+    wanted.push_back({column, unit_to_read(table, column, state->unit)});
   }
   for (const StateColumn& state : kStateColumns) {
     if (ledger.find_taken(state.name)) continue;
+    if (state.member == &State::phit && !no_turn_slip.empty()) continue;
     LedgerRow row;
     row.taken_as = state.name;
     row.state = LedgerState::assumed;
     row.used_by = {by};
     row.remark = std::string("is taken as ") + state.otherwise;
     ledger.rows.push_back(std::move(row));
-    std::vector<std::string> may_be;
-    for (const std::string& column : unused) {
-      const auto unit = Unit::find(table.unit(column));
-      if (!table.has_unit(column) || !unit || unit->same_dimension(Unit::of(state.unit)))
-        may_be.push_back("`" + column + "`");
-    }
+    constexpr std::size_t kMostNamed = 12;
+    const auto may_be = columns_that_may_be(state.name, state.unit, others);
     if (may_be.empty()) continue;
     ledger.doubts.push_back(
-        {may_be.front().substr(1, may_be.front().size() - 2),
-         fmt::format(
-             "{}: {} is taken as {}: no column is called {}; not used: {}. Did you mean {}?",
-             by,
-             state.name,
-             state.otherwise,
-             spellings_of(state.name),
-             fmt::join(may_be, ", "),
-             may_be.size() == 1 ? "it" : "one of them"),
+        {may_be.front().column,
+         fmt::format("{}: {} is taken as {}: no column is called {}; columns that may be it: {}. "
+                     "Did you mean "
+                     "{}? Then {} {}",
+                     by,
+                     state.name,
+                     state.otherwise,
+                     spellings_of(state.name),
+                     list_in_words(may_be, kMostNamed),
+                     may_be.size() == 1 ? "it" : "one of them",
+                     may_be.front().is_as_it_stands ? "call it" : "add a column",
+                     state.name),
          table.header_place()});
   }
   constexpr int kMostChecked = 1'000'000;  // rows; the checks hold all of them in memory
@@ -236,6 +335,8 @@ Ledger ledger_of_states(const formats::CsvTable& table, const std::string& by) {
   std::size_t k = 0;
   for (const auto& [column, state] : meant)
     if (state) states.add({state->name, state->unit, std::move(values[k++])});
+  if (!no_turn_slip.empty()) note_no_turn_slip(table, states, by, no_turn_slip, ledger);
+  note_fillers(table, states, ledger);
   for (const ChannelDoubt& doubt : doubts_about(states)) {
     const std::string column = ledger.find_taken(doubt.channel)->written;
     ledger.doubts.push_back({column,
@@ -253,7 +354,7 @@ std::vector<double> values_of(const formats::CsvTable& table, const std::string&
       kStateColumns.begin(), kStateColumns.end(), [&](auto& c) { return condition == c.name; });
   if (known == kStateColumns.end()) return {};
   for (const auto& [column, state] : meant_by(table))
-    if (state == &*known) return table.si_numbers(column, known->unit);
+    if (state == &*known) return table.numbers(column, unit_to_read(table, column, known->unit));
   return {};
 }
 
@@ -272,7 +373,7 @@ std::vector<std::string> for_slip_states(const formats::CsvTable& table,
       unused.push_back(column);
       continue;
     }
-    wanted.push_back({column, table.si_or_plain(column, state->unit)});
+    wanted.push_back({column, unit_to_read(table, column, state->unit)});
     members.push_back(state->member);
   }
   std::vector<State> states;
@@ -283,6 +384,25 @@ std::vector<std::string> for_slip_states(const formats::CsvTable& table,
     block(states);
   });
   return unused;
+}
+
+std::string assumed_states(const formats::CsvTable& table, const Parameters& tire) {
+  std::vector<std::string> assumed;
+  const auto meant = meant_by(table);
+  for (const StateColumn& state : kStateColumns) {
+    const bool is_there = std::any_of(
+        meant.begin(), meant.end(), [&](const Meant& one) { return one.state == &state; });
+    if (is_there || state.member == &State::phit) continue;
+    const std::string value = state.member == &State::Vx  ? format_quantity(tire.LONGVL, "m/s", 4)
+                              : state.member == &State::p ? format_quantity(tire.INFLPRES, "bar", 4)
+                                                          : "0";
+    assumed.push_back(fmt::format("{} = {}", state.name, value));
+  }
+  if (assumed.empty()) return "";
+  return fmt::format("{} {} taken, because the table has no column of {}",
+                     fmt::join(assumed, ", "),
+                     assumed.size() == 1 ? "is" : "are",
+                     assumed.size() == 1 ? "it" : "them");
 }
 
 SlipStates slip_states(const formats::CsvTable& table, const Parameters& tire) {

@@ -47,7 +47,7 @@ TEST(SlipStates, WrongTablesAreNamed) {
   };
   EXPECT_EQ(complaint("kappa\n0.1\n"),
             "s.csv:1: there is no column Fz; a table of states has Fz and any of kappa, alpha, "
-            "gamma, phit, Vx, p");
+            "gamma, phit, Vx, p (columns: \"kappa\")");
   EXPECT_EQ(complaint("Fz,FZ\n1,2\n"), "s.csv:1: \"FZ\" comes twice");
   EXPECT_NE(complaint("Fz [mm]\n1\n"), "");
   EXPECT_NE(complaint("Fz\nnan\n"), "");

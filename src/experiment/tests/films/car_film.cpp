@@ -252,7 +252,7 @@ void CarFilm::add_to(Scene& scene,
   const auto most = static_cast<std::size_t>(most_steps);
   Scene::Sequence film{.name = name, .along = "time", .unit = "s"};
   if (steps_.size() > most) {
-    // Finds the interval of that many steps in which the loads change most.
+    // Finds the interval of `most` steps in which the loads change most.
     std::vector<double> sum = {0.0};
     for (std::size_t k = 1; k < steps_.size(); ++k)
       sum.push_back(sum.back() + (steps_[k].vectors - steps_[k - 1].vectors).squaredNorm());

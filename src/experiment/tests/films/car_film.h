@@ -28,8 +28,8 @@ class CarFilm {
 
   /// This object has to outlive the watcher, and the car has to outlive this object.
   CarWatcher watcher();
-  /// Adds meshes and a sequence of that name with at most that many steps, and the road of the run
-  /// if it does not move.
+  /// Adds meshes and a sequence of the given name with at most the given number of steps, and the
+  /// road of the run if it does not move.
   void add_to(report::Scene& scene,
               const std::string& name,
               int most_steps,

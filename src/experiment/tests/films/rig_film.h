@@ -19,7 +19,7 @@ class RigFilm {
 
   /// This object has to outlive the watcher.
   RigWatcher watcher();
-  /// Adds a mesh and a sequence of that name, whose text says if states are left out.
+  /// Adds a mesh and a sequence of the given name, whose text says if states are left out.
   void add_to(report::Scene& scene, const std::string& name);
 
  private:

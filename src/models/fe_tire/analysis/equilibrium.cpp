@@ -62,7 +62,7 @@ EquilibriumSolver::EquilibriumSolver(const RingUnknowns& unknowns,
       d_(unknowns.size()) {}
 
 std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
-                                                RingState& state,
+                                                AssembledState& state,
                                                 double pressure,
                                                 const TreadContact* contact,
                                                 const std::string& step) {
@@ -70,7 +70,7 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
   shift_ = 0.0;
   failed_element_ = -1;
   has_factor_ = has_factor_ && tire_.serves(contact);
-  RingState now = state;
+  AssembledState now = state;
   knows_tangent_ = is_first_ = false;
   if (!begin(now, elements, pressure)) return failure(step, "the start is inverted");
   const double close =
@@ -125,7 +125,7 @@ double EquilibriumSolver::linear_tolerance(double ratio) const {
 
 /// Adds steps with the last tangent as long as they help. Each costs one pass of forces only, and
 /// results then agree in the displayed digits on processors whose sums differ.
-void EquilibriumSolver::polish(RingState& state) {
+void EquilibriumSolver::polish(AssembledState& state) {
   if (!has_factor_) return;
   double enough = kPolished;
   for (int pass = 0; pass < kMostPolishing; ++pass, enough = kPolishedAgain) {
@@ -140,14 +140,14 @@ void EquilibriumSolver::polish(RingState& state) {
 }
 
 bool EquilibriumSolver::follow(const RingElements& elements,
-                               const RingState& state,
+                               const AssembledState& state,
                                double pressure,
                                TreadContact& contact,
                                const std::vector<GroundPose>& poses) {
   contact_ = &contact;
   elements_ = &elements;
   pressure_ = pressure;
-  RingState now = state;
+  AssembledState now = state;
   has_factor_ = assemble(now, true) && factorize() && tire_.follow(K_, contact, now.x, g_, poses);
   known_ = state;
   return has_factor_;
@@ -155,7 +155,9 @@ bool EquilibriumSolver::follow(const RingElements& elements,
 
 /// Starts the iteration. The factor of the last equilibrium serves the ground's motion as well as a
 /// new one, and if the state is the one last seen, its elements' forces are known.
-bool EquilibriumSolver::begin(RingState& state, const RingElements& elements, double pressure) {
+bool EquilibriumSolver::begin(AssembledState& state,
+                              const RingElements& elements,
+                              double pressure) {
   const bool is_known = has_factor_ && elements_ == &elements && pressure_ == pressure &&
                         known_.x == state.x && known_.alpha == state.alpha;
   elements_ = &elements;
@@ -167,7 +169,7 @@ bool EquilibriumSolver::begin(RingState& state, const RingElements& elements, do
   return true;
 }
 
-bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
+bool EquilibriumSolver::assemble(AssembledState& state, bool with_tangent) {
   failed_element_ = -1;
   has_tangent_ = with_tangent;
   knows_tangent_ = knows_tangent_ || with_tangent;
@@ -183,7 +185,7 @@ bool EquilibriumSolver::assemble(RingState& state, bool with_tangent) {
   return true;
 }
 
-void EquilibriumSolver::add_contact(const RingState& state) {
+void EquilibriumSolver::add_contact(const AssembledState& state) {
   if (contact_) add_forces(tread_, contact_->touches(tread_.displacements(state.x)), f_);
 }
 
@@ -197,7 +199,7 @@ bool EquilibriumSolver::factorize() {
 /// Finds a direction by a new factor. Shifts the tangent along its diagonal until it is positive
 /// definite. Returns false if no shift helps, as with values that are not numbers, or if the first
 /// step led to an indefinite tangent: that step can be shortened.
-bool EquilibriumSolver::renew_factor(const RingState& state, double tolerance) {
+bool EquilibriumSolver::renew_factor(const AssembledState& state, double tolerance) {
   const double largest = K_.diagonal().maxCoeff();
   // The shift starts from that of the last indefinite tangent of this equilibrium.
   double shift = std::max(1e-5 * largest, 0.25 * shift_);
@@ -213,14 +215,14 @@ bool EquilibriumSolver::renew_factor(const RingState& state, double tolerance) {
 }
 
 /// Finds a first direction, with the present ground, by the factor's tangent.
-bool EquilibriumSolver::start(const RingState& state) {
+bool EquilibriumSolver::start(const AssembledState& state) {
   ++counts_->solves;
   return tire_.step(contact_, state.x, f_, d_);
 }
 
 /// Finds a direction by the old factor if it is of use, or by a new one. Returns false if the
 /// tangent does not exist or has no factor.
-bool EquilibriumSolver::find_direction(RingState& state, double tolerance) {
+bool EquilibriumSolver::find_direction(AssembledState& state, double tolerance) {
   const bool is_factor_of_use =
       has_factor_ && (!has_tangent_ || last_cg_iterations_ <= kIterationsOfAStaleFactor);
   if (is_factor_of_use && start(state) && (!knows_tangent_ || correct(tolerance, true)))
@@ -274,7 +276,7 @@ bool EquilibriumSolver::solve_nearby(const numerics::SymmetricMatrix& K,
   return true;
 }
 
-bool EquilibriumSolver::line_search(RingState& state, bool wants_tangent) {
+bool EquilibriumSolver::line_search(AssembledState& state, bool wants_tangent) {
   const double norm = f_.norm(), slope = std::abs(d_.dot(f_));
   double s = 1.0;
   for (int back = 0; back <= kMaxBacktracks; ++back, s *= 0.5) {

@@ -39,7 +39,7 @@ class EquilibriumSolver {
   /// Brings `state` into equilibrium under pressure and contact (may be null). A Failure names
   /// `step`, the residual and the worst element; `state` then is unchanged.
   std::optional<Failure> solve(const RingElements& elements,
-                               RingState& state,
+                               AssembledState& state,
                                double pressure,
                                const TreadContact* contact,
                                const std::string& step);
@@ -48,7 +48,7 @@ class EquilibriumSolver {
   /// then starts from the last pose. Returns false if the linear tire is not positive definite on
   /// that ground.
   bool follow(const RingElements& elements,
-              const RingState& state,
+              const AssembledState& state,
               double pressure,
               TreadContact& contact,
               const std::vector<GroundPose>& poses);
@@ -81,16 +81,16 @@ class EquilibriumSolver {
 
  private:
   double linear_tolerance(double ratio) const;
-  void polish(RingState& state);
-  bool assemble(RingState& state, bool with_tangent);
-  bool begin(RingState& state, const RingElements& elements, double pressure);
-  void add_contact(const RingState& state);
-  bool renew_factor(const RingState& state, double tolerance);
+  void polish(AssembledState& state);
+  bool assemble(AssembledState& state, bool with_tangent);
+  bool begin(AssembledState& state, const RingElements& elements, double pressure);
+  void add_contact(const AssembledState& state);
+  bool renew_factor(const AssembledState& state, double tolerance);
   bool factorize();
-  bool start(const RingState& state);
-  bool find_direction(RingState& state, double tolerance);
+  bool start(const AssembledState& state);
+  bool find_direction(AssembledState& state, double tolerance);
   bool correct(double tolerance, bool may_give_up);
-  bool line_search(RingState& state, bool wants_tangent);
+  bool line_search(AssembledState& state, bool wants_tangent);
   Failure failure(const std::string& step, const std::string& what) const;
   std::string worst_place() const;
 
@@ -118,10 +118,10 @@ class EquilibriumSolver {
   int last_cg_iterations_ = 0;
   int failed_element_ = -1;
   Eigen::VectorXd f_, d_, r_, e_;
-  RingState trial_;
+  AssembledState trial_;
   // Forces of elements and pressure, and the state at which they were computed.
   Eigen::VectorXd g_;
-  RingState known_;
+  AssembledState known_;
 };
 
 }  // namespace latsch::fe_tire

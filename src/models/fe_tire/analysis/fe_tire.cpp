@@ -240,7 +240,7 @@ Result<std::vector<Mode>> FeTire::modes_full(const Inflated& inflated, int count
   Impl& tire = *impl_;
   const RingUnknowns whole(tire.even_ring(), RingSymmetry::none, {});
   const RingAssembly assembly(whole);
-  RingState state = assembly.zero_state();
+  AssembledState state = assembly.zero_state();
   state.x = whole.compress(inflated.u.replicate(1, tire.ring.sectors()));
   state.alpha = inflated.alpha.replicate(tire.ring.sectors(), 1);
   Eigen::VectorXd f;
@@ -331,7 +331,7 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
 std::optional<Failure> FeTire::Impl::factorize(Systems& all, const TireState& at) {
   if (all.factored && same_tangent(*all.factored, at)) return std::nullopt;
   all.forget_tangents();
-  RingState state{all.unknowns.compress(at.u), at.alpha};
+  AssembledState state{all.unknowns.compress(at.u), at.alpha};
   std::vector<RingAssembly::Vibration> tangents{{&all.unknowns, &all.tangent}};
   if (all.odd) tangents.push_back({&*all.odd_unknowns, &*all.odd_tangent});
   int worst = 0;
@@ -352,7 +352,7 @@ std::optional<Failure> FeTire::Impl::factorize(Systems& all, const TireState& at
 std::optional<Failure> FeTire::Impl::assemble(Systems& all,
                                               const TireState& at,
                                               numerics::SymmetricMatrix& tangent) {
-  RingState state{all.unknowns.compress(at.u), at.alpha};
+  AssembledState state{all.unknowns.compress(at.u), at.alpha};
   int worst = 0;
   if (!all.solver.assembly().assemble_tangent(
           elements(), state, at.inflated->pressure, all.unknowns, tangent, &worst)) {
@@ -376,7 +376,7 @@ std::optional<Failure> FeTire::Impl::factorize(const TireState& at,
 void FeTire::Impl::add_ground(Systems& all,
                               const TreadSurface& tread,
                               const TireState& at,
-                              const RingState& state,
+                              const AssembledState& state,
                               numerics::SymmetricMatrix& tangent) {
   TreadContact contact(all.tread, at.ground);
   contact.start(at.pose, state.x, at.anchors);

@@ -143,7 +143,7 @@ struct FeTire::Impl {
   /// factors if the state is the one factorized last. Returns a Failure if the state is unstable,
   /// that is, if a motion about it releases energy. Newton's method finds such equilibria too.
   std::optional<Failure> factorize(Systems& all, const TireState& state);
-  /// Assembles the tangent of even motions alone, the ground included. Returns a Failure if an
+  /// Assembles only the tangent of even motions, the ground included. Returns a Failure if an
   /// element fails.
   std::optional<Failure> assemble(Systems& all,
                                   const TireState& state,
@@ -164,7 +164,7 @@ struct FeTire::Impl {
   void add_ground(Systems& all,
                   const TreadSurface& tread,
                   const TireState& at,
-                  const RingState& state,
+                  const AssembledState& state,
                   numerics::SymmetricMatrix& tangent);
   std::optional<RingElements> elements_, even_elements_;  // elements of `ring`, of `even`
   std::map<std::pair<bool, int>, std::unique_ptr<Systems>> systems_;

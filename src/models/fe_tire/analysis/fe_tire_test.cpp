@@ -57,7 +57,7 @@ TEST(FeTire, HarmonicShapesAreModesOfTheRingsOwnMatrices) {
   const RingUnknowns whole(ring, RingSymmetry::none, {});
   const RingAssembly assembly(whole);
   const RingElements elements(ring, tire.materials());
-  RingState state = assembly.zero_state();
+  AssembledState state = assembly.zero_state();
   state.x = whole.compress(inflated->u.replicate(1, ring.sectors()));
   numerics::SymmetricMatrix K(*assembly.pattern());
   Eigen::VectorXd f;
@@ -83,11 +83,11 @@ TEST(FeTire, InflatedSectorIsAnEquilibriumOfTheWholeRing) {
   const RingUnknowns whole(ring, RingSymmetry::none, {});
   const RingAssembly assembly(whole);
   const RingElements elements(ring, tire.materials());
-  RingState state = assembly.zero_state();
+  AssembledState state = assembly.zero_state();
   state.x = whole.compress(inflated->u.replicate(1, ring.sectors()));
   Eigen::VectorXd residual, pressure_alone;
   ASSERT_TRUE(assembly.assemble(elements, state, kPressure, residual, nullptr, nullptr));
-  RingState undeformed = assembly.zero_state();
+  AssembledState undeformed = assembly.zero_state();
   ASSERT_TRUE(assembly.assemble(elements, undeformed, kPressure, pressure_alone, nullptr, nullptr));
   EXPECT_LT(residual.norm(), 1e-9 * pressure_alone.norm());
 }
@@ -105,12 +105,12 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
     const RingAssembly assembly(whole, &tread);
     // Soft ground and no slip keep the kink at first touch out of the comparison.
     TreadContact contact(tread, {.stiffness = 2e8, .mu = 5.0});
-    RingState state = assembly.zero_state();
+    AssembledState state = assembly.zero_state();
     state.x = whole.compress(inflated->u.replicate(1, ring.sectors()));
     const GroundPose pose = FeTire::below(*inflated, 0.01);
     contact.start(pose, state.x, {});
     contact.start(pose, state.x, contact.anchors(state.x));
-    const auto forces = [&](RingState at, numerics::SymmetricMatrix* K) {
+    const auto forces = [&](AssembledState at, numerics::SymmetricMatrix* K) {
       Eigen::VectorXd f;
       EXPECT_TRUE(assembly.assemble(elements, at, kPressure, f, K, nullptr));
       const auto touches = contact.touches(tread.displacements(at.x));
@@ -130,7 +130,7 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
     Eigen::MatrixXd Kd(d.size(), 1);
     K.multiply(d, Kd);
     const double h = 1e-8;
-    RingState above = state, below = state;
+    AssembledState above = state, below = state;
     above.x += h * d;
     below.x -= h * d;
     const Eigen::VectorXd difference = (forces(above, nullptr) - forces(below, nullptr)) / (2 * h);
@@ -163,7 +163,7 @@ TEST(FeTire, TangentOfThePressureIsExactAtAnOpenEdgeToo) {
   }
   ASSERT_EQ(moved_nodes, 2 * ring.sectors());  // nodes of both beads
   const Eigen::VectorXd d = whole.compress(u);
-  RingState state = assembly.zero_state();
+  AssembledState state = assembly.zero_state();
   state.x = 1e-4 * d;
   numerics::SymmetricMatrix K(*assembly.pattern());
   Eigen::VectorXd f, above, below;
@@ -171,7 +171,7 @@ TEST(FeTire, TangentOfThePressureIsExactAtAnOpenEdgeToo) {
   Eigen::MatrixXd Kd(d.size(), 1);
   K.multiply(d, Kd);
   const double h = 1e-7;
-  RingState moved = state;
+  AssembledState moved = state;
   moved.x = state.x + h * d;
   ASSERT_TRUE(assembly.assemble(elements, moved, 1e6, above, nullptr, nullptr));
   moved.x = state.x - h * d;

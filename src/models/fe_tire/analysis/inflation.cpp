@@ -234,7 +234,7 @@ Result<Inflated> inflate_ring(EquilibriumSolver& solver,
                               double pressure,
                               double reference) {
   const RingUnknowns& unknowns = solver.assembly().unknowns();
-  RingState state = solver.assembly().zero_state();
+  AssembledState state = solver.assembly().zero_state();
   solver.set_reference(reference);
   solver.forget_factor();
   for (int k = 1; k <= kRingSteps; ++k) {

@@ -2,9 +2,9 @@
 // The tire as a linear structure on nonlinear ground: the problem that each iteration of Newton's
 // method solves.
 //
-// The residual is split into g of elements and pressure and c of the ground, which acts on the
-// nodes of the tread's surface alone (tread_surface.h). With the tangent K of g factorized at this
-// or an earlier state, the equation
+// The residual is split into g of elements and pressure and c of the ground, which acts only on the
+// nodes of the tread's surface (tread_surface.h). With the tangent K of g factorized at this or an
+// earlier state, the equation
 //
 //            g - K d + c(u(x - d)) = 0                                                        (L.1)
 //
@@ -114,7 +114,7 @@ class LinearTire {
   GroundTangent tangent_;         // dc/dw of the last step, all directions
   Eigen::MatrixXd S_;             // condensed stiffness of the heights
   Eigen::MatrixXd C_, L_;         // dc/dw of the last step by heights, factor of S + C
-  // Points in contact in the last step, and their stiffness. None: L_ is a factor of another S.
+  // Points in contact in the last step, and their stiffness. Unset: L_ is a factor of another S.
   std::optional<std::vector<std::pair<int, double>>> springs_;
   Eigen::Matrix3Xd u_;     // displacements of the nodes at the last step
   Eigen::VectorXd ahead_;  // first guess of w for the step after a path was followed

@@ -38,8 +38,8 @@ TEST(LinearTire, AnswersTheGroundExactly) {
       const TreadSurface tread(unknowns, TreadShape::smooth, 0.4);
       const RingAssembly assembly(unknowns, &tread);
       TreadContact contact(tread, ground);
-      RingState state{unknowns.compress(inflated->u.replicate(1, ring.sectors())),
-                      inflated->alpha.replicate(unknowns.sectors(), 1)};
+      AssembledState state{unknowns.compress(inflated->u.replicate(1, ring.sectors())),
+                           inflated->alpha.replicate(unknowns.sectors(), 1)};
       contact.start(FeTire::below(*inflated, -5e-3), state.x, {});
       contact.move(FeTire::below(*inflated, 0.008));
       numerics::SymmetricMatrix K(*assembly.pattern());

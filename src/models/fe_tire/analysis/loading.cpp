@@ -62,7 +62,7 @@ std::optional<Failure> move_ground(EquilibriumSolver& solver,
         contact.start(now.pose, now.state.x, now.anchors);
     }
     contact.move(there);
-    RingState trial = now.state;
+    AssembledState trial = now.state;
     std::optional<Failure> failure = solver.solve(elements, trial, pressure, &contact, name);
     if (!failure) {
       now.anchors = contact.anchors(trial.x);

@@ -13,7 +13,7 @@ namespace latsch::fe_tire {
 /// An equilibrium of the assembled sectors.
 struct Placed {
   GroundPose pose;
-  RingState state;
+  AssembledState state;
   std::vector<Anchor> anchors;
 };
 

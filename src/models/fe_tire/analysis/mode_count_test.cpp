@@ -61,7 +61,7 @@ struct Motions {
     const TreadSurface tread(even, shape, kHalfAngle);
     const RingAssembly assembly(even, &tread);
     TreadContact contact(tread, at.ground);
-    RingState state{even.compress(at.u), at.alpha};
+    AssembledState state{even.compress(at.u), at.alpha};
     contact.start(at.pose, state.x, at.anchors);
     EXPECT_FALSE(contact.misses(state.x));
     const auto add = [&](const RingAssembly& motions, const TreadSurface& moved) {

@@ -31,14 +31,14 @@ RingAssembly::RingAssembly(const RingUnknowns& unknowns,
                            std::shared_ptr<const numerics::SymmetricPattern> pattern)
     : unknowns_(unknowns), ring_(unknowns.ring()), pattern_(std::move(pattern)) {}
 
-RingState RingAssembly::zero_state() const {
+AssembledState RingAssembly::zero_state() const {
   return {Eigen::VectorXd::Zero(unknowns_.size()),
           Eigen::VectorXd::Zero(ring_.alphas_per_element() * ring_.elements_per_sector() *
                                 unknowns_.sectors())};
 }
 
 bool RingAssembly::assemble(const RingElements& elements,
-                            RingState& state,
+                            AssembledState& state,
                             double pressure,
                             Eigen::VectorXd& f,
                             numerics::SymmetricMatrix* K,
@@ -48,7 +48,7 @@ bool RingAssembly::assemble(const RingElements& elements,
 }
 
 bool RingAssembly::assemble_roughly(const RingElements& elements,
-                                    RingState& state,
+                                    AssembledState& state,
                                     double pressure,
                                     Eigen::VectorXd& f,
                                     numerics::SymmetricMatrix& K,
@@ -57,7 +57,7 @@ bool RingAssembly::assemble_roughly(const RingElements& elements,
 }
 
 bool RingAssembly::assemble_tangent(const RingElements& elements,
-                                    RingState& state,
+                                    AssembledState& state,
                                     double pressure,
                                     const RingUnknowns& vibration,
                                     numerics::SymmetricMatrix& K,
@@ -67,7 +67,7 @@ bool RingAssembly::assemble_tangent(const RingElements& elements,
 }
 
 bool RingAssembly::assemble_tangents(const RingElements& elements,
-                                     RingState& state,
+                                     AssembledState& state,
                                      double pressure,
                                      const std::vector<Vibration>& vibrations,
                                      int* worst) const {
@@ -75,7 +75,7 @@ bool RingAssembly::assemble_tangents(const RingElements& elements,
 }
 
 bool RingAssembly::sum_elements(const RingElements& elements,
-                                RingState& state,
+                                AssembledState& state,
                                 double pressure,
                                 Eigen::VectorXd* f,
                                 Stiffness stiffness,

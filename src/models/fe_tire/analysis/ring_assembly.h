@@ -15,7 +15,7 @@
 namespace latsch::fe_tire {
 
 /// Unknowns and enhanced parameters of the assembled sectors.
-struct RingState {
+struct AssembledState {
   Eigen::VectorXd x;
   Eigen::VectorXd alpha;
 };
@@ -33,13 +33,13 @@ class RingAssembly {
   /// Index of the tread's first cell among the elements of the pattern.
   int first_cell() const { return ring_.elements_per_sector() * unknowns_.sectors(); }
   /// Returns a state of zeros, of the size that assemble() needs.
-  RingState zero_state() const;
+  AssembledState zero_state() const;
 
   /// Computes the forces f(x) = internal - pressure, zero in equilibrium off the ground, and K =
   /// df/dx (its symmetric part) if K is not null. Returns false if an element fails; `worst` then
   /// is sector * elements_per_sector + element.
   bool assemble(const RingElements& elements,
-                RingState& state,
+                AssembledState& state,
                 double pressure,
                 Eigen::VectorXd& f,
                 numerics::SymmetricMatrix* K,
@@ -47,7 +47,7 @@ class RingAssembly {
   /// Works as assemble(), with the elements' stiffness in single precision: the forces are exact, K
   /// is accurate enough for a step of Newton's method.
   bool assemble_roughly(const RingElements& elements,
-                        RingState& state,
+                        AssembledState& state,
                         double pressure,
                         Eigen::VectorXd& f,
                         numerics::SymmetricMatrix& K,
@@ -56,7 +56,7 @@ class RingAssembly {
   /// Computes the tangent at `state` in the numbering `vibration` of the motions about it (even or
   /// odd). Returns false as assemble() does.
   bool assemble_tangent(const RingElements& elements,
-                        RingState& state,
+                        AssembledState& state,
                         double pressure,
                         const RingUnknowns& vibration,
                         numerics::SymmetricMatrix& K,
@@ -69,7 +69,7 @@ class RingAssembly {
   /// Works as assemble_tangent() for several numberings at once; the elements' tangents are
   /// computed only once.
   bool assemble_tangents(const RingElements& elements,
-                         RingState& state,
+                         AssembledState& state,
                          double pressure,
                          const std::vector<Vibration>& vibrations,
                          int* worst) const;
@@ -79,7 +79,7 @@ class RingAssembly {
 
  private:
   bool sum_elements(const RingElements& elements,
-                    RingState& state,
+                    AssembledState& state,
                     double pressure,
                     Eigen::VectorXd* f,
                     Stiffness stiffness,

@@ -29,8 +29,8 @@ Cubic linear(double u);
 /// lengths of those that exist.
 double share_of_uniform(const std::array<std::optional<double>, 4>& h);
 
-/// Returns the face of a place, counted in kPlaces a face. A place at a node belongs to the face
-/// behind it.
+/// Returns the face that contains a place; each face has kPlaces of them. A place at a node belongs
+/// to the face behind it.
 inline int face_of(int place) {
   return place >= 0 ? place / kPlaces : -((kPlaces - 1 - place) / kPlaces);
 }

@@ -65,7 +65,7 @@ StVenantKirchhoff smear(const Hyperelastic& rubber,
 
 }  // namespace
 
-Materials build_materials(const TireDescription& tire, Refinement refinement) {
+Materials build_materials(const TireDescription& tire, MeshRefinement refinement) {
   const SectionPlan plan(tire);
   const Contour line(tire.section.contour);
   const double r_crown = line.point(0.0).r;

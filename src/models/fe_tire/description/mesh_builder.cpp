@@ -13,7 +13,7 @@ namespace {
 
 class MeshBuilder {
  public:
-  MeshBuilder(const TireDescription& tire, Refinement refinement)
+  MeshBuilder(const TireDescription& tire, MeshRefinement refinement)
       : tire_(tire), section_(tire.section), r_(refinement), plan_(tire), line_(section_.contour) {
     const auto crown = section_.crown_columns();
     crown_ = crown ? *crown * r_.along : columns();
@@ -181,7 +181,7 @@ class MeshBuilder {
 
   const TireDescription& tire_;
   const Section& section_;
-  Refinement r_;
+  MeshRefinement r_;
   SectionPlan plan_;
   Contour line_;
   double crown_ = 0.0;  // columns from the crown to the first row of the sidewall
@@ -190,7 +190,7 @@ class MeshBuilder {
 
 }  // namespace
 
-Mesh build_mesh(const TireDescription& tire, Refinement refinement) {
+Mesh build_mesh(const TireDescription& tire, MeshRefinement refinement) {
   assert(refinement.around >= 1 && refinement.along >= 1 && refinement.through >= 1);
   Mesh mesh = MeshBuilder(tire, refinement).build();
   try {
@@ -201,7 +201,7 @@ Mesh build_mesh(const TireDescription& tire, Refinement refinement) {
   return mesh;
 }
 
-SectionGrid section_grid(const TireDescription& tire, Refinement refinement) {
+SectionGrid section_grid(const TireDescription& tire, MeshRefinement refinement) {
   return MeshBuilder(tire, refinement).grid();
 }
 

@@ -25,9 +25,9 @@ TireDescription passenger_tire() {
   tire.section.outside = {{0.0, 0.42, 0.52, 0.85, 1.0}, {9e-3, 9e-3, 5e-3, 4e-3, 6e-3}};
   const Hyperelastic law{1.0 * kMegapascal, 0.0, 100.0 * kMegapascal};
   tire.rubbers = {{"matrix", law, 1150.0}, {"belt", law, 1600.0}};
-  tire.regions = {{"tread and sidewall", {0.0, 1.0}, Side::outside, 0},
-                  {"belt", {0.0, 0.46}, Side::inside, 1},
-                  {"carcass", {0.46, 1.0}, Side::inside, 0}};
+  tire.regions = {{"tread and sidewall", {0.0, 1.0}, LineSide::outside, 0},
+                  {"belt", {0.0, 0.46}, LineSide::inside, 1},
+                  {"carcass", {0.46, 1.0}, LineSide::inside, 0}};
   tire.plies = {ply("carcass", 1.0, 2e6, 90.0),
                 ply("belt_1", 0.46, 20e6, 24.0),
                 ply("belt_2", 0.46, 20e6, -24.0),

@@ -17,7 +17,7 @@ struct SectionGrid {
                                           // unrefined crown
   int nodes() const;
 };
-SectionGrid section_grid(const TireDescription& tire, Refinement refinement = 1);
+SectionGrid section_grid(const TireDescription& tire, MeshRefinement refinement = 1);
 
 /// Interpolates the displacements u of one plane to the nodes of another grid of the same wall: by
 /// polynomials through the four surrounding stations, and linearly through the wall.

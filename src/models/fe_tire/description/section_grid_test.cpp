@@ -22,7 +22,7 @@ Eigen::Matrix3Xd field(const SectionGrid& grid) {
 
 TEST(SectionGrid, HasTheNodesOfTheMesh) {
   const TireDescription tire = reference_tire_b();
-  for (const Refinement r : {Refinement(1), Refinement(2, 3, 2)}) {
+  for (const MeshRefinement r : {MeshRefinement(1), MeshRefinement(2, 3, 2)}) {
     EXPECT_EQ(section_grid(tire, r).nodes(), build_mesh(tire, r).nodes_per_sector());
   }
 }

@@ -22,7 +22,8 @@ int SectionPlan::region(int column, int row) const {
   int found = -1;
   for (int i = 0; i < static_cast<int>(tire_.regions.size()); ++i) {
     const RubberRegion& region = tire_.regions[i];
-    const bool side = region.side == Side::both || (region.side == Side::inside) == inside(row);
+    const bool side =
+        region.side == LineSide::both || (region.side == LineSide::inside) == inside(row);
     if (!side || !region.extent.contains(q)) continue;
     if (found >= 0)
       throw InputError(tire_.place,

@@ -36,7 +36,7 @@ struct Extent {
   bool operator==(const Extent&) const = default;
 };
 
-enum class Side { inside, outside, both };  // side of the reference line
+enum class LineSide { inside, outside, both };  // side of the reference line
 
 struct Rubber {
   std::string name;
@@ -48,7 +48,7 @@ struct Rubber {
 struct RubberRegion {
   std::string name;
   Extent extent;
-  Side side = Side::both;
+  LineSide side = LineSide::both;
   int rubber = 0;  // index into TireDescription::rubbers
 };
 
@@ -149,20 +149,22 @@ TireDescription read_tire(const Node& root);
 
 /// Number of parts into which every element is split around the circumference, along and through
 /// the wall.
-struct Refinement {
+struct MeshRefinement {
   int around = 1, along = 1, through = 1;
-  Refinement(int around, int along, int through) : around(around), along(along), through(through) {}
-  Refinement(int all = 1) : Refinement(all, all, all) {}  // NOLINT: a number is a refinement
+  MeshRefinement(int around, int along, int through)
+      : around(around), along(along), through(through) {}
+  MeshRefinement(int all = 1)
+      : MeshRefinement(all, all, all) {}  // NOLINT: a number is a refinement
 };
 
 /// Builds the HEX8 mesh of the description. A refinement has its nodes on the true contour;
 /// materials, clamped boundary and tread boundary stay those of the unrefined elements. Throws
 /// InputError naming the element at which the section folds over.
-Mesh build_mesh(const TireDescription& tire, Refinement refinement = 1);
+Mesh build_mesh(const TireDescription& tire, MeshRefinement refinement = 1);
 
 /// Builds the materials in the numbering of build_mesh with the same refinement. Cheap enough for
 /// every trial.
-Materials build_materials(const TireDescription& tire, Refinement refinement = 1);
+Materials build_materials(const TireDescription& tire, MeshRefinement refinement = 1);
 
 /// True if both descriptions give the same mesh, so that results prepared for one serve the other.
 bool same_mesh(const TireDescription& a, const TireDescription& b);

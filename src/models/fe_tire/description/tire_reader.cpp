@@ -252,7 +252,9 @@ RubberRegion read_region(const Node& node, const std::vector<Rubber>& rubbers) {
   region.name = node.name();
   region.extent = read_extent(node);
   const std::string side = node.choice("side", {"both", "inside", "outside"}, "both");
-  region.side = side == "both" ? Side::both : side == "inside" ? Side::inside : Side::outside;
+  region.side = side == "both"     ? LineSide::both
+                : side == "inside" ? LineSide::inside
+                                   : LineSide::outside;
   std::vector<std::string> names;
   names.reserve(rubbers.size());
   for (const Rubber& rubber : rubbers) names.push_back(rubber.name);

@@ -8,12 +8,12 @@ namespace latsch::fe_tire::solid_shell {
 
 /// Position x = x_0 + x_1 xi + x_2 eta + x_3 zeta + x_12 xi eta + x_23 eta zeta + x_13 xi zeta
 ///             + x_123 xi eta zeta
-enum Mode { k1, k2, k3, k12, k23, k13, k123 };
+enum ElementMode { k1, k2, k3, k12, k23, k13, k123 };
 
 /// Contribution to a strain: e += x_m . x_n - X_m . X_n.
 struct Pair {
   int e;
-  Mode m, n;
+  ElementMode m, n;
 };
 
 /// e_0-2: E_11 along eta, zeta, eta zeta; e_3-5: E_22 along xi, zeta, xi zeta; e_6-8: E_33 along

@@ -70,7 +70,8 @@ Vector6 unit_strain(const Eigen::Vector3d& m, const Eigen::Vector3d& n) {
 /// Returns the operator that scales a strain's (engineering) shear angle between the unit vectors m
 /// and n.
 Matrix6 scaled_shear(const Eigen::Vector3d& m, const Eigen::Vector3d& n, double scale) {
-  Vector6 angle, of_unit_angle;  // 2 m.E.n of a strain; strain with the shear angle 1 alone
+  Vector6 angle, of_unit_angle;  // 2 m.E.n of a strain; strain whose only component is the shear
+                                 // angle 1
   for (int k = 0; k < 6; ++k) {
     const int i = kRow[k], j = kColumn[k];
     of_unit_angle[k] = i == j ? m[i] * n[i] : m[i] * n[j] + m[j] * n[i];

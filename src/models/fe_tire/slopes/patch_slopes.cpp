@@ -21,7 +21,7 @@ Result<Eigen::MatrixXd> TireSlopes::Impl::moved_state(Systems& all,
   for (int k = 0; k < count(); ++k) {
     const MovedNumber& number = numbers[static_cast<std::size_t>(k)];
     const auto forces = [&](const RingElements& elements, double pressure, Eigen::VectorXd& f) {
-      RingState at{x, state.alpha};
+      AssembledState at{x, state.alpha};
       return all.solver.assembly().assemble(elements, at, pressure, f, nullptr, nullptr);
     };
     Eigen::VectorXd below, above;

@@ -3,7 +3,7 @@
 // its four nodes in the rim's axes. With x, z in the plane of the rim, y lateral, and s from 0 to 1
 // in a segment, the forms are
 //   x', z', x'', z'', y', y'', ψ', ψ
-// The forms keep code short that needs single strains. It runs rarely, unlike the kernels, which
+// With the forms, code for single strains stays short. It runs rarely, unlike the kernels, which
 // process eight points at once.
 #pragma once
 

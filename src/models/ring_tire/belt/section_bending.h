@@ -10,7 +10,7 @@
 // gives
 //   (λ_i L0 + 2 κ T0/L0) γ_k - (κ T0/L0) (γ_(k+1) + γ_(k-1)) = f_k                           (25)
 // Its inverse is known in closed form: γ = G f, where G decays as ρ^|k-l| around the ring. Forces
-// act at nodes in contact alone, so their γ are the only unknowns. The γ have no inertia and are
+// act only at nodes in contact, so their γ are the only unknowns. The γ have no inertia and are
 // solved together with the belt's unknowns in one Newton iteration, in which they border the belt's
 // matrix. [Gipser 1999: quasi-static section shapes smoothed along the ring by a cyclic tridiagonal
 // system]

@@ -16,10 +16,10 @@ namespace latsch::ring_tire {
 
 using Eigen::Vector3d;
 
-double TreadContact::deepest(const NodeValues& q,
-                             const RimFrame& rim,
-                             const road::Road& road,
-                             double time) {
+double RingTreadContact::deepest(const NodeValues& q,
+                                 const RimFrame& rim,
+                                 const road::Road& road,
+                                 double time) {
   a_ = rim.a;
   double deepest = -std::numeric_limits<double>::infinity();
   for (int segment = 0; segment < nodes_; ++segment) {
@@ -36,7 +36,7 @@ double TreadContact::deepest(const NodeValues& q,
   return deepest;
 }
 
-std::vector<BlockContact> TreadContact::contacts(const NodeValues& q) const {
+std::vector<BlockContact> RingTreadContact::contacts(const NodeValues& q) const {
   std::vector<BlockContact> contacts;
   see_blocks(q, [&](const BlockState& block) {
     if (!(block.share > 0.0)) return;
@@ -87,9 +87,9 @@ Span span_of(std::vector<Dot>& dots, double spacing) {
 
 }  // namespace
 
-Footprint TreadContact::footprint(const NodeValues& q,
-                                  const Vector3d& center,
-                                  const Vector3d& heading) const {
+Footprint RingTreadContact::footprint(const NodeValues& q,
+                                      const Vector3d& center,
+                                      const Vector3d& heading) const {
   const Vector3d left = Vector3d::UnitZ().cross(heading);
   const double width = 2.0 * half_width_ / lines_, length = area_ / width;
   std::vector<std::vector<Dot>> along(static_cast<std::size_t>(lines_));
@@ -134,7 +134,7 @@ Footprint TreadContact::footprint(const NodeValues& q,
   return print;
 }
 
-double TreadContact::energy(const NodeValues& q) const {
+double RingTreadContact::energy(const NodeValues& q) const {
   double sum = 0.0;
   see_touching(q, [&](const BlockState& block) {
     sum += 0.5 * (normal_ * CellSquares(block.depth, block.half, bottom_).mean +

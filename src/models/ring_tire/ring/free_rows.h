@@ -45,7 +45,7 @@ class FreeRows {
                     const NodeValues& q,
                     double acceleration,
                     long which);
-  /// True if g belongs to that tangent.
+  /// True if g belongs to the tangent `which`.
   bool knows_tangent(long which) const;
   /// Changes p to dx and updates the motion. Returns false if the wheel's rule has no solution.
   bool correct(const RimFrame& rim, const NodeValues& q, NodeValues& p);

@@ -19,7 +19,7 @@ namespace {
 const road::PlaneRoad kPit({.height = -1.0}), kFlat;
 constexpr double kInertia = 0.8;  // kg m^2, inertia of the wheel
 
-/// Returns a ring of springs alone, with lines and blocks enough for a patch.
+/// Returns a ring that has only springs, with lines and blocks enough for a patch.
 RingParameters undamped_ring() {
   RingParameters ring = passenger_ring();
   for (SidewallElement* of :
@@ -328,7 +328,7 @@ TEST(FreeRows, AFreeWheelTakesNoMoreEvaluations) {
             1.05 * static_cast<double>(told.counts().evaluations - first));
 }
 
-// A step longer than the longest is divided, together with the wheel's.
+// A step longer than the limit is divided, and so is the step of the wheel.
 TEST(FreeRows, ALongStepIsTwoShortOnes) {
   constexpr double h = 2e-3;
   const auto run = [](int parts) {

@@ -23,8 +23,8 @@ Eigen::Vector4d mass_of_node(const RingParameters& p) {
   return {m, m, m, J};
 }
 
-// Decay of the far side of the ring at which the tangent of a step drops it (cyclic_band.h): a
-// correction has at most this relative error. A larger value saves work.
+// The tangent of a step drops couplings around the ring that have decayed to this share
+// (cyclic_band.h): the relative error of a correction. A larger value saves work.
 constexpr double kFaded = 1e-6;
 // A tangent that leaves more than this share of the residual is renewed.
 constexpr double kSlow = 0.2;

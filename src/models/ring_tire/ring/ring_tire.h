@@ -80,8 +80,8 @@ class RingTire final : public Tire {
                                  double step) override;
   /// Returns everything from which advance() continues. A step that fails does not change it.
   RingState state() const;
-  /// Continues from that state. Contacts and footprint belong to a step, so there are none until
-  /// the next step.
+  /// Continues from the given state. Contacts and footprint belong to a step, so there are none
+  /// until the next step.
   void restore(const RingState& state);
   /// Computes a step from `from` to `motion` with this tire's memory. restore() of the returned
   /// state accepts the step; otherwise it is discarded. The result does not depend on what was
@@ -180,7 +180,7 @@ class RingTire final : public Tire {
   RingSettings settings_;
   NodeAngles angles_;
   InnerForces inner_forces_;
-  TreadContact tread_;
+  RingTreadContact tread_;
   SectionBending section_;
   Eigen::Vector4d mass_;
   Imbalance imbalance_;

@@ -23,7 +23,7 @@ Matrix4d along_axes(const Matrix4d& axes, const Vector4d& values) {
 
 }  // namespace
 
-void TreadContact::add_sticking(const NodeValues& q, CyclicBand& K, CyclicBand& C) const {
+void RingTreadContact::add_sticking(const NodeValues& q, CyclicBand& K, CyclicBand& C) const {
   see_touching(q, [&](const BlockState& block) {
     const int segment = patches_[block.patch].segment;
     const Arms arms = arms_at(block.patch,

@@ -6,7 +6,7 @@
 
 namespace latsch::ring_tire {
 
-/// Returns the state with that number increased by `by`. The blocks are those of the state.
+/// Returns the state with the given number increased by `by`. The blocks are those of the state.
 RingState along(const RingState& state, const RingState& slope, double by);
 
 /// Computes the derivatives of the memory of sidewall, tread and sections from a difference `over`

@@ -24,7 +24,7 @@ enum MotionColumn {
   kMotionColumns = 14
 };
 
-/// Returns the motion with `column` increased by `by`. A rotation rotates the carrier alone:
+/// Returns the motion with `column` increased by `by`. A rotation rotates only the carrier:
 /// velocities stay in inertial axes.
 WheelMotion moved(const WheelMotion& motion, int column, double by);
 

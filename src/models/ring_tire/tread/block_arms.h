@@ -9,7 +9,7 @@
 namespace latsch::ring_tire {
 
 /// A block's station: the effect of its four nodes on its tip.
-struct TreadContact::Arms {
+struct RingTreadContact::Arms {
   Eigen::Vector3d t, n, a;
   double length, H, y;
   double w[4], d[4];
@@ -44,10 +44,10 @@ struct TreadContact::Arms {
   }
 };
 
-inline TreadContact::Arms TreadContact::arms_at(std::size_t patch,
-                                                int station,
-                                                double H,
-                                                double y) const {
+inline RingTreadContact::Arms RingTreadContact::arms_at(std::size_t patch,
+                                                        int station,
+                                                        double H,
+                                                        double y) const {
   const auto vector = [&](int c) {
     const auto at = [&](int i) { return frame(patch, c + i)[station]; };
     return Eigen::Vector3d(at(0), at(1), at(2));

@@ -78,10 +78,13 @@ struct LevelBlocks {
   BlockResults results;
 
   struct Belt {
-    Section place, rate, lagging;  // T, V relative to the road, T + t_d V
+    BeltStation place, rate, lagging;  // T, V relative to the road, T + t_d V
   };
 
-  LATSCH_INLINE Belt at(const SegmentStations& at, int j, Section place, Section rate) const {
+  LATSCH_INLINE Belt at(const SegmentStations& at,
+                        int j,
+                        BeltStation place,
+                        BeltStation rate) const {
     place.p.z += lanes(at.lift + j);
     rate.p = {rate.p.x - ground.velocity[0],
               rate.p.y - ground.velocity[1],
@@ -189,10 +192,10 @@ struct UnevenBlocks {
   BlockResults results;
 
   struct Belt {
-    Section place, rate;
+    BeltStation place, rate;
   };
 
-  LATSCH_INLINE Belt at(const SegmentStations&, int, Section place, Section rate) const {
+  LATSCH_INLINE Belt at(const SegmentStations&, int, BeltStation place, BeltStation rate) const {
     return {place, rate};
   }
 
@@ -297,7 +300,7 @@ void station_columns(const SegmentStations& at, double* columns) {
   double* to[9];
   for (int c = 0; c < 9; ++c) to[c] = columns + c * at.stride;
   for (int j = at.begin; j < at.end; j += kWide) {
-    const Section s = section(at, at.nodes, j, 1.0);
+    const BeltStation s = section(at, at.nodes, j, 1.0);
     store3(s.p, to, j);
     store3(s.G, to + 3, j);
     store3(s.A, to + 6, j);

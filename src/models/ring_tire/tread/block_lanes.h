@@ -38,7 +38,7 @@ LATSCH_INLINE Lanes dot(const Lanes3& a, const Lanes3& b) {
 }
 
 /// The belt at eight stations: T = p + H G + y A, or the rate of T.
-struct Section {
+struct BeltStation {
   Lanes3 p, G, A;
 };
 
@@ -47,10 +47,10 @@ LATSCH_INLINE Lanes mixed(const Lanes w[4], const double* const nodes[4], int i)
 }
 
 /// Evaluates (10); `own` is 1, or 0 for rates, because n and a themselves have no rate.
-LATSCH_INLINE Section section(const SegmentStations& at,
-                              const double* const nodes[4],
-                              int j,
-                              double own) {
+LATSCH_INLINE BeltStation section(const SegmentStations& at,
+                                  const double* const nodes[4],
+                                  int j,
+                                  double own) {
   Lanes w[4], d[4];
   for (int m = 0; m < 4; ++m) {
     w[m] = lanes(at.weights + m * at.stride + j);
@@ -79,7 +79,7 @@ at_line(const Lanes& p, const Lanes& G, const Lanes& A, const Height& H, double 
   return p + H * G + y * A;
 }
 template <class Height>
-LATSCH_INLINE Lanes3 at_line(const Section& s, const Height& H, double y) {
+LATSCH_INLINE Lanes3 at_line(const BeltStation& s, const Height& H, double y) {
   return {at_line(s.p.x, s.G.x, s.A.x, H, y),
           at_line(s.p.y, s.G.y, s.A.y, H, y),
           at_line(s.p.z, s.G.z, s.A.z, H, y)};
@@ -106,7 +106,7 @@ LATSCH_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
 /// spread over the lanes.
 LATSCH_INLINE void spread(const SegmentStations& at,
                           int j,
-                          const Section& belt,
+                          const BeltStation& belt,
                           const StationSums& sums,
                           Lanes to_node[4][4],
                           Lanes3& to_rim) {
@@ -173,7 +173,7 @@ LATSCH_INLINE void add_block_forces(const BlockStep& step,
   Lanes to_node[4][4] = {};
   Lanes3 to_rim = {};
   for (int j = at.begin; j < at.end; j += kWide) {
-    const Section place = section(at, at.nodes, j, 1.0);
+    const BeltStation place = section(at, at.nodes, j, 1.0);
     const auto belt = blocks.at(at, j, place, section(at, at.rates, j, 0.0));
     const Lanes3 half = half_cell(at, j);
     const bool entering = step.before.entering[j / kWide] != 0;

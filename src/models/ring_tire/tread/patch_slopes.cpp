@@ -16,11 +16,11 @@ constexpr double kTurn = 2e-7;   // rad, of a section: about as much at its edge
 }  // namespace
 
 /// The blocks of a patch, with memory separate from that of the step.
-struct TreadContact::ProbedPatch {
+struct RingTreadContact::ProbedPatch {
   /// Forces on the nodes and the sections, and the moment on the rim.
   using Forces = Eigen::Vector<double, PatchSlopes::kAll + 3>;
 
-  TreadContact& tread;
+  RingTreadContact& tread;
   std::size_t patch;
   BlockStep step;
   Eigen::Matrix4d place, rate;  // position and rate of the four nodes
@@ -80,9 +80,9 @@ struct TreadContact::ProbedPatch {
   }
 };
 
-std::vector<PatchSlopes> TreadContact::patch_slopes(const SectionBending& section,
-                                                    const NodeValues& q,
-                                                    const NodeValues& v) {
+std::vector<PatchSlopes> RingTreadContact::patch_slopes(const SectionBending& section,
+                                                        const NodeValues& q,
+                                                        const NodeValues& v) {
   std::vector<PatchSlopes> slopes;
   slopes.reserve(patches_.size());
   std::vector<double> aside(kColumns * none_.size());

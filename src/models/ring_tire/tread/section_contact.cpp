@@ -23,7 +23,7 @@ Eigen::Index first_unknown(const SectionBending& section, int node) {
 }  // namespace
 
 /// Sums over the lines at a station, with k = K_b G of a block, of the derivatives by the modes.
-struct TreadContact::StationBorder {
+struct RingTreadContact::StationBorder {
   Eigen::Matrix<double, 3, kModes> force = Eigen::Matrix<double, 3, kModes>::Zero();  // k
   Modes tilt = Modes::Zero(), yaw = Modes::Zero();  // H, y times t . k
   Modes torsion = Modes::Zero();                    // (H a - y n) . k
@@ -31,7 +31,7 @@ struct TreadContact::StationBorder {
   bool touches = false;
 };
 
-void TreadContact::bend(const SectionBending& section) {
+void RingTreadContact::bend(const SectionBending& section) {
   if (!section.on()) return;
   if (line_shapes_.empty())
     for (const double y : line_y_)
@@ -52,7 +52,7 @@ void TreadContact::bend(const SectionBending& section) {
   }
 }
 
-std::vector<int> TreadContact::nodes_near_road() const {
+std::vector<int> RingTreadContact::nodes_near_road() const {
   std::vector<int> nodes;
   for (const Patch& patch : patches_)
     for (const int m : {1, 2}) nodes.push_back(node(patch.segment, m));
@@ -61,8 +61,8 @@ std::vector<int> TreadContact::nodes_near_road() const {
   return nodes;
 }
 
-Eigen::VectorXd TreadContact::section_forces(const SectionBending& section,
-                                             const NodeValues& q) const {
+Eigen::VectorXd RingTreadContact::section_forces(const SectionBending& section,
+                                                 const NodeValues& q) const {
   Eigen::VectorXd f = Eigen::VectorXd::Zero(section.unknowns());
   see_touching(q, [&](const BlockState& block) {
     const int segment = patches_[block.patch].segment;
@@ -75,8 +75,8 @@ Eigen::VectorXd TreadContact::section_forces(const SectionBending& section,
   return f;
 }
 
-std::vector<TreadContact::StationBorder> TreadContact::station_borders(const NodeValues& q,
-                                                                       bool all_stick) const {
+std::vector<RingTreadContact::StationBorder> RingTreadContact::station_borders(
+    const NodeValues& q, bool all_stick) const {
   std::vector<StationBorder> stations(patches_.size() * static_cast<std::size_t>(stride_));
   see_touching(q, [&](const BlockState& block) {
     const auto vector = [&](int c) {
@@ -103,11 +103,11 @@ std::vector<TreadContact::StationBorder> TreadContact::station_borders(const Nod
   return stations;
 }
 
-void TreadContact::section_border(const SectionBending& section,
-                                  const NodeValues& q,
-                                  bool all_stick,
-                                  Eigen::MatrixXd& B,
-                                  Eigen::MatrixXd& A) const {
+void RingTreadContact::section_border(const SectionBending& section,
+                                      const NodeValues& q,
+                                      bool all_stick,
+                                      Eigen::MatrixXd& B,
+                                      Eigen::MatrixXd& A) const {
   B = Eigen::MatrixXd::Zero(4 * nodes_, section.unknowns());
   A = Eigen::MatrixXd::Zero(section.unknowns(), section.unknowns());
   const std::vector<StationBorder> stations = station_borders(q, all_stick);

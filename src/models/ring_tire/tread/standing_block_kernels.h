@@ -20,12 +20,12 @@ struct StandingBlocks {
   BlockLaw law;
   BlockResults results;
 
-  LATSCH_INLINE Section at(const SegmentStations&, int, Section place, Section) const {
+  LATSCH_INLINE BeltStation at(const SegmentStations&, int, BeltStation place, BeltStation) const {
     return place;
   }
 
   template <class Height>
-  LATSCH_INLINE Lanes3 force(const Section& s,
+  LATSCH_INLINE Lanes3 force(const BeltStation& s,
                              const Lanes3& half,
                              const Height& H,
                              double y,

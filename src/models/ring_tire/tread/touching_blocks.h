@@ -37,7 +37,7 @@ struct CellSquares {
 };
 
 /// State and force of one block of a patch.
-struct TreadContact::BlockState {
+struct RingTreadContact::BlockState {
   Eigen::Vector3d normal, F, root, unloaded, tip;
   Eigen::Vector3d G;  // dT by height: motion of the unloaded tip with its height
   double Fn, gripped;
@@ -52,7 +52,7 @@ struct TreadContact::BlockState {
 /// Calls `see` with the state of every block whose road is known, in the order of the patches. q is
 /// that of the last add_force.
 template <class See>
-void TreadContact::see_blocks(const NodeValues& q, const See& see) const {
+void RingTreadContact::see_blocks(const NodeValues& q, const See& see) const {
   std::vector<double> columns(static_cast<std::size_t>(9 * stride_));
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     const Patch& patch = patches_[i];
@@ -97,7 +97,7 @@ void TreadContact::see_blocks(const NodeValues& q, const See& see) const {
 
 /// Calls `see` for the blocks that touch.
 template <class See>
-void TreadContact::see_touching(const NodeValues& q, const See& see) const {
+void RingTreadContact::see_touching(const NodeValues& q, const See& see) const {
   see_blocks(q, [&](const BlockState& block) {
     if (block.Fn > 0.0) see(block);
   });

@@ -25,10 +25,10 @@ constexpr int kWide = 8;            // stations processed at once
 
 }  // namespace
 
-TreadContact::TreadContact(const Tread& tread,
-                           double radius,
-                           int nodes,
-                           const std::vector<Harmonic>& radial_runout)
+RingTreadContact::RingTreadContact(const Tread& tread,
+                                   double radius,
+                                   int nodes,
+                                   const std::vector<Harmonic>& radial_runout)
     : nodes_(nodes),
       lines_(tread.lines),
       blocks_(tread.blocks),
@@ -87,25 +87,25 @@ TreadContact::TreadContact(const Tread& tread,
         section_rise_.push_back(runout_[static_cast<std::size_t>(k)]);
 }
 
-void TreadContact::reset() {
+void RingTreadContact::reset() {
   tips_.reset();
   patches_.clear();
 }
 
 /// Returns the rectangle below nodes between two corners, with room for a tread that leans.
-road::GroundBox TreadContact::below(const Vector3d& low, const Vector3d& high) const {
+road::GroundBox RingTreadContact::below(const Vector3d& low, const Vector3d& high) const {
   const double side = height_ + half_width_;
   return {low.x() - side, high.x() + side, low.y() - side, high.y() + side};
 }
 
 /// True if a tip of the segment may be as low as the highest point of the road below it, which is
 /// nowhere above `highest`.
-bool TreadContact::near_road(const NodeValues& q,
-                             const RimFrame& rim,
-                             const road::Road& road,
-                             double time,
-                             double highest,
-                             int segment) const {
+bool RingTreadContact::near_road(const NodeValues& q,
+                                 const RimFrame& rim,
+                                 const road::Road& road,
+                                 double time,
+                                 double highest,
+                                 int segment) const {
   double lowest = q(2, node(segment, 0));
   for (int m = 1; m < 4; ++m) lowest = std::min(lowest, q(2, node(segment, m)));
   if (lowest > rim.center.z()) return false;
@@ -124,9 +124,9 @@ bool TreadContact::near_road(const NodeValues& q,
   return lowest <= road.bounds(below(low, high), time).highest;
 }
 
-SegmentStations TreadContact::stations_of(std::size_t patch,
-                                          const NodeValues& q,
-                                          const NodeValues& v) const {
+SegmentStations RingTreadContact::stations_of(std::size_t patch,
+                                              const NodeValues& q,
+                                              const NodeValues& v) const {
   const Patch& of = patches_[patch];
   SegmentStations at;
   at.stride = stride_;
@@ -146,7 +146,7 @@ SegmentStations TreadContact::stations_of(std::size_t patch,
   return at;
 }
 
-void TreadContact::add_patch(const NodeValues& q, int segment) {
+void RingTreadContact::add_patch(const NodeValues& q, int segment) {
   const std::size_t patch = patches_.size();
   patches_.push_back({.segment = segment,
                       .begin = 0,
@@ -163,11 +163,11 @@ void TreadContact::add_patch(const NodeValues& q, int segment) {
   station_columns(at, at_stations(kP));
 }
 
-void TreadContact::approach(const NodeValues& q,
-                            const RimFrame& rim,
-                            const road::Road& road,
-                            double time,
-                            const StepRule& rule) {
+void RingTreadContact::approach(const NodeValues& q,
+                                const RimFrame& rim,
+                                const road::Road& road,
+                                double time,
+                                const StepRule& rule) {
   rule_ = rule;
   margin_ = rule.statics() ? kStandingMargin : bends_ ? kBentMargin : kMargin;
   margin_ += half_cell_rise_;
@@ -203,7 +203,7 @@ void TreadContact::approach(const NodeValues& q,
 
 /// Returns the rectangle of the ground below the tips of some lines. The lines are nearly straight
 /// over a segment: their sagitta is well below a tenth of the length.
-road::GroundBox TreadContact::below(int first_line, int last_line) const {
+road::GroundBox RingTreadContact::below(int first_line, int last_line) const {
   Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const int line : {first_line, last_line})
     for (const int j : {0, blocks_ - 1}) {
@@ -215,10 +215,10 @@ road::GroundBox TreadContact::below(int first_line, int last_line) const {
 }
 
 /// Returns what the road reports about the area below some lines.
-TreadContact::Ground TreadContact::ground_below(int first_line,
-                                                int last_line,
-                                                const road::Road& road,
-                                                double time) const {
+RingTreadContact::Ground RingTreadContact::ground_below(int first_line,
+                                                        int last_line,
+                                                        const road::Road& road,
+                                                        double time) const {
   const road::GroundBox box = below(first_line, last_line);
   const road::GroundBounds bounds = road.bounds(box, time);
   if (bounds.cylinder) return *bounds.cylinder;
@@ -228,7 +228,7 @@ TreadContact::Ground TreadContact::ground_below(int first_line,
   return Plane{ground, ground.normal.dot(Vector3d(x, y, ground.height))};
 }
 
-void TreadContact::narrow(Patch& patch, const double* nearest, double reach) const {
+void RingTreadContact::narrow(Patch& patch, const double* nearest, double reach) const {
   patch.end = blocks_;
   while (patch.begin < patch.end && nearest[patch.begin] > reach) ++patch.begin;
   while (patch.end > patch.begin && nearest[patch.end - 1] > reach) --patch.end;
@@ -236,14 +236,14 @@ void TreadContact::narrow(Patch& patch, const double* nearest, double reach) con
 }
 
 /// Widens the span to multiples of the stations processed at once; an empty span becomes 0.
-void TreadContact::widen(Patch& patch) const {
+void RingTreadContact::widen(Patch& patch) const {
   if (patch.begin >= patch.end) patch.begin = patch.end = 0;
   patch.begin = patch.begin / kWide * kWide;
   patch.end = (patch.end + kWide - 1) / kWide * kWide;
 }
 
 /// Finds the blocks near the road: [begin, end).
-void TreadContact::find_level_blocks(Patch& patch, const road::GroundPoint& ground) {
+void RingTreadContact::find_level_blocks(Patch& patch, const road::GroundPoint& ground) {
   patch.level = true;
   knows_road_ = knows_road_ && std::isfinite(ground.height);
   patch.ground = {.height = ground.height,
@@ -253,7 +253,7 @@ void TreadContact::find_level_blocks(Patch& patch, const road::GroundPoint& grou
 }
 
 /// Returns z of the lowest of the lines' tips at each station of the last patch.
-const double* TreadContact::find_lowest_tips() {
+const double* RingTreadContact::find_lowest_tips() {
   double* lowest = at_stations(kStationColumns - 1);
   if (section_rise_.empty()) {
     lowest_tips(at_stations(kP), lines(), stride_, lowest);
@@ -267,7 +267,7 @@ const double* TreadContact::find_lowest_tips() {
 }
 
 /// Computes the plane of a block's cell on a drum: the tangent, at the mean height over the cell.
-void TreadContact::find_blocks_on_drum(Patch& patch, const road::Cylinder& drum) {
+void RingTreadContact::find_blocks_on_drum(Patch& patch, const road::Cylinder& drum) {
   patch.drum = true;
   const BlockLines own = lines(patch.segment);
   double* gap = at_stations(kStationColumns - 1);
@@ -282,10 +282,10 @@ void TreadContact::find_blocks_on_drum(Patch& patch, const road::Cylinder& drum)
               ground(patches_.size() - 1));
 }
 
-void TreadContact::find_uneven_blocks(Patch& patch,
-                                      const Ground& ground,
-                                      const road::Road& road,
-                                      double time) {
+void RingTreadContact::find_uneven_blocks(Patch& patch,
+                                          const Ground& ground,
+                                          const road::Road& road,
+                                          double time) {
   const std::size_t at = patches_.size() - 1;
   const Uneven* uneven = std::get_if<Uneven>(&ground);
   const bool known = !uneven || !uneven->lines_differ;
@@ -308,7 +308,7 @@ void TreadContact::find_uneven_blocks(Patch& patch,
 }
 
 /// Finds the blocks of one line near the road and the planes below them.
-std::pair<int, int> TreadContact::find_line(
+std::pair<int, int> RingTreadContact::find_line(
     std::size_t patch, int line, const Ground& ground, const road::Road& road, double time) {
   const Plane* plane = std::get_if<Plane>(&ground);
   if (!plane) {
@@ -330,7 +330,7 @@ std::pair<int, int> TreadContact::find_line(
 /// Computes the plane of each cell of a line near an uneven road: mean height, slope along the cell
 /// from end to end, slope across and everything else from the middle. So edges shorter than a cell
 /// take effect gradually. No point of the road is above `highest`.
-std::pair<int, int> TreadContact::place_cells(
+std::pair<int, int> RingTreadContact::place_cells(
     std::size_t patch, int line, double highest, const road::Road& road, double time) {
   row_.place_tips(at_stations(kP), lines(patches_[patch].segment), line);
   const double *x = row_.x(), *y = row_.y(), *z = row_.z();
@@ -370,10 +370,10 @@ std::pair<int, int> TreadContact::place_cells(
 }
 
 /// Stores the plane of the road below a block.
-void TreadContact::place_ground(std::size_t patch,
-                                int block,
-                                const road::GroundPoint& ground,
-                                double level) {
+void RingTreadContact::place_ground(std::size_t patch,
+                                    int block,
+                                    const road::GroundPoint& ground,
+                                    double level) {
   knows_road_ = knows_road_ && std::isfinite(level);
   const BlockGround to = this->ground(patch);
   for (int i = 0; i < 3; ++i) {
@@ -384,7 +384,7 @@ void TreadContact::place_ground(std::size_t patch,
   to.friction[block] = ground.friction;
 }
 
-BlockResults TreadContact::results(std::size_t patch) {
+BlockResults RingTreadContact::results(std::size_t patch) {
   const auto at = [&](int c) { return column(patch, c); };
   return {.F = {at(kF), at(kF + 1), at(kF + 2)},
           .Fn = at(kFn),
@@ -394,7 +394,7 @@ BlockResults TreadContact::results(std::size_t patch) {
           .tip = {at(kTip), at(kTip + 1), at(kTip + 2)}};
 }
 
-BlockGround TreadContact::ground(std::size_t patch) {
+BlockGround RingTreadContact::ground(std::size_t patch) {
   const auto at = [&](int c) { return column(patch, c); };
   return {.N = {at(kNormal), at(kNormal + 1), at(kNormal + 2)},
           .level = at(kLevel),
@@ -403,7 +403,7 @@ BlockGround TreadContact::ground(std::size_t patch) {
           .held = at(kHeld)};
 }
 
-BlockLaw TreadContact::block_law() const {
+BlockLaw RingTreadContact::block_law() const {
   return {.normal = normal_,
           .tangential = tangential_,
           .damping_time = damping_time_,
@@ -413,7 +413,7 @@ BlockLaw TreadContact::block_law() const {
           .friction = &law_};
 }
 
-void TreadContact::hold_friction() {
+void RingTreadContact::hold_friction() {
   for (std::size_t i = 0; i < patches_.size(); ++i)
     ring_tire::hold_friction({stride_, patches_[i].begin, patches_[i].end},
                              lines_,
@@ -422,7 +422,7 @@ void TreadContact::hold_friction() {
                              column(i, kFn));
 }
 
-BlockStep TreadContact::step_of(std::size_t patch, const NodeValues& q, const NodeValues& v) {
+BlockStep RingTreadContact::step_of(std::size_t patch, const NodeValues& q, const NodeValues& v) {
   const int segment = patches_[patch].segment;
   const auto was = [&](TreadTips::Column c) { return before(segment, c); };
   return {.at = stations_of(patch, q, v),
@@ -436,7 +436,7 @@ BlockStep TreadContact::step_of(std::size_t patch, const NodeValues& q, const No
           .moment = nullptr};
 }
 
-void TreadContact::add_patch_force(std::size_t patch, const BlockStep& step) {
+void RingTreadContact::add_patch_force(std::size_t patch, const BlockStep& step) {
   if (rule_.statics())
     standing_forces(step, ground(patch));
   else if (patches_[patch].level)
@@ -447,7 +447,7 @@ void TreadContact::add_patch_force(std::size_t patch, const BlockStep& step) {
     uneven_forces(step, ground(patch));
 }
 
-void TreadContact::add_force(const NodeValues& q, const NodeValues& v, NodeValues& force) {
+void RingTreadContact::add_force(const NodeValues& q, const NodeValues& v, NodeValues& force) {
   moment_on_rim_.setZero();
   for (std::size_t i = 0; i < patches_.size(); ++i) {
     BlockStep step = step_of(i, q, v);
@@ -457,7 +457,7 @@ void TreadContact::add_force(const NodeValues& q, const NodeValues& v, NodeValue
   }
 }
 
-const double* TreadContact::before(int segment, TreadTips::Column column) const {
+const double* RingTreadContact::before(int segment, TreadTips::Column column) const {
   if (!tips_) return none_.data();
   const auto& segments = tips_->segments;
   const auto at = std::lower_bound(segments.begin(), segments.end(), segment);
@@ -465,7 +465,7 @@ const double* TreadContact::before(int segment, TreadTips::Column column) const 
   return tips_->column(static_cast<std::size_t>(at - segments.begin()), column);
 }
 
-void TreadContact::commit() {
+void RingTreadContact::commit() {
   // A memory that nobody else holds is overwritten, after its last holder has finished reading it.
   if (!spare_ || spare_.use_count() > 1) spare_ = std::make_shared<TreadTips>();
   std::atomic_thread_fence(std::memory_order_acquire);
@@ -491,7 +491,7 @@ void TreadContact::commit() {
   spare_ = std::move(before);
 }
 
-void TreadContact::remember(const TreadMemory& memory) {
+void RingTreadContact::remember(const TreadMemory& memory) {
   patches_.clear();
   tips_ = memory.tips();
 }

@@ -73,12 +73,12 @@ struct PatchSlopes {
   Eigen::Matrix<double, 3, kAll> moment_on_rim = Eigen::Matrix<double, 3, kAll>::Zero();
 };
 
-class TreadContact {
+class RingTreadContact {
  public:
-  TreadContact(const Tread& tread,
-               double radius,
-               int nodes,
-               const std::vector<Harmonic>& radial_runout = {});
+  RingTreadContact(const Tread& tread,
+                   double radius,
+                   int nodes,
+                   const std::vector<Harmonic>& radial_runout = {});
 
   /// Resets the state to no touching block.
   void reset();

@@ -48,7 +48,7 @@ TEST(FrictionLaw, SlidingTipIsInBalance) {
 
 struct Pressed {
   RingParameters ring = passenger_ring();
-  TreadContact tread{ring.tread, ring.belt.radius, ring.nodes};
+  RingTreadContact tread{ring.tread, ring.belt.radius, ring.nodes};
   NodeAngles angles{ring.nodes};
   RimFrame rim;
   NodeValues q{4, 80}, v = NodeValues::Zero(4, 80);
@@ -59,7 +59,7 @@ struct Pressed {
     ring.tread.blocks = blocks;
     ring.tread.bottoming = bottoming;
     ring.tread.damping_time = 1e-4;
-    tread = TreadContact(ring.tread, ring.belt.radius, ring.nodes);
+    tread = RingTreadContact(ring.tread, ring.belt.radius, ring.nodes);
     WheelMotion motion;
     motion.center.z() = ring.belt.radius + ring.tread.height - 0.006;
     rim = RimFrame::of(motion);
@@ -103,7 +103,7 @@ double error_of_stiffness(int blocks, double bottoming) {
 }
 
 // The stiffness omits the change of the cells' slopes, which falls with the square of their length.
-TEST(TreadContact, StiffnessIsTheDerivativeOfTheForceOfNarrowCellsWhileTipsStick) {
+TEST(RingTreadContact, StiffnessIsTheDerivativeOfTheForceOfNarrowCellsWhileTipsStick) {
   for (const double bottoming : {0.0, 1.0}) {
     const double wide = error_of_stiffness(5, bottoming),
                  narrow = error_of_stiffness(20, bottoming);
@@ -113,7 +113,7 @@ TEST(TreadContact, StiffnessIsTheDerivativeOfTheForceOfNarrowCellsWhileTipsStick
 }
 
 // The results agree with the closed forms of a cell that is half on the road.
-TEST(TreadContact, CellsAreTheMeanOfThinBlocks) {
+TEST(RingTreadContact, CellsAreTheMeanOfThinBlocks) {
   const double a = 3e-4;
   for (const double depth : {-4e-4, -2e-4, -5e-5, 1e-4, 5e-4})
     for (const double g : {a, -a, 0.0}) {
@@ -136,7 +136,7 @@ TEST(TreadContact, CellsAreTheMeanOfThinBlocks) {
     }
 }
 
-TEST(TreadContact, ForcesOfTheNodesAreThoseOfTheBlocks) {
+TEST(RingTreadContact, ForcesOfTheNodesAreThoseOfTheBlocks) {
   Pressed pressed;
   NodeValues dq = NodeValues::Zero(4, pressed.ring.nodes);
   dq.row(0).setConstant(2e-4);

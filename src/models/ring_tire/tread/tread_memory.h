@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // State of the blocks at the end of the last step: the positions of their tips on the road and the
-// shares of their cells on it, for the segments near the road alone. It is a value whose copies
+// shares of their cells on it, only for the segments near the road. It is a value whose copies
 // share their data, which never change, so copying a state is cheap.
 #pragma once
 

@@ -26,7 +26,7 @@ bool cell_planes(const CellRow& row, const BlockGround& ground);
 /// Work memory for one line.
 class TreadRow {
  public:
-  /// For lines of that many stations, a multiple of eight.
+  /// For lines of the given number of stations, a multiple of eight.
   explicit TreadRow(int stride) : stride_(stride), memory_(static_cast<std::size_t>(7 * room())) {}
 
   /// Computes the positions of the tips of a line.

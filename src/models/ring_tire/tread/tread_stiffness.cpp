@@ -16,7 +16,7 @@ namespace latsch::ring_tire {
 
 /// Calls `add` with the blocks (k, k + j) of every patch, in rotated axes.
 template <class Add>
-void TreadContact::find_stiffness(double scale, const Eigen::Matrix3d& axes, const Add& add) {
+void RingTreadContact::find_stiffness(double scale, const Eigen::Matrix3d& axes, const Add& add) {
   const double rate = 1.0 + (rule_.statics() ? 0.0 : damping_time_ * rule_.velocity);
   const double normal = scale * normal_ * rate, tangential = scale * tangential_ * rate;
   for (std::size_t i = 0; i < patches_.size(); ++i) {
@@ -40,13 +40,15 @@ void TreadContact::find_stiffness(double scale, const Eigen::Matrix3d& axes, con
   }
 }
 
-void TreadContact::add_stiffness(double scale, CyclicBand& K) {
+void RingTreadContact::add_stiffness(double scale, CyclicBand& K) {
   find_stiffness(scale,
                  Eigen::Matrix3d::Identity(),
                  [&](int k, int j, const Eigen::Matrix4d& block) { K.block(k, j) += block; });
 }
 
-void TreadContact::add_stiffness(double scale, const Eigen::Matrix3d& axes, CyclicBandFactor& K) {
+void RingTreadContact::add_stiffness(double scale,
+                                     const Eigen::Matrix3d& axes,
+                                     CyclicBandFactor& K) {
   find_stiffness(
       scale, axes, [&](int k, int j, const Eigen::Matrix4d& block) { K.add(k, j, block); });
 }

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Known limits of a study's model in its tests (experiment/language/known_limits.h), for those who
+// read a study before it runs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "correlation/study/study.h"
+
+namespace latsch::correlation {
+
+/// Returns a sentence for each limit, with the tests in which it counts: "test oblique: the
+/// sections ...". Looks at the model with the initial values. A model that does not accept these
+/// has no limits; its trials say why they fail.
+std::vector<std::string> limits_of_tests(const Study& study);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// Doubts about a record that would otherwise become a wrong number: keys of `columns` that are no
+// channels, a minus before a name, fillers, contradicting signs and encodings.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/file.h"
+#include "base/scratch_folder_testing.h"
+#include "correlation/laboratory/measurement.h"
+
+namespace latsch::correlation {
+namespace {
+
+class MeasurementDoubts : public testing::Test {
+ protected:
+  Measurement read(const std::string& table,
+                   const std::string& lines,
+                   const std::string& file = "run.csv") {
+    write_text_file(folder_ / file, table);
+    const Document document = Document::parse(
+        "[measurement.run]\nfile = \"" + file + "\"\n" + lines + "\n", "study.toml");
+    return *find(read_laboratory(document.root(), folder_.path()), "run");
+  }
+  /// Returns the sentences of all doubts that contain these words, those of errors with "error: ".
+  static std::string said(const Measurement& measurement, const std::string& words) {
+    std::string all;
+    for (const Ledger& ledger : measurement.ledgers())
+      for (const LedgerDoubt& doubt : ledger.doubts)
+        if (doubt.sentence.find(words) != doubt.sentence.npos)
+          all += (doubt.is_error ? "error: " : "") + doubt.place.text() + ": " + doubt.sentence;
+    return all;
+  }
+  /// Returns a sweep of the slip angle of a linear tire in iso axes, 60 samples.
+  static std::string sweep(const std::string& names, double alpha_sign, int filler_from = 60) {
+    std::string table = names + "\n";
+    for (int i = 0; i < 60; ++i) {
+      const double alpha = 4.0 * std::sin(0.3 * i);
+      const bool is_filler = i >= filler_from && i < filler_from + 3;
+      table += fmt::format("{},{},{:.4f},{:.3f}\n",
+                           0.1 * i,
+                           4000 + i % 7,
+                           alpha_sign * alpha,
+                           is_filler ? -9999.0 : -600.0 * alpha + std::sin(3.0 * i * i));
+    }
+    return table;
+  }
+
+  ScratchFolder folder_;
+};
+
+constexpr const char* kNames = "time [s],FZ [N],SA [deg],FY [N]";
+
+TEST_F(MeasurementDoubts, AKeyThatIsNoChannelIsAnErrorUnlessSomethingUsesIt) {
+  const Measurement run = read(sweep(kNames, 1.0), "columns = {alpa = \"SA\"}");
+  const std::string error = said(run, "columns has alpa");
+  EXPECT_NE(error.find("error: study.toml:3"), error.npos) << error;
+  EXPECT_NE(error.find("did you mean \"alpha\"?"), error.npos) << error;
+  run.note_use("alpa", "experiment own");
+  EXPECT_EQ(said(run, "columns has alpa"), "");
+  EXPECT_EQ(said(read(sweep(kNames, 1.0), "columns = {Alpha = \"SA\"}"), "columns has"), "");
+}
+
+TEST_F(MeasurementDoubts, AMinusBeforeANameIsApplied) {
+  const Measurement plain = read(sweep(kNames, 1.0), "");
+  for (const char* title :
+       {"-SA [deg]", "- SA [deg]", "\u2212SA [deg]", "\u2013 slip angle [deg]"}) {
+    const Measurement turned =
+        read(sweep(fmt::format("time [s],FZ [N],{},FY [N]", title), -1.0), "");
+    EXPECT_EQ(turned.values("alpha", "rad"), plain.values("alpha", "rad")) << title;
+    EXPECT_NE(said(turned, "begins with a minus, which is applied: alpha is minus"), "") << title;
+    EXPECT_EQ(said(turned, "same sign"), "") << title;
+  }
+  // Somebody who takes the minus for a dash says so.
+  const Measurement dash =
+      read(sweep("time [s],FZ [N],-SA [deg],FY [N]", 1.0), "columns = {alpha = \"-SA\"}");
+  EXPECT_EQ(dash.values("alpha", "rad"), plain.values("alpha", "rad"));
+  EXPECT_EQ(said(dash, "minus"), "");
+}
+
+TEST_F(MeasurementDoubts, AFillerIsAnErrorOnceSomethingUsesItsChannel) {
+  const Measurement run = read(sweep(kNames, 1.0, 20), "");
+  EXPECT_EQ(said(run, "-9999 N").find("error"), std::string::npos);
+  run.note_use("Fy", "experiment fy");
+  const std::string error = said(run, "-9999 N in 3 of 60 samples (lines 22 to 24)");
+  EXPECT_NE(error.find("error: "), error.npos) << error;
+  // The window of the message leaves out exactly these rows.
+  const std::size_t begin = error.find("Fy = \"");
+  ASSERT_NE(begin, error.npos) << error;
+  const std::string window = error.substr(begin, error.find('"', begin + 6) + 1 - begin);
+  const Measurement rest = read(sweep(kNames, 1.0, 20), "[measurement.run.select]\n" + window);
+  EXPECT_EQ(rest.samples(), 57u);
+  EXPECT_EQ(said(rest, "-9999"), "");
+  // A low pass spreads the filler, so that no selection removes it.
+  const Measurement filtered = read(sweep(kNames, 1.0, 20), "low_pass = \"2 Hz\"");
+  EXPECT_NE(said(filtered, "low_pass has spread it"), "");
+}
+
+TEST_F(MeasurementDoubts, AFillerInAnotherUnitOrFileIsFound) {
+  std::string table = "time [s],FZ [kN],SA [deg],FY [kN]\n";
+  for (int i = 0; i < 30; ++i)
+    table += fmt::format("{},4.{:03},{},{}\n", 0.1 * i, i, i % 9, i == 5 ? -999.0 : -0.3 * (i % 9));
+  const std::string text = said(read(table, ""), "-999 kN");
+  EXPECT_NE(text.find("in 1 of 30 samples (line 7)"), text.npos) << text;
+  write_text_file(folder_ / "first.csv", sweep(kNames, 1.0));
+  write_text_file(folder_ / "second.csv", sweep(kNames, 1.0, 3));
+  const Document document =
+      Document::parse("[measurement.run]\nfiles = [\"first.csv\", \"second.csv\"]\n", "study.toml");
+  const auto both = find(read_laboratory(document.root(), folder_.path()), "run");
+  const std::string second = said(*both, "-9999 N");
+  EXPECT_NE(second.find("second.csv:5"), second.npos) << second;
+  EXPECT_NE(second.find("lines 5 to 7"), second.npos) << second;
+  EXPECT_EQ(said(*both, "goes back"), "");  // each file has a time of its own
+}
+
+TEST_F(MeasurementDoubts, AMissingStateNamesTheColumnsThatMayBeIt) {
+  const Measurement run = read(sweep("time [s],FZ [N],steer [deg],FY [N]", 1.0), "");
+  run.note_absent({"alpha", "rad", "test steady", "0"});
+  const std::string text = said(run, "alpha is taken as 0");
+  EXPECT_NE(text.find("`steer` (a steer angle"), text.npos) << text;
+  EXPECT_NE(text.find("columns = {alpha = \"steer\"}"), text.npos) << text;
+  EXPECT_NE(text.find("without = [\"alpha\"]"), text.npos) << text;
+  const Measurement exchanged = read(sweep(kNames, 1.0), "columns = {gamma = \"SA\"}");
+  exchanged.note_absent({"alpha", "rad", "test steady", "0"});
+  exchanged.note_use("gamma", "test steady");
+  EXPECT_NE(said(exchanged, "`SA` (stated to be gamma)"), "");
+}
+
+TEST_F(MeasurementDoubts, AToeInMinutesOrMillimetersIsExplained) {
+  const auto complaint = [&](const std::string& title) {
+    try {
+      (void)read(sweep(fmt::format("time [s],FZ [N],{},FY [N]", title), 1.0), "")
+          .values("toe", "rad");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing");
+  };
+  EXPECT_NE(complaint("toe [mm]").find("asin(toe / d)"), std::string::npos)
+      << complaint("toe [mm]");
+  EXPECT_NE(complaint("toe [min]").find("\"arcmin\""), std::string::npos) << complaint("toe [min]");
+  EXPECT_NE(complaint("Toe [mm]").find("asin(toe / d)"), std::string::npos);
+  EXPECT_EQ(complaint("toe [arcmin]"), "nothing");
+}
+
+TEST_F(MeasurementDoubts, AnAssumedEncodingIsARowOfTheLedger) {
+  const auto encoding_of = [&](const std::string& table) {
+    const std::vector<Ledger> ledgers = read(table, "").ledgers();
+    for (const LedgerRow& row : ledgers.front().rows)
+      if (row.taken_as == "encoding") return row.remark;
+    return std::string();
+  };
+  EXPECT_EQ(encoding_of(sweep("time [s],FZ [N],Schräglaufwinkel [°],FY [N]", 1.0)), "");
+  const std::string western = sweep("time [s],FZ [N],Schr\xe4glaufwinkel [\xb0],FY [N]", 1.0);
+  EXPECT_NE(encoding_of(western).find("Windows-1252"), std::string::npos);
+  EXPECT_EQ(encoding_of(western).find("Shift-JIS"), std::string::npos);
+  EXPECT_EQ(said(read(western, ""), "Shift-JIS"), "");
+  const std::string japanese = sweep("time [s],FZ [N],\x89\xb7\x93x [deg],FY [N]", 1.0);
+  EXPECT_NE(said(read(japanese, ""), "they look like Shift-JIS"), "");
+}
+
+}  // namespace
+}  // namespace latsch::correlation

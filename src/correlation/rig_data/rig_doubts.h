@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Doubts about the recordings of a drum rig and their processing, after the processing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "correlation/rig_data/rig_processing.h"
+
+namespace latsch::correlation {
+
+/// Returns one sentence for each doubt: the period does not fit to the circumference, a passage has
+/// several hits, most passages were left out, samples are too far apart for a cleat, the spectrum
+/// is requested where nothing was recorded, and the force is negative.
+std::vector<std::string> doubts_of(const RigFile& rig, const RigResults& results);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the stages of a study (study_stages.h) in turn, by evaluating trials or by reading them from
+// the journals. Every stage starts at the best point of the stage before, with the noise that the
+// earlier stages left. A study without stages is run as one stage.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "correlation/search/study_fit.h"
+#include "correlation/study/study.h"
+#include "evaluation/journal/journal.h"
+
+namespace latsch::correlation {
+
+/// One stage as it is run.
+struct StageRun {
+  int number = 0;  // counted from 0
+  bool is_last = true;
+  bool next_shares_journal = false;  // true if the next stage adds its trials to the same journal
+  Study study;  // the study with the model, start, variables, experiments, noise, optimizer, and
+                // journal of the stage
+};
+
+/// Result of a stage, with the journal that holds its trials. The journal must exist until
+/// run_stages() has returned.
+struct StageResult {
+  Fit fit;
+  const Journal* journal = nullptr;
+};
+
+/// Runs one stage; nullopt if that is not possible yet.
+using RunStage = std::function<std::optional<StageResult>(const StageRun&)>;
+
+/// The stages of a study as far as they were run.
+struct StagesRun {
+  Study study;                   // in the state of the last stage: its noise, the experiments that
+                                 // count, the variables that move; as far as that is known
+  std::vector<Fit> fits = {};    // one for each stage that made a step
+  RunEnd end = RunEnd::stopped;  // end of the stage that was run last
+  bool has_ended = false;        // true if that is the last stage, and it was not stopped
+};
+
+/// Runs the stages in turn. Ends with the first stage that is not possible, is stopped or aborted,
+/// or finds no point.
+StagesRun run_stages(const Study& study, const RunStage& run_stage);
+
+/// Returns the stages as far as their journals contain them, without evaluating. `journal` is that
+/// of the study; a stage with another model has a journal of its own, which is read.
+StagesRun recorded_stages(const Study& study, const Journal& journal);
+
+/// Returns a study in the state of its last stage, as far as the journals know it; see StagesRun.
+/// The study is unchanged if the last stage changes nothing. Everything that displays trials uses
+/// this study.
+Study with_estimated_noise(const Study& study, const Journal& journal);
+
+/// Returns the last stage that has begun a journal of its own, or else the first stage.
+Study begun_stage(const Study& study);
+
+/// Returns the first point that the search of a study will evaluate; nullopt if that depends on a
+/// journal. A journal without that trial contains no step of the search, which this shows without
+/// reading its channels.
+std::optional<DesignPoint> first_point(const Study& study);
+
+/// For stages that have ended, returns in words the experiments whose error at the study's best
+/// trial is worse than after an earlier stage.
+std::vector<std::string> spoiled_experiments(const StagesRun& stages, const Journal& journal);
+
+}  // namespace latsch::correlation

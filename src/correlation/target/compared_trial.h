@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// One trial compared with all experiments of a study and with the priors of its variables. The
+// target, its parts and the residuals are all computed from this comparison.
+#pragma once
+
+#include <vector>
+
+#include "base/result.h"
+#include "correlation/study/study.h"
+#include "measurement/channels.h"
+#include "optimization/problem/design_space.h"
+
+namespace latsch::correlation {
+
+/// Compares the channels of a trial with each of the experiments, without weights. Fails if they
+/// leave an experiment nothing to compare.
+Result<std::vector<Comparison>> compare_all(const std::vector<StudyExperiment>& experiments,
+                                            const Channels& channels);
+
+/// The prior of one variable at a point.
+struct PriorResidual {
+  int variable = 0;       // index in the space
+  double residual = 0.0;  // deviation from the expected value over the stated deviation
+  double slope = 0.0;     // d residual / d variable
+};
+
+/// Returns one residual for each variable with a prior, in the order of the variables.
+std::vector<PriorResidual> prior_residuals(const DesignSpace& space, const DesignPoint& point);
+
+}  // namespace latsch::correlation

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/language/known_limits.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+
+namespace latsch::experiment {
+
+std::vector<std::string> limits_met(Specimen& specimen) {
+  const auto* knows = specimen.find<KnowsLimits>();
+  return knows ? knows->limits_met() : std::vector<std::string>();
+}
+
+void refuse_high_cleat(Specimen& specimen, const std::optional<Cleat>& cleat) {
+  const auto* knows = specimen.find<KnowsLimits>();
+  const auto section = knows ? knows->section_height() : std::nullopt;
+  if (!cleat || !section || cleat->height < *section) return;
+  throw InputError(
+      fmt::format("cleat.height is {:.4g} mm, but the section of this tire is {:.4g} mm high: the "
+                  "rim would hit "
+                  "the cleat; expected a lower one",
+                  1e3 * cleat->height,
+                  1e3 * *section));
+}
+
+}  // namespace latsch::experiment

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/language/known_limits.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/file.h"
+#include "base/scratch_folder_testing.h"
+#include "experiment/language.h"
+
+namespace latsch::experiment {
+namespace {
+
+/// A tire of a study with other numbers: lines "KEY = value" replace those of its file or are added
+/// to [MODEL].
+Document tir_with(const SpecimenKind& kind, const std::vector<std::string>& lines) {
+  std::string text =
+      read_text_file(LATSCH_SOURCE_DIR "/studies/tire_model_comparison/rigid_ring.tir");
+  for (const std::string& line : lines) {
+    const std::string key = line.substr(0, line.find(' '));
+    const auto begin = text.find("\n" + key + " ");
+    if (begin != text.npos) text.erase(begin + 1, text.find('\n', begin + 1) - begin);
+    text.insert(text.find("[DIMENSION]"), line + "\n");
+  }
+  const ScratchFolder folder;
+  const auto file = folder.path() / "tire.tir";
+  write_text_file(file, text);
+  return kind.read(file);
+}
+
+struct Told {
+  std::vector<std::string> notes;
+  std::string failure, refusal;
+
+  bool says(const std::string& part) const {
+    return std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
+      return note.find(part) != std::string::npos;
+    });
+  }
+};
+
+Told told_by(const std::string& kind_name,
+             const std::string& keys,
+             const std::vector<std::string>& lines = {}) {
+  const SpecimenKind& kind = *language().find_kind(kind_name);
+  Told told;
+  try {
+    const auto test = language().read_test(
+        Document::parse("test = {" + keys + "}", "t.toml").root().table("test"), {});
+    const auto notes =
+        language().run_in_blocks(kind, tir_with(kind, lines), *test, [](const Channels&) {});
+    if (notes) told.notes = *notes;
+    if (!notes) told.failure = notes.failure().reason;
+  } catch (const InputError& error) {
+    told.refusal = error.what();
+  }
+  return told;
+}
+
+void expect_part(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+const std::string kRolling = "kind = \"rolling_stiffness\", load = \"4 kN\"";
+const std::string kSweep =
+    "kind = \"slip_sweep\", speed = \"60 km/h\", load = \"4 kN\", sample_step = \"100 ms\", "
+    "alpha = [\"-10 deg\", \"10 deg\"]";
+const std::string kDrum =
+    "kind = \"drum_cleat\", speed = \"30 km/h\", load = \"4 kN\", drum_diameter = \"2.5 m\", "
+    "run_in = \"0.1 s\", lead = \"0.02 s\", duration = \"0.1 s\", cleat = {height = \"10 mm\", "
+    "length = \"20 mm\"}";
+
+TEST(KnownLimits, EveryRollingTestTellsTheRangesThatTheTireLeaves) {
+  EXPECT_TRUE(told_by("magic_formula", kRolling, {"FZMAX = 3000"}).says("FZMAX = 3000 N"));
+  EXPECT_TRUE(told_by("magic_formula", kSweep, {"ALPMIN = -0.05", "ALPMAX = 0.05"})
+                  .says("above ALPMAX = 2.865 deg"));
+  EXPECT_TRUE(told_by("magic_formula", kSweep, {"ALPMIN = -0.05", "ALPMAX = 0.05"})
+                  .says("below ALPMIN = -2.865 deg"));
+  EXPECT_TRUE(told_by("rigid_ring", kDrum, {"FZMIN = 100", "FZMAX = 100"}).says("FZMAX = 100 N"));
+  EXPECT_TRUE(told_by("rigid_ring", kDrum, {"PRESMAX = 220000"}).says("PRESMAX = 2.2 bar"));
+  EXPECT_TRUE(told_by("magic_formula", kDrum, {"VXLOW = 19"}).says("below VXLOW = 19 m/s"));
+  EXPECT_TRUE(
+      told_by("magic_formula", kSweep + ", camber = \"5 deg\"", {"CAMMAX = 0.05"}).says("CAMMAX"));
+}
+
+TEST(KnownLimits, AStandingTireIsNotToldToRollSlowly) {
+  const auto told = told_by("rigid_ring",
+                            "kind = \"static_stiffness\", load = \"4 kN\", directions = "
+                            "[\"lateral\"]",
+                            {"VXLOW = 3"});
+  EXPECT_EQ(told.failure + told.refusal, "");
+  EXPECT_TRUE(told.notes.empty());
+}
+
+TEST(KnownLimits, ATireWithinItsRangesSaysNothing) {
+  for (const std::string& keys : {kRolling, kSweep, kDrum})
+    for (const char* kind : {"magic_formula", "rigid_ring"})
+      EXPECT_TRUE(told_by(kind, keys, {"FZMIN = 100", "FZMAX = 12000"}).notes.empty()) << keys;
+}
+
+TEST(KnownLimits, APressureWithoutEffectIsTold) {
+  const std::string pressed = "kind = \"load_deflection\", deflections = [\"20 mm\"], pressure = ";
+  EXPECT_TRUE(told_by("magic_formula", pressed + "\"1 bar\"")
+                  .says("the pressure of the test has no "
+                        "effect"));
+  EXPECT_TRUE(told_by("rigid_ring", kRolling + ", pressure = \"3 bar\"").says("no effect"));
+  EXPECT_TRUE(told_by("magic_formula", pressed + "\"2.4 bar\"").notes.empty());
+  EXPECT_TRUE(told_by("magic_formula", pressed + "\"1 bar\"", {"PFZ1 = 0.7"}).notes.empty());
+}
+
+TEST(KnownLimits, TheRimHoldsTheTireUp) {
+  const std::string pressed = "kind = \"load_deflection\", deflections = ";
+  for (const char* kind : {"magic_formula", "rigid_ring"}) {
+    expect_part(told_by(kind, pressed + "[\"330 mm\"]").failure, "the section of a tire");
+    expect_part(told_by(kind, pressed + "[\"120 mm\"]").failure,
+                "the rim has a radius of 203.2 mm");
+    EXPECT_EQ(told_by(kind, pressed + "[\"100 mm\"]").failure, "");
+    expect_part(told_by(kind, "kind = \"rolling_stiffness\", load = \"40 kN\"").failure,
+                "is it a load this tire can carry?");
+  }
+  expect_part(told_by("magic_formula", pressed + "[\"190 mm\"]", {"RIM_RADIUS = 0"}).failure,
+              "the section of a tire");
+}
+
+TEST(KnownLimits, ACleatAsHighAsTheSectionIsRefused) {
+  std::string high = kDrum;
+  high.replace(high.find("\"10 mm\""), 7, "\"120 mm\"");
+  for (const char* kind : {"magic_formula", "rigid_ring"})
+    expect_part(told_by(kind, high).refusal,
+                "cleat.height is 120 mm, but the section of this tire is 112.8 mm high");
+}
+
+TEST(KnownLimits, DrumStepAndSpeedHaveTheirRanges) {
+  const auto changed = [](const std::string& what, const std::string& with) {
+    std::string keys = kDrum;
+    keys.replace(keys.find(what), what.size(), with);
+    return told_by("rigid_ring", keys).refusal;
+  };
+  expect_part(changed("\"2.5 m\"", "\"2.5 mm\""), "drum_diameter is \"2.5 mm\"");
+  expect_part(changed("\"2.5 m\"", "\"25 km\""), "drum_diameter is \"25 km\"");
+  expect_part(changed("run_in", "step = \"10 ms\", run_in"), "step moves the tire 83.3 mm");
+  expect_part(changed("run_in", "step = \"1e-12 s\", run_in"), "step is \"1e-12 s\"");
+  expect_part(told_by("magic_formula", kSweep + ", step = \"10 ms\"").refusal,
+              "step moves the tire 167 mm");
+  expect_part(told_by("magic_formula",
+                      "kind = \"slip_sweep\", speed = \"0.01 km/h\", load = \"4 kN\", kappa = [0, "
+                      "0.1]")
+                  .refusal,
+              "speed is");
+}
+
+TEST(KnownLimits, ASweepWithinARelaxationLengthIsTold) {
+  std::string keys = kSweep;
+  keys.replace(keys.find("sample_step = \"100 ms\""), 22, "duration = \"1 ms\"");
+  EXPECT_TRUE(told_by("magic_formula", keys).says("moves the tire 0.0167 m on"));
+}
+
+TEST(KnownLimits, TravelAndTwistOfAStiffnessAreSmall) {
+  const std::string standing = "kind = \"static_stiffness\", load = \"4 kN\", ";
+  expect_part(told_by("rigid_ring", standing + "travel = \"1 m\"").refusal, "travel is \"1 m\"");
+  expect_part(told_by("rigid_ring", standing + "twist = \"3 rad\"").refusal, "twist is \"3 rad\"");
+  expect_part(
+      told_by("magic_formula",
+              "kind = \"static_stiffness\", load = \"1 kN\", directions = [\"vertical\"], travel = "
+              "\"15 mm\"")
+          .failure,
+      "lifts the tire off the ground");
+  expect_part(told_by("rigid_ring", standing + "directions = [\"vertical\", \"vertical\"]").refusal,
+              "\"vertical\" twice");
+  expect_part(told_by("rigid_ring", kRolling + ", measures = [\"slip\", \"slip\"]").refusal,
+              "\"slip\" twice");
+}
+
+}  // namespace
+}  // namespace latsch::experiment

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/language/usual_numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "experiment/language/specimen.h"
+
+namespace latsch::experiment {
+namespace {
+
+using Units = std::vector<const char*>;
+
+const Units kPressures{"kPa", "bar", "psi", "MPa", "Pa"};
+const Units kModuli{"MPa", "GPa", "kPa", "Pa"};
+const Units kLengths{"mm", "cm", "m", "in"};
+const Units kForces{"N", "kN", "lbf"};
+const Units kDensities{"kg/m^3", "g/cm^3"};
+const Units kMasses{"kg", "g", "lb"};
+const Units kAreas{"mm^2", "cm^2", "m^2"};
+const Units kBeds{"MN/m^2", "kN/m^2", "N/m^2", "N/mm^2"};
+
+/// Quantities of tests and studies.
+const std::vector<UsualMagnitude>& of_tests() {
+  static const std::vector<UsualMagnitude> all{
+      {"", "pressure", "an inflation pressure", "bar", 0.02, 0.3, 16, 40, kPressures},
+      {"experiment", "load", "a wheel load", "N", 5, 100, 6e4, 1e6, kForces},
+      {"test", "load", "a wheel load", "N", 5, 100, 6e4, 1e6, kForces},
+      {"test", "loads", "a wheel load", "N", 5, 100, 6e4, 1e6, kForces},
+      {"test", "speed", "a speed", "km/h", 0, 0.1, 350, 1500, {"km/h", "m/s"}, true},
+      {"test", "drum_diameter", "a drum's diameter", "m", 0.1, 0.5, 6, 50, {"m", "mm", "in"}},
+  };
+  return all;
+}
+
+/// Quantities of a finite-element tire.
+const std::vector<UsualMagnitude>& of_fe_tires() {
+  static const std::vector<UsualMagnitude> all{
+      {"rubber", "young_modulus", "a rubber's modulus", "MPa", 0.01, 0.3, 300, 5e3, kModuli},
+      {"rubber", "density", "a rubber's density", "kg/m^3", 100, 700, 3000, 2e4, kDensities},
+      {"layer", "young_modulus", "a layer's modulus", "MPa", 1, 20, 2.5e5, 1.5e6, kModuli},
+      {"layer", "density", "a cord's density", "kg/m^3", 50, 200, 9000, 2.5e4, kDensities, true},
+      {"layer", "spacing", "a distance of cords", "mm", 0.05, 0.3, 5, 50, kLengths},
+      {"layer", "cord_diameter", "a cord's diameter", "mm", 0.01, 0.1, 3, 20, kLengths},
+      {"layer", "cord_area", "a cord's cross-section", "mm^2", 1e-4, 5e-3, 7, 300, kAreas},
+      {"section", "thickness_inside", "a wall's thickness", "mm", 0.01, 0.3, 50, 200, kLengths},
+      {"section", "thickness_outside", "a wall's thickness", "mm", 0.01, 0.3, 50, 200, kLengths},
+  };
+  return all;
+}
+
+/// Quantities of a flexible ring.
+const std::vector<UsualMagnitude>& of_rings() {
+  const auto bed = [](const char* below) {
+    return UsualMagnitude{
+        below, "stiffness", "a sidewall's stiffness", "kN/m^2", 3, 15, 2e4, 1e5, kBeds};
+  };
+  const auto damping = [](const char* below) {
+    return UsualMagnitude{
+        below, "damping", "a sidewall's damping", "N s/m^2", 1e-3, 0.1, 2e4, 1e6, {}, true};
+  };
+  static const std::vector<UsualMagnitude> all{
+      {"belt", "radius", "a belt's radius", "mm", 30, 80, 1800, 2500, kLengths},
+      {"belt", "mass", "a belt's mass", "kg", 0.01, 0.1, 1500, 5e3, kMasses},
+      {"belt", "torsion_inertia", "a belt's inertia", "kg m", 1e-7, 1e-5, 5, 100, {}},
+      {"belt", "extension", "a belt's stiffness", "kN", 1, 20, 1e5, 1e6, {"MN", "kN", "N"}},
+      {"belt", "pressure_width", "a belt's width", "mm", 2, 10, 1500, 3e3, kLengths, true},
+      bed("sidewall.radial"),
+      bed("sidewall.tangential"),
+      bed("sidewall.lateral"),
+      damping("sidewall.radial"),
+      damping("sidewall.tangential"),
+      damping("sidewall.lateral"),
+      {"sidewall", "torsion", "a sidewall's torsion", "N/rad", 0.1, 5, 1e6, 1e8, {}, true},
+      {"tread", "width", "a tread's width", "mm", 5, 15, 1500, 3e3, kLengths},
+      {"tread", "height", "a tread's height", "mm", 0.3, 1, 150, 300, kLengths},
+      {"tread", "young_modulus", "a tread's modulus", "MPa", 0.01, 0.3, 300, 5e3, kModuli},
+      {"tread", "shear_ratio", "a ratio of moduli", "1", 0.01, 0.1, 1.5, 10, {}},
+  };
+  return all;
+}
+
+double in_unit(const UsualMagnitude& usual, double si) { return Unit::of(usual.unit).from_si(si); }
+
+/// Returns "; 240 kPa would be usual": the number as written, with the unit that is often confused
+/// with its own.
+std::string may_be_meant(const UsualMagnitude& usual, const std::string& written) {
+  const auto quantity = parse_quantity(written);
+  if (!quantity) return "";
+  const auto number = parse_number(quantity->number);
+  if (!number) return "";
+  for (const char* unit : usual.taken_for) {
+    if (quantity->unit.text() == unit) continue;
+    if (judged(usual, Unit::of(unit).to_si(*number)) == Seen::usual) {
+      return fmt::format("; {} would be usual", in_quotes(quantity->number + " " + unit));
+    }
+  }
+  return "";
+}
+
+/// True if the number is of the quantity that the table lists, not of another one with its key.
+bool is_meant(const UsualMagnitude& usual, const Document& document, const std::string& path) {
+  // In a profile only the second column is a length.
+  if (std::string_view(usual.key).starts_with("thickness") && !path.ends_with(".1")) return false;
+  return Unit::of(document.unit(path)).same_dimension(Unit::of(usual.unit));
+}
+
+/// Number of a table; nullopt if the table has no such key.
+std::optional<double> number_at(const Document& document, const std::string& path) {
+  const Node root = document.root();
+  const auto dot = path.rfind('.');
+  std::optional<Node> table = root;
+  for (std::size_t begin = 0; dot != path.npos && begin < dot;) {
+    const std::size_t end = std::min(path.find('.', begin), dot);
+    table = table->find_table(path.substr(begin, end - begin));
+    if (!table) return std::nullopt;
+    begin = end + 1;
+  }
+  if (!table->has(path.substr(dot == path.npos ? 0 : dot + 1))) return std::nullopt;
+  return document.get(path);
+}
+
+/// Largest thickness of the wall, m; 0 if the document describes none.
+double thickest_wall(const Document& document) {
+  double inside = 0.0, outside = 0.0;
+  for (const std::string& path : document.paths()) {
+    if (!path.ends_with(".1")) continue;
+    if (path.starts_with("section.thickness_inside."))
+      inside = std::max(inside, document.get(path));
+    if (path.starts_with("section.thickness_outside."))
+      outside = std::max(outside, document.get(path));
+  }
+  return inside + outside;
+}
+
+/// Finds plies whose cords overlap, or whose cords are thicker than the wall that contains them. A
+/// cord is at least as wide as a circle of its area.
+void examine_cords(const Document& document, std::vector<Finding>& found) {
+  const double wall = thickest_wall(document);
+  for (const Node& layer : document.root().named_tables("layer")) {
+    const std::string at = "layer." + layer.name() + ".";
+    const auto diameter = number_at(document, at + "cord_diameter");
+    const auto area = number_at(document, at + "cord_area");
+    const auto spacing = number_at(document, at + "spacing");
+    if (!spacing || (!diameter && !area)) continue;
+    const double d = diameter ? *diameter : std::sqrt(4.0 / std::numbers::pi * *area);
+    const char* key = diameter ? "cord_diameter" : "cord_area";
+    const auto add = [&](const std::string& what) {
+      found.push_back({layer.place(key),
+                       fmt::format("{}{} makes a cord of {:.3g} mm, {}", at, key, 1e3 * d, what),
+                       true});
+    };
+    constexpr double kRounding = 1e-9;
+    if (d > *spacing * (1.0 + kRounding))
+      add(
+          fmt::format("but spacing sets a cord every {:.3g} mm: the cords overlap. Expected a "
+                      "spacing of at least the cord's diameter",
+                      1e3 * *spacing));
+    else if (wall > 0.0 && d > wall)
+      add(fmt::format("but the wall is {:.3g} mm thick at most: the cord does not fit into it",
+                      1e3 * wall));
+  }
+}
+
+/// Judges the mass of a ring's belt by the surface that it covers: 3 kg/m^2 for a bicycle, 15 for a
+/// car, 60 for a truck.
+void examine_belt(const Document& document, std::vector<Finding>& found) {
+  const UsualMagnitude usual{
+      "", "", "a belt's mass on its surface", "kg/m^2", 0.2, 1, 300, 2e3, {}};
+  const auto mass = number_at(document, "belt.mass"), radius = number_at(document, "belt.radius"),
+             width = number_at(document, "tread.width");
+  if (!mass || !radius || !width) return;
+  const double surface = 2.0 * std::numbers::pi * *radius * *width;
+  const Seen seen = judged(usual, *mass / surface);
+  if (seen == Seen::usual) return;
+  found.push_back({document.root().table("belt").place("mass"),
+                   fmt::format("belt.mass is {:.4g} kg on the belt's radius and the tread's width, "
+                               "{:.3g} kg/m^2, but {}",
+                               *mass,
+                               *mass / surface,
+                               usual_in_words(usual)),
+                   seen == Seen::impossible});
+}
+
+}  // namespace
+
+Seen judged(const UsualMagnitude& usual, double si) {
+  const double value = in_unit(usual, si);
+  if (value == 0.0 && usual.zero_allowed) return Seen::usual;
+  if (!(value >= usual.least && value <= usual.most)) return Seen::impossible;
+  return value < usual.from || value > usual.to ? Seen::unusual : Seen::usual;
+}
+
+std::string usual_in_words(const UsualMagnitude& usual) {
+  return fmt::format("{} is usually {:g} to {:g}{}{}",
+                     usual.words,
+                     usual.from,
+                     usual.to,
+                     std::string_view(usual.unit) == "1" ? "" : " ",
+                     std::string_view(usual.unit) == "1" ? "" : usual.unit);
+}
+
+Written written_at(const Document& document, const std::string& path) {
+  Node node = document.root();
+  std::size_t begin = 0;
+  for (;;) {
+    const auto end = path.find('.', begin);
+    const std::string key = path.substr(begin, end - begin);
+    Written written{node.place(key), ""};
+    try {
+      if (end == path.npos) {
+        written.text = node.text(key);
+        return written;
+      }
+      const auto below = node.find_table(key);
+      if (!below) return written;
+      node = *below;
+      begin = end + 1;
+    } catch (const InputError&) {  // a list, or a plain number
+      return written;
+    }
+  }
+}
+
+std::string key_of(std::string path) {
+  for (;;) {
+    const auto dot = path.rfind('.');
+    if (dot == path.npos) return path;
+    const std::string last = path.substr(dot + 1);
+    const bool place = last.find_first_not_of("0123456789") == last.npos;
+    if (!place && last != "values") return last;
+    path.resize(dot);
+  }
+}
+
+const UsualMagnitude* usual_magnitude(std::string_view path) {
+  // The pressures of a friction law are those of the contact.
+  if (path.find("friction.pressure") != path.npos) return nullptr;
+  const std::string key = key_of(std::string(path));
+  for (const auto* table : {&of_tests(), &of_fe_tires(), &of_rings()}) {
+    for (const UsualMagnitude& usual : *table) {
+      const std::string_view below = usual.below;
+      const bool is_below =
+          below.empty() || (path.starts_with(below) && path.substr(below.size()).starts_with('.'));
+      if (key == usual.key && is_below) return &usual;
+    }
+  }
+  return nullptr;
+}
+
+std::optional<Finding> unusual(const UsualMagnitude& usual,
+                               const Written& written,
+                               const std::string& name,
+                               double si) {
+  const Seen seen = judged(usual, si);
+  if (seen == Seen::usual) return std::nullopt;
+  return Finding{written.place,
+                 fmt::format("{} is {}, but {}{}",
+                             name,
+                             written.text.empty() ? format_quantity(si, usual.unit, 4)
+                                                  : in_quotes(written.text),
+                             usual_in_words(usual),
+                             may_be_meant(usual, written.text)),
+                 seen == Seen::impossible};
+}
+
+std::vector<Finding> unusual_numbers(const Document& document, const std::string& below) {
+  std::vector<Finding> found;
+  for (const std::string& path : document.paths()) {
+    const UsualMagnitude* usual = usual_magnitude(below.empty() ? path : below + "." + path);
+    if (!usual) continue;
+    const double si = document.get(path);
+    if (!std::isfinite(si) || !is_meant(*usual, document, path)) continue;
+    if (const auto one = unusual(*usual, written_at(document, path), path, si))
+      found.push_back(*one);
+  }
+  if (!below.empty()) return found;
+  examine_cords(document, found);
+  examine_belt(document, found);
+  return found;
+}
+
+std::vector<Finding> findings_of_model(const SpecimenKind& kind,
+                                       const Document& numbers,
+                                       const std::filesystem::path& file) {
+  std::vector<Finding> found;
+  for (const std::string& note : kind.notes(file)) found.push_back({{file.string(), 0}, note, false, true});
+  if (!kind.has_usual_numbers()) return found;
+  for (Finding& one : unusual_numbers(numbers)) found.push_back(std::move(one));
+  return found;
+}
+
+std::string in_words(const Finding& finding) {
+  const std::string place = finding.place.text();
+  return finding.sentence.starts_with(place) ? finding.sentence : place + ": " + finding.sentence;
+}
+
+}  // namespace latsch::experiment

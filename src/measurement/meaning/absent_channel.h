@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds the columns of a file that may be a channel that somebody needs and that no column is
+// called. A message lists all of them, because a missing slip angle or slip is taken as 0.
+//
+//   missing   columns that may be it
+//   any       a column of an unknown name whose unit has the dimension of the channel; a column
+//             whose name contains that of the channel ("tan alpha", "|SA|"); a column that is
+//             called so but was stated to be another channel; the channel of one wheel (alpha_FL)
+//   alpha     also toe and steer, which are the slip angle on a rig that turns the wheel; Vy with
+//             Vx, of which it is computed
+//   kappa     also SL, the slip of the loaded radius; omega with Vx, of which it is computed
+//
+// A name that contains another channel's ("tan alpha") is not offered for a third one.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace latsch {
+
+/// A column of the file that has the missing channel.
+struct OtherColumn {
+  std::string name;       // in the file
+  std::string unit = {};  // SI unit of the values; empty: unknown
+  bool has_unit = false;  // false if the file and its reader know no unit
+  std::string taken_as = {};
+  bool is_used = false;
+};
+
+/// A column that may be a missing channel.
+struct MayBe {
+  std::string column;           // in the file
+  std::string words;            // to follow the name: "a steer angle"; empty: nothing more is known
+  bool is_as_it_stands = true;  // false if the channel has to be computed from the column
+};
+
+/// Returns the columns that may be the channel `channel`, whose SI unit is `unit`, in the order of
+/// the file. Those that only serve to compute the channel come last.
+std::vector<MayBe> columns_that_may_be(std::string_view channel,
+                                       std::string_view unit,
+                                       const std::vector<OtherColumn>& columns);
+
+/// Returns "`steer` (a steer angle), `channel 7`", at most `most` of them and the number of others.
+std::string list_in_words(const std::vector<MayBe>& columns, std::size_t most);
+
+}  // namespace latsch

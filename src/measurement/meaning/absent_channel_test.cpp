@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measurement/meaning/absent_channel.h"
+
+#include <gtest/gtest.h>
+
+namespace latsch {
+namespace {
+
+OtherColumn column(const std::string& name, const std::string& unit) {
+  return {name, unit, !unit.empty()};
+}
+
+std::string offered(const std::string& channel,
+                    const std::string& unit,
+                    const std::vector<OtherColumn>& columns) {
+  std::string names;
+  for (const MayBe& one : columns_that_may_be(channel, unit, columns))
+    names += (names.empty() ? "" : ", ") + one.column;
+  return names;
+}
+
+TEST(AbsentChannel, AnAngleOfAnotherMeaningMayBeTheSlipAngle) {
+  for (const char* name :
+       {"Toe", "steer", "Lenkwinkel", "Steering angle", "yaw", "Kanal 7", "SA_FL", "|SA|", "-SA"})
+    EXPECT_EQ(offered("alpha", "rad", {column("Fz", "N"), column(name, "rad")}), name);
+  EXPECT_EQ(offered("alpha", "rad", {column("camber", "rad"), column("yaw", "N")}), "");
+  EXPECT_EQ(offered("alpha", "rad", {{"SA", "rad", true, "gamma", true}}), "SA");
+  EXPECT_EQ(offered("alpha", "rad", {{"SA", "rad", true, "alpha", true}}), "");
+  EXPECT_EQ(offered("alpha", "rad", {{"yaw", "rad", true, "gamma", true}}), "");
+  EXPECT_EQ(offered("alpha", "rad", {{"yaw", "rad", true, "yaw", false}}), "yaw");
+}
+
+TEST(AbsentChannel, SlipsMayBeComputed) {
+  const std::vector<OtherColumn> all = {column("omega", "rad/s"), column("V", "m/s")};
+  EXPECT_EQ(offered("kappa", "1", all), "omega");
+  EXPECT_FALSE(columns_that_may_be("kappa", "1", all).front().is_as_it_stands);
+  EXPECT_EQ(offered("kappa", "1", {column("omega", "rad/s")}), "");
+  EXPECT_EQ(
+      offered("kappa", "1", {column("omega", "rad/s"), column("Vx", "m/s"), column("SL", "1")}),
+      "omega, SL");
+  EXPECT_EQ(offered("alpha", "rad", {column("Vy", "m/s"), column("Vx", "m/s")}), "Vy");
+  EXPECT_EQ(offered("kappa", "1", {column("NFX", "1"), column("NFY", "1")}), "");
+}
+
+// "tan alpha" has the dimension of a slip, but says which channel it belongs to.
+TEST(AbsentChannel, ANameThatContainsAChannelIsOfferedForThatOneOnly) {
+  const std::vector<OtherColumn> tangent = {column("tan alpha", "1")};
+  EXPECT_EQ(offered("kappa", "1", tangent), "");
+  EXPECT_EQ(offered("alpha", "rad", tangent), "tan alpha");
+  EXPECT_FALSE(columns_that_may_be("alpha", "rad", tangent).front().is_as_it_stands);
+  EXPECT_FALSE(
+      columns_that_may_be("alpha", "rad", {column("tan(alpha)", "")}).front().is_as_it_stands);
+  EXPECT_EQ(offered("gamma", "rad", {column("mean slip angle", "rad")}), "");
+  EXPECT_EQ(offered("gamma", "rad", {column("WheelSlipAngle", "rad")}), "");
+  EXPECT_EQ(offered("alpha", "rad", {column("AlphaDeg", "")}), "AlphaDeg");
+  EXPECT_EQ(offered("kappa", "1", {column("AlphaDeg", "")}), "");
+  EXPECT_EQ(offered("kappa", "1", {column("sqrt(FZ)", "")}), "");
+}
+
+TEST(AbsentChannel, AListSaysHowManyItDoesNotName) {
+  std::vector<MayBe> many;
+  for (int i = 0; i < 9; ++i) many.push_back({"c" + std::to_string(i), ""});
+  many.front().words = "an angle";
+  EXPECT_EQ(list_in_words(many, 2), "`c0` (an angle), `c1` and 7 more");
+}
+
+}  // namespace
+}  // namespace latsch
