@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <cmath>
 
@@ -131,6 +132,44 @@ TEST(Confidence, NeighborsThatShareNoiseAreNotIndependent) {
 
 // Twice the stated noise in 100 values cannot be chance, so the interval follows from the observed
 // spread.
+// A robust loss takes the derivatives of wrong values away. The others are exact, so the values share
+// no noise, and the intervals are those of independent residuals of spread s: s^2 = sum r^2 / (m -
+// n). Without the wrong rows J is that of a straight line at x = 0 .. m - 1, shorter by the rows.
+TEST(Confidence, ExactValuesBesideAFewFarOffShareNoNoise) {
+  constexpr int m = 21;
+  for (const std::vector<int>& wrong : {std::vector{10}, std::vector{3}, std::vector{4, 15}}) {
+    Linearization at = line(Eigen::VectorXd::LinSpaced(m, 0.2, 0.8));
+    for (const double rounding : {0.0, 1e-12}) {
+      for (int k = 0; k < m; ++k) at.r[k] = rounding * std::cos(7.0 * k * k);
+      for (const int k : wrong) {
+        at.r[k] = 0.03;
+        at.J.row(k).setZero();
+      }
+      const Confidence c = confidence(
+          at, {.least_noise = 1e-5, .traits = {.deviations = {}, .curves = std::vector(m, 0)}});
+      EXPECT_FALSE(c.is_colored);
+      const double s2 = 9e-4 * static_cast<double>(wrong.size()) / (m - 2);
+      const Eigen::Matrix2d C = s2 * Eigen::Matrix2d(at.J.transpose() * at.J).inverse();
+      for (int i = 0; i < 2; ++i)
+        EXPECT_NEAR(0.5 * (c.intervals[i].upper - c.intervals[i].lower) / c.t,
+                    std::sqrt(C(i, i)),
+                    1e-6 * std::sqrt(C(i, i)));
+    }
+  }
+}
+
+// With noise that neighbors share, values far off do not make the others exact.
+TEST(Confidence, NoiseBesideAValueFarOffIsStillShared) {
+  constexpr int m = 200;
+  const Eigen::VectorXd y =
+      Eigen::VectorXd::LinSpaced(m, 0.2, 0.8) + 0.05 * colored_noise(m, 0.8, RandomStream(7, 0));
+  Linearization at = line(y);
+  at.r[100] = 0.2;
+  const Confidence c = confidence(
+      at, {.least_noise = 1e-5, .traits = {.deviations = {}, .curves = std::vector(m, 0)}});
+  EXPECT_TRUE(c.is_colored);
+}
+
 TEST(Confidence, ResidualsLargerThanTheirStatedNoiseWidenTheIntervals) {
   Linearization at = line(2.0 * colored_noise(100, 0.0, RandomStream(3, 1)));
   at.u.setConstant(0.5);  // inside the bounds
