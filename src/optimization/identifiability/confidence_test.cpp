@@ -132,9 +132,9 @@ TEST(Confidence, NeighborsThatShareNoiseAreNotIndependent) {
 
 // Twice the stated noise in 100 values cannot be chance, so the interval follows from the observed
 // spread.
-// A robust loss takes the derivatives of wrong values away. The others are exact, so the values share
-// no noise, and the intervals are those of independent residuals of spread s: s^2 = sum r^2 / (m -
-// n). Without the wrong rows J is that of a straight line at x = 0 .. m - 1, shorter by the rows.
+// A robust loss takes the derivatives of wrong values away. The others are exact, so the values
+// share no noise, and the intervals are those of independent residuals of spread s, where s^2 =
+// sum r^2 / (m - n). The rows of J are those of a straight line, 0 at the wrong values.
 TEST(Confidence, ExactValuesBesideAFewFarOffShareNoNoise) {
   constexpr int m = 21;
   for (const std::vector<int>& wrong : {std::vector{10}, std::vector{3}, std::vector{4, 15}}) {
