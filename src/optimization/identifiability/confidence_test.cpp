@@ -130,8 +130,6 @@ TEST(Confidence, NeighborsThatShareNoiseAreNotIndependent) {
   for (const int count : held) EXPECT_NEAR(static_cast<double>(count) / kSets, 0.95, 0.025);
 }
 
-// Twice the stated noise in 100 values cannot be chance, so the interval follows from the observed
-// spread.
 // A robust loss takes the derivatives of wrong values away. The others are exact, so the values
 // share no noise, and the intervals are those of independent residuals of spread s, where s^2 =
 // sum r^2 / (m - n). The rows of J are those of a straight line, 0 at the wrong values.
@@ -170,6 +168,8 @@ TEST(Confidence, NoiseBesideAValueFarOffIsStillShared) {
   EXPECT_TRUE(c.is_colored);
 }
 
+// Twice the stated noise in 100 values cannot be chance, so the interval follows from the observed
+// spread.
 TEST(Confidence, ResidualsLargerThanTheirStatedNoiseWidenTheIntervals) {
   Linearization at = line(2.0 * colored_noise(100, 0.0, RandomStream(3, 1)));
   at.u.setConstant(0.5);  // inside the bounds
