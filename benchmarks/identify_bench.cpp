@@ -107,7 +107,7 @@ void kill_at(const fs::path& folder, long refits, int workers) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     try {
       if (fs::exists(file) && Journal::read(file).size() >= refits) break;
-    } catch (const std::exception&) {  // is being created
+    } catch (const std::exception&) {  // file incomplete
     }
     if (::waitpid(child, nullptr, WNOHANG) == child)
       throw std::runtime_error("the identification ended before it was killed");

@@ -111,7 +111,7 @@ class Simulators(Outside):
                            ("open('response.csv', 'wb').write(bytes(range(256)))", "response.csv"),
                            ("open('response.csv', 'w').write('time [s],body [mm]\\n0,0\\n')", "reaches from 0 to 0 s")):
             script.write_text(text)
-            # The others end by themselves, even if a loaded machine starts them slowly.
+            # All scripts except the sleeping one end by themselves, even if a loaded machine starts them slowly.
             edit(study, ("timeout = .*", f'timeout = "{"0.5 s" if "1000" in text else "60 s"}"'))
             (study.parent / "study.latsch").unlink(missing_ok=True)
             edit(study, (r"\[optimizer\](\n.*)*?\n\n", '[optimizer]\nmax_steps = 1\n\n'))

@@ -3,7 +3,7 @@
 #include "cli/run/trials.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/search/search_standing.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 
 namespace latsch::cli {
 namespace {

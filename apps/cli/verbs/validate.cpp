@@ -77,7 +77,8 @@ std::vector<Ledger> ledgers_of(const correlation::Suite& suite,
   const std::string model = is_study(model_file)
                                 ? study_with_model(model_file, language).model_file.string()
                                 : model_file;
-  auto all = ledgers_of_test(model, "{}", correlation::ledgers_of({}, experiments, suite.tests));
+  auto all =
+      ledgers_of_test(model, "{}", {}, correlation::ledgers_of({}, experiments, suite.tests));
   for (Ledger& ledger : correlation::ledgers_of_named_files(suite.file, "the suite", all))
     all.push_back(std::move(ledger));
   return all;

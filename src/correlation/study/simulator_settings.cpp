@@ -115,7 +115,7 @@ void expect_holes(const Node& table, const Simulator& simulator, const DesignSpa
     if (std::any_of(simulator.inputs.begin(), simulator.inputs.end(), uses)) continue;
     table.reject("inputs",
                  "have no hole {" + space[i].name +
-                     "}" for that variable; write the hole in place of its value");
+                     "} for that variable; write the hole in place of its value");
   }
 }
 

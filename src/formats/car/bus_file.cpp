@@ -159,7 +159,7 @@ LedgerRow row_of(const std::string& written, int line, const std::string& taken_
 /// Doubts a deflection that no bushing reaches: a unit of [UNITS] is wrong.
 void doubt_reach(const TeimOrbitSection& section,
                  std::size_t axis,
-                 const std::vector<ForceCurve::Point>& points,
+                 const std::vector<ForceCharacteristic::Point>& points,
                  Ledger& ledger) {
   constexpr double kFarthest = 0.3;  // m; the widest rubber mounts move by a tenth of this
   constexpr double kMostTurn = 3.2;  // rad, 180 degrees

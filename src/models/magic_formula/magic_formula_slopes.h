@@ -44,8 +44,8 @@ SteadyStateSlopes steady_state_slopes(const MagicFormula& tire,
                                       std::span<const State> states,
                                       std::span<const std::string> variables,
                                       std::span<const Output> outputs);
-/// Computes the slopes into the result of an earlier call, so that a search does not allocate
-/// memory at every step, which takes as long as the slopes.
+/// Computes the slopes into the result of an earlier call. An allocation at every step of a search
+/// would take as long as the slopes.
 void steady_state_slopes(const MagicFormula& tire,
                          std::span<const State> states,
                          std::span<const std::string> variables,

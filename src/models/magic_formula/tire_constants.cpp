@@ -33,7 +33,7 @@ TireConstantsOf<K>::TireConstantsOf(const CoefficientsOf<K>& coefficients, Versi
   Q_A1 = p.Q_A1;
   Q_A2 = p.Q_A2;
   if (Q_A1 == 0.0 && Q_A2 == 0.0) {
-    // MF-Tyre's default for a file without these: a fit over tires by their stiffness.
+    // MF-Tyre's default for a file without Q_A1 and Q_A2: a fit over tires by their stiffness.
     const K y = decadic_logarithm(stiffness);
     Q_A1 = ((-0.0388 * y + 0.2509) * y - 0.6283) * y + 0.6279;
     Q_A2 = 1.693 * Q_A1 * Q_A1;

@@ -11,7 +11,7 @@ namespace latsch::ring_tire {
 namespace {
 
 constexpr double kShift = 2e-8;  // m
-constexpr double kTurn = 2e-7;   // rad, of a section: about as much at its edge
+constexpr double kTurn = 2e-7;   // rad, of a section: about kShift at its edge
 
 }  // namespace
 
