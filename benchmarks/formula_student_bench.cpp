@@ -20,7 +20,7 @@
 #include "base/scratch_folder_testing.h"
 #include "correlation/analysis/beyond_data.h"
 #include "correlation/search/own_stages.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/executors/inline_executor.h"
@@ -93,16 +93,16 @@ struct Fitted {
 Fitted fitted(const Study& study) {
   Fitted result;
   std::map<std::string, double> least;
-  std::optional<StageEnd> before;
-  for (int k = 0; k < stage_count(study); ++k) {
-    const Study part = weighted_stage(study, k, before);
-    Journal journal = Journal::open(part.run.journal, identity(part));
+  std::optional<Journal> journal;
+  run_stages(study, [&](const StageRun& stage) {
+    const Study& part = stage.study;
+    journal.reset();
+    journal.emplace(Journal::open(part.run.journal, identity(part)));
     InlineExecutor executor(evaluator(part));
-    const Fit fit = correlation::fit(part, executor, journal, {.max_steps = part.max_steps});
+    Fit fit = correlation::fit(part, executor, *journal, {.max_steps = part.max_steps});
     result.point = fit.run.best()->point;
     result.errors = errors_at(study, result.point);
-    before = end_of_stage(study, k, result.point, journal, before);
-    const auto& counting = study.stages[static_cast<std::size_t>(k)].experiments;
+    const auto& counting = study.stages[static_cast<std::size_t>(stage.number)].experiments;
     for (const char* channel : kChannels) {
       const bool is_own = std::find(counting.begin(), counting.end(), channel) != counting.end();
       if (!is_own || (least.contains(channel) && result.errors[channel] >= least[channel]))
@@ -110,7 +110,8 @@ Fitted fitted(const Study& study) {
       least[channel] = result.errors[channel];
       result.own[channel] = result.errors;
     }
-  }
+    return StageResult{std::move(fit), &*journal};
+  });
   return result;
 }
 

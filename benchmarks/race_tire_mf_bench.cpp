@@ -16,7 +16,7 @@
 #include "base/scratch_folder_testing.h"
 #include "correlation/analysis/identifiability.h"
 #include "correlation/observable/curve.h"
-#include "correlation/search/study_fit.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/executors/inline_executor.h"
@@ -56,17 +56,18 @@ struct Fitted {
 
 Fitted fitted(const fs::path& file) {
   Fitted result{read_study(file, experiment::language()), {}, {}};
-  std::optional<StageEnd> before;
-  for (int k = 0; k < stage_count(result.study); ++k) {
-    const Study part = weighted_stage(result.study, k, before);
-    Journal journal = Journal::open(part.run.journal, identity(part));
+  std::optional<Journal> journal;
+  run_stages(result.study, [&](const StageRun& stage) {
+    const Study& part = stage.study;
+    journal.reset();
+    journal.emplace(Journal::open(part.run.journal, identity(part)));
     InlineExecutor executor(evaluator(part));
-    const long known = journal.size();
-    const Fit fit = correlation::fit(part, executor, journal, {.max_steps = part.max_steps});
-    result.recordings.push_back(journal.size() - known);
+    const long known = journal->size();
+    Fit fit = correlation::fit(part, executor, *journal, {.max_steps = part.max_steps});
+    result.recordings.push_back(journal->size() - known);
     result.point = fit.run.best()->point;
-    before = end_of_stage(result.study, k, result.point, journal, before);
-  }
+    return StageResult{std::move(fit), &*journal};
+  });
   return result;
 }
 
@@ -188,8 +189,8 @@ int bench(const benchmarks::Options& options) {
   const auto trial = evaluator(found.study)(found.point);
   table.row("stages fitted, one after the other",
             fmt::format("{}", found.recordings.size()),
-            fmt::format("{}, each with recordings", stage_count(found.study)),
-            std::ssize(found.recordings) == stage_count(found.study) &&
+            fmt::format("{}, each with recordings", stages_of(found.study).size()),
+            found.recordings.size() == stages_of(found.study).size() &&
                 std::ranges::min(found.recordings) > 0);
   const double Fy = relative_error(found.study, "Fy", *trial),
                Mz = relative_error(found.study, "Mz", *trial);

@@ -13,8 +13,7 @@
 #include <exception>
 
 #include "base/units.h"
-#include "correlation/search/study_fit.h"
-#include "correlation/study/study_stages.h"
+#include "correlation/search/stage_runs.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/executors/thread_executor.h"
 #include "experiment/language.h"
@@ -26,19 +25,25 @@ int main(int argc, char** argv) try {
     std::fprintf(stderr, "usage: 2_run_a_study STUDY.toml JOURNAL.latsch\n");
     return 2;
   }
-  const correlation::Study study = correlation::read_study(argv[1], experiment::language());
-  const correlation::Study stage = correlation::weighted_stage(study, 0, std::nullopt);
-  Journal journal = Journal::open(argv[2], correlation::identity(stage));
-  ThreadExecutor executor([&] { return correlation::evaluator(stage); }, 2);
-  const correlation::Fit fit = correlation::fit(stage, executor, journal, {});
-  const Step* best = fit.run.best();
+  correlation::Study study = correlation::read_study(argv[1], experiment::language());
+  study.run.journal = argv[2];
+  std::optional<Journal> journal;
+  const auto fit_stage = [&](const correlation::StageRun& stage) {
+    journal.reset();
+    journal.emplace(Journal::open(stage.study.run.journal, correlation::identity(stage.study)));
+    ThreadExecutor executor([&] { return correlation::evaluator(stage.study); }, 2);
+    return correlation::StageResult{correlation::fit(stage.study, executor, *journal, {}),
+                                    &*journal};
+  };
+  const correlation::StagesRun found = correlation::run_stages(study, fit_stage);
+  const Step* best = found.has_ended ? found.fits.back().run.best() : nullptr;
   if (!best) {
     std::fprintf(stderr, "no trial succeeded\n");
     return 1;
   }
-  std::printf("The search ended %s\n", fit.run.ending.c_str());
-  for (int i = 0; i < stage.space.size(); ++i) {
-    const DesignVariable& variable = stage.space[i];
+  std::printf("The search ended %s\n", found.fits.back().run.ending.c_str());
+  for (int i = 0; i < study.space.size(); ++i) {
+    const DesignVariable& variable = study.space[i];
     std::printf(
         "%s = %s\n",
         variable.name.c_str(),

@@ -115,7 +115,7 @@ class Page:
             if found:
                 self.address, self.token = found.groups()
 
-    def open(self, path, body=None, timeout=30):
+    def open(self, path, body=None, timeout=120):
         request = urllib.request.Request(self.address + path, headers={"Authorization": "Bearer " + self.token})
         if body is not None:
             request.data = json.dumps(body).encode()

@@ -25,20 +25,39 @@ MASS = 'kg'
 TIME = 'second'
 [MODEL]
 FITTYP = 61
+TYRESIDE = 'LEFT'
 LONGVL = 16.7
 [DIMENSION]
 UNLOADED_RADIUS = 0.32
+[OPERATING_CONDITIONS]
+INFLPRES = 220000
+NOMPRES = 220000
 [VERTICAL]
 FNOMIN = 4000
 VERTICAL_STIFFNESS = 200000
-[COEFFICIENTS]
+[STRUCTURAL]
+LONGITUDINAL_STIFFNESS = 300000
+LATERAL_STIFFNESS = 100000
+[CONTACT_PATCH]
+Q_RA1 = 0.6
+Q_RB1 = 0.7
+[LATERAL_COEFFICIENTS]
 PCY1 = 1.3
 PDY1 = 1.0
 PKY1 = -15
 PKY2 = 1.5
+RBY1 = 10
+RCY1 = 1
+[LONGITUDINAL_COEFFICIENTS]
 PCX1 = 1.6
 PDX1 = 1.1
 PKX1 = 20
+RBX1 = 12
+RCX1 = 1
+[ALIGNING_COEFFICIENTS]
+QBZ1 = 10
+QCZ1 = 1.1
+QDZ1 = 0.1
 """
 STUDY = """model = "tire.tir"
 vary = ["PDY1"]
@@ -66,7 +85,8 @@ class Ledger(unittest.TestCase):
         (self.folder / "tire.tir").write_text(TIR)
 
     def latsch(self, *arguments, code=DONE):
-        run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+        run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, text=True, timeout=300,
+                             cwd=self.folder)
         if code is not None:
             self.assertEqual(run.returncode, code, f"latsch {' '.join(map(str, arguments))}\n{run.stdout}{run.stderr}")
         return run.stdout + run.stderr
@@ -342,7 +362,7 @@ class Ledger(unittest.TestCase):
         (self.folder / "states.csv").write_text("Fz [N],turn slip [1/m]\n4000,0.1\n")
         inline = '{kind = "steady_states", states = "states.csv"}'
         self.assertIn('turn_slip = "on"', self.latsch("test", self.folder / "tire.tir", inline))
-        self.assertNotIn("not used", self.latsch("test", self.folder / "tire.tir", inline[:-1] + ', turn_slip = "on"}'))
+        self.assertNotIn("(phit) is not used", self.latsch("test", self.folder / "tire.tir", inline[:-1] + ', turn_slip = "on"}'))
         study.write_text(study.read_text().replace("steady_states", "slip_history").replace('turn_slip = "on"\n', ""))
         self.assertIn("slip_history has no turn slip", self.latsch("check", study))
 
@@ -423,7 +443,7 @@ class Cells(unittest.TestCase):
         (self.folder / "tire.tir").write_text(TIR)
 
     def latsch(self, *arguments, code=DONE):
-        run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, timeout=300)
+        run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, timeout=300, cwd=self.folder)
         text = (run.stdout + run.stderr).decode("utf-8", "replace")
         if code is not None:
             self.assertEqual(run.returncode, code, f"latsch {' '.join(map(str, arguments))}\n{text}")

@@ -2,6 +2,7 @@
 // latsch show: shows the content of a file, with units, on the terminal or as a page.
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "cli/console/console.h"
 #include "cli/verbs/shown_page.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/laboratory/measurement.h"
 #include "correlation/study/ledgers/file_ledgers.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study.h"
@@ -91,11 +93,23 @@ void name_users(const std::string& file, const experiment::Language& language, S
       show_ledger(ledger, true, shown, known);
 }
 
-/// True if a recording gave no channel at all: texts, unknown units, or no row of numbers.
-bool has_no_channel(const ShownFile& shown) {
-  return std::any_of(shown.facts.begin(), shown.facts.end(), [](const std::string& fact) {
-    return fact.starts_with("no channels: ");
-  });
+/// True if a recording gave no number at all: texts, unknown units, or no row.
+bool has_no_channel(const std::string& file, const ShownFile& shown) {
+  const bool may_be =
+      std::any_of(shown.facts.begin(), shown.facts.end(), [](const std::string& fact) {
+        return fact.starts_with("no channels: ");
+      });
+  if (!may_be) return false;
+  try {
+    const Channels channels = correlation::read_measured_file(file).channels;
+    return std::none_of(channels.all().begin(), channels.all().end(), [](const Channel& channel) {
+      return std::any_of(channel.values.begin(), channel.values.end(), [](double value) {
+        return std::isfinite(value);
+      });
+    });
+  } catch (const InputError&) {
+    return true;
+  }
 }
 
 int show(const std::string& file,
@@ -136,7 +150,7 @@ int show(const std::string& file,
     say("\n");
     say_written(html);
   }
-  return is_recording(file) && has_no_channel(shown) ? kWrongInput : kDone;
+  return is_recording(file) && has_no_channel(file, shown) ? kWrongInput : kDone;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -37,7 +38,9 @@ class CarFileDoubts {
       for (const char* axle : {"front", "rear"}) check_axle(root, axle);
       check_aero(root);
     }
-    if (kind == "suspension" && root.has("bushing"))
+    if (kind != "suspension") return std::move(doubts_);
+    check_caster(root);
+    if (root.has("bushing"))
       for (const Node& bushing : root.named_tables("bushing")) check_bushing(bushing);
     return std::move(doubts_);
   }
@@ -118,6 +121,34 @@ class CarFileDoubts {
             "curve",
             "acts in extension alone, as a stop in droop does: extension is positive, so a bump "
             "stop has negative deflections and forces");
+  }
+
+  /// A caster below 0 suggests axes of Adams, whose x points rearward.
+  void check_caster(const Node& root) {
+    const auto points = root.find_table("hardpoint");
+    if (!points) return;
+    const auto upper = place_of(*points, "ubj"), lower = place_of(*points, "lbj");
+    if (upper.size() != 3 || lower.size() != 3 || !(upper[2] > lower[2])) return;
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    constexpr double kLeast = -1.0;  // degrees; smaller casters are meant
+    const double caster = std::atan2(lower[0] - upper[0], upper[2] - lower[2]) / kDegree;
+    if (caster >= kLeast) return;
+    doubt(*points,
+          "ubj",
+          fmt::format("is {} before lbj: a caster of {:.2g} deg, where nearly all suspensions have "
+                      "a positive one. Do the points have axes of Adams (x rearward, y to the "
+                      "right)? Here x points forward and y to the left",
+                      format_quantity(upper[0] - lower[0], "m", 3),
+                      caster));
+  }
+
+  static std::vector<double> place_of(const Node& points, const char* key) {
+    if (!points.has(key)) return {};
+    try {
+      return points.quantities(key, "m");
+    } catch (const InputError&) {
+      return {};
+    }
   }
 
   void check_bushing(const Node& bushing) {

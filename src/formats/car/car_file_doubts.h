@@ -5,6 +5,7 @@
 //   damper at rest                                0, unless gas presses on its rod
 //   curve of a unit                               a bump stop acts below 0: extension is positive
 //   aero.map                                      downforce is positive
+//   hardpoint.ubj, hardpoint.lbj                  the upper one is rearward: caster is positive
 //
 // Such a number may be meant, so each finding is a doubt and no error. Files of another kind have
 // no doubts here.

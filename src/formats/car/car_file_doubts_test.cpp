@@ -64,6 +64,18 @@ TEST(CarFileDoubts, AnAeroMapThatLiftsIsTold) {
               "1 of 2 rows, first 0.5 in front and -0.1 at the rear");
 }
 
+TEST(CarFileDoubts, AKingpinThatLeansForwardSuggestsOtherAxes) {
+  const auto suspension = [](const std::string& x) {
+    return car_doubts("kind = \"suspension\"\n[hardpoint]\nubj = [\"" + x +
+                      "\", \"0.5 m\", \"0.35 m\"]\nlbj = [\"1.5 m\", \"0.55 m\", \"0.15 m\"]\n");
+  };
+  EXPECT_EQ(suspension("1.47 m"), "");
+  EXPECT_EQ(suspension("1.502 m"), "");  // half a degree
+  // 30 mm in 200 mm of height are 8.5 degrees.
+  expect_part(suspension("1.53 m"),
+              "car.toml:3 hardpoint.ubj is 0.03 m before lbj: a caster of -8.5 deg");
+}
+
 TEST(CarFileDoubts, OtherFilesAndRowsThatTheReaderRefusesHaveNone) {
   EXPECT_EQ(car_doubts("[front.spring]\ndamper = [[\"-1 m/s\", \"1 N\"], [\"1 m/s\", \"-1 N\"]]\n"),
             "");

@@ -43,6 +43,36 @@ const std::vector<std::string> kRoadTypes = {"flat",
                                              "drum",
                                              "stochastic_uneven"};
 
+/// Keys of [PARAMETERS] of all those roads.
+const std::vector<std::string> kRoadKeys = {"MU",
+                                            "MU_FACTOR_CLEAT",
+                                            "OFFSET",
+                                            "ROTATION_ANGLE_XY_PLANE",
+                                            "START",
+                                            "END",
+                                            "HEIGHT",
+                                            "DEPTH",
+                                            "LENGTH",
+                                            "SLOPE",
+                                            "DIRECTION",
+                                            "BEVEL_EDGE_LENGTH",
+                                            "AMPLITUDE",
+                                            "WAVE_LENGTH",
+                                            "AMPLITUDE_AT_START",
+                                            "AMPLITUDE_AT_END",
+                                            "WAVE_LENGTH_AT_START",
+                                            "WAVE_LENGTH_AT_END",
+                                            "SWEEP_TYPE",
+                                            "DIAMETER",
+                                            "V",
+                                            "ACCELERATION_TIME",
+                                            "NUMBER_CLEATS",
+                                            "CLEAT_HEIGHT",
+                                            "CLEAT_LENGTH",
+                                            "CLEAT_BEVEL_EDGE_LENGTH",
+                                            "CLEAT_DIRECTION",
+                                            "CLEAT_STARTING_ANGLE"};
+
 /// Quantity of a number, which decides its unit.
 enum class Of { ratio, length, angle, time, speed };
 
@@ -92,11 +122,19 @@ class RdfReading {
                        section.name()),
            section.place()});
     }
-    for (const TeimOrbitPart& part : result_.unused)
-      if (part.name.starts_with("[PARAMETERS]"))
-        result_.doubts.push_back({part.name,
-                                  part.name + " is not used: the road is as without it",
-                                  Place{file_.file(), part.line}});
+    for (const TeimOrbitPart& part : result_.unused) {
+      constexpr std::string_view kSection = "[PARAMETERS] ";
+      if (!part.name.starts_with(kSection)) continue;
+      // A key of another ROAD_TYPE is often left in a file and means nothing.
+      const std::string key = part.name.substr(kSection.size());
+      if (key.starts_with("{") ||
+          std::find(kRoadKeys.begin(), kRoadKeys.end(), key) != kRoadKeys.end())
+        continue;
+      result_.doubts.push_back(
+          {part.name,
+           part.name + " is no key of a road: it has no effect" + did_you_mean(key, kRoadKeys),
+           Place{file_.file(), part.line}});
+    }
     if (friction_across_)
       result_.doubts.push_back({friction_across_->name,
                                 "the friction across the road differs from that along it; here "

@@ -242,6 +242,11 @@ TEST(RdfFile, PartsThatWouldChangeTheSurfaceAreDoubts) {
   EXPECT_EQ(names_of(across.unused), Names{"[ELEMENTS] mu_y"});
   EXPECT_EQ(names(units + "[MODEL]\nMETHOD='2D'\nROAD_TYPE='flat'\n[PARAMETERS]\nMUE=1\n"),
             Names{"[PARAMETERS] MUE:9"});
+  // A key of another type of road is unused, and no doubt.
+  const RoadFile flat =
+      rdf(units + "[MODEL]\nMETHOD='2D'\nROAD_TYPE='flat'\n[PARAMETERS]\nMU=1\nHEIGHT=2\n");
+  EXPECT_TRUE(flat.doubts.empty());
+  EXPECT_EQ(names_of(flat.unused), Names{"[PARAMETERS] HEIGHT"});
 }
 
 TEST(RdfFile, TrianglesInAnyOrderOfNodesAndOfWinding) {

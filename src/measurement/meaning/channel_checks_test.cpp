@@ -91,8 +91,9 @@ TEST(ChannelChecks, RefuseLoadsThatPull) {
 
 TEST(ChannelChecks, FindNumbersThatStandForAGap) {
   const auto with_gap = [](const std::string& name, double value) {
+    const Channels good = cornering();
     Channels changed;
-    for (Channel channel : cornering().all()) {
+    for (Channel channel : good.all()) {
       if (channel.name == name) channel.values[5] = channel.values[7] = value;
       changed.add(std::move(channel));
     }

@@ -12,7 +12,7 @@
 namespace latsch {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kBeyondAll = 1e30;  // no channel has such a value in any usual unit
 constexpr double kRounding = 1e-9;   // relative; a number goes through SI and back
 
@@ -48,7 +48,7 @@ bool is_filler(double value) {
 
 /// Range of the values that are no fillers, and how much they change from sample to sample.
 struct Others {
-  double low = kInfinity, high = -kInfinity;
+  double low = kNoLimit, high = -kNoLimit;
   double largest_step = 0.0;
   std::size_t count = 0, steps = 0, repeats = 0, longest_run = 0;
 

@@ -11,8 +11,8 @@
 namespace latsch {
 namespace {
 
-constexpr double kMostLoad = 1e6;   // N; the largest mining tires carry 1 MN
-constexpr double kNearlyAll = 0.9;  // share of the samples, as for other channels of a recording
+constexpr double kMostLoad = 1e6;     // N; the largest mining tires carry 1 MN
+constexpr double kMostSamples = 0.9;  // share of the samples, as for other channels of a recording
 
 bool is_vertical(const std::string& channel) {
   return channel.size() >= 2 && std::tolower(static_cast<unsigned char>(channel[0])) == 'f' &&
@@ -39,7 +39,7 @@ std::optional<std::string> negative_load(const std::string& channel,
                                          std::span<const double> values) {
   if (!is_vertical(channel) || values.empty()) return std::nullopt;
   const auto below = std::count_if(values.begin(), values.end(), [](double v) { return v < 0.0; });
-  if (static_cast<double>(below) < kNearlyAll * static_cast<double>(values.size()))
+  if (static_cast<double>(below) < kMostSamples * static_cast<double>(values.size()))
     return std::nullopt;
   return fmt::format(
       "is below 0 in {} of {} samples, but the load on a tire is above 0 in iso axes: is it "

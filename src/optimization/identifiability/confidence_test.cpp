@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <cmath>
 
@@ -127,6 +128,44 @@ TEST(Confidence, NeighborsThatShareNoiseAreNotIndependent) {
     }
   }
   for (const int count : held) EXPECT_NEAR(static_cast<double>(count) / kSets, 0.95, 0.025);
+}
+
+// A robust loss takes the derivatives of wrong values away. The others are exact, so the values
+// share no noise, and the intervals are those of independent residuals of spread s, where s^2 =
+// sum r^2 / (m - n). The rows of J are those of a straight line, 0 at the wrong values.
+TEST(Confidence, ExactValuesBesideAFewFarOffShareNoNoise) {
+  constexpr int m = 21;
+  for (const std::vector<int>& wrong : {std::vector{10}, std::vector{3}, std::vector{4, 15}}) {
+    Linearization at = line(Eigen::VectorXd::LinSpaced(m, 0.2, 0.8));
+    for (const double rounding : {0.0, 1e-12}) {
+      for (int k = 0; k < m; ++k) at.r[k] = rounding * std::cos(7.0 * k * k);
+      for (const int k : wrong) {
+        at.r[k] = 0.03;
+        at.J.row(k).setZero();
+      }
+      const Confidence c = confidence(
+          at, {.least_noise = 1e-5, .traits = {.deviations = {}, .curves = std::vector(m, 0)}});
+      EXPECT_FALSE(c.is_colored);
+      const double s2 = 9e-4 * static_cast<double>(wrong.size()) / (m - 2);
+      const Eigen::Matrix2d C = s2 * Eigen::Matrix2d(at.J.transpose() * at.J).inverse();
+      for (int i = 0; i < 2; ++i)
+        EXPECT_NEAR(0.5 * (c.intervals[i].upper - c.intervals[i].lower) / c.t,
+                    std::sqrt(C(i, i)),
+                    1e-6 * std::sqrt(C(i, i)));
+    }
+  }
+}
+
+// With noise that neighbors share, values far off do not make the others exact.
+TEST(Confidence, NoiseBesideAValueFarOffIsStillShared) {
+  constexpr int m = 200;
+  const Eigen::VectorXd y =
+      Eigen::VectorXd::LinSpaced(m, 0.2, 0.8) + 0.05 * colored_noise(m, 0.8, RandomStream(7, 0));
+  Linearization at = line(y);
+  at.r[100] = 0.2;
+  const Confidence c = confidence(
+      at, {.least_noise = 1e-5, .traits = {.deviations = {}, .curves = std::vector(m, 0)}});
+  EXPECT_TRUE(c.is_colored);
 }
 
 // Twice the stated noise in 100 values cannot be chance, so the interval follows from the observed
