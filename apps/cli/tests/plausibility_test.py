@@ -210,7 +210,7 @@ class ModelsAlone(unittest.TestCase):
         self.assertIn("kappa = 0, alpha = 0, gamma = 0, Vx = 11.11 m/s, p = 2.4 bar are taken", self.run_it("test", self.TIR, test))
         states.write_text("Fz [N],alpha [deg],phit [1/m],p [bar]\n4000,2,0.1,1\n")
         text = self.run_it("test", self.TIR, test)
-        self.assertIn('column phit has no effect: turn_slip is "off"', text)
+        self.assertIn('"phit" (phit) is not used: turn_slip of the test is "off"', text)
         self.assertIn("column p has no effect", text)
         self.assertIn("kappa = 0, gamma = 0, Vx = 11.11 m/s are taken", text)
         self.assertNotIn("-0,", text.replace("-0.", ""))
