@@ -72,31 +72,6 @@ void examine_variables(const Study& study, const Document& file, std::vector<Fin
   }
 }
 
-/// Finds variables of numbers that are counts or modes: the model refuses a fraction there.
-void examine_counts(const Study& study, std::vector<Finding>& found) {
-  const experiment::SpecimenKind* kind = study.specimens->kind();
-  for (const DesignVariable& variable : study.space.variables()) {
-    if (!kind || variable.unit != "1" || variable.paths.empty()) continue;
-    const double fraction = std::floor(0.5 * (variable.lower + variable.upper)) + 0.5;
-    if (!(fraction > variable.lower && fraction < variable.upper)) continue;
-    Document numbers = study.model;
-    for (const std::string& path : variable.paths) numbers.set(path, fraction);
-    try {
-      kind->check(numbers);
-    } catch (const InputError& error) {
-      if (std::string_view(error.what()).find("expected an integer") == std::string_view::npos)
-        continue;
-      found.push_back(
-          {variable.place,
-           fmt::format("variable.{}.path {} leads to a whole number, a mode or a count, "
-                       "which cannot vary continuously: set it in the model's file",
-                       variable.name,
-                       in_quotes(variable.paths.front())),
-           true});
-    }
-  }
-}
-
 using TireSize = experiment::SpecimenKind::Size;
 
 void examine_deflection(const TireSize& size,
@@ -299,7 +274,6 @@ std::vector<Finding> implausible(const Study& study) {
   if (kind) append(experiment::findings_of_model(*kind, study.model, study.model_file), found);
   if (kind) append(experiment::unusual_numbers(file), found);
   examine_variables(study, file, found);
-  examine_counts(study, found);
   examine_repetitions(study, file, found);
   examine_sides(study, file, found);
   const auto size = kind ? kind->size(study.model) : std::nullopt;

@@ -68,9 +68,6 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
       notes.push_back(table.file() + ": " + assumed);
     if (!values_of(table, "p").empty() && !magic_formula::pressure_acts(parameters_))
       notes.push_back("column p has no effect: " + no_pressure_in_words());
-    if (!conventions.turn_slip && !values_of(table, "phit").empty())
-      notes.emplace_back(
-          "column phit has no effect: turn_slip is \"off\"; turn_slip = \"on\" uses it");
     if (conventions.turn_slip && !tire.conventions().turn_slip)
       notes.emplace_back(
           "the tire has no turn slip coefficients: it is computed without turn "

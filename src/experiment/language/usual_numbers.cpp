@@ -139,7 +139,7 @@ double thickest_wall(const Document& document) {
 }
 
 /// Finds plies whose cords overlap, or whose cords are thicker than the wall that contains them. A
-/// cord is at least as wide as a circle of its area.
+/// cord is at least as wide as the root of its area, also in a file that spreads the area evenly.
 void examine_cords(const Document& document, std::vector<Finding>& found) {
   const double wall = thickest_wall(document);
   for (const Node& layer : document.root().named_tables("layer")) {
@@ -148,7 +148,7 @@ void examine_cords(const Document& document, std::vector<Finding>& found) {
     const auto area = number_at(document, at + "cord_area");
     const auto spacing = number_at(document, at + "spacing");
     if (!spacing || (!diameter && !area)) continue;
-    const double d = diameter ? *diameter : std::sqrt(4.0 / std::numbers::pi * *area);
+    const double d = diameter ? *diameter : std::sqrt(*area);
     const char* key = diameter ? "cord_diameter" : "cord_area";
     const auto add = [&](const std::string& what) {
       found.push_back({layer.place(key),
@@ -192,6 +192,8 @@ void examine_belt(const Document& document, std::vector<Finding>& found) {
 Seen judged(const UsualMagnitude& usual, double si) {
   const double value = in_unit(usual, si);
   if (value == 0.0 && usual.zero_allowed) return Seen::usual;
+  // A flat tire may be intended.
+  if (value == 0.0 && std::string_view(usual.key) == "pressure") return Seen::unusual;
   if (!(value >= usual.least && value <= usual.most)) return Seen::impossible;
   return value < usual.from || value > usual.to ? Seen::unusual : Seen::usual;
 }
@@ -289,7 +291,8 @@ std::vector<Finding> findings_of_model(const SpecimenKind& kind,
                                        const Document& numbers,
                                        const std::filesystem::path& file) {
   std::vector<Finding> found;
-  for (const std::string& note : kind.notes(file)) found.push_back({{file.string(), 0}, note, false, true});
+  for (const std::string& note : kind.notes(file))
+    found.push_back({{file.string(), 0}, note, false, true});
   if (!kind.has_usual_numbers()) return found;
   for (Finding& one : unusual_numbers(numbers)) found.push_back(std::move(one));
   return found;

@@ -16,7 +16,6 @@
 #include "base/units.h"
 #include "measurement/meaning/channel_words.h"
 #include "measurement/meaning/suspension_checks.h"
-#include "measurement/meaning/natural_unit.h"
 
 namespace latsch {
 namespace {
@@ -137,43 +136,6 @@ std::optional<ChannelDoubt> out_of_range(const Channel& channel, const UsualRang
                                   range.hint),
                       unusual.first,
                       is_error};
-}
-
-/// Finds numbers such as -9999 that stand for a gap: no number of the channel except them comes
-/// near them. They are searched in SI and in the channel's natural unit.
-std::optional<ChannelDoubt> sign_of_a_gap(const Channel& channel) {
-  constexpr double kSigns[] = {999, 9999, 99999, 999999, 32767, 32768};
-  constexpr double kFar = 2.0;  // ratio to the largest other value
-  constexpr std::size_t kFewest = 4;
-  if (numbers_in(channel.values) < kFewest || channel.name == "time") return std::nullopt;
-  double most = 0.0;
-  for (const double value : channel.values)
-    if (!std::isnan(value)) most = std::max(most, std::abs(value));
-  const std::string natural = natural_unit(channel.unit);
-  for (const std::string& unit : {channel.unit, natural}) {
-    const double written = std::abs(Unit::of(unit).from_si(most));
-    const bool is_sign = std::ranges::any_of(
-        kSigns, [&](double sign) { return std::abs(written - sign) <= 1e-9 * sign; });
-    if (!is_sign) continue;
-    const auto equals = [&](double value) {
-      return std::abs(std::abs(value) - most) <= 1e-9 * most;
-    };
-    double other = 0.0;
-    for (const double value : channel.values)
-      if (!std::isnan(value) && !equals(value)) other = std::max(other, std::abs(value));
-    const Counted gaps = count_where(channel.values, equals);
-    if (kFar * other > most || gaps.count == numbers_in(channel.values)) return std::nullopt;
-    const double sign = channel.values[gaps.first] < 0.0 ? -written : written;
-    return ChannelDoubt{
-        channel.name,
-        fmt::format("is {} {}, all others are within {}: does the number stand for a gap? "
-                    "A gap is an empty cell, NaN or NOTAVAIL",
-                    format_number(sign, 6),
-                    of_samples(gaps.count, numbers_in(channel.values)),
-                    format_quantity(other, unit, 4)),
-        gaps.first};
-  }
-  return std::nullopt;
 }
 
 /// Checks that the loads are positive, as those of a wheel on the ground.
@@ -443,10 +405,6 @@ std::vector<ChannelDoubt> doubts_about(const Channels& channels,
   std::vector<ChannelDoubt> doubts;
   for (const Channel& channel : channels.all()) {
     const std::string name = base_name(channel);
-    if (auto doubt = sign_of_a_gap(channel)) {
-      doubts.push_back(std::move(*doubt));
-      continue;
-    }
     if (name == "Fz" && channel.unit == "N" && channel.name != "load")
       if (auto doubt = sign_of_load(channel)) {
         doubts.push_back(std::move(*doubt));

@@ -89,28 +89,6 @@ TEST(ChannelChecks, RefuseLoadsThatPull) {
   EXPECT_EQ(doubts[0].channel, "Fz");
 }
 
-TEST(ChannelChecks, FindNumbersThatStandForAGap) {
-  const auto with_gap = [](const std::string& name, double value) {
-    const Channels good = cornering();
-    Channels changed;
-    for (Channel channel : good.all()) {
-      if (channel.name == name) channel.values[5] = channel.values[7] = value;
-      changed.add(std::move(channel));
-    }
-    return doubts_about(changed);
-  };
-  for (const auto& [name, value] : {std::pair{"Fy", -9999.0}, {"Mz", 99999.0}, {"Fz", -9999.0}}) {
-    const auto doubts = with_gap(name, value);
-    ASSERT_FALSE(doubts.empty()) << name;
-    EXPECT_EQ(doubts[0].channel, name);
-    EXPECT_EQ(doubts[0].sample, 5u);
-    EXPECT_NE(doubts[0].sentence.find("in 2 of 51 samples"), std::string::npos);
-    EXPECT_NE(doubts[0].sentence.find("does the number stand for a gap?"), std::string::npos);
-  }
-  EXPECT_FALSE(with_gap("alpha", -999.0 * kDegreeOfChecks).empty());  // in deg
-  EXPECT_TRUE(with_gap("Fy", -3000.0).empty());
-}
-
 TEST(ChannelChecks, CountAMinority) {
   const auto doubts = doubts_about(times("Fz", -1.0, 17));
   ASSERT_FALSE(doubts.empty());
