@@ -81,7 +81,7 @@ class Console(Coarse):
         line = next(i for i, text in enumerate(self.study.read_text().splitlines(), 1) if '"2.4 N"' in text)
         self.assertEqual((error["file"], error["line"]), (str(self.study), line))
         edit(self.study, ('pressure = "2.4 N"', 'pressure = "9 bar"'), ("values = .*", "values = [1]}"))
-        (self.folder / "stiffness.csv").write_text("deflection [mm], force [N]\n1000, 1\n")
+        (self.folder / "stiffness.csv").write_text("deflection [mm], force [N]\n104.5, 1\n")
         self.assertIn("message", self.answer("simulate", self.study, code=FAILED))
 
     def test_quiet_says_nothing_and_data_are_data(self):

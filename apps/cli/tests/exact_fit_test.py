@@ -149,7 +149,8 @@ class ExactFit(unittest.TestCase):
                     halves.append([(row["interval"][1] or 9) - (row["interval"][0] or 0) for row in answer["variables"]])
                 for half in halves[1:]:
                     for one, other in zip(halves[0], half):
-                        self.assertAlmostEqual(other / one, 1.0, delta=0.1, msg=f"{loss}, {off}")
+                        # An identification moves its center for what changes an interval by more than a sixth.
+                        self.assertAlmostEqual(other / one, 1.0, delta=1 / 6, msg=f"{loss}, {off}")
 
     def test_tied_variables_are_left_open(self):
         words, answer = self.fit({"a": (0.1, 10, 1), "d": (0.1, 10, 1.5), "b": (-5, 0, -1), "c": (0, 2, 1)},

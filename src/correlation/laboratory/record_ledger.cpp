@@ -340,6 +340,7 @@ std::vector<LedgerDoubt> suspect_numbers(const LabRecord& record,
     Channel others = *found;  // without gaps, which are the suspect numbers themselves
     std::erase_if(others.values, [](double value) { return std::isnan(value); });
     const std::string window = window_around(others);
+    const bool is_refused = suspect.is_certain && !was_seen;
     std::string way_out;
     if (was_filtered)
       way_out = "low_pass has spread it over its neighbors: cut the rows off in the file";
@@ -353,7 +354,7 @@ std::vector<LedgerDoubt> suspect_numbers(const LabRecord& record,
           window);
     doubts.push_back({column,
                       fmt::format("column {}{} is {} in {} of {} samples ({}), {}; the other "
-                                  "values: {}. The rows count as they are: {}",
+                                  "values: {}. {}: {}",
                                   in_quotes(column),
                                   column == suspect.channel ? "" : " (" + suspect.channel + ")",
                                   suspect.number,
@@ -362,9 +363,11 @@ std::vector<LedgerDoubt> suspect_numbers(const LabRecord& record,
                                   rows_in_words(record, left),
                                   suspect.reason,
                                   window.empty() ? "none" : range_in_words(others),
+                                  is_refused ? "A study that uses the column is refused"
+                                             : "The rows count as they are",
                                   way_out),
                       record.places[left.front()],
-                      suspect.is_certain && !was_seen});
+                      is_refused});
   }
   return doubts;
 }

@@ -102,8 +102,8 @@ std::optional<MayBe> known_name(std::string_view channel,
   if (known.meaning->name == channel) {
     if (!column.taken_as.empty() && !same_channel(column.taken_as, column.name))
       return MayBe{column.name, "stated to be " + column.taken_as};
-    if (known.channel != channel) return MayBe{column.name, "that of one wheel or frame"};
-    return std::nullopt;
+    if (known.channel == channel || column.is_used) return std::nullopt;
+    return MayBe{column.name, "that of one wheel or frame"};
   }
   if (column.is_used) return std::nullopt;
   const auto has = [&](std::string_view other) {

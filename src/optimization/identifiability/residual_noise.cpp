@@ -23,6 +23,9 @@ constexpr Eigen::Index kSamplesAnOrder = 6;  // least number of samples for each
 // Without improvement, before the search for a higher order ends.
 constexpr size_t kOrdersInVain = 2;
 constexpr double kMostZ = 4.5;  // atanh(kappa): |kappa| up to 0.99975
+/// Share of the spread of all rows: if a few rows are far off and the others differ by less, the
+/// few make the spread. A noise of a thousandth of it tells nothing of how they came about.
+constexpr double kFarOff = 1e-3;
 constexpr double kGolden = 0.6180339887498949;
 constexpr int kFirstCuts = 16, kLaterCuts = 9;  // numbers of golden sections
 constexpr double kDerivative = 0.05;            // step in z of numerical derivatives
@@ -129,7 +132,7 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& r,
     add(all, curve_sums_.back(), 1.0);
   }
   if (freedom_ > 0.0 && !curves_.empty() && sigma_of(all) > least_seen &&
-      !is_exact_but_for_few(x_, Q_, least_seen)) {
+      !is_exact_but_for_few(x_, Q_, std::max(least_seen, kFarOff * sigma_of(all)))) {
     for (size_t k = 0; k < curves_.size(); ++k) {
       add(all, curve_sums_[k], -1.0);
       fit(curves_[k], all);
