@@ -279,7 +279,7 @@ TEST(OpenCrg, SaysWhereAndWhatIsWrong) {
                      "did you mean \"reference_line_increment\"");
   expect_crg_message(with("= 1.0 !", "= fast !"), "road.crg:5: ", "expected a number");
   expect_crg_message(with("#:LRFI", "#:LXFI"), "road.crg:9: ", "expected one such as");
-  expect_crg_message(with("#:LRFI\n", ""), "road.crg:13: ", "no format");
+  expect_crg_message(with("#:LRFI\n", ""), "road.crg:13: ", "data without a format");
   expect_crg_message(with("section 2,m", "section 2,ft"), "road.crg:11: ", "expected \"m\"");
   expect_crg_message(with("section 2,m", "section 3,m"), "road.crg:", "section 2");
   expect_crg_message(with("D:long section 2,m", "D:surface,m"), "road.crg:11: ", "expected \"long");

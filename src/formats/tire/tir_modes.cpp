@@ -47,10 +47,16 @@ std::string unlike_use_mode(const TirFile& tir) {
   std::vector<std::string> here;
   if (mode.forces == kTurnSlip)
     here.emplace_back("turn slip is computed only if a test asks for it (turn_slip = \"on\")");
+  else if (mode.forces >= kForces.size())
+    here.emplace_back(
+        "expected a last digit of 0 to 5; all forces are computed here, in combined slip");
   else if (mode.forces != kCombined)
     here.emplace_back("all forces are computed here, in combined slip");
   if (mode.dynamics == kNonlinear)
     here.emplace_back("the relaxation lengths here do not depend on the slip");
+  else if (mode.dynamics >= kDynamics.size())
+    here.emplace_back(
+        "expected 0 to 4 before the last digit; a tire that rolls has relaxation here");
   else if (mode.dynamics > kNonlinear)
     here.emplace_back("a belt is computed here only in a model of kind = \"rigid_ring\"");
   if (mode.contact > 1)

@@ -303,15 +303,6 @@ class TirReader {
                         "made here; taken as {} (side = \"other\" of a test mirrors)",
                         mode,
                         -mode));
-    constexpr long kModes = 6, kLags = 3;  // digits that differ: 0 to 5, 0 to 2
-    const long units = std::abs(mode) % 10, tens = std::abs(mode) / 10 % 10;
-    if (units >= kModes || tens >= kLags)
-      doubt("USE_MODE",
-            model.find("USE_MODE")->line,
-            fmt::format("USE_MODE is {}, expected a last digit of 0 to 5 and 0 to 2 before it; "
-                        "computed as {}",
-                        mode,
-                        10 * std::min(tens, kLags - 1) + (units >= kModes ? 4 : units)));
     tir_.parameters.use_mode = static_cast<int>(std::abs(mode));
     if (const std::string unlike = unlike_use_mode(tir_); !unlike.empty())
       doubt("USE_MODE", model.find("USE_MODE")->line, unlike);
