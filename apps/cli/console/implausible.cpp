@@ -24,6 +24,11 @@ void reject_implausible(const correlation::Study& study) {
   reject_impossible(correlation::implausible(study));
 }
 
+void warn_of_implausible(const correlation::Study& study) {
+  for (const experiment::Finding& finding : correlation::implausible(study))
+    warn((finding.is_note ? "" : "warning: ") + experiment::in_words(finding), finding.place);
+}
+
 void examine_model(const experiment::SpecimenKind& kind,
                    const Document& numbers,
                    const std::string& file) {

@@ -15,8 +15,10 @@ void reject_impossible(const std::vector<experiment::Finding>& found);
 /// Does so for a study, with the notes on its model's file.
 void reject_implausible(const correlation::Study& study);
 
-/// Does so for the file of a model alone; also warns of its faults beyond the data that it was
-/// fitted to.
+/// Warns of all of them and refuses none, for a single trial.
+void warn_of_implausible(const correlation::Study& study);
+/// Warns of and refuses numbers of the file of a model alone; also warns of its faults beyond the
+/// data that it was fitted to.
 void examine_model(const experiment::SpecimenKind& kind,
                    const Document& numbers,
                    const std::string& file);

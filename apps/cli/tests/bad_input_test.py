@@ -110,9 +110,9 @@ class BadInput(Coarse):
         self.assert_says(text, "sidewal", "did you mean", "sidewall")
 
     def test_pressure_that_the_wall_does_not_bear(self):
-        edit(self.study, ('pressure = "2.4 bar"', 'pressure = "39 bar"'))
+        edit(self.study, ('pressure = "2.4 bar"', 'pressure = "900 bar"'))
         text = self.latsch("simulate", self.study, code=FAILED)
-        self.assert_says(text, "experiment", "39 bar")
+        self.assert_says(text, "experiment", "900 bar")
 
     def test_full_disk(self):
         def small_files():  # every file ends at 40 kB, as on a disk that is full

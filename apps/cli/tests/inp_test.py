@@ -83,7 +83,7 @@ class Deck(Coarse):
         study = self.folder / "deck.toml"
         study.write_text(STUDY.replace("PATH", path))
         self.latsch("export", study, "--measurements")
-        self.assert_says(self.latsch("check", study), "units mm, N, tonne", "sidewall", "Everything is in order")
+        self.assert_says(self.latsch("check", study), "units mm, N, tonne", "sidewall", "its units are assumed to be mm, N, tonne")
         self.latsch("run", study)
         found = self.folder / "found.inp"
         self.latsch("export", study, "--model", found)

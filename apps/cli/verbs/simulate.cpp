@@ -37,7 +37,7 @@ int simulate(const std::string& file,
   say_ledgers(study, false);
   answer()["variables"] = answer_of(study.space, point);
 
-  reject_implausible(study);
+  warn_of_implausible(study);
   const auto channels = correlation::simulate_all(study, point);
   if (!channels) {
     complain(channels.failure().reason);
