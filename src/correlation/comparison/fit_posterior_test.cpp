@@ -17,6 +17,7 @@
 #include "correlation/comparison/model_comparison_page.h"
 #include "correlation/comparison/shaken_springs_testing.h"
 #include "correlation/target/study_trials.h"
+#include "correlation/target/trial_ownership.h"
 #include "evaluation/executors/inline_executor.h"
 
 namespace latsch::correlation {
@@ -94,6 +95,7 @@ exponent = 2
     Study study = read_study(folder_ / "fit.toml", shaken_springs());
     std::filesystem::remove(study.run.journal);
     Journal journal = Journal::open(study.run.journal, identity(study));
+    mark_target(study, journal);
     InlineExecutor executor(evaluator(study));
     EXPECT_TRUE(
         identify(study, study.space.initial(), Depth::intervals, executor, journal, RunOptions{}));
