@@ -96,7 +96,7 @@ TEST_F(EveryTest, EveryTireThatRollsGoesOnTheUniformityMachine) {
   }
   EXPECT_NE(
       complaint("kind = \"uniformity\"\nload = \"4 kN\"\nspeed = \"30 m/s\"\nstep = \"1 ms\"\n")
-          .find("30 mm, expected at most 20 mm"),
+          .find("30 mm at 108 km/h, expected at most 20 mm"),
       std::string::npos);
 }
 
