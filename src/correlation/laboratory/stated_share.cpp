@@ -36,10 +36,11 @@ void expect_stated_share(const Node& table,
   const std::string number = format_number(share);
   std::string expected = "\"" + number + " %\"";
   if (unit != "1") expected += " or \"" + number + " " + unit + "\"";
+  const std::string percent = format_number(100.0 * share) + " %";
+  // A noise, which also has a unit, is never larger than the value itself.
+  if (unit == "1") expected += ", or \"" + percent + "\" if that is meant";
   table.reject(key,
-               "is " + number + " without a unit, which is " + format_number(100.0 * share) +
-                   " %; expected " + expected + ", or \"" + format_number(100.0 * share) +
-                   " %\" if that is meant");
+               "is " + number + " without a unit, which is " + percent + "; expected " + expected);
 }
 
 double read_share(const Node& table, const std::string& key, Range range, const std::string& unit) {

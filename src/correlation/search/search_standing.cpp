@@ -5,6 +5,7 @@
 
 #include "correlation/search/stage_runs.h"
 #include "correlation/target/study_trials.h"
+#include "evaluation/journal/asked_trials.h"
 
 namespace latsch::correlation {
 namespace {
@@ -23,15 +24,17 @@ bool has_recorded_ending(const Study& study, const Journal& journal) {
 TrialCounts count_trials(const Study& study, const Journal& journal) {
   const Objective target = objective(study);
   const TrialOwnership ownership(study, journal.marks());
+  const AskedTrials asked(journal.marks());
   TrialCounts counts;
   journal.for_each([&](const Trial& trial) {
     const auto& result = trial.outcome.result;
     const bool has_target = result && target(trial.point, *result);
     const bool is_own = !ownership.is_known() || ownership.is_own(counts.trials, trial.point);
+    const bool is_asked = asked.contains(counts.trials, trial.point);
     ++counts.trials;
     if (!has_target) ++counts.failed;
     if (!is_own) ++counts.foreign;
-    if (has_target && is_own) ++counts.own_succeeded;
+    if (has_target && is_own && is_asked) ++counts.own_succeeded;
   });
   return counts;
 }

@@ -61,7 +61,7 @@ TEST_F(SearchStanding, OfASearchThatWasKilledOnlyItsOwnTrialsAreTheBestSoFar) {
   edit_measurement();
   const Study after = read("");
   evaluated_ = 0;
-  ASSERT_EQ(fit_all(after, 1, 1).back().run.end, RunEnd::stopped);
+  ASSERT_EQ(fit_all(after, 1, 3).back().run.end, RunEnd::stopped);  // the last was not yet observed
   const Journal journal = Journal::read(after.run.journal);
   ASSERT_GT(journal.size(), old);
   ASSERT_TRUE(best(after));

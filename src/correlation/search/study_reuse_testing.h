@@ -72,6 +72,7 @@ measurement = "measured.csv"
 
   /// Runs all stages to their end, or stops as if killed after a number of trials.
   std::vector<Fit> fit_all(const Study& study, int workers = 1, long killed_after = 1'000'000) {
+    std::vector<Fit> fits;
     std::optional<Journal> journal;
     const auto run_stage = [&](const StageRun& stage) {
       const Study& part = stage.study;
@@ -86,9 +87,11 @@ measurement = "measured.csv"
         return model(point);
       };
       ThreadExecutor executor([&] { return counted; }, workers);
-      return StageResult{fit(part, executor, *journal, options), &*journal};
+      fits.push_back(fit(part, executor, *journal, options));
+      return StageResult{fits.back(), &*journal};
     };
-    return run_stages(study, run_stage).fits;
+    run_stages(study, run_stage);
+    return fits;
   }
 
   static void expect_same(const std::vector<Fit>& a, const std::vector<Fit>& b) {

@@ -65,9 +65,9 @@ void mark_design(const Study& study, const std::vector<DesignPoint>& points, Jou
 /// Number of trials of a journal by what became of them and for what they were run.
 struct TrialCounts {
   long trials = 0;
-  long failed = 0;   // without a target: the trial failed or its channels cannot be compared
-  long foreign = 0;  // run for other measurements, weights or bounds; 0 if that is not known
-  long own_succeeded = 0;
+  long failed = 0;         // without a target: the trial failed or its channels cannot be compared
+  long foreign = 0;        // run for other measurements, weights or bounds; 0 if that is not known
+  long own_succeeded = 0;  // succeeded, not foreign, and asked for by a search or a design
   long succeeded() const { return trials - failed; }
   long own() const { return trials - foreign; }
 };

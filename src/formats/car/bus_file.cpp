@@ -237,7 +237,6 @@ class BusReading {
   }
 
   BusFile run() {
-    check_header();
     for (const char* key : {"LENGTH", "ANGLE", "FORCE", "MASS", "TIME"})
       if (const TeimOrbitEntry* entry = stated_.find(key)) {
         LedgerRow row = row_of(std::string("[UNITS] ") + key, entry->line, "unit");
@@ -252,13 +251,6 @@ class BusReading {
   }
 
  private:
-  void check_header() const {
-    const TeimOrbitSection& header = file_.section("MDI_HEADER");
-    if (const std::string type = header.text("FILE_TYPE"); lower(type) != "bus")
-      throw InputError(header.place(header.find("FILE_TYPE")->line),
-                       "FILE_TYPE is " + in_quotes(type) + ", expected \"bus\"");
-  }
-
   void read_axis(std::size_t axis, const TeimOrbitSection& dampings) {
     const std::string name = std::string(kBusAxes[axis]) + "_CURVE",
                       key = std::string(kBusAxes[axis]) + "_DAMPING";
@@ -308,9 +300,17 @@ class BusReading {
   BusFile result_;
 };
 
+void refuse_other_type(const TeimOrbit& file) {
+  const TeimOrbitSection& header = file.section("MDI_HEADER");
+  if (const std::string type = header.text("FILE_TYPE"); lower(type) != "bus")
+    throw InputError(header.place(header.find("FILE_TYPE")->line),
+                     "FILE_TYPE is " + in_quotes(type) + ", expected \"bus\"");
+}
+
 }  // namespace
 
 BusFile bus_file_from(const TeimOrbit& file) {
+  refuse_other_type(file);
   if (!file.find("UNITS")) file.units().length();  // throws and says which lines to add
   return BusReading(file).run();
 }

@@ -50,7 +50,7 @@ correlation::TrialCounts TrialTable::counts_read() const {
   correlation::TrialCounts counts{.trials = static_cast<long>(rows_.size()), .failed = failed_};
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     if (is_foreign(row)) ++counts.foreign;
-    if (!is_foreign(row) && rows_[row].parts) ++counts.own_succeeded;
+    if (!is_foreign(row) && rows_[row].parts && this->counts(row)) ++counts.own_succeeded;
   }
   return counts;
 }
