@@ -12,7 +12,7 @@
 //   camber = "2 deg"                 # about x, top to the right; default 0
 //   friction = 0.8                   # of a finite-element tire with the ground, 0 unless given;
 //                                    # others have theirs in their own files
-//   travel = "1 mm"                  # over which a stiffness is computed; default, at most 20 mm
+//   travel = "1 mm"                  # over which a stiffness is computed; default, at most 50 mm
 //   twist = "1 mrad"                 # over which the torsional one is computed; default, at most
 //                                    # 0.1 rad
 //   [cleat]                          # on which deflections are pressed; none: flat ground
