@@ -126,6 +126,7 @@ measurement = "pressed.csv"
 path = "sidewall.radial.stiffness"
 lower = "400 kN/m^2"
 upper = "700 kN/m^2"
+initial = "500 kN/m^2"
 ''')
         measured = "deflection [mm],force [N]\n10,1500\n20,3300\n"
         pressed = self.write("pressed.csv", measured)
