@@ -149,7 +149,7 @@ TEST_F(StudyStages, ComplaintsNameTheStage) {
   says("noise = \"own_stage\"\n", "no stage before the last one");
   says("noise = \"own_stage\"\n[stage.a]\n", "no stage before the last one");
   says("noise = \"own_stage\"\n[stage.a]\nmodel.PKY2 = 1.6\n[stage.b]\n",
-       "with the model as it is");
+       "has the unchanged model");
   says("[stage.a]\nrestart = 2\n[stage.b]\n", "unknown key");
   says("[stage.a]\nmethod = \"gss\"\nrestarts = 2\n[stage.b]\n", "restarts belongs to");
 }
