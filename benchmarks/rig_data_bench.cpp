@@ -99,7 +99,7 @@ void compare_with_scipy(Table& table) {
     const double d = difference(scratch.path / name, ours);
     table.row(what, fmt::format("{:.1e}", d), "<= 1e-12 relative", d <= 1e-12);
   };
-  const auto f = polynomials_of(butterworth(4, Band::low_pass, {60.0}, kRate));
+  const auto f = polynomials_of(butterworth(4, FilterBand::low_pass, {60.0}, kRate));
   auto coefficients = f.b;
   coefficients.insert(coefficients.end(), f.a.begin(), f.a.end());
   row("butter", "butter, order 4, 60 Hz at 2 kHz", coefficients);
@@ -114,7 +114,7 @@ void compare_with_scipy(Table& table) {
       fmt::format("{:.1e}", difference(scratch.path / "filtfilt", filter_forward_backward(f, x))));
   row("sosfiltfilt",
       "sosfiltfilt, order 4, 20 Hz at 2 kHz",
-      filter_forward_backward(sections_of(butterworth(4, Band::low_pass, {20.0}, kRate)), x));
+      filter_forward_backward(sections_of(butterworth(4, FilterBand::low_pass, {20.0}, kRate)), x));
   const auto settings = welch_settings(Convention::scipy, kSamples, 1024);
   row("welch", "welch, 1024 samples", power_density(x, kRate, settings).value);
   std::vector<double> parts;

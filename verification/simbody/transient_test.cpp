@@ -76,7 +76,7 @@ double away_from_simbody(double step) {
   EXPECT_TRUE(rest);
   Transient transient(mechanism, {.dissipation = 0.0});
   const Outside tires = tires_on_road(file);
-  const Standing acting{.loads = loads, .outside = &tires};
+  const RestSettings acting{.loads = loads, .outside = &tires};
   auto state = transient.start({*rest, {}}, acting);
   EXPECT_TRUE(state);
   double away = 0.0;
