@@ -242,7 +242,7 @@ step_tolerance = 0.002
         for arguments in (("--vtu", "a.vtu"), ("--measurements",)):
             self.assert_says(self.latsch("export", self.study("quarter_car" if "--vtu" in arguments else
                                                               "cantilever_calculix"), *arguments, code=WRONG_INPUT),
-                             "no model")
+                             "instead of a model")
 
 
 class OnAnotherFileSystem(Outside):
