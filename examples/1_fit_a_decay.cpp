@@ -41,7 +41,7 @@ int main() {
     for (const DesignPoint& p : what.wanted()) outcomes.push_back(Evaluated(residuals(p)));
     what.observe(outcomes);
   }
-  for (const Profile& p : what.profiles())
+  for (const TargetProfile& p : what.profiles())
     std::printf("%s = %.3f, %s\n",
                 space[p.variable].name.c_str(),
                 best.values[p.variable],

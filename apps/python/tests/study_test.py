@@ -86,7 +86,7 @@ class Studies(unittest.TestCase):
         self.assertAlmostEqual(found.point[0], 0.45, delta=1e-3)
         self.assertTrue(study.trials().own.all())
         text = file.read_text()
-        for was, now in (('"-0.1 N"', '"-0.2 N"'), ("upper = 1", "upper = 0.44"),
+        for was, now in (('"-0.1 N"', '"-0.2 N"'), ("lower = 0", "lower = 0.46"),
                          ('channel = "out/y"', 'channel = "out/y"\nexponent = 2')):
             with self.subTest(now):
                 file.write_text(text.replace(was, now))
