@@ -124,9 +124,10 @@ int identify(const std::string& file,
   correlation::mark_target(study, journal);
   say_kind_of_journal(study);
   if (!searched.has_ended)
-    warn("no search of this study has ended, so intervals and verdicts belong to the best trial so "
-         "far, which need not be at a minimum; run latsch run " +
-         study.file.string() + " first");
+    warn(
+        "no search of this study has ended, so intervals and verdicts belong to the best trial so "
+        "far, which need not be at a minimum; run latsch run " +
+        study.file.string() + " first");
   const auto best = correlation::best_trial(study, journal);
   if (!best) {
     complain("no trial in " + study.run.journal.string() + " succeeded");

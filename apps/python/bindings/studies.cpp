@@ -301,16 +301,16 @@ void bind_studies(py::module_& module) {
           [](const Read& s, const py::object& at) { return model_at(*s.study, at); },
           py::arg("point") = py::none(),
           "Returns the Model as written, or with the variables at a point (n,).")
-      .def("_fitted_text",
-           [](const Read& s, const std::string& version, const std::string& date) {
-             if (!s.study->specimens->kind())
-               throw InputError({s.study->file.string(), 0},
-                                "has a [simulator] instead of a model");
-             return long_call<std::string>([study = s.study, version, date](const Abandonment&) {
-               return correlation::text_of(*study,
-                                           correlation::fitted_model(*study, {version, date}));
-             });
-           })
+      .def(
+          "_fitted_text",
+          [](const Read& s, const std::string& version, const std::string& date) {
+            if (!s.study->specimens->kind())
+              throw InputError({s.study->file.string(), 0}, "has a [simulator] instead of a model");
+            return long_call<std::string>([study = s.study, version, date](const Abandonment&) {
+              return correlation::text_of(*study,
+                                          correlation::fitted_model(*study, {version, date}));
+            });
+          })
       .def("_best", [](const Read& s) { return best_of(*s.study); })
       .def("_trials", [](const Read& s, const std::vector<std::string>& names, bool all) {
         const Trials trials = long_call<Trials>([study = s.study, names, all](const Abandonment&) {

@@ -249,8 +249,9 @@ void Dispatcher::receive(std::vector<Trial> trials) {
   for (Trial& trial : trials) {
     const std::string bits = trial.point.bits();
     const auto entry = running_.find(bits);
-    if (entry == running_.end()) continue;  // a second outcome of a point, or one that nobody waits
-                                            // for
+    if (entry == running_.end())
+      continue;  // a second outcome of a point, or one that nobody waits
+                 // for
     Running& running = entry->second;
     // The failure came twice, or from a withdrawn attempt: the point waits for a worker already.
     if (running.copies == 0 && !trial.outcome.result) continue;

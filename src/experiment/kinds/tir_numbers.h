@@ -10,8 +10,8 @@
 #include "base/document.h"
 #include "experiment/language/specimen.h"
 #include "experiment/rigs/inflation.h"
-#include "models/magic_formula/parameters.h"
 #include "models/magic_formula/limits/range_log.h"
+#include "models/magic_formula/parameters.h"
 
 namespace latsch::experiment {
 

@@ -18,8 +18,8 @@
 // 2 Fy, Mx, Mz, 3 all without interaction of the slips, 4 and 5 all (5: with turn slip).
 #pragma once
 
-#include "models/magic_formula/magic_formula.h"
 #include "models/magic_formula/limits/range_log.h"
+#include "models/magic_formula/magic_formula.h"
 #include "models/magic_formula/standstill.h"
 #include "models/magic_formula/wheel_contact.h"
 #include "models/tire/tire.h"
