@@ -3,8 +3,8 @@
 // that fulfill a condition. `latsch new --hold-out run_12.dat`, `--hold-out "p = 90 kPa .. 104
 // kPa"`.
 //
-// Whether a coefficient is freed depends on the fitted samples alone: a third pressure that is held
-// out gives the fit no information on a quadratic term.
+// Only the fitted samples decide if a coefficient is freed: a third pressure that is held out
+// gives the fit no information on a quadratic term.
 #pragma once
 
 #include <filesystem>

@@ -72,7 +72,7 @@ struct ClearSlope {
   std::string motion, load;  // names in the table
   double correlation = 0.0;  // +1 or -1 of a slope that the table itself states
   bool rises() const { return correlation > 0.0; }
-  /// To follow the name of the motion.
+  /// Returns the words that come after the name of the motion in a message.
   std::string words() const {
     return fmt::format(
         "{} as {} rises (correlation {:+.2f})", rises() ? "rises" : "falls", load, correlation);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Residuals and their derivatives, reduced to what a refit by Gauss-Newton steps needs of them.
 //
-// From the residuals r of a group and their derivatives J such a refit needs only J'J, J'r and r'r.
+// Such a refit needs only J'J, J'r and r'r of the residuals r of a group and their derivatives J.
 // The triangular factor R of
 //   [J r] = Q R,     R: (n + 1) x (n + 1)
 // has the same three products, to rounding, because Q is orthogonal. So thousands of rows become n
