@@ -6,12 +6,15 @@
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
 from cli_testing import DONE, LATSCH, WRONG_INPUT, edit
 
-STUDIES = pathlib.Path(__file__).resolve().parents[3] / "studies"
+STUDIES = pathlib.Path(__file__).resolve().parents[4] / "studies"
 POSTS = '{kind = "four_post", duration = "0.5 s", from = "5 Hz"}'
 
 
