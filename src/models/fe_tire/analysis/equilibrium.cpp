@@ -61,11 +61,11 @@ EquilibriumSolver::EquilibriumSolver(const RingUnknowns& unknowns,
       f_(unknowns.size()),
       d_(unknowns.size()) {}
 
-std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
-                                                AssembledState& state,
-                                                double pressure,
-                                                const TreadContact* contact,
-                                                const std::string& step) {
+Status EquilibriumSolver::solve(const RingElements& elements,
+                                AssembledState& state,
+                                double pressure,
+                                const TreadContact* contact,
+                                const std::string& step) {
   contact_ = contact;
   shift_ = 0.0;
   failed_element_ = -1;
@@ -83,7 +83,7 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
     if (norm <= settings_.tolerance * reference_) {
       if (iteration > 0) polish(now);
       state = std::move(now);
-      return std::nullopt;
+      return {};
     }
     const bool is_close =
         knows_tangent_ && ratio < kSlow && norm <= close && settings_.tolerance >= kExact;
