@@ -79,7 +79,9 @@ void Equilibrium::assemble(const Rest& rest, const RestSettings& standing, doubl
   if (held_.size() > 0) assembly_.forces() += (1.0 - share) * held_;
 }
 
-double Equilibrium::enough() const { return std::max(settings_.force, assembly_.rounding()); }
+double Equilibrium::enough(const Poses& poses) const {
+  return std::max(settings_.force, assembly_.rounding(poses));
+}
 
 Status Equilibrium::end_of_newton(Rest& rest) {
   if (!(assembly_.turned() <= settings_.most))
@@ -121,7 +123,7 @@ Status Equilibrium::newton(Rest& rest, const RestSettings& standing, double shar
   for (int i = 0; i <= settings_.iterations; ++i) {
     assemble(rest, standing, share);
     left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
-    if (left_ <= enough()) return end_of_newton(rest);
+    if (left_ <= enough(rest.poses)) return end_of_newton(rest);
     if (!std::isfinite(left_) || i == settings_.iterations) break;
     if (!assembly_.J().factorize())
       return nothing_holds(
@@ -151,7 +153,7 @@ bool Equilibrium::go_on(Rest& rest, const RestSettings& standing, double share) 
     move_all(rest.poses, correction, -scale);
     assemble(rest, standing, share);
     left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
-    if (left_ <= enough()) return true;
+    if (left_ <= enough(rest.poses)) return true;
     if (!std::isfinite(left_)) continue;
     Eigen::VectorXd next = assembly_.forces();
     J.solve(next);
@@ -166,7 +168,7 @@ Status Equilibrium::damped_newton(Rest& rest, const RestSettings& standing, doub
   left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
   double before = left_;
   for (int i = 0; i < kIterations; ++i) {
-    if (left_ <= enough()) return end_of_newton(rest);
+    if (left_ <= enough(rest.poses)) return end_of_newton(rest);
     if (!assembly_.J().factorize())
       return nothing_holds(
           mechanism_.bodies()[static_cast<std::size_t>(assembly_.J().singular_body())].name);
