@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "base/text.h"
 #include "cli/console/console.h"
@@ -43,9 +44,15 @@ std::string models_and_tests(const experiment::Language& language) {
   return text;
 }
 
+void give_help(const std::string& topic, const std::string& text) {
+  put(text);
+  answer() = {{"topic", topic}, {"text", text}};
+}
+
 void help(const CommandLine& app, const experiment::Language& language, const std::string& topic) {
   if (topic == "study")
-    return put(sections(study_reference(), language.test_names()) + models_and_tests(language));
+    return give_help(topic,
+                     sections(study_reference(), language.test_names()) + models_and_tests(language));
   const auto text = app.help(topic);
   if (!text) {
     std::vector<std::string> topics = app.verbs();
@@ -53,7 +60,7 @@ void help(const CommandLine& app, const experiment::Language& language, const st
     throw InputError("no help on " + in_quotes(topic) + did_you_mean(topic, topics) +
                      "\nlatsch help lists the verbs");
   }
-  put(*text);
+  give_help(topic, *text);
 }
 
 }  // namespace

@@ -23,7 +23,6 @@
 #include "correlation/study/study_start.h"
 #include "correlation/study/variables.h"
 #include "evaluation/trial/encoding.h"
-#include "formats/text/pipe.h"
 
 namespace latsch::correlation {
 namespace {
@@ -380,7 +379,6 @@ Study read(const Document& document,
 Study read_study(const std::filesystem::path& file,
                  const experiment::Language& language,
                  Measurements measurements) {
-  formats::expect_no_pipe(file);
   const Document document = Document::read(file);
   if (document.root().has("kind"))
     document.root().reject("kind",
