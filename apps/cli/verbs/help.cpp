@@ -51,8 +51,8 @@ void give_help(const std::string& topic, const std::string& text) {
 
 void help(const CommandLine& app, const experiment::Language& language, const std::string& topic) {
   if (topic == "study")
-    return give_help(topic,
-                     sections(study_reference(), language.test_names()) + models_and_tests(language));
+    return give_help(
+        topic, sections(study_reference(), language.test_names()) + models_and_tests(language));
   const auto text = app.help(topic);
   if (!text) {
     std::vector<std::string> topics = app.verbs();

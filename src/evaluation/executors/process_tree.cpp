@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct Process {
   pid_t parent = 0;
-  char state = 'Z';              // R: computes or waits for a processor, D: waits for a disk
+  char state = 'Z';             // R: computes or waits for a processor, D: waits for a disk
   double processor_time = 0.0;  // s
 };
 

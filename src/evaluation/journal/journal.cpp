@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "evaluation/journal/asked_trials.h"
 #include "evaluation/journal/journal_format.h"
 #include "evaluation/journal/journal_lock.h"
@@ -171,9 +172,8 @@ struct Journal::Impl {
     database.reset();
     for (const char* part : {"", "-wal", "-journal"})
       if (std::filesystem::exists(file.string() + part)) return copy;
-    std::error_code error;
-    std::filesystem::rename(copy, file, error);
-    return error ? copy : file;
+    move_file(copy, file);
+    return file;
   }
 
   /// Throws JournalError if the file of this writer was deleted, moved or replaced, once its trials
@@ -186,21 +186,22 @@ struct Journal::Impl {
     const auto moved = lock->moved_to();
     if (moved) {
       guarded([&] { database->exec("PRAGMA wal_checkpoint(TRUNCATE)"); });
-      where = fmt::format("was moved to {} while it was written; its {} trials are there. Move it "
-                          "back and continue with latsch resume",
-                          moved->string(),
-                          tally.trials);
+      where = fmt::format(
+          "was moved to {} while it was written; its {} trials are there. Move it "
+          "back and continue with latsch resume",
+          moved->string(),
+          tally.trials);
     } else {
       const bool is_replaced = std::filesystem::exists(file);
       const auto saved = take_its_place(save_copy());
-      where = fmt::format(
-          "{} while it was written; its {} trials are saved {}",
-          is_replaced ? "was replaced by another file" : "was deleted",
-          tally.trials,
-          saved == file ? "under its name again: continue with latsch resume"
-                        : "in " + saved.string() +
-                              ": give that file the journal's name and continue with latsch "
-                              "resume");
+      where = fmt::format("{} while it was written; its {} trials are saved {}",
+                          is_replaced ? "was replaced by another file" : "was deleted",
+                          tally.trials,
+                          saved == file
+                              ? "under its name again: continue with latsch resume"
+                              : "in " + saved.string() +
+                                    ": give that file the journal's name and continue with latsch "
+                                    "resume");
     }
     lost = name + ": " + where;
     throw JournalError(*lost);

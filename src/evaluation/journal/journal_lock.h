@@ -18,10 +18,10 @@ struct JournalHolder {
 
 class JournalLock {
  public:
-  /// Creates an empty journal if there is none. Waits briefly while a child of a killed process still holds the lock, until it executes
-  /// another program. Throws InputError naming the holder and its machine if another process (or
-  /// another Journal of this process) has the lock, or the reason if the file system gives no
-  /// locks.
+  /// Creates an empty journal if there is none. Waits briefly while a child of a killed process
+  /// still holds the lock, until it executes another program. Throws InputError naming the holder
+  /// and its machine if another process (or another Journal of this process) has the lock, or the
+  /// reason if the file system gives no locks.
   explicit JournalLock(const std::filesystem::path& journal);
   ~JournalLock();
   JournalLock(const JournalLock&) = delete;
@@ -39,9 +39,9 @@ class JournalLock {
 
   std::filesystem::path journal_;
   std::filesystem::path file_;
-  int fd_ = -1;       // file beside the journal
-  int itself_ = -1;   // the journal; closed after its database, because close(2) releases the
-                      // locks of SQLite
+  int fd_ = -1;      // file beside the journal
+  int itself_ = -1;  // the journal; closed after its database, because close(2) releases the
+                     // locks of SQLite
   bool is_local_ = true;
 };
 
