@@ -106,6 +106,14 @@ class Car {
                                            const CarInputs& at_rest = {},
                                            const multibody::TransientSettings& settings = {});
 
+  /// A corner whose tire does not fit under its wheel center.
+  struct Misfit {
+    int corner;       // index, in the order of the corners
+    std::string why;  // one sentence
+  };
+  /// Returns the first corner whose tire does not fit; nullopt if all fit.
+  static std::optional<Misfit> misfit(const CarParts& parts, const Tires& tires);
+
   /// The parameters it was made from.
   const CarParameters& parameters() const { return parameters_; }
   /// Its bodies and joints.
