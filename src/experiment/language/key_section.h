@@ -35,7 +35,7 @@ struct SharedKeys {
 struct KeySection {
   std::string heading;     // "[optimizer]"
   std::string below = "";  // the section's table in its document: "experiment.*"; "" is the root
-  bool is_top = false;     // of the root only the keys themselves, not those of its tables
+  bool is_top = false;     // true: only the keys of the root itself, not those of its tables
   std::string about;       // Markdown, without the keys
   std::vector<KeySentence> sentences = {};  // in the order of the page
   std::vector<std::string> samples = {};    // TOML; the first is the example of the page
@@ -54,7 +54,7 @@ struct KeyForm {
 struct TabledKey {
   KeySentence words;           // its path is that of a single key
   std::vector<KeyForm> forms;  // in the order in which samples have them; none: never requested
-  std::vector<std::string> defaults;  // as TOML
+  std::vector<std::string> defaults;  // TOML
   bool is_required = true;            // neither a default nor a test for presence in any sample
   bool is_measurable = false;         // {from = "measurement.NAME"} is allowed
   bool is_stated = false;             // a sample states the key
