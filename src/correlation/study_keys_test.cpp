@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of keys holds every key that a reader of a study requests, with a sentence, and no other
-// key.
+// The table of keys holds every key that a reader of a study requests, with a sentence, and no
+// other key.
 #include "correlation/study_keys.h"
 
 #include <gtest/gtest.h>
