@@ -116,11 +116,11 @@ class Console(Coarse):
         self.assertIn('did you mean "run"?', self.outputs("help", "rum", code=WRONG_INPUT)[1])
 
     def test_texts_are_answers_too(self):
-        for line in (["help"], ["help", "study"], ["help", "run"], ["run", "--help"], ["--help"], ["--version"]):
+        for line in (["help"], ["help", "run"], ["run", "--help"], ["--help"], ["--version"]):
             with self.subTest(line):
                 self.assertEqual(self.answer(*line)["text"], self.outputs(*line)[0])
         self.assertRegex(self.answer("--version")["version"], r"^\d+\.\d+")
-        self.assertEqual(self.answer("help", "study")["topic"], "study")
+        self.assertTrue(self.answer("help", "study")["sections"])
 
     def test_json_may_stand_before_the_verb(self):
         for line in (["help", "run"], ["--version"], ["check", self.study]):
