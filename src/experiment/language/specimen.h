@@ -81,6 +81,19 @@ class SpecimenKind {
   virtual Document read(const std::filesystem::path& file) const = 0;
   /// Says what reading left out of the file or assumed for it, one sentence each.
   virtual std::vector<std::string> notes(const std::filesystem::path&) const { return {}; }
+  /// The file of a part of the model, under the key that names it.
+  struct Part {
+    std::string key;
+    const SpecimenKind* kind;
+    std::filesystem::path file;
+  };
+  /// Returns the files of models that a model's file names; none for a model of a single file.
+  virtual std::vector<Part> parts(const std::filesystem::path&) const { return {}; }
+  /// Returns the place in the file as written for a place in the numbers that read() returned,
+  /// which may hold lines of other files.
+  virtual Place written_place(const std::filesystem::path&, const Place& place) const {
+    return place;
+  }
   /// Throws InputError if the numbers make no specimen. `reuse`, a specimen of earlier numbers, may
   /// contribute its work that is still valid: the result equals that of a fresh specimen to the
   /// last bit.

@@ -35,6 +35,7 @@ class DocumentRecord;
 namespace latsch::experiment {
 
 struct DrumTest;
+struct KeySection;
 struct LoadDeflection;
 struct ModalTest;
 
@@ -195,6 +196,8 @@ struct TestKind {
                                    // one
   /// Reads its keys except `kind`. Throws InputError naming the place.
   std::unique_ptr<Test> (*read)(const Node& root, const TestSource& source);
+  /// Returns the sentences and samples of its keys; nullptr: the reference has no section of it.
+  const KeySection& (*keys)() = nullptr;
   /// Version of the rig's computation, if other versions give other recordings for equal keys. It
   /// is part of the identity of its tests, so that a journal never mixes recordings of two
   /// versions.

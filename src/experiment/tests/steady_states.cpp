@@ -129,9 +129,12 @@ std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& sou
 
 }  // namespace
 
+const KeySection& steady_states_keys();
+
 const TestKind kSteadyStates = {"steady_states",
                                 "rolls steadily in the states of a table",
                                 {HasSteadyStates::kName},
-                                read_steady_states};
+                                read_steady_states,
+                                steady_states_keys};
 
 }  // namespace latsch::experiment

@@ -99,6 +99,14 @@ class Car {
                                            const CarInputs& at_rest = {},
                                            const multibody::TransientSettings& settings = {});
 
+  /// Returns the corner whose tire does not fit under its wheel center, and why; nullopt if all
+  /// fit.
+  struct Misfit {
+    int corner;
+    std::string why;
+  };
+  static std::optional<Misfit> misfit(const CarParts& parts, const Tires& tires);
+
   const CarParameters& parameters() const { return parameters_; }
   const multibody::Mechanism& mechanism() const { return *mechanism_; }
   const CarParts& parts() const { return parts_; }
