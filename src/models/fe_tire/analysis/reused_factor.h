@@ -109,7 +109,7 @@ class ReusedFactor {
   std::optional<int> age_;   // iterations of the last correction; none: there is no factor
   double last_shift_ = 0.0;  // of this equilibrium's last indefinite tangent, N/m
   numerics::ConjugateGradients cg_;
-  Eigen::VectorXd r_, e_;  // what the direction leaves of the equation, and its correction
+  Eigen::VectorXd r_, e_;  // residual of the equation, correction of the direction
 };
 
 }  // namespace latsch::fe_tire
