@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "optimization/trust_region/flat_directions.h"
+
 namespace latsch {
 namespace {
 

@@ -9,7 +9,7 @@
 
 namespace latsch {
 
-/// Which directions are probed, by the share of the variance of their slopes that is left.
+/// A direction is probed if samples leave a large share of the variance of its slopes.
 struct GeometryTuning {
   /// Share above which a direction is probed before any step. A smaller one probes more.
   double unknown = 0.5;

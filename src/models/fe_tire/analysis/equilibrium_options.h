@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers that steer the search for an equilibrium (equilibrium.h). They were chosen on the shipped
-// tires; docs/notebook/fe_tire_solver.md has what was tried. A user sets those of
+// tires; docs/notebook/fe_tire_solver.md lists what was tried. A user sets the numbers of
 // solver_settings.h.
 #pragma once
 

@@ -51,9 +51,9 @@ struct LinearizedRing {
 
 class ReusedFactor {
  public:
-  /// What is done about a tangent that is not positive definite.
+  /// Says how to treat a tangent that is not positive definite.
   enum class IfIndefinite { shift, give_up };
-  /// What is done with a correction that has not converged.
+  /// Says how to treat a correction that has not converged.
   enum class IfSlow { take_it, give_up };
 
   /// `tread` and `counts`, to which the work is added, must outlive this object.
@@ -107,9 +107,9 @@ class ReusedFactor {
   SolverCounts& counts_;
   LinearTire tire_;
   std::optional<int> age_;   // iterations of the last correction; none: there is no factor
-  double last_shift_ = 0.0;  // of this equilibrium's last indefinite tangent, N/m
+  double last_shift_ = 0.0;  // shift of the last indefinite tangent of this equilibrium, N/m
   numerics::ConjugateGradients cg_;
-  Eigen::VectorXd r_, e_;  // what the direction leaves of the equation, and its correction
+  Eigen::VectorXd r_, e_;  // residual of the equation, correction of the direction
 };
 
 }  // namespace latsch::fe_tire
