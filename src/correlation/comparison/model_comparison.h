@@ -45,7 +45,7 @@ struct ModelRun {
   std::vector<double> reach;        // mean half width of the band of ln S, each channel
   std::vector<double> told;         // means of the `told` channels; NaN: the model does not record
                                     // that channel
-  std::vector<std::string> limits;  // of the model in this test, one sentence each
+  std::vector<std::string> limits;  // sentences on what the model or the test lacks
   double cpu = 0.0;                 // CPU time of the run itself, s
 
   /// Returns the mean over the channels.

@@ -179,6 +179,23 @@ void examine_cords(const Document& document, std::vector<Finding>& found) {
   }
 }
 
+/// Finds cords that are stiffer in compression than in tension: a modulus with one zero too many. A
+/// cord buckles, so its modulus in compression is at most that in tension.
+void examine_compression(const Document& document, std::vector<Finding>& found) {
+  for (const Node& layer : document.root().named_tables("layer")) {
+    const std::string at = "layer." + layer.name() + ".";
+    const auto tension = number_at(document, at + "young_modulus");
+    const auto compression = number_at(document, at + "compression_modulus");
+    if (!tension || !compression || *compression <= *tension) continue;
+    found.push_back({layer.place("compression_modulus"),
+                     fmt::format("{}compression_modulus is {:.4g} MPa, but a cord is at most as "
+                                 "stiff as in tension, {:.4g} MPa",
+                                 at,
+                                 1e-6 * *compression,
+                                 1e-6 * *tension)});
+  }
+}
+
 /// Judges the mass of a ring's belt by the surface that it covers: 3 kg/m^2 for a bicycle, 15 for a
 /// car, 60 for a truck.
 void examine_belt(const Document& document, std::vector<Finding>& found) {
@@ -308,6 +325,7 @@ std::vector<Finding> unusual_numbers(const Document& document,
   }
   if (!below.empty()) return found;
   examine_cords(document, found);
+  examine_compression(document, found);
   examine_belt(document, found);
   return found;
 }

@@ -182,14 +182,14 @@ class KerbRunTest : public Test, public TellsLimits {
     return film.details();
   }
   bool has_film() const override { return true; }
-  Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
+  Status film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
     CarFilm film(CarFilm::On::road);
     const auto done = experiment::run(**car, test_, film.watcher());
     if (!done) return done.failure();
     film.add_to(scene, in_words(), most_steps, road_of(test_, **car).get());
-    return true;
+    return {};
   }
 
  private:
@@ -367,6 +367,8 @@ std::unique_ptr<Test> read_kerb_test(const Node& root, const TestSource& source)
 
 }  // namespace
 
-const TestKind kKerb = {"kerb", "drives over a kerb", {Drives::kName}, read_kerb_test};
+const KeySection& kerb_keys();
+
+const TestKind kKerb = {"kerb", "drives over a kerb", {Drives::kName}, read_kerb_test, kerb_keys};
 
 }  // namespace latsch::experiment

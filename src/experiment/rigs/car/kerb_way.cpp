@@ -13,14 +13,14 @@ constexpr double kAlong = 5e-3;     // m, between the places looked at; steeper 
 constexpr double kTeeth = 16.0;     // places looked at in a pitch of the kerb, at least
 constexpr double kDiffers = 1e-3;   // m, of height; less is below the roughness of a road
 constexpr double kTouches = 1e-6;   // m, of height of a kerb; less is rounding
-constexpr long kMostPlaces = 400'000;  // of a wheel; a longer way is looked at less closely
+constexpr long kMostPlaces = 400'000;  // places of a wheel; a longer way is looked at less closely
 
 /// Heights below one wheel, at places of equal distance.
 struct Trace {
   double x0 = 0.0, along = 0.0;  // m
   std::vector<double> highest;   // m, of the three lines
   bool differs = false;          // across the width
-  bool touches = false;          // what is higher or lower than the level road
+  bool touches = false;          // true if a place is higher or lower than the level road
 };
 
 Trace trace_of(const KerbTest& test,
