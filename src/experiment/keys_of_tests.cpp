@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/file.h"
 #include "experiment/tests/keys/sample_files.h"
 #include "models/road/road_reader.h"
 
@@ -34,6 +35,10 @@ std::vector<const KeySection*> test_sections(const Language& language) {
   for (const TestKind* test : language.tests)
     if (test->keys) add_section(test->keys(), sections);
   return sections;
+}
+
+void write_sample_files(const std::filesystem::path& folder) {
+  for (const SampleFile& file : sample_files()) write_text_file(folder / file.name, file.text);
 }
 
 std::map<std::string, DeclaredKey> keys_of_test(const Language& language,

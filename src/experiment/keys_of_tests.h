@@ -17,6 +17,9 @@ namespace latsch::experiment {
 /// the sections of keys that they share.
 std::vector<const KeySection*> test_sections(const Language& language);
 
+/// Writes the files that samples of tests name into a folder. Throws InputError if that fails.
+void write_sample_files(const std::filesystem::path& folder);
+
 /// Returns the keys that the reading of a test's sample declares, without `kind`. The folder holds
 /// the files of the samples.
 std::map<std::string, DeclaredKey> keys_of_test(const Language& language,

@@ -3,7 +3,9 @@
 // its channels or its failure, and a hash on every row. A trial is acknowledged once it is on the
 // disk. A restart reads the file again.
 //
-// One process writes (a lock file beside the journal names it); any number may read meanwhile.
+// One process writes (a lock file beside the journal names it); any number may read meanwhile. If
+// somebody deletes, moves or replaces the file while it is written, the writer notices when it
+// next writes or reads: it saves all trials and throws JournalError naming where they are.
 //
 // SQLite's write-ahead log needs memory that reader and writer share, which network file systems do
 // not offer. On these the journal uses a rollback log. A commit then waits for the disk several

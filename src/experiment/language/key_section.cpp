@@ -40,6 +40,37 @@ std::vector<std::string> paths_of(const std::string& joined) {
   return paths;
 }
 
+struct PlaceOfKey {
+  const KeySection* section;
+  std::string path;  // below the section's table
+};
+
+/// Returns the places where a key may be described: in its section, then in those that share it.
+std::vector<PlaceOfKey> places_of(const KeySection& section, const std::string& path) {
+  std::vector<PlaceOfKey> places = {{&section, path}};
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (const SharedKeys& shared : places[i].section->shared) {
+      const auto rest = below(places[i].path, shared.below);
+      if (!rest) continue;
+      const KeySection* const other = &shared.section();
+      const bool is_known = std::any_of(places.begin(), places.end(), [&](const PlaceOfKey& one) {
+        return one.section == other && one.path == *rest;
+      });
+      if (!is_known) places.push_back({other, *rest});
+    }
+  return places;
+}
+
+bool refuses(const KeySection& section, const std::string& path) {
+  const auto places = places_of(section, path);
+  return std::any_of(places.begin(), places.end(), [](const PlaceOfKey& place) {
+    const auto& refused = place.section->refused;
+    return std::any_of(refused.begin(), refused.end(), [&](const std::string& one) {
+      return matches(place.path, one);
+    });
+  });
+}
+
 bool is_same(const KeyForm& a, const KeyForm& b) {
   return a.kind == b.kind && a.units == b.units && a.range.lower == b.range.lower &&
          a.range.upper == b.range.upper && a.range.lower_excluded == b.range.lower_excluded &&
@@ -47,6 +78,7 @@ bool is_same(const KeyForm& a, const KeyForm& b) {
 }
 
 void merge(const DeclaredKey& declared, TabledKey& key) {
+  key.is_requested = true;
   key.is_measurable = key.is_measurable || declared.is_measurable;
   key.is_stated = key.is_stated || declared.is_there;
   key.is_required = key.is_required && !declared.may_be_missing && !declared.fallback;
@@ -86,16 +118,12 @@ KeyTable::KeyTable(const std::vector<const KeySection*>& sections) {
 }
 
 TabledKey* KeyTable::find(const KeySection& section, const std::string& path) {
-  for (TabledSection& tabled : sections_) {
-    if (tabled.section != &section) continue;
-    for (TabledKey& key : tabled.keys)
-      if (matches(path, key.words.path)) return &key;
-  }
-  for (const SharedKeys& shared : section.shared) {
-    const auto rest = below(path, shared.below);
-    if (!rest) continue;
-    if (TabledKey* key = find(shared.section(), *rest)) return key;
-  }
+  for (const PlaceOfKey& place : places_of(section, path))
+    for (TabledSection& tabled : sections_) {
+      if (tabled.section != place.section) continue;
+      for (TabledKey& key : tabled.keys)
+        if (matches(place.path, key.words.path)) return &key;
+    }
   return nullptr;
 }
 
@@ -108,20 +136,25 @@ void KeyTable::add(const KeySection& section, const std::map<std::string, Declar
       merge(what, *key);
       continue;
     }
-    if (what.kind == Kind::presence && !what.is_there) continue;
-    if (what.kind == Kind::table || what.kind == Kind::tables) continue;
-    const std::string fault = section.heading + ": `" + *rest + "` has no sentence";
-    if (std::find(undescribed_.begin(), undescribed_.end(), fault) == undescribed_.end())
-      undescribed_.push_back(fault);
+    if (refuses(section, *rest)) continue;
+    Undescribed& key = undescribed_[section.heading + ": `" + *rest + "` "];
+    const bool is_value = what.kind != Kind::table && what.kind != Kind::tables;
+    key.needs_sentence = key.needs_sentence || (is_value && what.kind != Kind::presence) ||
+                         (is_value && what.is_there);
+    key.is_stated = key.is_stated || what.is_there;
   }
 }
 
 std::vector<std::string> KeyTable::faults() const {
-  std::vector<std::string> faults = undescribed_;
+  std::vector<std::string> faults;
+  for (const auto& [name, key] : undescribed_) {
+    if (key.needs_sentence) faults.push_back(name + "has no sentence");
+    if (!key.is_stated) faults.push_back(name + "is stated by no sample");
+  }
   for (const auto& [section, keys] : sections_)
     for (const TabledKey& key : keys) {
       const std::string name = section->heading + ": `" + key.words.path + "` ";
-      if (key.forms.empty()) {
+      if (!key.is_requested) {
         faults.push_back(name + "has a sentence, but no reader requests it");
       } else if (!key.is_stated) {
         faults.push_back(name + "is stated by no sample");

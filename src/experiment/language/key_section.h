@@ -35,11 +35,14 @@ struct SharedKeys {
 struct KeySection {
   std::string heading;     // "[optimizer]"
   std::string below = "";  // the section's table in its document: "experiment.*"; "" is the root
-  bool is_top = false;     // of the root only the keys themselves, not those of its tables
+  bool is_top = false;     // true: only the keys of the root itself, not those of its tables
   std::string about;       // Markdown, without the keys
   std::vector<KeySentence> sentences = {};  // in the order of the page
   std::vector<std::string> samples = {};    // TOML; the first is the example of the page
   std::vector<SharedKeys> shared = {};
+  std::vector<std::string> refused =
+      {};  // keys that the reader tests for only to refuse them: they
+           // belong elsewhere, or to an older form
 };
 
 /// One way in which a reader takes a key: all that DeclaredKey says except value and default.
@@ -54,9 +57,10 @@ struct KeyForm {
 struct TabledKey {
   KeySentence words;           // its path is that of a single key
   std::vector<KeyForm> forms;  // in the order in which samples have them; none: never requested
-  std::vector<std::string> defaults;  // as TOML
+  std::vector<std::string> defaults;  // TOML
   bool is_required = true;            // neither a default nor a test for presence in any sample
   bool is_measurable = false;         // {from = "measurement.NAME"} is allowed
+  bool is_requested = false;          // a reader reads the key or tests whether it is present
   bool is_stated = false;             // a sample states the key
 };
 
@@ -75,15 +79,17 @@ class KeyTable {
 
   const std::vector<TabledSection>& sections() const { return sections_; }
   /// Returns a sentence for each requested key that has no sentence or that no sample states, and
-  /// for each sentence whose key is never requested. A key whose presence alone is tested needs no
-  /// sentence: its reader refuses it.
+  /// for each sentence whose key is never requested.
   std::vector<std::string> faults() const;
 
  private:
+  struct Undescribed {
+    bool needs_sentence = false, is_stated = false;
+  };
   TabledKey* find(const KeySection& section, const std::string& path);
 
   std::vector<TabledSection> sections_;
-  std::vector<std::string> undescribed_;
+  std::map<std::string, Undescribed> undescribed_;  // requested keys without a sentence
 };
 
 /// True if a path matches a pattern such as "experiment.*.noise"; a "*" at the end stands for any

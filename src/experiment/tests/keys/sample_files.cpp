@@ -3,8 +3,6 @@
 
 #include <map>
 
-#include "base/file.h"
-
 namespace latsch::experiment {
 namespace {
 
@@ -78,10 +76,6 @@ const std::vector<SampleFile>& sample_files() {
       {"track.toml", "kind = \"flat\"\nfriction = 0.9\n"},
   };
   return files;
-}
-
-void write_sample_files(const std::filesystem::path& folder) {
-  for (const SampleFile& file : sample_files()) write_text_file(folder / file.name, file.text);
 }
 
 Channels sample_recording(const std::vector<MeasuredCondition>& conditions,

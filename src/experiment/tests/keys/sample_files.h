@@ -16,8 +16,6 @@ struct SampleFile {
   std::string name, text;
 };
 const std::vector<SampleFile>& sample_files();
-/// Writes them into a folder. Throws InputError if the folder cannot be written to.
-void write_sample_files(const std::filesystem::path& folder);
 
 /// Returns a recording of the conditions: every channel near a usual value times `scale`, in
 /// `samples` samples.
