@@ -78,6 +78,9 @@ export function typeset(text: string): string {
     .replace(/(^|[\s(±…])-(?=[\d.])/g, `$1${kMinus}`);
 }
 
+/** A text of the program, in which names stand between backticks, for a page: `NFX` as “NFX”. */
+export const quoted = (text: string): string => text.replace(/`([^`\n]+)`/g, '“$1”');
+
 /** A number, or a text that the program has worded already. */
 export function told(what: Told | undefined, units = ''): string {
   if (typeof what === 'string') return what ? unit(typeset(what.replace(' .. ', ' … ').replaceAll('+- ', '± '))) : kNone;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/observable/natural_abscissa.h"
+#include "correlation/laboratory/natural_abscissa.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

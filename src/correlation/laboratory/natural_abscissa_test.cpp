@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Curves over a slip angle are told apart by their loads, as a person sees them in a record.
-#include "correlation/observable/natural_abscissa.h"
+#include "correlation/laboratory/natural_abscissa.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
