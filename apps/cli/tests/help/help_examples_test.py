@@ -7,12 +7,15 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
 from cli_testing import LATSCH
 
-SOURCE = pathlib.Path(__file__).resolve().parents[3]
+SOURCE = pathlib.Path(__file__).resolve().parents[4]
 
 # Examples that take longer than a test may, need a cluster or do not end by themselves. The verbs have tests of their own.
 NOT_RUN = re.compile(r"mpirun|srun|latsch (run|resume|identify|doe|serve|compare|process)\b|--place-columns|mesh .*--convergence"
