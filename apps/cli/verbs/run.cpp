@@ -361,8 +361,9 @@ void add_run(CommandLine& app, Program& program) {
         "median),\n"
         "look_ahead = 4 (points ahead for every worker); none of it changes what is found.\n\n"
         "Examples:\n  latsch {0} studies/tire_b_twin/study.toml --workers 2\n"
-        "  mpirun -n 8 latsch {0} study.toml           on a cluster: one searches, seven evaluate\n"
-        "  srun -n 8 --mpi=pmix latsch {0} study.toml  the same below Slurm",
+        "  mpirun -n 8 latsch {0} my_tire/study.toml           # on a cluster: one searches, seven "
+        "evaluate\n"
+        "  srun -n 8 --mpi=pmix latsch {0} my_tire/study.toml  # the same below Slurm",
         resuming ? "resume" : "run"));
     auto asked = std::make_shared<Asked>();
     asked->resuming = resuming;
