@@ -15,6 +15,7 @@
 
 #include "base/random.h"
 #include "base/text.h"
+#include "correlation/comparison/selected_samples.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/band_level.h"
 #include "numerics/chi_square.h"
@@ -102,20 +103,6 @@ Channels run_of(const ComparedModel& model,
   return std::move(*channels);
 }
 
-/// Returns the selected samples of a channel.
-std::vector<double> counted(const ModelComparisonFile& file,
-                            const Channels& channels,
-                            const std::string& name,
-                            const std::string& whose) {
-  const Channel* channel = channels.find(name);
-  if (!channel)
-    throw InputError({file.file.string(), 0}, whose + " does not record " + in_quotes(name));
-  if (!file.has_from || channel->values.size() != channels["time"].size()) return channel->values;
-  const auto& time = channels["time"];
-  const auto first = std::lower_bound(time.begin(), time.end(), file.from - 1e-9) - time.begin();
-  return {channel->values.begin() + first, channel->values.end()};
-}
-
 numerics::WelchSettings welch_of(const ModelComparisonFile& file,
                                  std::size_t samples,
                                  double rate) {
@@ -175,7 +162,7 @@ std::vector<numerics::Density> densities_of(const ModelComparisonFile& file,
   std::vector<numerics::Density> all;
   const double rate = rate_of(channels);
   for (const std::string& name : file.channels) {
-    const auto values = counted(file, channels, name, whose);
+    const auto values = selected_samples(file, channels, name, whose);
     if (values.size() < 16)
       throw InputError({file.file.string(), 0}, whose + " has fewer than 16 selected samples");
     check_spectrum(file, values.size(), rate, whose);
@@ -189,7 +176,7 @@ std::vector<LineNoise> noise_of(const ModelComparisonFile& file, const Channels&
   std::vector<LineNoise> all;
   const double rate = rate_of(recording);
   for (const std::string& name : file.channels) {
-    const auto samples = counted(file, recording, name, file.reference.title).size();
+    const auto samples = selected_samples(file, recording, name, file.reference.title).size();
     const auto stated = file.noise.find(name);
     const double deviation = stated == file.noise.end() ? 0.0 : stated->second;
     all.push_back({2.0 * deviation * deviation / rate,
@@ -434,8 +421,9 @@ ModelRun run_model(const ModelComparisonFile& file,
                                    model.title,
                                    one.name));
   for (const std::string& name : file.told)
-    run.told.push_back(channels.find(name) ? mean(counted(file, channels, name, model.title))
-                                           : std::nan(""));
+    run.told.push_back(channels.find(name)
+                           ? mean(selected_samples(file, channels, name, model.title))
+                           : std::nan(""));
   std::vector<MovedDensities> others;
   for (const MovedModel& moved : band_models(file, model, fits))
     others.push_back({densities_of(file, run_of(model, moved.numbers, test, one.name), model.title),
@@ -550,6 +538,19 @@ ModelComparisonFile at_fits(ModelComparisonFile file, const std::vector<FitPoste
   return file;
 }
 
+/// Refuses a name in `told` that no model records in any case.
+void expect_told(const ModelComparisonFile& file, const ModelComparison& all) {
+  for (std::size_t t = 0; t < file.told.size(); ++t) {
+    bool is_known = false;
+    for (const auto& one : all.cases)
+      for (const auto& run : one.models) is_known = is_known || !std::isnan(run.told[t]);
+    if (!is_known)
+      throw InputError({file.file.string(), 0},
+                       "told names " + in_quotes(file.told[t]) +
+                           ", which no model records in any test; expected a recorded channel");
+  }
+}
+
 }  // namespace
 
 ModelComparison compare_models(const ModelComparisonFile& as_written,
@@ -582,6 +583,7 @@ ModelComparison compare_models(const ModelComparisonFile& as_written,
     const std::lock_guard lock(guard);
     if (tell) tell(++done, static_cast<long>(runs));
   });
+  expect_told(file, all);
   if (file.pictures) {
     const auto [model, index] = *file.pictures;
     const ComparedModel& shown = file.models[model];

@@ -34,6 +34,26 @@ constexpr int kBusyTimeout = 2000;       // ms
 constexpr int kReaderPatience = 60'000;  // ms; a commit waits this long for readers of a rollback
                                          // journal
 
+/// A log of SQLite bears the name by which the journal was opened. Throws InputError if another
+/// hard link in the same folder has one that a killed process has left, because trials would be
+/// missed now and spoiled later.
+void refuse_log_of_other_name(const std::filesystem::path& file) {
+  std::error_code none;
+  const auto own = std::filesystem::canonical(file, none);
+  if (none || std::filesystem::hard_link_count(own, none) < 2 || none) return;
+  for (const auto& entry : std::filesystem::directory_iterator(own.parent_path(), none)) {
+    if (entry.path() == own || entry.is_symlink(none)) continue;
+    for (const char* log : {"-wal", "-journal"}) {
+      const auto left = entry.path().string() + log;
+      const auto size = std::filesystem::file_size(left, none);
+      if (none || size == 0 || !std::filesystem::equivalent(entry.path(), own, none)) continue;
+      throw InputError({file.string(), 0},
+                       "is another name (a hard link) of " + entry.path().string() +
+                           ", whose last trials are in " + left + ": open it by that name");
+    }
+  }
+}
+
 /// Keeps the packer's state only if the transaction is committed; otherwise the next row must not
 /// refer to the lost one.
 class PackedForGood {
@@ -385,6 +405,7 @@ Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& id
   auto impl = std::make_unique<Impl>();
   impl->file = file;
   impl->lock.emplace(file);
+  refuse_log_of_other_name(file);
   impl->guarded([&] {
     impl->database = std::make_unique<SQLite::Database>(
         file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeout);
