@@ -28,6 +28,7 @@
 #include "correlation/analysis/test_limits.h"
 #include "correlation/search/finished_run.h"
 #include "correlation/search/stage_runs.h"
+#include "correlation/search/study_change.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
@@ -324,6 +325,18 @@ int finish(const Study& study,
   return exit_code;
 }
 
+int fit_on_workers(const Study& study,
+                   const Asked& asked,
+                   Workers& workers,
+                   const experiment::Language& language) {
+  StagesOnWorkers stages(study, asked, workers);
+  const correlation::StagesRun found = stages.run();
+  if (found.end == RunEnd::stopped) return kStopped;
+  const Run& last = found.fits.back().run;
+  if (!found.has_ended || found.end == RunEnd::aborted || !last.best()) return kFailed;
+  return finish(found.study, study, last, stages, workers, language);
+}
+
 int fit(const Asked& asked, const experiment::Language& language) {
   Study study = correlation::read_study(asked.file, language);
   if (asked.workers > 0) study.run.workers = asked.workers;
@@ -338,12 +351,19 @@ int fit(const Asked& asked, const experiment::Language& language) {
   say_ledgers(study, true, "Files");
   for (const std::string& limit : correlation::limits_of_tests(study)) warn(limit);
   catch_interrupts();
-  StagesOnWorkers stages(study, asked, workers);
-  const correlation::StagesRun found = stages.run();
-  if (found.end == RunEnd::stopped) return kStopped;
-  const Run& last = found.fits.back().run;
-  if (!found.has_ended || found.end == RunEnd::aborted || !last.best()) return kFailed;
-  return finish(found.study, study, last, stages, workers, language);
+  try {
+    return fit_on_workers(study, asked, workers, language);
+  } catch (const InputError& error) {
+    const auto change = correlation::change_since_read(study, language);
+    if (!change) throw;
+    throw InputError({study.file.string(), 0},
+                     fmt::format("the files of the study have changed since the run began: {}. "
+                                 "Trials of them would not belong to its journal, so the run ends "
+                                 "({}). Restore the files and continue with latsch resume, or "
+                                 "begin anew with latsch run --anew",
+                                 *change,
+                                 error.what()));
+  }
 }
 
 /// Fits beside its page, which stays until it is ended.

@@ -36,11 +36,9 @@ void add_worker(CommandLine& app, Program& program) {
     if (!stage->empty()) study = correlation::stage_called(study, *stage);
     study.asks_slopes = *slopes;
     if (!identity->empty() && identity_key(study) != *identity)
-      throw InputError(
-          {*file, 0},
-          "this study, its model, a test or a program has changed since the run began, so "
-          "trials would be of another study. Restore the files and continue with latsch "
-          "resume, or begin anew with latsch run --anew");
+      throw InputError(  // short, because the process that started this one quotes its beginning
+          "the files of the study have changed since the run began; latsch resume once they are "
+          "restored");
     if (*finer) study = correlation::refined(study);
     program.exit_code =
         serve(correlation::evaluator(*all ? correlation::with_predictions(study) : study));

@@ -87,8 +87,19 @@ SLOW_MEASURED = "time [s],Fz [N]\n" + "".join(
 
 def numbers(text):
     """The result as printed, without what says how it came about."""
-    return [line for line in text.splitlines() if re.search(r"95 %|Best of|target|fitted|Journal:", line)
-            and "neighboring" not in line]
+    return [line for line in text.splitlines() if re.search(r"95 %|Best of|  fitted|Journal:", line)]
+
+
+def children(parent):
+    found = []
+    for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            text = stat.read_text()
+        except OSError:  # the process has just ended
+            continue
+        if int(text.rpartition(")")[2].split()[1]) == parent:
+            found.append(int(stat.parent.name))
+    return found
 
 
 class Small(unittest.TestCase):
@@ -114,14 +125,12 @@ class Small(unittest.TestCase):
 class FinishedStudies(Small):
     def assert_repeats(self, verb="run"):
         first = self.latsch("run", "study.toml")
-        page = (self.folder / "study.html").read_bytes()
         size = trials_of(self.journal)
         for _ in range(2):
             again = self.latsch(verb, "study.toml")
             self.assertIn("This study is finished", again)
             self.assertEqual(numbers(again), numbers(first))
             self.assertEqual(trials_of(self.journal), size)
-            self.assertEqual(len((self.folder / "study.html").read_bytes()), len(page))
         self.assertNotIn("This study is finished", first)
 
     def test_a_search_that_ended_at_a_minimum_is_repeated(self):
@@ -220,9 +229,11 @@ class RunningStudies(Small):
         """A trial of the edited model in the journal of the old one would be wrong without a sign of it."""
         self.start()
         edit(self.folder / "base.tir", (r"UNLOADED_RADIUS *= *[0-9.]+", "UNLOADED_RADIUS = 0.33"))
-        for pid in (pathlib.Path("/proc") / str(self.process.pid) / "task" / str(self.process.pid) / "children").read_text().split():
-            os.kill(int(pid), 9)
-        self.assert_says(self.end(WRONG_INPUT), "has changed since the run began", "latsch resume")
+        workers = children(self.process.pid)
+        self.assertTrue(workers)
+        for pid in workers:
+            os.kill(pid, 9)
+        self.assert_says(self.end(WRONG_INPUT), "have changed since the run began", "latsch resume")
         self.assertGreaterEqual(trials_of(self.journal), 2)
 
     def test_a_hard_link_is_in_use_too(self):
