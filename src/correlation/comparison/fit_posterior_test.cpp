@@ -196,17 +196,6 @@ TEST_F(FittedSprings, AreNotComparedBeyondTheirRecords) {
   EXPECT_TRUE(has(reason([](auto& file) { file.segment = 1e-3; }), "1 samples of"));
   EXPECT_TRUE(has(reason([](auto& file) { file.segment = 10.0; }), "shorter segment"));
   EXPECT_TRUE(has(reason([](auto& file) { file.noise["foo"] = 5.0; }), "reference.noise.foo"));
-  EXPECT_TRUE(has(reason([](auto& file) { file.told = {"force", "foo"}; }), "told names \"foo\""));
-  EXPECT_EQ(reason([](auto& file) { file.told = {"force"}; }), "");
-  const auto from = [](double time) {
-    return [time](auto& file) {
-      file.has_from = true;
-      file.from = time;
-    };
-  };
-  EXPECT_TRUE(has(reason(from(-10.0)), "within the record"));
-  EXPECT_TRUE(has(reason(from(10.0)), "fewer than 16 selected samples"));
-  EXPECT_EQ(reason(from(0.0)), "");
 }
 
 // The band from samples is equal: a quantile of 400 draws is known to about 5 % of the half width.
