@@ -132,6 +132,8 @@ RunSettings read_run_settings(const Node* table, const std::filesystem::path& st
   run.journal = folder / journal;
   if (std::filesystem::is_directory(run.journal))
     table->reject("journal", "is a folder, expected the name of a file in it");
+  if (std::filesystem::exists(run.journal) && !std::filesystem::is_regular_file(run.journal))
+    table->reject("journal", "is a device or a pipe, expected the name of a file");
   const bool names_folder = std::filesystem::path(journal).has_parent_path();
   if (names_folder && !std::filesystem::is_directory(run.journal.parent_path()))
     table->reject("journal",

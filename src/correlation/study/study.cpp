@@ -25,7 +25,6 @@
 #include "correlation/study/variables.h"
 #include "evaluation/trial/encoding.h"
 #include "experiment/language/key_section.h"
-#include "formats/text/pipe.h"
 
 namespace latsch::correlation {
 
@@ -373,7 +372,6 @@ Study read(const Document& document,
 Study read_study(const std::filesystem::path& file,
                  const experiment::Language& language,
                  Measurements measurements) {
-  formats::expect_no_pipe(file);
   const Document document = Document::read(file);
   if (document.root().has("kind"))
     document.root().reject("kind",

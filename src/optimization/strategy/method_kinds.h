@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The optimization methods: how each is called, read from a table, and made. A new method is its own
-// files, its name and options in optimizer_choice.h, and one entry in method_kinds.cpp.
+// The optimization methods: how each is called, read from a table, and made. A new method is its
+// own files, its name and options in optimizer_choice.h, and one entry in method_kinds.cpp.
 #pragma once
 
 #include <memory>
