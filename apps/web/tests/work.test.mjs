@@ -127,7 +127,7 @@ export const claims = {
     const page = await open(browser, address, `#/setup?study=${kStudy}`);
     const method = page.locator('label', { has: page.getByText('method', { exact: true }) }).locator('select');
     await page.waitForFunction(() => [...document.querySelectorAll('.keys select')].length === 4);
-    assert.deepEqual(await method.locator('option').allTextContents(), ["the program's own", 'auto', 'gss', 'nelder_mead']);
+    assert.deepEqual(await method.locator('option').allTextContents(), ['default', 'auto', 'gss', 'nelder_mead']);
     await method.selectOption('gss');
     await page.waitForFunction(() => document.querySelector('textarea').value.includes('method = "gss"'));
     assert.equal(await page.locator('label', { hasText: 'after a failure' }).getAttribute('title'), 'What a failed trial does.');

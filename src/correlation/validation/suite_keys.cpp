@@ -3,7 +3,7 @@
 
 namespace latsch::experiment {
 const KeySection& static_stiffness_keys();
-}
+}  // namespace latsch::experiment
 
 namespace latsch::correlation {
 
