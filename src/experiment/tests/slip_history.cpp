@@ -2,14 +2,11 @@
 // kind = "slip_history": slips as recorded, sample by sample, with the lag of the tire's relaxation
 // lengths (rigs/slip/slip_lag.h).
 //
-//   kind = "slip_history"
-//   states = "sweep.csv"             # beside the file: time and the columns of steady_states; or
-//                                    # as they were measured:
-//   states = {from = "measurement.cornering"}    # of a [measurement.NAME] of the study
-//
 // Channels are those of steady_states, and the lagged slips "kappa" and "alpha". Relaxation lengths
 // are those of the tire: of formula 6 from LATERAL_STIFFNESS and LONGITUDINAL_STIFFNESS, none if
 // these are 0; of 5.2 from PTX1 to PTX3, PTY1 and PTY2.
+//
+// The keys are in experiment/tests/keys/slip_history_keys.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // kind = "steady_states": forces of a tire in a table of states (rigs/slip/slip_states.h).
 //
-//   kind = "steady_states"
-//   states = "cornering.csv"         # beside the file; or as they were measured:
-//   states = {from = "measurement.cornering"}    # of a [measurement.NAME] of the study
-//   limits = "on"                    # inputs limited to the ranges of the tire's file, faded below
-//                                    # its VXLOW; or "off"
-//   angles = "direct"                # or "tangent": tan(alpha), sin(gamma) instead
-//   turn_slip = "off"                # or "on": forces and moments of turning by phit
-//   side = "measured"                # of the vehicle; "other": the tire mirrored
-//
 // A measurement is resolved into numbers when the study is read: Fz is required, quantities that
 // were not recorded are left out. A journal depends on these numbers, not on the measured forces.
 //
 // latsch test computes a table of any length block by block. A file above 16 MB is not copied into
 // memory, and must not be written to while it is read.
+//
+// The keys are in experiment/tests/keys/steady_states_keys.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
