@@ -116,6 +116,12 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
     refuse_unknown(numbers.root());
   }
 
+  bool records_limits() const override {
+    return std::ranges::any_of(built_from_, [](const auto& one) {
+      const auto* knows = one.second->template find<KnowsLimits>();
+      return knows && knows->records_limits();
+    });
+  }
   /// Returns the limits that its tires have met, each with the tire's key and side.
   std::vector<std::string> limits_met() const override {
     std::vector<std::string> all;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "formats/tire/tir_file.h"
+#include "models/magic_formula/standstill.h"
 
 namespace latsch::experiment {
 namespace {
@@ -158,6 +159,28 @@ std::vector<std::string> limits_met_by(const Parameters& parameters,
       !magic_formula::pressure_acts(parameters))
     sentences.push_back("the pressure of the test has no effect: " + no_pressure_in_words());
   return sentences;
+}
+
+std::string no_stiffness_of(const Parameters& p, const std::string& direction) {
+  const auto at_nominal_load =
+      magic_formula::MagicFormula(p).evaluate({p.FNOMIN, 0.0, 0.0, 0.0, 0.0, p.LONGVL, p.INFLPRES});
+  const bool mf52 = p.version == Version::mf52;
+  if (direction == "longitudinal" && !(at_nominal_load.sigma_x > 0.0))
+    return mf52 ? "its relaxation length is 0, because its file has no PTX1"
+                : "its file has no LONGITUDINAL_STIFFNESS";
+  if (direction == "lateral" && !(at_nominal_load.sigma_y > 0.0))
+    return mf52 ? "its relaxation length is 0, because its file has no PTY1 or PTY2"
+                : "its file has no LATERAL_STIFFNESS";
+  if (direction == "torsional" && !(p.YAW_STIFFNESS > 0.0) &&
+      !(magic_formula::pivot_of(p, at_nominal_load).limit > 0.0))
+    return "its file has no YAW_STIFFNESS, and no contact patch from which one could be estimated";
+  return "";
+}
+
+std::string assumed_stiffness_of(const Parameters& p, const std::string& direction) {
+  if (direction != "torsional" || p.YAW_STIFFNESS > 0.0) return "";
+  return fmt::format("the torsional stiffness is {}",
+                     fmt::join(magic_formula::assumed_of_turning(p), "; "));
 }
 
 std::string tir_text_of(const Document& numbers) {

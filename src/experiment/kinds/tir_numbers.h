@@ -40,6 +40,13 @@ std::vector<std::string> limits_met_by(const magic_formula::Parameters& paramete
                                        const magic_formula::RangeLog& log,
                                        const Inflation& asked_pressure);
 
+/// Says why a standing tire has no stiffness in a direction (KnowsLimits::no_stiffness), and what
+/// is assumed for it.
+std::string no_stiffness_of(const magic_formula::Parameters& parameters,
+                            const std::string& direction);
+std::string assumed_stiffness_of(const magic_formula::Parameters& parameters,
+                                 const std::string& direction);
+
 std::string tir_text_of(const Document& numbers);
 
 }  // namespace latsch::experiment
