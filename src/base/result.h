@@ -23,26 +23,36 @@ enum class Cause : std::uint8_t {
 /// Says why a simulation gave no result: one sentence naming the step, the residual, the position
 /// and a hint.
 struct Failure {
-  std::string reason;
-  Cause cause = Cause::point;
+  std::string reason;          // one sentence
+  Cause cause = Cause::point;  // decides whether the point is tried again
 };
 
 /// A T, or the Failure that occurred instead.
 template <class T>
 class [[nodiscard]] Result {
  public:
+  /// A success.
   Result(T value) : value_(std::move(value)) {}
+  /// A failure.
   Result(Failure failure) : value_(std::move(failure)) {}
 
+  /// True if there is a value.
   bool ok() const { return std::holds_alternative<T>(value_); }
+  /// True if there is a value.
   explicit operator bool() const { return ok(); }
 
+  /// The value. Requires ok().
   const T& operator*() const& { return get(); }
+  /// The value. Requires ok().
   T& operator*() & { return const_cast<T&>(std::as_const(*this).get()); }
+  /// The value, to be moved from. Requires ok().
   T&& operator*() && { return std::move(const_cast<T&>(get())); }
+  /// A member of the value. Requires ok().
   const T* operator->() const { return &get(); }
+  /// A member of the value. Requires ok().
   T* operator->() { return &**this; }
 
+  /// The failure. Requires !ok().
   const Failure& failure() const {
     assert(!ok());
     return std::get<Failure>(value_);

@@ -17,7 +17,6 @@
 #include "correlation/comparison/tire_comparison.h"
 #include "correlation/study/ledgers/file_ledgers.h"
 #include "formats/tables/csv_table.h"
-#include "formats/text/pipe.h"
 
 namespace latsch::cli {
 namespace {
@@ -53,7 +52,7 @@ void compare(const std::string& name,
              const std::string& measurements,
              std::string output,
              int threads) {
-  formats::expect_no_pipe(name);
+  expect_no_pipe(name);
   say_ledgers(
       correlation::ledgers_of_named_files(name, "the comparison", {}), LinesTo::output, "Files");
   const bool models = correlation::compares_models(name);

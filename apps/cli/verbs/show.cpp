@@ -16,7 +16,6 @@
 #include "correlation/study/ledgers/file_ledgers.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study.h"
-#include "formats/text/pipe.h"
 
 namespace latsch::cli {
 namespace {
@@ -117,7 +116,7 @@ int show(const std::string& file,
          const std::string& axes,
          const std::string& measurement,
          const experiment::Language& language) {
-  formats::expect_no_pipe(file);
+  expect_no_pipe(file);
   if (!axes.empty() && !is_recording(file))
     throw InputError({file, 0},
                      "is no recording, so --axes has no effect; expected the command without it");

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "evaluation/journal/asked_trials.h"
 #include "evaluation/journal/journal_format.h"
 #include "evaluation/journal/journal_lock.h"
@@ -63,6 +64,7 @@ struct Journal::Impl {
   Tally tally;
   std::vector<JournalMark> marks;
   OutcomePacker packer;
+  std::optional<std::string> lost = {};  // message, once the file is no longer in its place
 
   [[noreturn]] void refuse(const std::string& message) const {
     throw InputError({file.string(), 0}, message);
@@ -122,11 +124,87 @@ struct Journal::Impl {
 
   template <class Action>
   auto guarded(Action&& action) const {
+    if (lost) throw JournalError(*lost);
     try {
       return action();
     } catch (const SQLite::Exception& error) {
       report(error);
     }
+  }
+
+  /// A rollback log cannot be begun once the file has another name; a write-ahead log can.
+  template <class Action>
+  void write(Action&& action) {
+    try {
+      guarded(action);
+    } catch (const std::exception&) {
+      keep_trials_if_lost();
+      throw;
+    }
+    keep_trials_if_lost();
+  }
+
+  /// Returns a name beside the journal that no file has.
+  std::filesystem::path free_name() const {
+    for (int number = 1;; ++number) {
+      auto name = file;
+      name.replace_extension(fmt::format(
+          ".saved{}{}", number == 1 ? "" : std::to_string(number), file.extension().string()));
+      if (!std::filesystem::exists(name)) return name;
+    }
+  }
+
+  /// Copies the open journal, whose file may have no name any more, to a free name; returns it.
+  std::filesystem::path save_copy() {
+    const std::filesystem::path copy = free_name();
+    guarded([&] {
+      SQLite::Statement into(*database, "VACUUM INTO ?");
+      into.bind(1, copy.string());
+      into.exec();
+    });
+    return copy;
+  }
+
+  /// Closes the database, so that its logs are removed, and gives the copy the journal's name if
+  /// that is free. Returns the name that the copy has now.
+  std::filesystem::path take_its_place(const std::filesystem::path& copy) {
+    insert.reset();
+    database.reset();
+    for (const char* part : {"", "-wal", "-journal"})
+      if (std::filesystem::exists(file.string() + part)) return copy;
+    move_file(copy, file);
+    return file;
+  }
+
+  /// Throws JournalError if the file of this writer was deleted, moved or replaced, once its trials
+  /// are safe under a name that the message contains. The journal cannot be used afterwards.
+  void keep_trials_if_lost() {
+    if (!lock || lost || lock->is_in_place()) return;
+    insert.reset();
+    const std::string name = file.string();
+    std::string where;
+    const auto moved = lock->moved_to();
+    if (moved) {
+      guarded([&] { database->exec("PRAGMA wal_checkpoint(TRUNCATE)"); });
+      where = fmt::format(
+          "was moved to {} while it was written; its {} trials are there. Move it "
+          "back and continue with latsch resume",
+          moved->string(),
+          tally.trials);
+    } else {
+      const bool is_replaced = std::filesystem::exists(file);
+      const auto saved = take_its_place(save_copy());
+      where = fmt::format("{} while it was written; its {} trials are saved {}",
+                          is_replaced ? "was replaced by another file" : "was deleted",
+                          tally.trials,
+                          saved == file
+                              ? "under its name again: continue with latsch resume"
+                              : "in " + saved.string() +
+                                    ": give that file the journal's name and continue with latsch "
+                                    "resume");
+    }
+    lost = name + ": " + where;
+    throw JournalError(*lost);
   }
 
   bool is_new() const {
@@ -362,10 +440,11 @@ Journal Journal::read(const std::filesystem::path& file, const StudyIdentity& id
 
 void Journal::append(std::span<const Trial> trials) {
   assert(impl_->lock && "opened for reading");
-  impl_->guarded([&] { impl_->append(trials); });
+  impl_->write([&] { impl_->append(trials); });
 }
 
 void Journal::for_each(const std::function<void(const Trial&)>& visit) const {
+  impl_->keep_trials_if_lost();
   impl_->guarded([&] { impl_->for_each(visit); });
 }
 
@@ -395,7 +474,7 @@ void Journal::keep_asked(const std::set<std::string>& points) {
 
 void Journal::mark(const std::string& kind, const std::string& text) {
   assert(impl_->lock && "opened for reading");
-  impl_->guarded([&] { impl_->mark(kind, text); });
+  impl_->write([&] { impl_->mark(kind, text); });
 }
 
 const std::vector<JournalMark>& Journal::marks() const { return impl_->marks; }

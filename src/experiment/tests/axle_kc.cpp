@@ -221,9 +221,12 @@ std::unique_ptr<Test> read_axle_kc(const Node& root, const TestSource& source) {
 
 }  // namespace
 
+const KeySection& axle_kc_keys();
+
 const TestKind kAxleKc = {"axle_kc",
                           "an axle on a K&C rig: both wheels, springs and bars",
                           {HasAxles::kName},
-                          read_axle_kc};
+                          read_axle_kc,
+                          axle_kc_keys};
 
 }  // namespace latsch::experiment

@@ -88,7 +88,13 @@ DrumTest read_drum_cleat(const std::filesystem::path& file) {
   return read_drum_test(document.root());
 }
 
-const TestKind kDrumCleat = {
-    "drum_cleat", "rolls over a cleat on the drum", {Rolls::kName}, read_drum, kWheelScheme};
+const KeySection& drum_cleat_keys();
+
+const TestKind kDrumCleat = {"drum_cleat",
+                             "rolls over a cleat on the drum",
+                             {Rolls::kName},
+                             read_drum,
+                             drum_cleat_keys,
+                             kWheelScheme};
 
 }  // namespace latsch::experiment

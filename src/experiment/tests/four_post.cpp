@@ -360,10 +360,13 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
 
 }  // namespace
 
+const KeySection& four_post_keys();
+
 const TestKind kFourPost = {"four_post",
                             "stands on four posts that move it",
                             {Drives::kName},
                             read_four_post,
+                            four_post_keys,
                             "sweeps begin below their band; responses of two runs"};
 
 }  // namespace latsch::experiment

@@ -117,9 +117,12 @@ std::unique_ptr<Test> read_inflation(const Node& root, const TestSource& source)
 
 }  // namespace
 
+const KeySection& inflation_keys();
+
 const TestKind kInflation = {"inflation",
                              "is inflated: outer radius, section width, growth",
                              {IsFeTire::kName},
-                             read_inflation};
+                             read_inflation,
+                             inflation_keys};
 
 }  // namespace latsch::experiment

@@ -138,7 +138,12 @@ std::unique_ptr<Test> read_kc(const Node& root, const TestSource& source) {
 
 }  // namespace
 
-const TestKind kKc = {
-    "kc", "is loaded on a K&C rig: travel, camber, toe, caster", {IsLoaded::kName}, read_kc};
+const KeySection& kc_keys();
+
+const TestKind kKc = {"kc",
+                      "is loaded on a K&C rig: travel, camber, toe, caster",
+                      {IsLoaded::kName},
+                      read_kc,
+                      kc_keys};
 
 }  // namespace latsch::experiment

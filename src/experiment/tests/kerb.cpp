@@ -277,6 +277,8 @@ std::unique_ptr<Test> read_kerb_test(const Node& root, const TestSource& source)
 
 }  // namespace
 
-const TestKind kKerb = {"kerb", "drives over a kerb", {Drives::kName}, read_kerb_test};
+const KeySection& kerb_keys();
+
+const TestKind kKerb = {"kerb", "drives over a kerb", {Drives::kName}, read_kerb_test, kerb_keys};
 
 }  // namespace latsch::experiment

@@ -173,9 +173,12 @@ std::unique_ptr<Test> read_kinematics(const Node& root, const TestSource&) {
 
 }  // namespace
 
+const KeySection& kinematics_keys();
+
 const TestKind kKinematics = {"kinematics",
                               "is moved as rigid links: toe, camber, roll center, motion ratio",
                               {MovesAsLinkage::kName},
-                              read_kinematics};
+                              read_kinematics,
+                              kinematics_keys};
 
 }  // namespace latsch::experiment

@@ -143,10 +143,13 @@ std::unique_ptr<Test> load_deflection_as_measured(const Node&,
 
 }  // namespace
 
+const KeySection& load_deflection_keys();
+
 const TestKind kLoadDeflection = {"load_deflection",
                                   "is pressed on the ground: force, patch",
                                   {IsPressed::kName, Rolls::kName},
                                   read_load_deflection,
+                                  load_deflection_keys,
                                   "",
                                   load_deflection_as_measured};
 

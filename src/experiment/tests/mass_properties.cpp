@@ -75,9 +75,12 @@ std::unique_ptr<Test> read_mass_properties(const Node& root, const TestSource& s
 
 }  // namespace
 
+const KeySection& mass_properties_keys();
+
 const TestKind kMassProperties = {"mass_properties",
                                   "is weighed and swung: mass, moments of inertia",
                                   {IsFeTire::kName},
-                                  read_mass_properties};
+                                  read_mass_properties,
+                                  mass_properties_keys};
 
 }  // namespace latsch::experiment

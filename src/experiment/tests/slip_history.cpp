@@ -104,9 +104,12 @@ std::unique_ptr<Test> read_slip_history(const Node& root, const TestSource& sour
 
 }  // namespace
 
+const KeySection& slip_history_keys();
+
 const TestKind kSlipHistory = {"slip_history",
                                "rolls through slips as they were recorded, lagging",
                                {HasSteadyStates::kName},
-                               read_slip_history};
+                               read_slip_history,
+                               slip_history_keys};
 
 }  // namespace latsch::experiment

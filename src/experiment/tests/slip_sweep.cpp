@@ -152,10 +152,13 @@ std::unique_ptr<Test> read_slip_sweep(const Node& root, const TestSource& source
 
 }  // namespace
 
+const KeySection& slip_sweep_keys();
+
 const TestKind kSlipSweep = {"slip_sweep",
                              "is steered or braked on a flat track",
                              {Rolls::kName},
                              read_slip_sweep,
+                             slip_sweep_keys,
                              kWheelScheme};
 
 }  // namespace latsch::experiment

@@ -170,9 +170,12 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
 
 }  // namespace
 
+const KeySection& static_stiffness_keys();
+
 const TestKind kStaticStiffness = {"static_stiffness",
                                    "stands: force over deflection, stiffnesses",
                                    {IsFeTire::kName, Rolls::kName},
-                                   read_static_test};
+                                   read_static_test,
+                                   static_stiffness_keys};
 
 }  // namespace latsch::experiment

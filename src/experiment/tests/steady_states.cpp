@@ -99,7 +99,7 @@ constexpr std::size_t kLargestTable = std::size_t{1} << 30;  // bytes
 /// Keeps the table in memory unless it is long: a file may be written to while a study runs for
 /// hours.
 std::shared_ptr<const MappedFile> table_of(const std::filesystem::path& file) {
-  std::error_code unknown;  // error of a pipe or a missing file
+  std::error_code unknown;  // error of a missing file
   const auto size = std::filesystem::file_size(file, unknown);
   if (!unknown && size <= kKept) return std::make_shared<MappedFile>(read_text_file(file));
   return std::make_shared<MappedFile>(file, kLargestTable);
@@ -133,9 +133,12 @@ std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& sou
 
 }  // namespace
 
+const KeySection& steady_states_keys();
+
 const TestKind kSteadyStates = {"steady_states",
                                 "rolls steadily in the states of a table",
                                 {HasSteadyStates::kName},
-                                read_steady_states};
+                                read_steady_states,
+                                steady_states_keys};
 
 }  // namespace latsch::experiment

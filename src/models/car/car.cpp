@@ -104,23 +104,30 @@ void Car::rebuild(std::vector<multibody::Strut> struts) {
   mechanism_ = std::move(next);
 }
 
+std::optional<Car::Misfit> Car::misfit(const CarParts& parts, const Tires& tires) {
+  constexpr double kFar = 0.25;  // share of the radius
+  for (int corner = 0; corner < kCorners; ++corner) {
+    const double radius = tires[at(corner)]->free_radius(),
+                 z = parts.corners[at(corner)].wheel_center.z();
+    if (std::abs(z - radius) < kFar * radius) continue;
+    return Misfit{
+        corner,
+        fmt::format("the tire {} has a radius of {:.4g} mm, but its wheel center is drawn "
+                    "{:.4g} mm above the ground",
+                    kCornerNames[at(corner)],
+                    1e3 * radius,
+                    1e3 * z)};
+  }
+  return std::nullopt;
+}
+
 Result<std::unique_ptr<Car>> Car::make(const CarParameters& parameters,
                                        const Tires& tires,
                                        const CarInputs& at_rest,
                                        const multibody::TransientSettings& settings) {
   std::unique_ptr<Car> car(new Car(parameters, settings));
-  for (std::size_t i = 0; i < tires.size(); ++i) {
-    car->tires_[i] = tires[i]->clone();
-    const double radius = tires[i]->free_radius(), z = car->parts_.corners[i].wheel_center.z();
-    constexpr double kFar = 0.25;  // share of the radius
-    if (!(std::abs(z - radius) < kFar * radius))
-      return Failure{fmt::format(
-          "the tire {} has a radius of {:.4g} mm, but its wheel center is drawn {:.4g} mm above "
-          "the ground",
-          kCornerNames[i],
-          1e3 * radius,
-          1e3 * z)};
-  }
+  for (std::size_t i = 0; i < tires.size(); ++i) car->tires_[i] = tires[i]->clone();
+  if (const auto wrong = misfit(car->parts_, tires)) return Failure{wrong->why};
   const std::vector<multibody::Strut> struts = car->mechanism_->struts();
   if (struts.empty()) return car;
   // With bars in place of the springs the car stands as drawn, and the bar forces are those that

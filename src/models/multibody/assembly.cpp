@@ -356,12 +356,13 @@ std::string Assembly::most_turned(const Poses& poses) const {
                      most * 180.0 / std::numbers::pi);
 }
 
-double Assembly::rounding() const {
+double Assembly::rounding(const Poses& poses) const {
   double stiffest = 0.0, far = 0.0;
   for (const Joint& joint : mechanism_.joints()) {
     stiffest = std::max(stiffest, joint.bushing.stiffness.maxCoeff());
     far = std::max(far, joint.point.lpNorm<Eigen::Infinity>());
   }
+  for (const Pose& pose : poses) far = std::max(far, pose.place.lpNorm<Eigen::Infinity>());
   return 4.0 * std::numeric_limits<double>::epsilon() * stiffest * far;
 }
 

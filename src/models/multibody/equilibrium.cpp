@@ -80,7 +80,9 @@ void Equilibrium::assemble(const Rest& rest, const RestSettings& standing, doubl
   if (held_.size() > 0) assembly_.forces() += (1.0 - share) * held_;
 }
 
-double Equilibrium::enough() const { return std::max(settings_.force, assembly_.rounding()); }
+double Equilibrium::enough(const Poses& poses) const {
+  return std::max(settings_.force, assembly_.rounding(poses));
+}
 
 std::string Equilibrium::end_of_newton(Rest& rest) {
   if (!(assembly_.turned() <= settings_.most))
@@ -122,7 +124,7 @@ std::string Equilibrium::newton(Rest& rest, const RestSettings& standing, double
   for (int i = 0; i <= settings_.iterations; ++i) {
     assemble(rest, standing, share);
     left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
-    if (left_ <= enough()) return end_of_newton(rest);
+    if (left_ <= enough(rest.poses)) return end_of_newton(rest);
     if (!std::isfinite(left_) || i == settings_.iterations) break;
     if (!assembly_.J().factorize())
       return nothing_holds(
@@ -152,7 +154,7 @@ bool Equilibrium::go_on(Rest& rest, const RestSettings& standing, double share) 
     move_all(rest.poses, correction, -scale);
     assemble(rest, standing, share);
     left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
-    if (left_ <= enough()) return true;
+    if (left_ <= enough(rest.poses)) return true;
     if (!std::isfinite(left_)) continue;
     Eigen::VectorXd next = assembly_.forces();
     J.solve(next);
@@ -167,7 +169,7 @@ std::string Equilibrium::damped_newton(Rest& rest, const RestSettings& standing,
   left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
   double before = left_;
   for (int i = 0; i < kIterations; ++i) {
-    if (left_ <= enough()) return end_of_newton(rest);
+    if (left_ <= enough(rest.poses)) return end_of_newton(rest);
     if (!assembly_.J().factorize())
       return nothing_holds(
           mechanism_.bodies()[static_cast<std::size_t>(assembly_.J().singular_body())].name);

@@ -85,7 +85,8 @@ class Equilibrium {
   /// Applies the actions in shares, from a start that is held in balance.
   Result<Rest> follow(const RestSettings& standing, const Rest& before, const std::string& trouble);
   void assemble(const Rest& rest, const RestSettings& standing, double share);
-  double enough() const;
+  /// Returns the residual, N and N m, at which poses count as an equilibrium.
+  double enough(const Poses& poses) const;
 
   const Mechanism& mechanism_;
   EquilibriumSettings settings_;

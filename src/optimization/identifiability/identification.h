@@ -34,11 +34,12 @@
 
 namespace latsch {
 
+/// Noise, differences and extent of an identification.
 struct IdentificationOptions {
-  ConfidenceOptions confidence = {};
-  bool profiles = true;  // false: no round 3
-  double step = 0.01;    // first length of the differences, in the unit cube
-  int most_centers = 4;  // 1: the center stays at the point
+  ConfidenceOptions confidence = {};  // noise and level
+  bool profiles = true;               // false: no round 3
+  double step = 0.01;                 // first length of the differences, in the unit cube
+  int most_centers = 4;               // 1: the center stays at the point
   /// The variables that may move, ascending; empty means all. The others keep their exact values at
   /// every wanted point and have an interval of no width and no profile.
   std::vector<int> free = {};
@@ -46,6 +47,8 @@ struct IdentificationOptions {
 
 class Identification {
  public:
+  /// Begins at a point, usually the best of a search. Throws InputError if the space does not
+  /// contain it.
   Identification(const DesignSpace& space,
                  const DesignPoint& point,
                  const IdentificationOptions& options = {});
@@ -75,9 +78,10 @@ class Identification {
   /// The same sum gives the derivative of any other quantity. The list is empty if the model
   /// computed its slopes.
   struct Term {
-    DesignPoint point;
-    double weight;
+    DesignPoint point;  // point of a trial
+    double weight;      // factor of the trial's value
   };
+  /// Returns the terms of the derivative in this variable, of the unit cube.
   std::vector<Term> derivative(int variable) const;
   /// True if linearization and confidence exist: not before round 1 is done, nor while it is
   /// repeated at a better point.
@@ -90,6 +94,7 @@ class Identification {
   double share_done() const;
   /// At the center.
   const Linearization& linearization() const { return *at_; }
+  /// Intervals, correlations and directions, from the linearization.
   const Confidence& confidence() const { return *confidence_; }
   /// Indices of the residuals used.
   const std::vector<Eigen::Index>& residuals_used() const { return rows_; }

@@ -22,6 +22,9 @@ Json home_view(const Shelf& shelf, const std::string& version, bool has_page);
 /// Returns variables, experiments, state, best point, failures by reason.
 Json study_view(const ShelvedStudy& study, StudyRuns& runs);
 
+/// Least value of `most`: with fewer points a stretch cannot show its least and its greatest.
+inline constexpr long kFewestPoints = 10;
+
 /// Target over trials, at most `most` of them: the least and the greatest of every stretch. Trials
 /// are numbered from 1; `to` = 0 means the last.
 struct TrialRange {

@@ -203,6 +203,27 @@ class Shares(Data):
         for verb in ("check", "run"):
             self.assert_says(self.latsch(verb, "/dev/stdin", code=WRONG_INPUT, input=STUDY), "is a pipe")
 
+    def test_no_command_waits_for_a_pipe_in_place_of_a_file(self):
+        for name in ("p.csv", "p.toml", "p.latsch", "p.log", "p.tdx"):
+            os.mkfifo(self.folder / name)
+        self.write("measured.toml", STUDY.replace("m.csv", "p.csv"))
+        self.write("recorded.toml", STUDY.replace('"m.csv"', '"rec"') + '[measurement.rec]\nfile = "p.tdx"\n')
+        self.write("kept.toml", STUDY + '[run]\njournal = "p.latsch"\n')
+        self.write("road.toml", 'kind = "flat"\n')
+        self.write("rig.toml", RIG.replace("r.csv", "p.csv"))
+        states = '{kind = "steady_states", states = "p.csv"}'
+        for arguments in (["check", "measured.toml"], ["run", "measured.toml"], ["check", "recorded.toml"],
+                          ["check", "kept.toml"], ["run", "kept.toml"], ["doctor", "p.latsch"], ["show", "p.tdx"],
+                          ["test", "base.tir", states], ["test", "base.tir", "p.toml"], ["validate", "base.tir", "p.toml"],
+                          ["road", "p.toml", "m.csv"], ["road", "road.toml", "p.csv"], ["process", "p.toml"],
+                          ["process", "rig.toml"], ["serve", "p.toml", "--no-browser"], ["report", "p.toml"],
+                          ["mesh", "p.toml"], ["new", "mf", "--magic-formula", "p.csv"],
+                          ["new", "drum", "--drum", "p.csv", "--cleat", "10 mm x 20 mm"]):
+            with self.subTest(arguments):
+                run = subprocess.run([LATSCH, *arguments], capture_output=True, text=True, timeout=60, cwd=self.folder)
+                self.assertEqual(run.returncode, WRONG_INPUT, run.stderr)
+                self.assertIn("pipe", run.stderr)
+
     def test_a_journal_of_another_study_is_a_warning_of_check(self):
         self.write("study.toml", STUDY)
         self.latsch("run", "study.toml", "--quiet")

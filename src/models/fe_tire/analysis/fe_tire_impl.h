@@ -45,12 +45,13 @@ struct Systems {
   Systems(const Ring& ring,
           const SolverSettings& settings,
           const std::optional<std::vector<int>>& mirror,
-          double angle)
+          double angle,
+          SolverCounts& counts)
       : unknowns(ring,
                  mirror ? RingSymmetry::even : RingSymmetry::none,
                  mirror ? *mirror : std::vector<int>()),
         tread(unknowns, settings.tread_shape(), angle),
-        solver(unknowns, tread, settings),
+        solver(unknowns, tread, settings, counts),
         half_angle(angle),
         tangent(*solver.assembly().pattern()),
         factor(*solver.assembly().pattern(), numerics::Precision::refined, solver.elimination()) {
@@ -108,8 +109,7 @@ struct FeTire::Impl {
     auto& systems = systems_[{halved, window}];
     if (!systems) {
       systems = std::make_unique<Systems>(
-          ring, settings, halved ? mirror() : std::nullopt, half_angle(window));
-      systems->solver.count_in(counts);
+          ring, settings, halved ? mirror() : std::nullopt, half_angle(window), counts);
       ++counts.analyses;
     }
     return *systems;
