@@ -85,7 +85,10 @@ Status Instance::end_initialization() {
 Status Instance::terminate() {
   if (now_.stage != Stage::stepping) return refuse("does not run: there is nothing to terminate");
   now_.stage = Stage::terminated;
-  return Status::ok;
+  return guarded([&] {
+    for (const std::string& limit : now_.unit->limits_met()) say(Status::warning, limit);
+    return Status::ok;
+  });
 }
 
 Status Instance::reset() {

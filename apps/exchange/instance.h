@@ -33,6 +33,7 @@ class Instance {
   Status set_up(double start, std::optional<double> stop);
   Status begin_initialization();
   Status end_initialization();
+  /// Logs as warnings which limits of its model the unit has met.
   Status terminate();
   Status reset();
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "formats/tire/kept_parts.h"
 #include "formats/tire/tir_file.h"
 #include "models/magic_formula/standstill.h"
 
@@ -184,7 +185,16 @@ std::string assumed_stiffness_of(const Parameters& p, const std::string& directi
 }
 
 std::string tir_text_of(const Document& numbers) {
-  return formats::tir_text(parameters_of(numbers));
+  return with_parts_of(numbers.file(), formats::tir_text(parameters_of(numbers)));
+}
+
+std::string with_parts_of(const std::filesystem::path& file, const std::string& text) {
+  if (file.extension() != ".tir" || !std::filesystem::exists(file)) return text;
+  try {
+    return formats::with_kept_parts(text, formats::read_tir(file));
+  } catch (const InputError&) {
+    return text;  // the file has changed since its numbers were read
+  }
 }
 
 }  // namespace latsch::experiment

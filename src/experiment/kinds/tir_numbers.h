@@ -47,6 +47,11 @@ std::string no_stiffness_of(const magic_formula::Parameters& parameters,
 std::string assumed_stiffness_of(const magic_formula::Parameters& parameters,
                                  const std::string& direction);
 
+/// Returns the text of a new file of these numbers, with the parts of their file that have no
+/// effect here (formats/tire/kept_parts.h).
 std::string tir_text_of(const Document& numbers);
+
+/// Returns the text with those parts of the file, if the file can be read.
+std::string with_parts_of(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace latsch::experiment

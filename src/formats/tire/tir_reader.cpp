@@ -252,10 +252,11 @@ class TirReader {
     }
     if (field == nullptr && !unused)
       note(entry.line,
-           fmt::format("[{}] {} is not known here; it stays in the file, without effect{}",
-                       section.name(),
-                       entry.key,
-                       suggestion(entry.key)));
+           fmt::format(
+               "[{}] {} is not known here; it has no effect, and an exported file keeps it{}",
+               section.name(),
+               entry.key,
+               suggestion(entry.key)));
     if (unused && unused->told)
       note(entry.line,
            fmt::format("{} = {} has no effect: {}", entry.key, entry.value, unused->text));
