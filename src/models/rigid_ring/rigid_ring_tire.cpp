@@ -40,7 +40,7 @@ double bounded_rate(double u, double rate, double bound) {
 
 Result<std::unique_ptr<RigidRingTire>> RigidRingTire::make(
     const Parameters& parameters, const MagicFormulaTireSettings& settings) {
-  if (std::string why = no_cams(parameters); !why.empty()) return Failure{why};
+  if (const Status cams = check_cams(parameters); !cams) return cams.failure();
   const Result<RingConstants> ring = ring_constants(parameters, nominal_radius(parameters));
   if (!ring) return ring.failure();
   return std::unique_ptr<RigidRingTire>(new RigidRingTire(parameters, settings, *ring));

@@ -37,13 +37,13 @@ double residual(StiffnessBesideBelt one, double belt_compliance, RingConstants& 
   return spring;
 }
 
-/// Returns the reason why a tire of these stiffnesses has no state of rest; empty if it has.
-std::string no_rest(const magic_formula::Parameters& p, const RingConstants& c) {
+/// Fails if a tire of these stiffnesses has no state of rest.
+Status stands(const magic_formula::Parameters& p, const RingConstants& c) {
   // The belt's displacement and the load are found by iteration, which converges below this share.
   constexpr double kMostShare = 0.5;
   const double steepest = magic_formula::greatest_stiffness(p);
-  if (steepest < kMostShare * c.k_bx) return "";
-  return fmt::format(
+  if (steepest < kMostShare * c.k_bx) return {};
+  return Failure{fmt::format(
       "FREQ_LONG = {:.4g} Hz of BELT_MASS = {:.4g} kg is a belt of {:.4g} N/mm, which cannot stand "
       "on a tire of {:.4g} N/mm ({}); expected at least twice as much: a higher FREQ_LONG",
       p.FREQ_LONG,
@@ -51,7 +51,7 @@ std::string no_rest(const magic_formula::Parameters& p, const RingConstants& c) 
       1e-3 * c.k_bx,
       1e-3 * steepest,
       magic_formula::has_load_curve(p) ? "the steepest line of [DEFLECTION_LOAD_CURVE]"
-                                       : "VERTICAL_STIFFNESS");
+                                       : "VERTICAL_STIFFNESS")};
 }
 
 std::string in_unit(const StiffnessBesideBelt& one, double value) {
@@ -109,7 +109,7 @@ Result<RingConstants> ring_constants(const magic_formula::Parameters& p, double 
     return Failure{
         "a rigid ring needs LONGITUDINAL_STIFFNESS, LATERAL_STIFFNESS and VERTICAL_STIFFNESS above "
         "zero"};
-  if (const std::string why = no_rest(p, c); !why.empty()) return Failure{why};
+  if (const Status status = stands(p, c); !status) return status.failure();
   c.c_rx = residual({"LONGITUDINAL_STIFFNESS",
                      "FREQ_LONG, FREQ_WINDUP, BELT_MASS and BELT_IYY",
                      false,

@@ -71,22 +71,22 @@ void add_assumed(const std::function<bool(std::string_view)>& is_given,
 
 }  // namespace
 
-std::string no_cams(const Parameters& p) {
+Status check_cams(const Parameters& p) {
   for (const CamNumber& one : kCamNumbers) {
     const double value = p.*one.member;
     if (value >= one.from && value <= one.to) continue;
-    return fmt::format(
-        "{} is {:g}, expected {:g} to {:g}: {}", one.name, value, one.from, one.to, one.meaning);
+    return Failure{fmt::format(
+        "{} is {:g}, expected {:g} to {:g}: {}", one.name, value, one.from, one.to, one.meaning)};
   }
   const double a = at_nominal_load(p).a;
-  if (a >= 0.0 && a < p.UNLOADED_RADIUS) return "";
+  if (a >= 0.0 && a < p.UNLOADED_RADIUS) return {};
   const char* names = p.version == magic_formula::Version::mf52 ? "Q_A1 and Q_A2" : "Q_RA1, Q_RA2";
-  return fmt::format(
+  return Failure{fmt::format(
       "{} give a patch of {:.4g} mm half length at FNOMIN, expected less than UNLOADED_RADIUS, "
       "{:.4g} mm",
       names,
       1e3 * a,
-      1e3 * p.UNLOADED_RADIUS);
+      1e3 * p.UNLOADED_RADIUS)};
 }
 
 std::vector<std::string> ring_doubts(const Parameters& p,

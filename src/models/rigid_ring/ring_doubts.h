@@ -7,14 +7,14 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.h"
 #include "models/magic_formula/parameters.h"
 
 namespace latsch::rigid_ring {
 
-/// Says why the cams and the patch of these coefficients feel no road: an ELLIPS_SHIFT,
+/// Fails if the cams and the patch of these coefficients feel no road: an ELLIPS_SHIFT,
 /// ELLIPS_LENGTH, ELLIPS_HEIGHT or ELLIPS_ORDER that no cam has, a patch longer than the tire.
-/// Empty if they do.
-std::string no_cams(const magic_formula::Parameters& parameters);
+Status check_cams(const magic_formula::Parameters& parameters);
 
 /// Returns one sentence for each number that is assumed, changed, or contradicts another.
 /// `is_given` says whether the file states a coefficient.
