@@ -15,6 +15,7 @@
 #include "base/file.h"
 #include "base/mapped_file.h"
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/hub_frame.h"
 #include "experiment/rigs/slip/slip_states.h"
@@ -33,7 +34,7 @@ std::string no_turn_slip(const Conventions& conventions) {
   return "turn_slip of the test is \"off\"; turn_slip = \"on\" computes with it";
 }
 
-class SteadyStatesTest : public Test {
+class SteadyStatesTest : public Test, public TellsLimits {
  public:
   SteadyStatesTest(std::shared_ptr<const MappedFile> table,
                    const std::string& name,
@@ -64,6 +65,9 @@ class SteadyStatesTest : public Test {
     return values_of(states_, condition);
   }
   std::optional<long> samples() const override { return states_.rows(); }
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    return specimen.find<HasSteadyStates>()->limits_in(states_, conventions_);
+  }
   Result<Channels> run(Specimen& specimen) const override {
     return specimen.find<HasSteadyStates>()->steady(states_, conventions_);
   }
