@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulation that does not succeed returns a value, not an exception.
+// A simulation that does not succeed returns a value, not an exception: a Result if success gives a
+// value, a Status if it gives none. tools/layers.py refuses other spellings.
 #pragma once
 
 #include <cassert>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -64,6 +66,26 @@ class [[nodiscard]] Result {
     return std::get<T>(value_);
   }
   std::variant<T, Failure> value_;
+};
+
+/// Success, or the Failure that occurred instead; `return {};` reports success. A Status does not
+/// convert to bool, so that it is never mistaken for an optional Failure, whose *true* means the
+/// opposite: write `!status` or `status.ok()`.
+class [[nodiscard]] Status {
+ public:
+  Status() = default;
+  Status(Failure failure) : failure_(std::move(failure)) {}
+
+  bool ok() const { return !failure_; }
+  bool operator!() const { return !ok(); }
+
+  const Failure& failure() const {
+    assert(!ok());
+    return *failure_;
+  }
+
+ private:
+  std::optional<Failure> failure_;
 };
 
 }  // namespace latsch

@@ -127,7 +127,7 @@ TEST_P(CarOf, AnswersOverACleatAsTheCarDrivenDirectlyToTheLastBit) {
   for (int i = 0; i < kSteps; ++i) {
     for (int j = 1; j <= kCarSteps; ++j) {
       inputs.rack = kRackRate * kStep * i + j * h * kRackRate;
-      ASSERT_TRUE((*car)->advance(*state, h, *road, inputs));
+      ASSERT_TRUE((*car)->advance(*state, h, *road, inputs).ok());
     }
     drive.step(i);
     expect_same(*state, inputs);

@@ -215,7 +215,7 @@ std::optional<Result<Identifiability>> identify(const Study& study,
   result.refined_shift = refined_shift(study, result.identification);
   std::optional<Result<Identifiability>> answer(std::in_place, std::move(result));
   const Result<Identifiability>& found = *answer;
-  if (const auto& failure = found->identification.failure()) answer.emplace(Failure(*failure));
+  if (const Status first = found->identification.status(); !first) answer.emplace(first.failure());
   return answer;
 }
 

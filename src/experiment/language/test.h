@@ -142,7 +142,7 @@ class Test {
   virtual bool has_film() const { return false; }
   /// Adds to a scene the motion of the specimen in this test, in at most the given number of steps.
   /// Returns a Failure if the run fails.
-  virtual Result<bool> film(Specimen&, int /*most_steps*/, report::Scene&) const { return true; }
+  virtual Status film(Specimen&, int /*most_steps*/, report::Scene&) const { return {}; }
   /// Returns the positive direction of a channel or a detail, for conversion into the signs of
   /// another convention; nullopt: the test does not say.
   virtual std::optional<suspension::SignSense> sense(const std::string&) const {

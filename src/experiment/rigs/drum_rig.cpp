@@ -176,14 +176,14 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured) {
   return test;
 }
 
-std::string too_deep(const Tire& tire, double deflection) {
+Status check_depth(const Tire& tire, double deflection) {
   constexpr double kDeepest = 0.6;  // share of the radius
-  if (!(deflection > kDeepest * tire.free_radius())) return "";
-  return fmt::format(
-      "a deflection of {:.4g} mm is more than the section of a tire with a radius of "
-      "{:.4g} mm: its rim would be in the road",
-      1e3 * deflection,
-      1e3 * tire.free_radius());
+  if (!(deflection > kDeepest * tire.free_radius())) return {};
+  return Failure{
+      fmt::format("a deflection of {:.4g} mm is more than the section of a tire with a radius of "
+                  "{:.4g} mm: its rim would be in the road",
+                  1e3 * deflection,
+                  1e3 * tire.free_radius())};
 }
 
 void check_step(const Node& test, double speed, double step) {
@@ -220,8 +220,8 @@ Result<double> height_under_load(Tire& tire,
     if (!hub) return failure(z, "it has no state of rest (" + hub.failure().reason + ")");
     const double F = (carrier * hub->force).z();
     if (std::abs(F - load) <= kClose * load) {
-      const std::string why = too_deep(tire, free - z);
-      if (!why.empty()) return failure(z, "it has no state of rest (" + why + ")");
+      const Status fit = check_depth(tire, free - z);
+      if (!fit) return failure(z, "it has no state of rest (" + fit.failure().reason + ")");
       return z;
     }
     const double slope = z != z0 && F != F0 ? (F - F0) / (z - z0) : -kFirstStiffness;
@@ -237,8 +237,8 @@ Result<Channels> run(Tire& tire, const DrumTest& test) {
   WheelMotion start =
       standing(tire.free_radius() - test.deflection.value_or(0.0),
                Eigen::AngleAxisd(test.camber, Eigen::Vector3d::UnitX()).toRotationMatrix());
-  if (const std::string why = too_deep(tire, test.deflection.value_or(0.0)); !why.empty())
-    return Failure{"on the drum: " + why};
+  if (const Status fit = check_depth(tire, test.deflection.value_or(0.0)); !fit)
+    return Failure{"on the drum: " + fit.failure().reason};
   if (test.load) {
     const auto height = height_under_load(tire, surfaces.smooth, start.carrier, *test.load);
     if (!height) return height.failure();

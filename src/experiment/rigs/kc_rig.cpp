@@ -19,9 +19,9 @@ Vector6d as_vector(const suspension::WheelPosition& at) {
 const char* unit_of_moved(int i) { return i < 3 ? "m" : "rad"; }
 const char* unit_of_load(int i) { return i < 3 ? "N" : "N m"; }
 
-/// Names a bushing whose stretch is impossible, or returns "": stiffnesses are then in another
-/// unit, or the loads are too large for any corner.
-std::string torn_bushing(const multibody::Mechanism& mechanism, const multibody::Poses& poses) {
+/// Returns a Failure that names a bushing whose stretch is impossible: stiffnesses are then in
+/// another unit, or the loads are too large for any corner.
+Status check_bushings(const multibody::Mechanism& mechanism, const multibody::Poses& poses) {
   constexpr double kMostStretch = 0.03;  // m
   const auto pose = [&](int body) {
     return body == multibody::kGround ? multibody::Pose{} : poses[static_cast<std::size_t>(body)];
@@ -37,11 +37,11 @@ std::string torn_bushing(const multibody::Mechanism& mechanism, const multibody:
     torn = i;
   }
   if (most <= kMostStretch) return {};
-  return fmt::format(
+  return Failure{fmt::format(
       "the bushing {} is stretched by {:.3g} mm, more than any bushing bears: are stiffnesses N/m "
       "that should be N/mm, or loads N that should be kN?",
       mechanism.joints()[torn].name,
-      1e3 * most);
+      1e3 * most)};
 }
 
 }  // namespace
@@ -85,14 +85,14 @@ Result<Channels> run(const suspension::CompliantCorner& corner,
     if (!found)
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, found.failure().reason)};
     stands = std::move(*found);
-    if (const std::string torn = torn_bushing(mechanism, poses); !torn.empty())
-      return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, torn)};
+    if (const Status held = check_bushings(mechanism, poses); !held)
+      return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, held.failure().reason)};
     if (watch) watch({mechanism, assembly, stands, {&on, 1}, {&wheel, 1}, i});
     const multibody::Pose& upright = poses[upright_body];
     moved.row(i) = as_vector(wheel_position(points, upright)) - rest;
     if (followed.empty()) continue;
-    if (const std::string trouble = statics.linearize(stands, standing); !trouble.empty())
-      return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, trouble)};
+    if (const Status done = statics.linearize(stands, standing); !done)
+      return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, done.failure().reason)};
     Eigen::MatrixXd by_pose =
         Eigen::MatrixXd::Zero(6 * std::ssize(corner.bodies), std::ssize(followed));
     by_pose.middleRows<6>(6 * corner.upright) =

@@ -92,7 +92,7 @@ class AxleKc : public Test {
                    std::move(*matrices)};
   }
   bool has_film() const override { return true; }
-  Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
+  Status film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
     const auto varies = [](const Channel& one) {
       const auto [low, high] = std::minmax_element(one.values.begin(), one.values.end());
       return *high > *low;
@@ -103,7 +103,7 @@ class AxleKc : public Test {
     const auto done = specimen.find<HasAxles>()->watch(test_, film.watcher());
     if (!done) return done.failure();
     film.add_to(scene, in_words());
-    return true;
+    return {};
   }
   bool tells_slopes(const SpecimenKind&, const std::string&) const override {
     return !test_.travel;

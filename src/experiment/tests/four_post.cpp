@@ -123,14 +123,14 @@ class FourPost : public Test {
     return four_post_details(as_posts_moved(runs->up), over_frequency(*runs));
   }
   bool has_film() const override { return true; }
-  Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
+  Status film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
     CarFilm film(CarFilm::On::posts);
     const auto done = experiment::run(**car, test_, film.watcher());
     if (!done) return done.failure();
     film.add_to(scene, in_words(), most_steps);
-    return true;
+    return {};
   }
 
  private:

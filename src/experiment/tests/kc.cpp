@@ -86,7 +86,7 @@ class KcTestOfCorner : public Test {
     return Details{loop_pictures(*recorded, loads, {""}, test_.slopes), std::move(*matrices)};
   }
   bool has_film() const override { return true; }
-  Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
+  Status film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
     std::size_t along = 0;  // index of the first load that varies, or that is stated
     for (std::size_t i = 6; i-- > 0;)
       if (test_.stated[i]) along = i;
@@ -100,7 +100,7 @@ class KcTestOfCorner : public Test {
     const auto done = specimen.find<IsLoaded>()->watch(test_, film.watcher());
     if (!done) return done.failure();
     film.add_to(scene, in_words());
-    return true;
+    return {};
   }
   bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {

@@ -154,14 +154,14 @@ class KerbRunTest : public Test, public TellsLimits {
     return film.details();
   }
   bool has_film() const override { return true; }
-  Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
+  Status film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
     CarFilm film(CarFilm::On::road);
     const auto done = experiment::run(**car, test_, film.watcher());
     if (!done) return done.failure();
     film.add_to(scene, in_words(), most_steps, road_of(test_, **car).get());
-    return true;
+    return {};
   }
 
  private:

@@ -73,12 +73,12 @@ Result<LoaderSolution> solve_loaders(Car& car,
   constexpr double kEnough =
       1e-4;  // share of the forces, for a step: rolling tires settle to some newtons
   bool rolls = false;
-  const auto pushrods = [&](const Vector3d& downforce, CarState& state) -> std::string {
+  const auto pushrods = [&](const Vector3d& downforce, CarState& state) -> Status {
     CarInputs with = inputs;
     if (!rolls && with.guide) with.guide->speed = 0.0;
     for (multibody::Load& load : loaders.loads(car, downforce)) with.loads.push_back(load);
     auto settled = car.settle(road, rolls ? speed : 0.0, with);
-    if (!settled) return settled.failure().reason;
+    if (!settled) return settled.failure();
     state = std::move(*settled);
     return {};
   };
@@ -86,13 +86,13 @@ Result<LoaderSolution> solve_loaders(Car& car,
   found.downforce.setZero();
   Vector3d step = Vector3d::Zero();
   for (int i = 0; i < kMost; ++i) {
-    std::string trouble = pushrods(found.downforce, found.state);
-    for (int k = 0; k < kHalvings && i > 0 && !trouble.empty(); ++k) {
+    Status settled = pushrods(found.downforce, found.state);
+    for (int k = 0; k < kHalvings && i > 0 && !settled; ++k) {
       step *= 0.5;
       found.downforce -= step;
-      trouble = pushrods(found.downforce, found.state);
+      settled = pushrods(found.downforce, found.state);
     }
-    if (!trouble.empty()) return Failure{trouble};
+    if (!settled) return settled.failure();
     found.pushrods = as_vector(car.pushrod_forces(found.state, inputs));
     if (i < 2)
       for (int k = 0; k < 3; ++k) {
@@ -101,13 +101,13 @@ Result<LoaderSolution> solve_loaders(Car& car,
           Vector3d more = found.downforce;
           more[k] += probe;
           CarState there;
-          trouble = pushrods(more, there);
-          if (!trouble.empty()) continue;
+          settled = pushrods(more, there);
+          if (!settled) continue;
           found.slopes.col(k) =
               (as_vector(car.pushrod_forces(there, inputs)) - found.pushrods) / probe;
           break;
         }
-        if (!trouble.empty()) return Failure{trouble};
+        if (!settled) return settled.failure();
       }
     found.unreachable = normal_of(found.slopes);
     // The condition requires three independent columns: their volume relative to their length.

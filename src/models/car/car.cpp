@@ -150,13 +150,12 @@ Result<std::unique_ptr<Car>> Car::make(const CarParameters& parameters,
     if (const int unit = car->parts_.corners[at(corner)].unit; unit >= 0)
       springs[at(unit)].preload = car->transient_->assembly().strut_force(unit, motion);
   for (int corner = 0; corner < kCorners; ++corner)
-    if (const std::string fault = car->fault_of_spring(corner, springs); !fault.empty())
-      return Failure{fault};
+    if (const Status fit = car->check_spring(corner, springs); !fit) return fit.failure();
   car->rebuild(springs);
   return car;
 }
 
-std::string Car::fault_of_spring(int corner, const std::vector<multibody::Strut>& springs) const {
+Status Car::check_spring(int corner, const std::vector<multibody::Strut>& springs) const {
   const int unit = parts_.corners[at(corner)].unit;
   if (unit < 0) return {};
   double stiffness = 0.0;  // at rest, of the unit and of springs on both sides of the axle
@@ -172,14 +171,13 @@ std::string Car::fault_of_spring(int corner, const std::vector<multibody::Strut>
   constexpr double kMost = 10.0;  // times its length: no spring is that long, whatever its travel
   const double length = mechanism_->rest_length(unit), force = std::abs(springs[at(unit)].preload);
   if (stiffness * kMost * length > force) return {};
-  return fmt::format(
+  return Failure{fmt::format(
       "{} carries {:.4g} N at rest with a stiffness of {:.4g} N/m: it would be pressed by more "
-      "than ten "
-      "times its length of {:.4g} mm",
+      "than ten times its length of {:.4g} mm",
       springs[at(unit)].name,
       force,
       stiffness,
-      1e3 * length);
+      1e3 * length)};
 }
 
 const AxleMasses& Car::masses(int corner) const {
@@ -323,35 +321,36 @@ void Car::add_air(const Motion& motion, double speed, std::vector<BodyForce>& wr
   wrenches.push_back(wrench);
 }
 
-std::string Car::off_road(int corner, const WheelMotion& wheel, const road::Road& road) const {
+Status Car::check_on_road(int corner, const WheelMotion& wheel, const road::Road& road) const {
   if (may_leave_road) return {};
   const Vector3d contact = wheel.center - tires_[at(corner)]->free_radius() * wheel.carrier.col(2);
   const std::string beyond = road.beyond(contact.x(), contact.y());
   if (beyond.empty()) return {};
-  return fmt::format(
+  return Failure{fmt::format(
       "tire {} is off the road's edge: {}. Drive on another line, start elsewhere or drive less "
       "far, extend the road, or allow it (beyond_edge of a test, road.continues of a unit)",
       kCornerNames[at(corner)],
-      beyond);
+      beyond)};
 }
 
-std::string Car::roll(CarState& next,
-                      const Motion& motion,
-                      double ahead,
-                      double step,
-                      const road::Road& road,
-                      const CarInputs& inputs) const {
+Status Car::roll(CarState& next,
+                 const Motion& motion,
+                 double ahead,
+                 double step,
+                 const road::Road& road,
+                 const CarInputs& inputs) const {
   for (int corner = 0; corner < kCorners; ++corner) {
     WheelState& wheel = next.wheels[at(corner)];
     const double I = masses(corner).wheel_spin, drive = inputs.drive[at(corner)];
     WheelMotion there = motion_of_wheel(corner, motion.poses, motion.rates);
     if (ahead > 0.0) go_on(there, acceleration_of_wheel(corner, motion), ahead);
-    if (std::string trouble = off_road(corner, there, road); !trouble.empty()) return trouble;
+    if (Status on = check_on_road(corner, there, road); !on) return on;
     FreeWheel free = wheel.wheel;
     free.spin->push = [drive](double, double) { return Push{drive, 0.0}; };
     free.brake = inputs.brake[at(corner)];
     const auto hub = wheel.tire->advance_free(there, free, road, motion.time + ahead, step);
-    if (!hub) return fmt::format("tire {}: {}", kCornerNames[at(corner)], hub.failure().reason);
+    if (!hub)
+      return Failure{fmt::format("tire {}: {}", kCornerNames[at(corner)], hub.failure().reason)};
     free.spin->push = {};
     wheel.brake_moment =
         free.brake > 0.0 ? I * free.spin->acceleration - hub->moment.y() - drive : 0.0;
@@ -399,14 +398,11 @@ void Car::add_wheels(const CarState& state,
   }
 }
 
-Result<bool> Car::advance(CarState& state,
-                          double step,
-                          const road::Road& road,
-                          const CarInputs& inputs) {
+Status Car::advance(CarState& state, double step, const road::Road& road, const CarInputs& inputs) {
   std::array<HubForces, kCorners> before;
   for (std::size_t i = 0; i < before.size(); ++i) before[i] = state.wheels[i].hub;
   const double part = step / mechanism_steps, end = state.time() + step;
-  std::string trouble;
+  Status rolled;
   for (int i = 1; i <= mechanism_steps; ++i) {
     // `share` is the part of the remaining change of the inputs, `left` the time after this step.
     const double share = 1.0 / (mechanism_steps - i + 1), left = step - i * part;
@@ -419,16 +415,17 @@ Result<bool> Car::advance(CarState& state,
     approach(state.loads, inputs.loads, share);
     const std::array<double, kDrivers> drivers = {state.rack};
     const multibody::Outside outside = [&](const Motion& motion, std::vector<BodyForce>& wrenches) {
-      if (i == 1) trouble = roll(state, motion, step - part, step, road, inputs);
+      if (i == 1) rolled = roll(state, motion, step - part, step, road, inputs);
       add_wheels(
           state, before, static_cast<double>(i) / mechanism_steps, motion, inputs, guide, wrenches);
     };
     const auto done = transient_->advance(
         state.bodies, part, {.loads = state.loads, .drivers = drivers, .outside = &outside});
-    if (!trouble.empty()) return Failure{fmt::format("at {:.5f} s {}", state.time(), trouble)};
+    if (!rolled)
+      return Failure{fmt::format("at {:.5f} s {}", state.time(), rolled.failure().reason)};
     if (!done) return done;
   }
-  return true;
+  return {};
 }
 
 std::array<double, kCorners> Car::pushrod_forces(const CarState& state,

@@ -135,10 +135,7 @@ class Car {
   bool may_leave_road = false;
   /// Takes one step. After a Failure, which names the part and the time, the state must not be
   /// used.
-  Result<bool> advance(CarState& state,
-                       double step,
-                       const road::Road& road,
-                       const CarInputs& inputs);
+  Status advance(CarState& state, double step, const road::Road& road, const CarInputs& inputs);
 
   /// Returns the force along the push-rod, N, compression positive.
   std::array<double, kCorners> pushrod_forces(const CarState& state,
@@ -219,19 +216,18 @@ class Car {
                                   const road::Road& road,
                                   const CarInputs& inputs);
   void rebuild(std::vector<multibody::Strut> struts);
-  /// Returns a complaint about a preloaded unit that no spring of its kind can be, or an empty
-  /// text.
-  std::string fault_of_spring(int corner, const std::vector<multibody::Strut>& springs) const;
+  /// Returns a Failure if no spring of its kind can be the preloaded unit of a corner.
+  Status check_spring(int corner, const std::vector<multibody::Strut>& springs) const;
   /// Returns linear acceleration of its center and angular acceleration, for a motion with rates
   /// and accelerations.
   multibody::Vector6d acceleration_of_wheel(int corner, const multibody::Motion& motion) const;
   /// Advances the tires to the positions of the wheels `ahead` seconds after this motion.
-  std::string roll(CarState& next,
-                   const multibody::Motion& motion,
-                   double ahead,
-                   double step,
-                   const road::Road& road,
-                   const CarInputs& inputs) const;
+  Status roll(CarState& next,
+              const multibody::Motion& motion,
+              double ahead,
+              double step,
+              const road::Road& road,
+              const CarInputs& inputs) const;
   /// Adds the actions of tires, drive and guide in this motion. Tire forces are a mixture of the
   /// present ones, with weight `share`, and those before.
   void add_wheels(const CarState& state,
@@ -242,9 +238,8 @@ class Car {
                   const GuidePoint& guide,
                   std::vector<multibody::BodyForce>& wrenches) const;
   Eigen::Vector3d wheel_center_in_upright(int corner) const;
-  /// Describes where the point below the wheel in its plane is off the road; empty if there is
-  /// road.
-  std::string off_road(int corner, const WheelMotion& wheel, const road::Road& road) const;
+  /// Returns a Failure that says where the point below the wheel in its plane is off the road.
+  Status check_on_road(int corner, const WheelMotion& wheel, const road::Road& road) const;
   const AxleMasses& masses(int corner) const;
 
   CarParameters parameters_;

@@ -199,7 +199,7 @@ TEST(CarBalance, WithDragItStartsInBalanceAndKeepsItsSpeed) {
       EXPECT_NEAR(state->bodies.accelerations[0], 0.0, 1e-4);
       double off = 0.0;
       while (state->time() < 0.5) {
-        ASSERT_TRUE(car->advance(*state, 2e-4, road::PlaneRoad{}, {}));
+        ASSERT_TRUE(car->advance(*state, 2e-4, road::PlaneRoad{}, {}).ok());
         off = std::max(off, std::abs(state->bodies.rates[0] - speed));
       }
       EXPECT_LT(off, 1e-3) << speed;
@@ -212,7 +212,7 @@ TEST(CarBalance, WithoutAGuideDragSlowsItDown) {
   auto state = car->settle(road::PlaneRoad{}, 60.0, {});
   ASSERT_TRUE(state) << state.failure().reason;
   car->guide.along = 0.0;
-  while (state->time() < 0.1) ASSERT_TRUE(car->advance(*state, 2e-4, road::PlaneRoad{}, {}));
+  while (state->time() < 0.1) ASSERT_TRUE(car->advance(*state, 2e-4, road::PlaneRoad{}, {}).ok());
   // v' = -c v² has the solution v0 / (1 + c v0 t).
   const double c = 0.5 * kDensity * kArea * 1.1 / car->mechanism().mass();
   EXPECT_NEAR(state->bodies.rates[0], 60.0 / (1.0 + c * 60.0 * state->time()), 0.01);

@@ -37,18 +37,18 @@ Parameters on_road(Parameters parameters, double friction) {
   return parameters;
 }
 
-std::string rim_in_road(const Parameters& p, const WheelContact& contact) {
+Status check_rim(const Parameters& p, const WheelContact& contact) {
   // A rim that bottoms on its own stiffness may go below the radius of its bead seat a little.
   constexpr double kBottomed = 0.9, kNoRim = 0.4;  // shares of the rim's and of the free radius
   const double lowest = p.RIM_RADIUS > 0.0 ? (p.BOTTOM_STIFF > 0.0 ? kBottomed : 1.0) * p.RIM_RADIUS
                                            : kNoRim * p.UNLOADED_RADIUS;
-  if (!(contact.height < lowest)) return "";
-  return fmt::format(
-      "the axle is {:.4g} mm above the road, but the rim {} {:.4g} mm: the tire is "
-      "pressed by more than its section",
-      1e3 * contact.height,
-      p.RIM_RADIUS > 0.0 ? "has a radius of" : "of a tire of this size has at least",
-      1e3 * (p.RIM_RADIUS > 0.0 ? p.RIM_RADIUS : lowest));
+  if (!(contact.height < lowest)) return {};
+  return Failure{
+      fmt::format("the axle is {:.4g} mm above the road, but the rim {} {:.4g} mm: the tire is "
+                  "pressed by more than its section",
+                  1e3 * contact.height,
+                  p.RIM_RADIUS > 0.0 ? "has a radius of" : "of a tire of this size has at least",
+                  1e3 * (p.RIM_RADIUS > 0.0 ? p.RIM_RADIUS : lowest))};
 }
 
 MagicFormulaTire::MagicFormulaTire(const Parameters& parameters,
@@ -261,7 +261,7 @@ HubForces MagicFormulaTire::hub_forces(const WheelMotion& motion,
 Result<HubForces> MagicFormulaTire::settle(const WheelMotion& motion,
                                            const road::Road& road,
                                            double time) {
-  if (const std::string trouble = trouble_with(motion); !trouble.empty()) return Failure{trouble};
+  if (const Status fit = check_motion(motion); !fit) return fit.failure();
   patch_ = {};
   before_.reset();
   forces_ = {};
@@ -269,7 +269,7 @@ Result<HubForces> MagicFormulaTire::settle(const WheelMotion& motion,
   auto contact = touch(motion, plane);
   if (!contact) return Failure{"the wheel lies flat: its spin axis is perpendicular to the road"};
   take_friction(contact->friction);
-  if (std::string why = rim_in_road(parameters_, *contact); !why.empty()) return Failure{why};
+  if (const Status above = check_rim(parameters_, *contact); !above) return above.failure();
   contact->approach = contact->Vx = contact->Vy = contact->yaw_rate = 0.0;
   const double Fz = vertical_force(*contact, 0.0);
   if (Fz > 0.0) forces_ = answer(*contact, {.Fz = Fz}, patch_);
@@ -281,12 +281,11 @@ Result<HubForces> MagicFormulaTire::advance(const WheelMotion& motion,
                                             const road::Road& road,
                                             double time,
                                             double step) {
-  if (const std::string trouble = trouble_with(motion, step); !trouble.empty())
-    return Failure{trouble};
+  if (const Status fit = check_motion(motion, step); !fit) return fit.failure();
   const RoadPlane plane = tangent_plane(motion, road, time);
   const auto contact = touch(motion, plane);
   if (!contact) return Failure{"the wheel lies flat: its spin axis is perpendicular to the road"};
-  if (std::string why = rim_in_road(parameters_, *contact); !why.empty()) return Failure{why};
+  if (const Status above = check_rim(parameters_, *contact); !above) return above.failure();
   take_friction(contact->friction);
   roll(*contact, motion.spin_rate, step);
   watch_.see({.Fz = forces_.Fz,

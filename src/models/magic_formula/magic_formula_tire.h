@@ -104,8 +104,8 @@ class MagicFormulaTire final : public Tire {
   RangeWatch watch_;
 };
 
-/// Returns a sentence if the axle is so low that the rim would be in the road; empty if it is not.
-std::string rim_in_road(const Parameters& parameters, const WheelContact& contact);
+/// Returns a Failure if the axle is so low that the rim would be in the road.
+Status check_rim(const Parameters& parameters, const WheelContact& contact);
 
 /// Returns the coefficients for a road whose friction differs by a factor.
 Parameters on_road(Parameters parameters, double friction);

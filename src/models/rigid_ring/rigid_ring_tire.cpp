@@ -255,7 +255,7 @@ int RigidRingTire::substeps(double step, double Vx) const {
 Result<HubForces> RigidRingTire::settle(const WheelMotion& motion,
                                         const road::Road& road,
                                         double time) {
-  if (const std::string trouble = trouble_with(motion); !trouble.empty()) return Failure{trouble};
+  if (const Status fit = check_motion(motion); !fit) return fit.failure();
   WheelMotion rest = motion;
   rest.velocity.setZero();
   rest.angular_velocity.setZero();
@@ -279,7 +279,7 @@ Result<HubForces> RigidRingTire::settle(const WheelMotion& motion,
   moving_ = true;
   if (!state_.allFinite()) return Failure{"the ring finds no equilibrium on this road"};
   if (const auto wheel = touch(motion, plane_))
-    if (std::string why = rim_in_road(parameters_, *wheel); !why.empty()) return Failure{why};
+    if (const Status above = check_rim(parameters_, *wheel); !above) return above.failure();
   return hub_forces(state_, 0.0);
 }
 
@@ -315,8 +315,7 @@ Result<HubForces> RigidRingTire::advance(const WheelMotion& motion,
                                          const road::Road& road,
                                          double time,
                                          double step) {
-  if (const std::string trouble = trouble_with(motion, step); !trouble.empty())
-    return Failure{trouble};
+  if (const Status fit = check_motion(motion, step); !fit) return fit.failure();
   if (!moving_) {
     before_ = motion;
     plane_ = plane_ahead(motion, 0.0, road, time);
@@ -326,7 +325,7 @@ Result<HubForces> RigidRingTire::advance(const WheelMotion& motion,
   const auto wheel = touch(belt_motion(state_, motion), plane);
   if (!wheel) return Failure{"the wheel lies flat: its spin axis is perpendicular to the road"};
   if (const auto rim = touch(motion, plane))
-    if (std::string why = rim_in_road(parameters_, *rim); !why.empty()) return Failure{why};
+    if (const Status above = check_rim(parameters_, *rim); !above) return above.failure();
   take_friction(plane.friction);
   if (step == 0.0) return hub_forces(state_, motion.spin_rate);
   const int n = substeps(step, wheel->Vx);

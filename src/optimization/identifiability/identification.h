@@ -63,8 +63,8 @@ class Identification {
     return !r_ && first && first->has_slopes();
   }
 
-  /// The Failure that made round 1 impossible.
-  const std::optional<Failure>& failure() const { return failure_; }
+  /// Returns the Failure that made round 1 impossible, if there is one.
+  const Status& status() const { return status_; }
   /// Returns the point that linearization, confidence and profiles belong to: the given point, or a
   /// better one found since.
   const DesignPoint& center() const { return center_; }
@@ -106,7 +106,7 @@ class Identification {
  private:
   void begin_at(const DesignPoint& center);
   void slopes_observed(const std::vector<Result<Evaluated>>& evaluated);
-  bool center_observed(const std::vector<Result<Evaluated>>& evaluated);
+  Status center_observed(const std::vector<Result<Evaluated>>& evaluated);
   void ask_slopes();
   void take_slopes();
   void linearized(Linearization at);
@@ -131,7 +131,7 @@ class Identification {
   DesignPoint center_;
   int centers_ = 1;
   std::vector<DesignPoint> wanted_;
-  std::optional<Failure> failure_;
+  Status status_;
   std::vector<SlopeSearch> searches_;  // one a variable
   std::vector<int> owners_;            // for wanted_ without the center: indices in searches_
   std::optional<Eigen::VectorXd> r_;   // at the center, rows used

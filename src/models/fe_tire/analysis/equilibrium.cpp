@@ -53,11 +53,11 @@ EquilibriumSolver::EquilibriumSolver(const RingUnknowns& unknowns,
       factor_(*assembly().pattern(), *elimination_, tread, options.factor, counts),
       d_(unknowns.size()) {}
 
-std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
-                                                AssembledState& state,
-                                                double pressure,
-                                                const TreadContact* contact,
-                                                const std::string& step) {
+Status EquilibriumSolver::solve(const RingElements& elements,
+                                AssembledState& state,
+                                double pressure,
+                                const TreadContact* contact,
+                                const std::string& step) {
   factor_.begin(contact);
   AssembledState now = state;
   if (!balance_.begin(now, {&elements, pressure, contact}, !factor_.exists()))
@@ -69,7 +69,7 @@ std::optional<Failure> EquilibriumSolver::solve(const RingElements& elements,
     if (norm <= accepted()) {
       if (iteration > 0) polish(now);
       state = std::move(now);
-      return std::nullopt;
+      return {};
     }
     const bool keeps_tangent = ends_with_last_tangent(norm, ratio);
     if (iteration > 0 && !keeps_tangent && !balance_.ensure_tangent(now))

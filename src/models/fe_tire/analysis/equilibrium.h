@@ -15,7 +15,6 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,11 +38,11 @@ class EquilibriumSolver {
 
   /// Brings `state` into equilibrium under pressure and contact (may be null). A Failure names
   /// `step`, the residual and the worst element; `state` then is unchanged.
-  std::optional<Failure> solve(const RingElements& elements,
-                               AssembledState& state,
-                               double pressure,
-                               const TreadContact* contact,
-                               const std::string& step);
+  Status solve(const RingElements& elements,
+               AssembledState& state,
+               double pressure,
+               const TreadContact* contact,
+               const std::string& step);
 
   /// Follows the ground from the equilibrium `state` on the linear tire, pose by pose. `contact`
   /// then starts from the last pose. Returns false if the linear tire is not positive definite on

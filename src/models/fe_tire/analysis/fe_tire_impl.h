@@ -142,16 +142,14 @@ struct FeTire::Impl {
   /// Factorizes the tangents of even and odd motions about a state with its ground; keeps the
   /// factors if the state is the one factorized last. Returns a Failure if the state is unstable,
   /// that is, if a motion about it releases energy. Newton's method finds such equilibria too.
-  std::optional<Failure> factorize(Systems& all, const TireState& state);
+  Status factorize(Systems& all, const TireState& state);
   /// Assembles only the tangent of even motions, the ground included. Returns a Failure if an
   /// element fails.
-  std::optional<Failure> assemble(Systems& all,
-                                  const TireState& state,
-                                  numerics::SymmetricMatrix& tangent);
+  Status assemble(Systems& all, const TireState& state, numerics::SymmetricMatrix& tangent);
   /// Returns a Failure if the tangent about the state is not positive definite.
-  std::optional<Failure> factorize(const TireState& state,
-                                   const numerics::SymmetricMatrix& tangent,
-                                   numerics::Factorization& factor);
+  Status factorize(const TireState& state,
+                   const numerics::SymmetricMatrix& tangent,
+                   numerics::Factorization& factor);
 
  private:
   // Half angles of the tread that may touch, rad to both sides. At a deflection of 8 % of its

@@ -147,10 +147,10 @@ class RingTire final : public Tire {
   /// Evaluates f of (15) at q, v with the present rim: inner forces, then those of the road.
   void evaluate(const NodeValues& q, const NodeValues& v);
   Result<HubForces> find_rest(const WheelMotion& motion, const road::Road& road, double time);
-  Result<bool> equilibrate(const road::Road& road, double time);
+  Status equilibrate(const road::Road& road, double time);
   bool relax();
   bool advance_along(const NodeValues& direction);
-  Result<bool> lower(double from, double to, const road::Road& road, double time, int halvings);
+  Status lower(double from, double to, const road::Road& road, double time, int halvings);
   void guess_end(double turn);
   void predict(const WheelMotion& motion, const road::Road& road, double time, double h);
   void follow();
@@ -158,23 +158,20 @@ class RingTire final : public Tire {
   void balance();
   void accept();
   void roll_on(const WheelMotion& motion);
-  std::string advance_in_parts(const WheelMotion& motion,
-                               const road::Road& road,
-                               double time,
-                               double step);
-  std::string substep(const WheelMotion& from,
-                      const WheelMotion& to,
-                      const road::Road& road,
-                      double time,
-                      double step,
-                      int halvings);
-  std::string step_forward(const WheelMotion& motion,
-                           const road::Road& road,
-                           double time,
-                           double step);
-  std::string solve_step(bool held, double time);
-  std::string torn_off(const NodeValues& q, double time) const;
-  std::string no_solution(double time, const std::string& why) const;
+  Status advance_in_parts(const WheelMotion& motion,
+                          const road::Road& road,
+                          double time,
+                          double step);
+  Status substep(const WheelMotion& from,
+                 const WheelMotion& to,
+                 const road::Road& road,
+                 double time,
+                 double step,
+                 int halvings);
+  Status step_forward(const WheelMotion& motion, const road::Road& road, double time, double step);
+  Status solve_step(bool held, double time);
+  Status check_belt(const NodeValues& q, double time) const;
+  Failure no_solution(double time, const std::string& why) const;
   bool factorize(const NodeValues& q, double mass_factor, double scale, const StepRule& rule);
   bool correct_wheel();
   /// Replaces residual_ and the section's residual by Newton's step.
