@@ -163,7 +163,7 @@ class KcRun {
   Vector6d rest_;           // the unloaded corner
   std::vector<int> followed_;
   Eigen::MatrixXd moved_;                // [state][channel]
-  std::vector<Eigen::MatrixXd> slopes_;  // of each channel [state][number]
+  std::vector<Eigen::MatrixXd> slopes_;  // one for each channel, [state][number]
 };
 
 }  // namespace

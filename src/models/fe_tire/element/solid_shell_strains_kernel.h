@@ -3,7 +3,7 @@
 // strain E_c of the mean deformation gradient and the twelve coefficients e, their derivatives by
 // the modal vectors, and the forces and the stiffness of their stresses.
 //
-// Included once per kernel set, by solid_shell_alpha_kernel.h only.
+// Included once per kernel set, by hex8_solid_shell_kernel.h only.
 #if defined(LATSCH_FE_TIRE_SOLID_SHELL_STRAINS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_SOLID_SHELL_STRAINS
 #undef LATSCH_FE_TIRE_SOLID_SHELL_STRAINS
