@@ -459,7 +459,7 @@ void Curve::draw_over_natural(const ShownExperiment& shown, report::MeasuredCurv
   }
   if (over.groups.size() > 1)
     for (const auto& group : over.groups)
-      picture.pieces.push_back({group.name, group.from, group.end});
+      picture.pieces.push_back({group.name, group.level, group.from, group.end});
 }
 
 void Curve::draw(const ShownExperiment& shown, report::StudyReport& page) const {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/language/key_section.h"
 
+namespace latsch::experiment {
+const KeySection& static_stiffness_keys();
+}  // namespace latsch::experiment
+
 namespace latsch::correlation {
 
 const experiment::KeySection& experiment_keys();
-const experiment::KeySection& static_stiffness_keys();
 const experiment::KeySection& measurement_keys();
 
 const experiment::KeySection& suite_keys() {
@@ -59,7 +62,7 @@ source = "drawing 12-345, sheet 2"
 )toml",
           },
       .shared = {{"check.*", experiment_keys},
-                 {"test.*", static_stiffness_keys},
+                 {"test.*", experiment::static_stiffness_keys},
                  {"measurement.*", measurement_keys}},
       .refused = {"check.*.equal",
                   "check.*.weight",

@@ -121,6 +121,9 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
         const std::string key = side == 1 && numbers.root().has(right) ? right : part;
         const Document tire = part_of(numbers, key);
         auto specimen = tire_kind(numbers.root(), tire, key).build(tire);
+        if (const auto* knows = specimen->find<KnowsLimits>())
+          if (const auto height = knows->section_height())
+            section_ = std::min(section_.value_or(*height), *height);
         if (const auto* knows = specimen->find<KnowsLimits>(); knows && (side == 0 || key == right))
           for (const std::string& limit : knows->limits_across())
             limits_across_.push_back(key + ": " + limit);
@@ -169,6 +172,8 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   /// No car rolls over a single cleat.
   std::vector<std::string> limits_on(const Cleat&) const override { return {}; }
   std::vector<std::string> limits_across() const override { return limits_across_; }
+  /// The lowest section of its tires.
+  std::optional<double> section_height() const override { return section_; }
 
   Result<Channels> load(const AxleKcTest& test, const Asked& asked) const override {
     const auto car = on_rig(test);
@@ -218,6 +223,7 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   car::Tires tires_;
   std::vector<std::pair<std::string, std::unique_ptr<Specimen>>> built_from_;  // tires by key, side
   std::vector<std::string> limits_across_;
+  std::optional<double> section_;  // m
 };
 
 class CarKind : public SpecimenKind {

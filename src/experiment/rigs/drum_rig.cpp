@@ -19,7 +19,7 @@ constexpr double kFirstShare = 0.25;       // share of the radius; greatest firs
 constexpr double kShortestStep = 1e-6;     // s
 constexpr double kFastest = 200.0;         // m/s; a greater value means another unit in the file
 
-road::DrumRoad drum_of(const DrumTest& test) {
+road::DrumRoad::Settings drum_of(const DrumTest& test) {
   road::DrumRoad::Settings settings;
   settings.diameter = test.diameter;
   settings.surface = test.speed;
@@ -31,7 +31,7 @@ road::DrumRoad drum_of(const DrumTest& test) {
                         .starting_angle = 0.0,
                         .angle = cleat.angle}};
   }
-  return road::DrumRoad(settings);
+  return settings;
 }
 
 WheelMotion standing(double height, const Eigen::Matrix3d& carrier) {
@@ -165,6 +165,20 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured) {
     root.reject("sample_step", "is no multiple of step");
   constexpr double kWidest = 1.4;  // rad: at larger angles the bar lies along the drum
   test.cleat = read_cleat(root, kWidest);
+  if (test.cleat && test.speed * test.step > test.cleat->length * (1.0 + 1e-9))
+    root.reject("step",
+                fmt::format("moves the tire {:.3g} mm at {:.3g} km/h, over a cleat of {:.3g} mm at "
+                            "once; expected at most {:.3g} ms",
+                            1e3 * test.speed * test.step,
+                            3.6 * test.speed,
+                            1e3 * test.cleat->length,
+                            1e3 * test.cleat->length / test.speed));
+  if (const std::string fault = road::DrumRoad::fault(drum_of(test)); !fault.empty())
+    root.reject("cleat", "does not fit the drum: " + fault);
+  if (2.0 * test.sample_step > test.duration)
+    root.reject("sample_step",
+                fmt::format("leaves less than two samples of {:.4g} s: expected a shorter one",
+                            test.duration));
   if (test.cleat && test.duration <= test.lead)
     root.reject(root.has("duration") ? "duration" : "lead",
                 fmt::format("ends the record before the cleat is below the axle: {:g} s are "

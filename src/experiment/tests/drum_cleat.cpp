@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
+#include "experiment/rigs/sampling.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/drum_convergence.h"
 
@@ -59,7 +60,11 @@ Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
 }
 
 std::vector<std::string> DrumCleatTest::limits(Specimen& specimen) const {
-  return limits_of(specimen, test_.cleat);
+  std::vector<std::string> limits = limits_of(specimen, test_.cleat);
+  if (!test_.cleat) return limits;
+  if (std::string note = note_on_samples(test_.sample_step, test_.speed); !note.empty())
+    limits.push_back(std::move(note));
+  return limits;
 }
 
 Result<std::vector<std::string>> DrumCleatTest::run_in_blocks(

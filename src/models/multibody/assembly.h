@@ -79,9 +79,9 @@ class Assembly {
   double kinetic_energy(const Poses& poses, const Eigen::VectorXd& rates) const;
   /// Names the part with the largest rotation.
   std::string most_turned(const Poses& poses) const;
-  /// Returns the rounding error of forces that cancel, N: the stiffest bushing times the last digit
-  /// of the largest coordinate, at rest or in these poses. A mechanism far from the origin has a
-  /// larger one.
+  /// Returns the rounding error of forces that cancel, N: the stiffest bushing times some last
+  /// digits of the largest coordinate at rest, or of the largest displacement in these poses. A
+  /// mechanism that stands far from its position at rest has a larger one.
   double rounding(const Poses& poses) const;
 
  private:

@@ -19,6 +19,7 @@
 // 0.95 R the surface continues as the tangent there, without cleats.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "models/road/profile.h"
@@ -45,12 +46,17 @@ class DrumRoad final : public Road {
     std::vector<Cleat> cleats = {};  // none by default
   };
 
-  /// A drum of these settings.
+  /// Returns what is wrong with the cleats, or an empty text: one is longer than the drum is
+  /// around, or two overlap.
+  static std::string fault(const Settings& settings);
+  /// Takes settings without fault.
   explicit DrumRoad(const Settings& settings);
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
   GroundBounds bounds(const GroundBox& box, double time) const override;
+  /// Names points beyond |x| = 0.95 R, where the tangent replaces the drum.
+  std::string beyond(double x, double y) const override;
 
   /// Radius of the drum, m.
   double radius() const { return R_; }

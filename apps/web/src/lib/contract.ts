@@ -165,6 +165,13 @@ export interface XY {
   y: Value[];
 }
 
+/** Samples that belong together: the simulated line, with the measured points. Pieces of a level share a color. */
+export interface Piece extends XY {
+  name: string; // "Fz 1050 N, gamma 2 deg"
+  level: string; // "Fz 1050 N"
+  measured: XY;
+}
+
 export interface Curve {
   experiment: string;
   conditions: string;
@@ -177,7 +184,7 @@ export interface Curve {
   measured: Value[];
   simulated: XY;
   initial: XY | null;
-  pieces?: (XY & { name: string })[] | null; // simulated, one line each; null or absent: one line
+  pieces?: Piece[] | null; // null or absent: one line
   errors: Value[];
   errors_x?: Value[]; // same as x if absent
   band: { x: Value[]; lower: Value[]; upper: Value[]; inside: Told } | null;

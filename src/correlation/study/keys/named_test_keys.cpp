@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/language/key_section.h"
 
-namespace latsch::correlation {
+namespace latsch::experiment {
+const KeySection& steady_states_keys();
+const KeySection& load_deflection_keys();
+}  // namespace latsch::experiment
 
-const experiment::KeySection& steady_states_keys();
-const experiment::KeySection& load_deflection_keys();
+namespace latsch::correlation {
 
 const experiment::KeySection& named_test_keys() {
   static const experiment::KeySection section = {
@@ -60,7 +62,7 @@ file = "force.csv"
 file = "slow.toml"
 )toml",
           },
-      .shared = {{"", steady_states_keys}, {"", load_deflection_keys}},
+      .shared = {{"", experiment::steady_states_keys}, {"", experiment::load_deflection_keys}},
   };
   return section;
 }
