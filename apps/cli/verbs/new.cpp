@@ -265,12 +265,14 @@ void start_study(const NewOptions& options, const experiment::Language& language
 }
 
 constexpr const char* kNewFooter =
-    "Examples:\n  latsch new my_tire\n  latsch new my_tire --size 275/35R19\n"
+    "Examples:\n  latsch new my_tire\n  latsch new wide_tire --size 275/35R19\n"
     "  latsch new race --tire race_16x7.5-10\n"
-    "  latsch new mf --magic-formula cornering.dat drive_brake.dat\n"
-    "  latsch new mf --magic-formula cornering.dat --hold-out \"p = 97 kPa +- 7 kPa\"\n"
+    "  latsch new mf --magic-formula studies/race_tire_mf/cornering.csv --radius \"203.2 mm\"\n"
+    "  latsch new mf_held --magic-formula studies/race_tire_mf/cornering.csv --radius \"203.2 "
+    "mm\" "
+    "--hold-out \"p = 97 kPa +- 7 kPa\"\n"
     "  latsch new ring --ring-data my_tire/tire.toml\n"
-    "  latsch new drum --drum raw.csv --cleat \"10 mm x 20 mm\"\n"
+    "  latsch new drum --drum raw.csv --cleat \"10 mm x 20 mm\"   # raw.csv: your recording\n"
     "  latsch new corner --suspension\n"
     "  latsch new car --car\n\n"
     "The measurements are an example, computed from the tire with other moduli than the study\n"

@@ -160,8 +160,10 @@ void add_show(CommandLine& app, Program& program) {
       "Reads TYDEX (.tdx), tables (.csv, .dat), MATLAB (.mat), tires (.tir), roads (.crg, .rdf, "
       ".toml),\n"
       "decks (.inp); of a study its measurements, of any other .toml its numbers in SI.\n\n"
-      "Examples:\n  latsch show cornering.tdx --axes sae --html cornering.html\n"
-      "  latsch show study.toml --measurement cornering --html cornering.html");
+      "Examples:\n  latsch show studies/race_tire_mf/cornering.csv --html cornering.html\n"
+      "  latsch show studies/race_tire_mf/tire.tir\n"
+      "  latsch show studies/race_tire_mf/study.toml --measurement cornering --html "
+      "cornering.html");
   auto file = std::make_shared<std::string>();
   auto html = std::make_shared<std::string>();
   verb.add_option("file", *file, "File to look at").required();

@@ -189,6 +189,14 @@ void remark_on_profiles(const Identification& identification, Sentences& all) {
 
 }  // namespace
 
+std::string interval_source(const Study& study, const Identifiability& what, int variable) {
+  if (std::isnan(what.identification.confidence().sigma)) return "not known";
+  const Interval interval = reported_interval(study, what, variable);
+  const bool low = interval.lower > 0.0, high = interval.upper < 1.0;
+  if (low != high) return "data and a bound";
+  return low && !is_set_by_bounds(what, variable) ? "data" : "bounds";
+}
+
 std::vector<std::string> remarks(const Study& study, const Identifiability& what) {
   constexpr double kEarly = 1.0;  // multiple of the threshold at which an interval ends
   const Confidence& c = what.identification.confidence();

@@ -203,6 +203,19 @@ class Shares(Data):
         for verb in ("check", "run"):
             self.assert_says(self.latsch(verb, "/dev/stdin", code=WRONG_INPUT, input=STUDY), "is a pipe")
 
+    def test_a_delay_without_room_is_known_before_the_first_trial(self):
+        study = STUDY.replace('model = "base.tir"', '[model]\nkind = "rigid_ring"\nfile = "base.tir"')
+        study = re.sub(r"(?s)\[test.pressed\].*?\[variable", "[test.rig]\n" + DRUM_TEST + "[variable", study)
+        study = study.replace("pressed/deflection", "rig/time").replace("pressed/force", "rig/Fz").replace("m.csv", "fz.csv")
+        self.write("study.toml", study + 'nuisance = {delay = "free"}\n')
+        for cut, code in ((0, WRONG_INPUT), (5, DONE)):  # the test records from -59 to 140 ms
+            rows = [f"{0.001 * k:.3f},{3500 + k % 7}" for k in range(-59 + cut, 141 - cut)]
+            self.write("fz.csv", "time [s],Fz [N]\n" + "\n".join(rows) + "\n")
+            said = self.latsch("check", "study.toml", code=code)
+            self.assertEqual("leaves no room" in said, code == WRONG_INPUT, said)
+        self.write("fz.csv", "time [s],Fz [N]\n" + "\n".join(f"{0.001 * k:.3f},3500" for k in range(-59, 141)) + "\n")
+        self.assert_says(self.latsch("run", "study.toml", code=WRONG_INPUT), "study.toml:", "nuisance", "make the test longer")
+
     def test_no_command_waits_for_a_pipe_in_place_of_a_file(self):
         for name in ("p.csv", "p.toml", "p.latsch", "p.log", "p.tdx"):
             os.mkfifo(self.folder / name)
