@@ -55,6 +55,11 @@ of = "largest"
 lower = "4 kN"
 upper = "4.5 kN"
 source = "drawing 12-345, sheet 2"
+[check.radius]
+channel = "standing/loaded_radius"
+lower = "280 mm"
+upper = "300 mm"
+source = "drawing 12-345, sheet 2"
 )toml",
           },
       .shared = {{"check.*", experiment_keys},

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The inflation pressure of the tire in a test.
 //
-// The keys are in experiment/tests/keys/pressure_keys.cpp.
+//   pressure = "2.6 bar"             # or {from = "measurement.cornering"}: the mean of its channel
+//                                    # pressure; the tire's own unless given
 #pragma once
 
 #include <optional>
