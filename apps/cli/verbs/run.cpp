@@ -318,8 +318,10 @@ int finish(const Study& study,
                                                   : correlation::Depth::at_the_point;
   if (!print_values(study, shown, depth, workers, stages.executor(), journal)) return kStopped;
   workers.end();
-  if (const auto found = correlation::best_trial(study, journal))
+  if (const auto found = correlation::best_trial(study, journal)) {
     warn_beyond_data(study, found->point);
+    for (const std::string& limit : correlation::limits_met_at(study, found->point)) warn(limit);
+  }
   const int exit_code = write_report_of_run(study, as_read, journal, language);
   if (exit_code == kDone) correlation::mark_finished(as_read, shown, journal);
   return exit_code;
