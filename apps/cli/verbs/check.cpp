@@ -85,11 +85,6 @@ void print_experiments(const Study& study) {
         experiment.fitted ? "fitted" : "predicted",
         experiment.objective.weight,
         exponent);
-    for (const correlation::StudyTest& test : study.tests) {
-      if (!kind || test.name != experiment.name) continue;
-      const std::string remark = kind->remark(study.model, *test.test);
-      if (!remark.empty()) say("  {:<{}} {}\n", "", name_width(study.experiments), remark);
-    }
   }
 }
 

@@ -308,6 +308,22 @@ WhatVaries read_what_varies(const Node& root,
   return {std::move(model), std::move(space), std::move(tests)};
 }
 
+/// Rejects a test that the model cannot undergo with its numbers as they are in its file.
+void check_tests(const Node& root, const Study& study) {
+  const experiment::SpecimenKind* kind = study.specimens->kind();
+  if (!kind) return;
+  for (const StudyTest& test : study.tests) {
+    try {
+      kind->check_test(study.model, *test.test);
+    } catch (const InputError& error) {
+      const Node tables = root.table(test.is_own ? "experiment" : "test");
+      const Node table = tables.table(test.name);
+      const char* key = table.has("shapes") ? "shapes" : table.has("points") ? "points" : "kind";
+      table.reject(key, std::string("makes every trial fail: ") + error.what());
+    }
+  }
+}
+
 Study read(const Document& document,
            const std::filesystem::path& file,
            Measurements measurements,
@@ -331,6 +347,7 @@ Study read(const Document& document,
   study.specimens = std::move(what.model.specimens);
   study.tests = std::move(what.tests);
   study.laboratory = laboratory;
+  check_tests(root, study);
   check_priors(root, study.space, study.experiments);
   for (const Node& constraint : root.named_tables("constraint")) {
     study.constraints.push_back(read_channel_constraint(constraint, known_channels(study.tests)));

@@ -113,8 +113,8 @@ class SpecimenKind {
 
   /// Returns a line for people: "Tire B, 225/50R16, 2400 HEX8, 40 sectors".
   virtual std::string describe(const Document& numbers) const;
-  /// Returns a warning about running this test with these numbers; empty: none.
-  virtual std::string remark(const Document&, const Test&) const { return ""; }
+  /// Throws InputError if this test cannot be run with these numbers.
+  virtual void check_test(const Document&, const Test&) const {}
   /// Dimensions that limit a measurement, m; nullopt if the numbers do not say.
   struct Size {
     double outer_radius = 0.0, section_height = 0.0;
