@@ -313,14 +313,11 @@ void check_tests(const Node& root, const Study& study) {
   const experiment::SpecimenKind* kind = study.specimens->kind();
   if (!kind) return;
   for (const StudyTest& test : study.tests) {
-    try {
-      kind->check_test(study.model, *test.test);
-    } catch (const InputError& error) {
-      const Node tables = root.table(test.is_own ? "experiment" : "test");
-      const Node table = tables.table(test.name);
-      const char* key = table.has("shapes") ? "shapes" : table.has("points") ? "points" : "kind";
-      table.reject(key, std::string("makes every trial fail: ") + error.what());
-    }
+    const std::string fault = kind->remark(study.model, *test.test);
+    if (fault.empty()) continue;
+    const Node table = root.table(test.is_own ? "experiment" : "test").table(test.name);
+    const char* key = table.has("shapes") ? "shapes" : table.has("points") ? "points" : "kind";
+    table.reject(key, "makes every trial fail: " + fault);
   }
 }
 

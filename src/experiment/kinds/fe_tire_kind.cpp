@@ -112,8 +112,8 @@ class FeTireKind : public SpecimenKind {
                        mesh.free_dofs(),
                        mesh.sectors);
   }
-  void check_test(const Document& numbers, const Test& test) const override {
-    refuse_far_points(fe_tire::build_mesh(fe_tire::read_tire(numbers.root())), test);
+  std::string remark(const Document& numbers, const Test& test) const override {
+    return far_points(fe_tire::build_mesh(fe_tire::read_tire(numbers.root())), test);
   }
   std::optional<Size> size(const Document& numbers) const override {
     const TireDescription tire = fe_tire::read_tire(numbers.root());

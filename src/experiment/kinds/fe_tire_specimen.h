@@ -73,7 +73,7 @@ class FeTireSpecimen : public Specimen,
   std::unique_ptr<TireRig> rig_;
 };
 
-/// Throws InputError if a modal test has points of shapes that are not on this mesh.
-void refuse_far_points(const fe_tire::Mesh& mesh, const Test& test);
+/// Returns a remark if a modal test has sensor points that are not on this mesh; else "".
+std::string far_points(const fe_tire::Mesh& mesh, const Test& test);
 
 }  // namespace latsch::experiment

@@ -90,8 +90,8 @@ class InpTireKind : public SpecimenKind {
         model.tire.layers.size(),
         model.tire.layers.size() == 1 ? "" : "s");
   }
-  void check_test(const Document& numbers, const Test& test) const override {
-    refuse_far_points(inp_model(numbers).tire.mesh, test);
+  std::string remark(const Document& numbers, const Test& test) const override {
+    return far_points(inp_model(numbers).tire.mesh, test);
   }
   std::optional<Size> size(const Document& numbers) const override {
     const fe_tire::Mesh mesh = inp_model(numbers).tire.mesh;

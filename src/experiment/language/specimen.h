@@ -42,14 +42,14 @@ enum class Thoroughness { seconds, minutes };
 
 /// Search range of a number for studies that state no bounds, SI.
 struct UsualRange {
-  double lower, upper;
+  double lower, upper;  // SI
 };
 
 /// Describes a fault of a specimen beyond the data it was fitted to, and the numbers that cause it
 /// by their paths, SI.
 struct FaultBeyondData {
-  std::string words;
-  std::vector<std::pair<std::string, double>> numbers = {};
+  std::string words;                                         // one sentence
+  std::vector<std::pair<std::string, double>> numbers = {};  // paths and values, SI
 };
 
 /// Returns the values (SI) of a condition, "Fz" or "alpha", at which a specimen was measured.
@@ -64,13 +64,16 @@ class SpecimenKind {
   /// Example: "ring_tire"; in words "flexible ring"; its file "a TOML file with kind =
   /// \"ring_tire\"".
   virtual std::string name() const = 0;
+  /// The name for people.
   virtual std::string in_words() const = 0;
+  /// The files of this kind, in words.
   virtual std::string file() const = 0;
   /// Raised whenever a specimen with equal numbers gives other results than before: trials of
   /// another version are not reused.
   virtual int version() const = 0;
   /// Returns the names of the capabilities of its specimens.
   virtual std::vector<std::string> abilities() const = 0;
+  /// True if its specimens have this capability.
   bool has(const std::string& ability) const;
 
   /// True if a file that states no kind belongs to this kind, judged by its extension or its
@@ -81,6 +84,19 @@ class SpecimenKind {
   virtual Document read(const std::filesystem::path& file) const = 0;
   /// Says what reading left out of the file or assumed for it, one sentence each.
   virtual std::vector<std::string> notes(const std::filesystem::path&) const { return {}; }
+  /// The file of a part of the model, under the key that names it.
+  struct Part {
+    std::string key;             // such as "front_tire"
+    const SpecimenKind* kind;    // kind of the part
+    std::filesystem::path file;  // its file
+  };
+  /// Returns the files of models that a model's file names; none for a model of a single file.
+  virtual std::vector<Part> parts(const std::filesystem::path&) const { return {}; }
+  /// Returns the place in the file as written for a place in the numbers that read() returned,
+  /// which may hold lines of other files.
+  virtual Place written_place(const std::filesystem::path&, const Place& place) const {
+    return place;
+  }
   /// Throws InputError if the numbers make no specimen. `reuse`, a specimen of earlier numbers, may
   /// contribute its work that is still valid: the result equals that of a fresh specimen to the
   /// last bit.
@@ -113,12 +129,13 @@ class SpecimenKind {
 
   /// Returns a line for people: "Tire B, 225/50R16, 2400 HEX8, 40 sectors".
   virtual std::string describe(const Document& numbers) const;
-  /// Throws InputError if this test cannot be run with these numbers.
-  virtual void check_test(const Document&, const Test&) const {}
+  /// Returns a warning about running this test with these numbers; empty: none.
+  virtual std::string remark(const Document&, const Test&) const { return ""; }
   /// Dimensions that limit a measurement, m; nullopt if the numbers do not say.
   struct Size {
-    double outer_radius = 0.0, section_height = 0.0;
+    double outer_radius = 0.0, section_height = 0.0;  // m
   };
+  /// Returns the dimensions of the specimen that these numbers make.
   virtual std::optional<Size> size(const Document& numbers) const;
   /// True if the usual magnitudes of its numbers are known, so that unusual ones can be reported.
   virtual bool has_usual_numbers() const { return false; }

@@ -5,9 +5,10 @@
 // The supported part of the language is that of tires: nodes, eight-node elements, sets,
 // hyperelastic and linear materials, cylindrical orientations, sections, layers of rebars in
 // embedded surface elements, equations that hold a node on the line between two others or at a mean
-// of the corners of an element, springs and masses at such means, surfaces, one kind of contact, supports, face pressures, static and frequency steps. Everything else is
-// refused by name, because a card skipped silently gives a wrong model: unknown cards, unknown
-// options (inp_options.h), values of options that mean another model.
+// of the corners of an element, springs and masses at such means, surfaces, one kind of contact,
+// supports, face pressures, static and frequency steps. Everything else is refused by name, because
+// a card skipped silently gives a wrong model: unknown cards, unknown options (inp_options.h),
+// values of options that mean another model.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// *EQUATION of an .inp deck: nodes that lie on the straight line between two others, or at a mean of
-// more than two.
+// *EQUATION of an .inp deck: nodes that lie on the straight line between two others, or at a mean
+// of more than two.
 //
 //   *EQUATION
 //   3                                   terms
@@ -23,8 +23,8 @@ namespace latsch::formats {
 
 class InpEquations {
  public:
-  /// Reads all equations of a card; throws InputError with the line of one that does not hold a node
-  /// on a line or at a mean.
+  /// Reads all equations of a card; throws InputError with the line of one that does not hold a
+  /// node on a line or at a mean.
   void add(const InpCard& card);
 
   /// Returns the ties; throws InputError for a node that is tied in some directions only, to a line

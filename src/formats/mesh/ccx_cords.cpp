@@ -19,8 +19,8 @@ constexpr double kXi[8] = {-1, 1, 1, -1, -1, 1, 1, -1}, kEta[8] = {-1, -1, 1, 1,
                  kZeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
 /// Gauss point of two.
 constexpr double kGauss = 0.5773502691896257;
-/// Half the length of a spring in the local coordinate along which it is longer. Any value gives the
-/// same stretch; this one places the masses at the Gauss points of two.
+/// Half the length of a spring in the local coordinate along which it is longer. Any value gives
+/// the same stretch; this one places the masses at the Gauss points of two.
 constexpr double kHalfLength = kGauss;
 
 /// Strains between which the force is interpolated, mirrored to compression. Linear interpolation

@@ -38,7 +38,8 @@ struct CordSurface {
   /// Columns: unit vectors in the surface at the middle, along the circumference toward increasing
   /// theta, and the outward normal's product with it.
   Eigen::Matrix<double, 3, 2> axes() const;
-  /// Returns the direction of a cord at the middle in xi and eta; the larger component is of size 1.
+  /// Returns the direction of a cord at the middle in xi and eta; the larger component is of size
+  /// 1.
   Eigen::Vector2d cord(double angle) const;
 
   Eigen::Vector3d X0, X1, X2, X12;

@@ -17,8 +17,9 @@
 
 namespace latsch::formats {
 
-/// Adds the layers to `placed`. `place` returns a node of the deck in the frame of the hosts; `line`
-/// the two nodes (indices) that carry a corner of a host, twice the corner if it is a node itself.
+/// Adds the layers to `placed`. `place` returns a node of the deck in the frame of the hosts;
+/// `line` the two nodes (indices) that carry a corner of a host, twice the corner if it is a node
+/// itself.
 void place_cords(const InpDeck& deck,
                  const InpHosts& hosts,
                  const std::function<Eigen::Vector3d(int node)>& place,

@@ -15,7 +15,7 @@ namespace latsch::formats {
 namespace {
 
 const std::vector<std::string> kModeTypes = {"torsional", "lateral", "radial"};
-/// Waves around the tire. Rigs find up to some fifteen; forty waves are shorter than a contact patch.
+/// Waves around the tire. Rigs find some fifteen; forty are shorter than a contact patch.
 constexpr long kMostWaves = 40;
 
 template <class Measurement>
