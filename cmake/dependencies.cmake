@@ -24,6 +24,8 @@
 # apt-command: npm npm
 # The tests of the page run in this browser:
 # apt: chromium
+# tools/api_pages.sh makes the pages of the public headers with this program and installs it; nothing else needs it:
+# apt-for-api-pages: doxygen
 # A file system in user space for the test of a journal on one:
 # apt: bindfs
 find_package(fmt REQUIRED)

@@ -7,9 +7,12 @@ get_property(libraries GLOBAL PROPERTY LATSCH_LIBRARIES)
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/latsch)
 install(TARGETS ${libraries} EXPORT latsch_targets COMPONENT development)
 install(EXPORT latsch_targets NAMESPACE latsch:: DESTINATION ${package_directory} COMPONENT development)
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/latsch COMPONENT development
-        FILES_MATCHING PATTERN "*.h" PATTERN "*_testing.h" EXCLUDE)
-install(FILES ${CMAKE_SOURCE_DIR}/apps/cli/run_cli.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/latsch/cli COMPONENT development)
+# The headers that docs/headers.md lists, and those that they include. Installed headers include each other as <latsch/...>
+# says, so that "base/file.h" of another project is never taken for one of them.
+install(CODE "
+execute_process(COMMAND python3 ${CMAKE_SOURCE_DIR}/tools/public_headers.py --install
+                        \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/latsch\"
+                COMMAND_ERROR_IS_FATAL ANY)" COMPONENT development)
 
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/latsch-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)
@@ -29,6 +32,10 @@ install(FILES ${CMAKE_SOURCE_DIR}/cmake/package/latsch.bash DESTINATION share/ba
         COMPONENT program)
 include(cmake/latsch_packages.cmake)
 
+add_test(NAME public_headers COMMAND python3 ${CMAKE_SOURCE_DIR}/tools/public_headers.py)
+add_test(NAME public_headers_tool COMMAND python3 ${CMAKE_SOURCE_DIR}/tools/public_headers_test.py)
+add_test(NAME api_pages COMMAND sh ${CMAKE_SOURCE_DIR}/tools/api_pages.sh --if-installed ${CMAKE_BINARY_DIR}/api)
+set_tests_properties(api_pages PROPERTIES SKIP_RETURN_CODE 77)
 if(LATSCH_TESTS AND NOT LATSCH_SANITIZE)
   add_test(NAME install_and_find_package
            COMMAND ${CMAKE_COMMAND} -D BUILD=${CMAKE_BINARY_DIR} -D SOURCE=${CMAKE_SOURCE_DIR}

@@ -9,9 +9,9 @@
 //   k = 0.503, identifiable
 #include <cstdio>
 
-#include "optimization/design/sobol.h"
-#include "optimization/identifiability/identification.h"
-#include "optimization/trust_region/residual_trust_region.h"
+#include <latsch/optimization/design/sobol.h>
+#include <latsch/optimization/identifiability/identification.h>
+#include <latsch/optimization/trust_region/residual_trust_region.h>
 
 using namespace latsch;
 

@@ -12,11 +12,11 @@
 #include <cstdio>
 #include <exception>
 
-#include "base/units.h"
-#include "correlation/search/stage_runs.h"
-#include "correlation/target/study_trials.h"
-#include "evaluation/executors/thread_executor.h"
-#include "experiment/language.h"
+#include <latsch/base/units.h>
+#include <latsch/correlation/search/stage_runs.h>
+#include <latsch/correlation/target/study_trials.h>
+#include <latsch/evaluation/executors/thread_executor.h>
+#include <latsch/experiment/language.h>
 
 using namespace latsch;
 

@@ -17,8 +17,8 @@
 #include <memory>
 #include <utility>
 
-#include "cli/run_cli.h"
-#include "experiment/language.h"
+#include <latsch/cli/run_cli.h>
+#include <latsch/experiment/language.h>
 
 using namespace latsch;
 using namespace latsch::experiment;

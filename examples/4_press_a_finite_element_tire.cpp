@@ -9,9 +9,9 @@
 #include <cstdio>
 #include <exception>
 
-#include "base/document.h"
-#include "models/fe_tire/analysis/fe_tire.h"
-#include "models/fe_tire/description/tire_description.h"
+#include <latsch/base/document.h>
+#include <latsch/models/fe_tire/analysis/fe_tire.h>
+#include <latsch/models/fe_tire/description/tire_description.h>
 
 using namespace latsch;
 

@@ -10,10 +10,10 @@
 #include <cstdio>
 #include <exception>
 
-#include "base/document.h"
-#include "models/ring_tire/description/ring_reader.h"
-#include "models/ring_tire/ring/ring_tire.h"
-#include "models/road/profile_road.h"
+#include <latsch/base/document.h>
+#include <latsch/models/ring_tire/description/ring_reader.h>
+#include <latsch/models/ring_tire/ring/ring_tire.h>
+#include <latsch/models/road/profile_road.h>
 
 using namespace latsch;
 

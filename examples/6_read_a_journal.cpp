@@ -10,10 +10,10 @@
 #include <cstdio>
 #include <exception>
 
-#include "correlation/study/study.h"
-#include "correlation/target/study_trials.h"
-#include "evaluation/journal/journal.h"
-#include "experiment/language.h"
+#include <latsch/correlation/study/study.h>
+#include <latsch/correlation/target/study_trials.h>
+#include <latsch/evaluation/journal/journal.h>
+#include <latsch/experiment/language.h>
 
 using namespace latsch;
 

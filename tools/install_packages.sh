@@ -1,15 +1,16 @@
 #!/bin/sh
 # Installs the Debian packages named by the "# apt:" lines of cmake/dependencies.cmake that are not there yet, and those of
-# the "# apt-command: COMMAND PACKAGE" lines whose command is not there.
+# the "# apt-command: COMMAND PACKAGE" lines whose command is not there. With the name of a purpose, such as api-pages,
+# it installs the packages of the "# apt-for-PURPOSE:" lines instead.
 set -eu
 cd "$(dirname "$0")/.."
 
 missing=""
-for package in $(sed -n 's/^# apt: //p' cmake/dependencies.cmake); do
+for package in $(sed -n "s/^# apt${1:+-for-$1}: //p" cmake/dependencies.cmake); do
   status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
   [ "$status" = installed ] || missing="$missing $package"
 done
-commands=$(sed -n 's/^# apt-command: //p' cmake/dependencies.cmake | while read -r name package; do
+commands=$([ -n "${1:-}" ] || sed -n 's/^# apt-command: //p' cmake/dependencies.cmake | while read -r name package; do
   command -v "$name" >/dev/null || printf ' %s' "$package"
 done)
 missing="$missing$commands"

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Checks that every #include follows the architecture: a folder may use itself and what is listed here, a room the
 rooms before it; that no folder holds more files than one overlooks; that comments, which clang-format leaves as they
-are, end where the code does; that studies and verbs know no model; and that what is
-written for the user goes through base/file.h, which knows of links, pipes, devices and full disks."""
+are, end where the code does; that studies and verbs know no model; that a simulation which fails says so by a Result or a
+Status; and that what is written for the user goes through base/file.h, which knows of links, pipes, devices and full
+disks. `--test` shows that the checks of texts find what they are for."""
 import pathlib
 import re
 import sys
@@ -192,7 +193,44 @@ def writers():
                     yield f"{file.relative_to(SOURCE.parent)}:{number}: {match[1]}: files are written by base/file.h"
 
 
+# A simulation that fails returns a Result or a Status (base/result.h), and its reason travels as a Failure.
+OTHER_OUTCOMES = {
+    re.compile(r"\boptional<\s*(?:latsch::)?Failure\s*>"): "a Status says whether there is a Failure",
+    re.compile(r"\bResult<\s*(?:bool|void|std::monostate)\s*>"): "a Result without a value is a Status",
+    re.compile(r"!\w+\.empty\(\)\)\s*\{?\s*return\s+(?:latsch::)?Failure\{"): "a text that is empty on success is a Status",
+}
+OUTCOMES_THEMSELVES = "base/result.h"
+
+
+def other_outcomes(text):
+    """(line, advice) for each outcome of a simulation that is neither a Result nor a Status."""
+    return sorted((text.count("\n", 0, match.start()) + 1, advice)
+                  for pattern, advice in OTHER_OUTCOMES.items() for match in pattern.finditer(text))
+
+
+def outcomes():
+    for folder in (SOURCE, SOURCE.parent / "apps"):
+        for file in sorted([*folder.rglob("*.h"), *folder.rglob("*.cpp")]):
+            if file == SOURCE / OUTCOMES_THEMSELVES:
+                continue
+            for line, advice in other_outcomes(file.read_text()):
+                yield f"{file.relative_to(SOURCE.parent)}:{line}: {advice} (src/base/result.h)"
+
+
+def test():
+    """Every spelling that is refused is found, and the two that are meant are not."""
+    for refused in ("std::optional<Failure> start();", "optional<latsch::Failure> why;", "Result<bool> film();",
+                    "if (const std::string why = torn(); !why.empty())\n    return Failure{why};"):
+        assert [line for line, _ in other_outcomes("\n" + refused)] == [2], refused
+    for meant in ("Status start();", "Result<double> height();", "Result<std::vector<bool>> held();",
+                  "if (!names.empty()) return Channels{names};"):
+        assert not other_outcomes(meant), meant
+
+
 if __name__ == "__main__":
-    found = [*faults(), *models_in_verbs(), *names_twice(), *crowds(), *wide_comments(), *kinds_by_name(), *writers()]
+    if sys.argv[1:] == ["--test"]:
+        sys.exit(test())
+    found = [*faults(), *models_in_verbs(), *names_twice(), *crowds(), *wide_comments(), *kinds_by_name(), *writers(),
+             *outcomes()]
     print("\n".join(found) or "layers: every #include follows the architecture")
     sys.exit(1 if found else 0)

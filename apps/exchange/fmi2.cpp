@@ -23,7 +23,7 @@ std::string as_format(const std::string& message) {
   return result;
 }
 
-Status from(exchange::Status status) { return static_cast<Status>(static_cast<int>(status)); }
+Status from(exchange::CallStatus status) { return static_cast<Status>(static_cast<int>(status)); }
 
 /// Returns the result of `work` with the instance; an error if there is none.
 template <class Work>
@@ -65,11 +65,11 @@ Component fmi2Instantiate(
       log = [logger = callbacks->logger,
              environment = callbacks->environment,
              own = std::string(name ? name : "")](
-                exchange::Status status, const char* category, const std::string& message) {
+                exchange::CallStatus status, const char* category, const std::string& message) {
         logger(environment, own.c_str(), from(status), category, as_format(message).c_str());
       };
     if (type != co_simulation) {
-      if (log) log(exchange::Status::error, kLogError, "is only for co-simulation");
+      if (log) log(exchange::CallStatus::error, kLogError, "is only for co-simulation");
       return nullptr;
     }
     auto instance = load_instance(resources ? resources : "", guid ? guid : "", log);
@@ -183,9 +183,9 @@ Status fmi2GetStatus(Component component, StatusKind, Status*) {
 }
 Status fmi2GetRealStatus(Component component, StatusKind kind, double* value) {
   return with(component, [&](Instance& instance) {
-    if (kind != last_successful_time || !value) return exchange::Status::discard;
+    if (kind != last_successful_time || !value) return exchange::CallStatus::discard;
     *value = instance.time();
-    return exchange::Status::ok;
+    return exchange::CallStatus::ok;
   });
 }
 Status fmi2GetIntegerStatus(Component component, StatusKind, int*) {

@@ -9,7 +9,7 @@
 namespace latsch::exchange::fmi3 {
 namespace {
 
-Status from(exchange::Status status) { return static_cast<Status>(static_cast<int>(status)); }
+Status from(exchange::CallStatus status) { return static_cast<Status>(static_cast<int>(status)); }
 
 Instance* of(Handle handle) { return static_cast<Instance*>(handle); }
 
@@ -36,7 +36,7 @@ Status no_model_exchange(Handle handle) { return refused(handle, "is only for co
 
 Instance::Log log_to(Environment environment, LogMessage logger) {
   if (!logger) return nullptr;
-  return [=](exchange::Status status, const char* category, const std::string& message) {
+  return [=](exchange::CallStatus status, const char* category, const std::string& message) {
     logger(environment, from(status), category, message.c_str());
   };
 }
@@ -71,7 +71,7 @@ Handle fmi3InstantiateCoSimulation(Text,
   try {
     const auto log = log_to(environment, logger);
     if (intermediate_count > 0) {
-      if (log) log(exchange::Status::error, kLogError, "has no variables within a step");
+      if (log) log(exchange::CallStatus::error, kLogError, "has no variables within a step");
       return nullptr;
     }
     return load_instance(resources ? resources : "", token ? token : "", log).release();
@@ -101,7 +101,7 @@ Status fmi3EnterInitializationMode(
     Handle handle, bool, double, double start, bool with_stop, double stop) {
   return with(handle, [&](Instance& instance) {
     const auto status = instance.set_up(start, with_stop ? std::optional(stop) : std::nullopt);
-    return status == exchange::Status::ok ? instance.begin_initialization() : status;
+    return status == exchange::CallStatus::ok ? instance.begin_initialization() : status;
   });
 }
 Status fmi3ExitInitializationMode(Handle handle) {

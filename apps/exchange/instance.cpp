@@ -20,17 +20,17 @@ Instance::Instance(std::unique_ptr<ExchangedModel> unit, Log log) : log_(std::mo
   pristine_ = now_.copy();
 }
 
-Status Instance::say(Status status, const std::string& message) {
-  const char* category = status == Status::discard   ? kLogDiscard
-                         : status == Status::warning ? kLogWarning
-                                                     : kLogError;
+CallStatus Instance::say(CallStatus status, const std::string& message) {
+  const char* category = status == CallStatus::discard   ? kLogDiscard
+                         : status == CallStatus::warning ? kLogWarning
+                                                         : kLogError;
   if (log_) log_(status, category, message);
   return status;
 }
 
-Status Instance::refuse(const std::string& what) { return say(Status::error, what); }
+CallStatus Instance::refuse(const std::string& what) { return say(CallStatus::error, what); }
 
-Status Instance::guarded(const std::function<Status()>& work) {
+CallStatus Instance::guarded(const std::function<CallStatus()>& work) {
   try {
     return work();
   } catch (const std::exception& error) {
@@ -47,7 +47,7 @@ std::optional<std::size_t> Instance::variable_of(unsigned reference) const {
   return reference - 1;
 }
 
-Status Instance::set_up(double start, std::optional<double> stop) {
+CallStatus Instance::set_up(double start, std::optional<double> stop) {
   if (now_.stage != Stage::instantiated)
     return refuse("the experiment can be set up only before initialization");
   if (!std::isfinite(start) || (stop && !(*stop >= start)))
@@ -57,45 +57,49 @@ Status Instance::set_up(double start, std::optional<double> stop) {
                     start));
   now_.time = start;
   now_.stop = stop;
-  return Status::ok;
+  return CallStatus::ok;
 }
 
-Status Instance::begin_initialization() {
+CallStatus Instance::begin_initialization() {
   if (now_.stage != Stage::instantiated) return refuse("is initialized already: reset it first");
   now_.stage = Stage::initializing;
-  return Status::ok;
+  return CallStatus::ok;
 }
 
-Status Instance::begin() {
-  if (now_.begun) return Status::ok;
+CallStatus Instance::begin() {
+  if (now_.begun) return CallStatus::ok;
   return guarded([&] {
-    if (const auto failure = now_.unit->start(now_.time)) return refuse(failure->reason);
+    if (const auto started = now_.unit->start(now_.time); !started)
+      return refuse(started.failure().reason);
     now_.begun = true;
-    return Status::ok;
+    return CallStatus::ok;
   });
 }
 
-Status Instance::end_initialization() {
+CallStatus Instance::end_initialization() {
   if (now_.stage != Stage::initializing) return refuse("is not being initialized");
-  if (const Status status = begin(); status != Status::ok) return status;
+  if (const CallStatus status = begin(); status != CallStatus::ok) return status;
   now_.stage = Stage::stepping;
-  return Status::ok;
+  return CallStatus::ok;
 }
 
-Status Instance::terminate() {
+CallStatus Instance::terminate() {
   if (now_.stage != Stage::stepping) return refuse("does not run: there is nothing to terminate");
   now_.stage = Stage::terminated;
-  return Status::ok;
-}
-
-Status Instance::reset() {
   return guarded([&] {
-    now_ = pristine_.copy();
-    return Status::ok;
+    for (const std::string& limit : now_.unit->limits_met()) say(CallStatus::warning, limit);
+    return CallStatus::ok;
   });
 }
 
-Status Instance::get(const unsigned* references, std::size_t count, double* values) {
+CallStatus Instance::reset() {
+  return guarded([&] {
+    now_ = pristine_.copy();
+    return CallStatus::ok;
+  });
+}
+
+CallStatus Instance::get(const unsigned* references, std::size_t count, double* values) {
   return guarded([&] {
     for (std::size_t i = 0; i < count; ++i) {
       if (references[i] == kTimeReference) {
@@ -108,15 +112,15 @@ Status Instance::get(const unsigned* references, std::size_t count, double* valu
       if (asked.causality == Causality::output) {
         if (now_.stage == Stage::instantiated)
           return refuse(asked.name + " is not known before initialization");
-        if (const Status status = begin(); status != Status::ok) return status;
+        if (const CallStatus status = begin(); status != CallStatus::ok) return status;
       }
       values[i] = now_.unit->value(*variable);
     }
-    return Status::ok;
+    return CallStatus::ok;
   });
 }
 
-Status Instance::set(const unsigned* references, std::size_t count, const double* values) {
+CallStatus Instance::set(const unsigned* references, std::size_t count, const double* values) {
   return guarded([&] {
     for (std::size_t i = 0; i < count; ++i) {
       const auto variable = variable_of(references[i]);
@@ -130,16 +134,16 @@ Status Instance::set(const unsigned* references, std::size_t count, const double
       if (given.causality == Causality::parameter && now_.stage == Stage::stepping)
         return refuse(given.name + " is fixed: it can be set only before the unit runs");
       if (!std::isfinite(values[i]))
-        return say(Status::discard,
+        return say(CallStatus::discard,
                    fmt::format("{} = {}: expected a finite number", given.name, values[i]));
     }
     for (std::size_t i = 0; i < count; ++i) now_.unit->set(references[i] - 1, values[i]);
     if (count > 0 && now_.stage != Stage::stepping) now_.begun = false;
-    return Status::ok;
+    return CallStatus::ok;
   });
 }
 
-Status Instance::step(double time, double step) {
+CallStatus Instance::step(double time, double step) {
   return guarded([&] {
     if (now_.stage != Stage::stepping) return refuse("does not run: it is not initialized");
     if (!(step > 0.0) || !std::isfinite(step))
@@ -152,14 +156,14 @@ Status Instance::step(double time, double step) {
       return refuse(fmt::format("the step ends at {} s, after the end of the experiment at {} s",
                                 time + step,
                                 *now_.stop));
-    if (const auto failure = now_.unit->step(time, step))
-      return say(Status::discard, failure->reason);
+    if (const auto done = now_.unit->step(time, step); !done)
+      return say(CallStatus::discard, done.failure().reason);
     now_.time = time + step;
-    return Status::ok;
+    return CallStatus::ok;
   });
 }
 
-Status Instance::copy_state(void** state) {
+CallStatus Instance::copy_state(void** state) {
   return guarded([&] {
     if (!state) return refuse("was given no place for its state");
     auto copy = std::make_unique<State>(now_.copy());
@@ -168,15 +172,15 @@ Status Instance::copy_state(void** state) {
     } else {
       *state = copy.release();
     }
-    return Status::ok;
+    return CallStatus::ok;
   });
 }
 
-Status Instance::restore_state(void* state) {
+CallStatus Instance::restore_state(void* state) {
   return guarded([&] {
     if (!state) return refuse("was given no state to go back to");
     now_ = static_cast<const State*>(state)->copy();
-    return Status::ok;
+    return CallStatus::ok;
   });
 }
 

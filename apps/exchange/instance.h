@@ -20,35 +20,36 @@
 
 namespace latsch::exchange {
 
-/// Status values that both standards use.
-enum class Status : int { ok = 0, warning = 1, discard = 2, error = 3, fatal = 4 };
+/// CallStatus values that both standards use.
+enum class CallStatus : int { ok = 0, warning = 1, discard = 2, error = 3, fatal = 4 };
 
 class Instance {
  public:
-  using Log = std::function<void(Status, const char* category, const std::string& message)>;
+  using Log = std::function<void(CallStatus, const char* category, const std::string& message)>;
 
   Instance(std::unique_ptr<ExchangedModel> unit, Log log);
 
   /// Sets the beginning and, if any, the end of time, s.
-  Status set_up(double start, std::optional<double> stop);
-  Status begin_initialization();
-  Status end_initialization();
-  Status terminate();
-  Status reset();
+  CallStatus set_up(double start, std::optional<double> stop);
+  CallStatus begin_initialization();
+  CallStatus end_initialization();
+  /// Logs as warnings which limits of its model the unit has met.
+  CallStatus terminate();
+  CallStatus reset();
 
-  Status get(const unsigned* references, std::size_t count, double* values);
+  CallStatus get(const unsigned* references, std::size_t count, double* values);
   /// Sets all values or none. Returns `discard` for a value that is not finite.
-  Status set(const unsigned* references, std::size_t count, const double* values);
-  Status step(double time, double step);
+  CallStatus set(const unsigned* references, std::size_t count, const double* values);
+  CallStatus step(double time, double step);
   double time() const { return now_.time; }
 
   /// Returns a copy of the whole state of the instance, to be freed by free_state().
-  Status copy_state(void** state);
-  Status restore_state(void* state);
+  CallStatus copy_state(void** state);
+  CallStatus restore_state(void* state);
   static void free_state(void** state);
 
   /// Logs a feature that the unit does not have; returns an error.
-  Status refuse(const std::string& what);
+  CallStatus refuse(const std::string& what);
 
  private:
   enum class Stage { instantiated, initializing, stepping, terminated };
@@ -62,9 +63,9 @@ class Instance {
     State copy() const { return {unit->clone(), stage, time, stop, begun}; }
   };
 
-  Status say(Status status, const std::string& message);
-  Status guarded(const std::function<Status()>& work);
-  Status begin();
+  CallStatus say(CallStatus status, const std::string& message);
+  CallStatus guarded(const std::function<CallStatus()>& work);
+  CallStatus begin();
   std::optional<std::size_t> variable_of(unsigned reference) const;
 
   State pristine_, now_;

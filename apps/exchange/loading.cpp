@@ -64,9 +64,9 @@ std::unique_ptr<Instance> load_instance(const std::string& folder,
                        in_quotes(token) + ": resources and description are not of one package");
     return std::make_unique<Instance>(std::move(found.unit), log);
   } catch (const std::exception& error) {
-    if (log) log(Status::error, kLogError, error.what());
+    if (log) log(CallStatus::error, kLogError, error.what());
   } catch (...) {
-    if (log) log(Status::error, kLogError, "an unknown failure");
+    if (log) log(CallStatus::error, kLogError, "an unknown failure");
   }
   return nullptr;
 }

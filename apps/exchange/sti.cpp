@@ -123,7 +123,7 @@ void evaluate(Seat& seat, const Call& call, bool keep) {
   if (!call.road && !seat.road) throw InputError("there is no ROAD, and was none at JOBFLG = 2");
   const road::Road& road = call.road ? static_cast<const road::Road&>(called) : *seat.road;
   const WheelMotion motion = motion_of(call);
-  if (const std::string trouble = trouble_with(motion); !trouble.empty()) throw InputError(trouble);
+  if (const Status fit = check_motion(motion); !fit) throw InputError(fit.failure().reason);
   if (!std::isfinite(*call.time)) throw InputError("TIME is not finite");
   const auto hub = seat.tire->forces(motion, road, *call.time, keep);
   if (!hub) throw InputError(hub.failure().reason);

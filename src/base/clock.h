@@ -11,6 +11,7 @@ namespace latsch {
 /// Seconds since a fixed moment. A Clock never runs backward, even if the date is changed.
 using Clock = std::function<double()>;
 
+/// Returns the clock of the machine, in seconds since an arbitrary moment.
 inline Clock steady_clock() {
   return [] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())

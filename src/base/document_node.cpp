@@ -148,7 +148,10 @@ void Node::Impl::reject_missing(std::string_view key, const std::string& expecte
       (path.empty() ? "" : path + ".") + std::string(key) + " is missing, " + expected);
 }
 
-bool Node::has(std::string_view key) const { return impl_->ask(key) >= 0; }
+bool Node::has(std::string_view key) const {
+  impl_->declare(key, [] { return DeclaredKey{}; });
+  return impl_->ask(key) >= 0;
+}
 
 double Node::quantity(std::string_view key, std::string_view unit, Range range) const {
   const Unit expected = Unit::of(unit);

@@ -67,6 +67,11 @@ void append_lines(const DocumentTree& tree,
                  text);
 }
 
+/// True for the kinds of values that are more than a text.
+bool is_special(DeclaredKey::Kind kind) {
+  return kind >= DeclaredKey::Kind::quantity && kind != DeclaredKey::Kind::text;
+}
+
 bool is_below(const std::string& path, const std::string& table) {
   return path.size() > table.size() && path.starts_with(table) && path[table.size()] == '.';
 }
@@ -151,9 +156,14 @@ void RecordedKeys::declare(std::string_view table, std::string_view key, Declare
   if (outer) outer->declare(table, key, what);
   DeclaredKey& known = keys[path_of(table, key)];
   const bool is_value = what.kind > DeclaredKey::Kind::table;
-  if (is_value || known.kind < what.kind) known.kind = what.kind;
+  // A value that is also read as a text, for example to learn its unit, stays what it is.
+  const bool stays = what.kind == DeclaredKey::Kind::text && is_special(known.kind);
+  if (what.kind == DeclaredKey::Kind::presence) known.may_be_missing = true;
+  if (!stays && (is_value || known.kind < what.kind)) known.kind = what.kind;
   if (!what.value.empty()) {
     known.value = std::move(what.value);
+  } else if (stays) {
+    if (what.fallback) known.fallback = std::move(what.fallback);
   } else if (is_value) {
     known.units = std::move(what.units);
     known.range = what.range;
@@ -220,6 +230,14 @@ void DocumentRecord::names_files(const Node& table,
                                  std::vector<std::filesystem::path> files) {
   for (auto record = place_in_document(table).record; record; record = record->outer)
     record->keys[record->path_of(table.path(), key)].files = files;
+}
+
+void DocumentRecord::expects(const Node& table, std::string_view key, std::string words) {
+  for (auto record = place_in_document(table).record; record; record = record->outer) {
+    auto& expected = record->keys[record->path_of(table.path(), key)].expected;
+    if (std::find(expected.begin(), expected.end(), words) == expected.end())
+      expected.push_back(words);
+  }
 }
 
 void DocumentRecord::may_be_measured(const Node& table, std::string_view key) {

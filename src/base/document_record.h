@@ -41,9 +41,12 @@ struct DeclaredKey {
   std::vector<std::string> units = {};            // SI; a single unit, or that of every column
   Range range = {};                               // for numbers
   std::vector<std::string> choices = {};          // for a choice
+  std::vector<std::string> expected = {};         // for a text that its reader analyzes: what it
+                                                  // has to be, in words: "a share such as 3 %"
   std::optional<std::string> fallback = {};       // value that applies if the key is not written
   std::string value = {};                         // resolved value; "" if it was not read
   bool is_there = false;                          // true if the file has the key
+  bool may_be_missing = false;                    // the reader tests whether the key is present
   bool is_measurable = false;                     // {from = "measurement.NAME"} is allowed
   std::vector<std::filesystem::path> files = {};  // files that the key names, then those they refer
                                                   // to
@@ -91,6 +94,9 @@ class DocumentRecord {
   static void names_files(const Node& table,
                           std::string_view key,
                           std::vector<std::filesystem::path> files);
+  /// Records in words what the text under the key has to be, beyond the type of the getter that
+  /// reads it. Each kind of text is a call of its own.
+  static void expects(const Node& table, std::string_view key, std::string words);
   /// Records that {from = "measurement.NAME"} is allowed under the key.
   static void may_be_measured(const Node& table, std::string_view key);
 

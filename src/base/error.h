@@ -11,8 +11,8 @@ namespace latsch {
 /// A line of a user's file. Line 0 is the file as a whole; an empty file name means that no file is
 /// concerned.
 struct Place {
-  std::string file;
-  int line = 0;
+  std::string file;  // name in messages
+  int line = 0;      // counted from 1; 0: the file as a whole
 
   /// Returns file and line, such as "tire_b.toml:41".
   std::string text() const;
@@ -22,9 +22,12 @@ struct Place {
 /// such as "22 deg"`.
 class InputError : public std::runtime_error {
  public:
+  /// The message is preceded by the place.
   InputError(const Place& place, const std::string& message);
+  /// An error that concerns no file.
   explicit InputError(const std::string& message);
 
+  /// The place of the wrong input; its file is empty if no file is concerned.
   const Place& place() const { return place_; }
 
  private:

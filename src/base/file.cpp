@@ -300,7 +300,17 @@ void write_to_path(const std::filesystem::path& file, const Write& write) {
 
 }  // namespace
 
+void expect_no_pipe(const std::filesystem::path& file) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(file, ignored);
+  if (!std::filesystem::is_fifo(status) && !std::filesystem::is_socket(status)) return;
+  throw InputError({file.string(), 0},
+                   "is a pipe, which can be read only once; expected a file: write what comes "
+                   "through the pipe into one");
+}
+
 std::string read_text_file(const std::filesystem::path& file, std::size_t limit) {
+  expect_no_pipe(file);
   const Descriptor open(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   if (open.number() < 0) fail(file, "cannot be opened", errno);
   note_read(open.number());

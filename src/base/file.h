@@ -26,8 +26,13 @@
 
 namespace latsch {
 
-/// Throws InputError naming the path and the reason: missing, a folder, no permission, above the
-/// limit.
+/// Throws InputError if the path leads to a pipe or a socket. Its contents can be read only once,
+/// but the files of a study are read several times, also by workers, and a pipe that nobody writes
+/// would never end. Every function that reads a file of the user calls this.
+void expect_no_pipe(const std::filesystem::path& file);
+
+/// Throws InputError naming the path and the reason: missing, a folder, a pipe, no permission,
+/// above the limit.
 std::string read_text_file(const std::filesystem::path& file, std::size_t limit = 64u << 20);
 
 /// Writes what `write` puts into the stream. Throws InputError naming the path and the reason, such

@@ -143,11 +143,34 @@ TEST_F(File, APipeIsWrittenToAndStays) {
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   const std::string text(300000, 'x');  // more than a pipe holds
   std::string read;
-  std::thread reader([&] { read = read_text_file(pipe); });
+  std::thread reader([&] {
+    std::ifstream written(pipe);
+    read.assign(std::istreambuf_iterator<char>(written), {});
+  });
   EXPECT_EQ(complaint_of_writing(pipe, text), "");
   reader.join();
   EXPECT_EQ(read, text);
   EXPECT_TRUE(S_ISFIFO(status_of(pipe).st_mode));
+}
+
+// Nobody writes into these pipes: a reader that opened one would wait for ever.
+TEST_F(File, APipeIsRefusedAsAFileToRead) {
+  const auto pipe = folder_ / "pipe", link = folder_ / "link";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::filesystem::create_symlink("pipe", link);
+  for (const auto& name : {pipe, link}) {
+    const auto complaint = [&](auto&& read) {
+      try {
+        read();
+      } catch (const InputError& error) {
+        return std::string(error.what());
+      }
+      return std::string();
+    };
+    EXPECT_NE(complaint([&] { read_text_file(name); }).find("is a pipe"), std::string::npos);
+    EXPECT_NE(complaint([&] { read_settled_file(name, 10); }).find("is a pipe"), std::string::npos);
+    EXPECT_NE(complaint([&] { MappedFile(name, 10); }).find("is a pipe"), std::string::npos);
+  }
 }
 
 TEST_F(File, APipeWhoseReaderGoesIsAnErrorAndNotTheEnd) {

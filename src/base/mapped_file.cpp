@@ -111,6 +111,7 @@ std::string read_settled_file(const std::filesystem::path& file, std::size_t lim
 MappedFile::MappedFile(std::string text) : text_(std::move(text)), view_(text_) {}
 
 MappedFile::MappedFile(const std::filesystem::path& file, std::size_t limit) {
+  expect_no_pipe(file);
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   const Closing closing{descriptor};
   struct stat about {};

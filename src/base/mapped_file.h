@@ -21,8 +21,8 @@ std::string read_settled_file(const std::filesystem::path& file, std::size_t lim
 
 class MappedFile {
  public:
-  /// Throws InputError naming the path and the reason: missing, a folder, no permission, above the
-  /// limit, changed while it was read.
+  /// Throws InputError naming the path and the reason: missing, a folder, a pipe, no permission,
+  /// above the limit, changed while it was read.
   MappedFile(const std::filesystem::path& file, std::size_t limit);
   /// Holds a text that is in memory already.
   explicit MappedFile(std::string text);

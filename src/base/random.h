@@ -12,11 +12,14 @@
 
 namespace latsch {
 
+/// Returns 128 random bits for this counter and key, by ten rounds.
 std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
                                         std::array<std::uint32_t, 2> key);
 
+/// Numbers of the stream (seed, trial), in the order of the calls.
 class RandomStream {
  public:
+  /// Begins the stream. Streams of different seeds or trials are independent of each other.
   RandomStream(std::uint64_t seed, std::uint64_t trial) : seed_(seed), trial_(trial) {}
 
   /// Uniform on 0 <= value < 1; every multiple of 2^-53 is equally likely.

@@ -16,6 +16,7 @@
 
 namespace latsch {
 
+/// A unit of UDUNITS-2: its dimension, and its conversion to and from SI.
 class Unit {
  public:
   /// Powers of m, kg, s, A, K, mol, cd, rad.
@@ -26,16 +27,23 @@ class Unit {
   /// Returns a unit that our own code names, so that it must exist.
   static Unit of(std::string_view text);
 
+  /// The unit as it was written.
   const std::string& text() const { return text_; }
+  /// Powers of the base units.
   const Dimension& dimension() const { return dimension_; }
+  /// True if numbers in one unit can be converted into the other.
   bool same_dimension(const Unit& other) const { return dimension_ == other.dimension_; }
+  /// True for a plain number, such as "1" or "%". An angle is not dimensionless.
   bool dimensionless() const { return dimension_ == Dimension{}; }
 
+  /// Converts a number in this unit into SI.
   double to_si(long double number) const;
+  /// Converts an SI value into this unit.
   double from_si(double value) const;
   /// Returns the number, without the unit, with the fewest digits for which to_si gives the bits of
   /// `value`.
   std::string exact_number(double value) const;
+  /// Appends exact_number(value) to the text.
   void append_exact_number(double value, std::string& text) const;
 
  private:
@@ -48,8 +56,8 @@ class Unit {
 /// A number and its unit as a person writes them.
 struct Quantity {
   std::string number;  // unchanged text
-  Unit unit;
-  double si = 0.0;
+  Unit unit;           // the written unit
+  double si = 0.0;     // the value in SI
 };
 
 /// Returns nothing if the text is not a number followed by a unit.
@@ -57,9 +65,10 @@ std::optional<Quantity> parse_quantity(std::string_view text);
 
 /// The number at the beginning of a text and what follows it, both trimmed.
 struct NumberAndRest {
-  long double number = 0.0L;
-  std::string_view digits, rest;
+  long double number = 0.0L;      // in the unit that follows
+  std::string_view digits, rest;  // parts of the text: the number, and all behind it
 };
+/// Returns nullopt if the text does not begin with a number.
 std::optional<NumberAndRest> split_number(std::string_view text);
 
 /// Returns an SI value for a person to read, such as "2.6 bar".
@@ -73,6 +82,7 @@ struct DimensionWords {
   std::string noun;     // "an angle"
   std::string example;  // "22 deg"
 };
+/// Returns name and example of a quantity with the dimension of the unit.
 DimensionWords words_for(const Unit& unit);
 
 /// Returns the message `unknown unit "mmm", did you mean "mm"?`.

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "experiment/language/known_limits.h"
 
 namespace latsch::exchange {
 namespace {
@@ -208,7 +209,7 @@ void CarUnit::take(const car::Car& car, const car::CarInputs& inputs) {
   assert(next == answers_.data() + answers_.size());
 }
 
-std::optional<Failure> CarUnit::start(double /*time*/) {
+Status CarUnit::start(double /*time*/) {
   check_range((*variables_)[speed], given_[speed], 0.0, kFastest);
   check_range((*variables_)[longest], given_[longest], kShortestStep, kLongestStep);
   for (const std::size_t stiffness : {along, lateral, yaw})
@@ -234,10 +235,10 @@ std::optional<Failure> CarUnit::start(double /*time*/) {
   if (!settled) return settled.failure();
   state_ = std::move(*settled);
   take(car, now);
-  return std::nullopt;
+  return {};
 }
 
-std::optional<Failure> CarUnit::step(double /*time*/, double step) {
+Status CarUnit::step(double /*time*/, double step) {
   assert(state_ && step > 0.0);
   const double exact = step / given_[longest];
   const double steps = std::max(1.0, std::ceil(exact * (1.0 - 1e-9)));  // 1 ms is five steps of 0.2
@@ -252,11 +253,16 @@ std::optional<Failure> CarUnit::step(double /*time*/, double step) {
   car::CarInputs end;
   for (double i = 1.0; i <= steps; i += 1.0) {
     end = inputs(car, i * h);
-    const Result<bool> done = car.advance(*state_, h, *road_, end);
+    const Status done = car.advance(*state_, h, *road_, end);
     if (!done) return done.failure();
   }
   take(car, end);
-  return std::nullopt;
+  return {};
+}
+
+std::vector<std::string> CarUnit::limits_met() const {
+  std::optional<car::CarState>(state_).reset();  // tires pass their inputs on at their end
+  return experiment::limits_met(*specimen_);
 }
 
 }  // namespace latsch::exchange

@@ -42,13 +42,13 @@ class Driven {
     for (const char* corner : car::kCornerNames) set(name + corner, value);
   }
   void start() {
-    const auto failure = unit_->start(0.0);
-    ASSERT_FALSE(failure) << failure->reason;
+    const Status done = unit_->start(0.0);
+    ASSERT_TRUE(done.ok()) << done.failure().reason;
   }
   void go(int steps, double step = kCommunication) {
     for (int i = 0; i < steps; ++i, time_ += step) {
-      const auto failure = unit_->step(time_, step);
-      ASSERT_FALSE(failure) << failure->reason;
+      const Status done = unit_->step(time_, step);
+      ASSERT_TRUE(done.ok()) << done.failure().reason;
     }
   }
   double sum(const std::string& of) const {
@@ -179,7 +179,7 @@ TEST(CarUnit, ACopyGoesOnToTheSameBitsWhateverTheOtherDoes) {
   EXPECT_TRUE(*other.state() == *car.unit().state());
   car.set("load.Fx", 300.0);
   for (int i = 0; i < 5; ++i) {  // steps both cars alternately
-    ASSERT_FALSE(other.step(5e-3 + i * kCommunication, kCommunication));
+    ASSERT_TRUE(other.step(5e-3 + i * kCommunication, kCommunication).ok());
     car.go(1);
   }
   EXPECT_FALSE(*other.state() == *car.unit().state());
@@ -203,12 +203,12 @@ TEST(CarUnit, EndsAtTheEdgeOfItsRoadUnlessThatContinues) {
     car->set("speed", 20.0);
     car->start();
   }
-  std::optional<Failure> why;
-  int steps = 0;
-  for (; !why && steps < 300; ++steps) why = ends.unit().step(1e-3 * steps, 1e-3);
-  ASSERT_TRUE(why);
-  EXPECT_NE(why->reason.find("off the road's edge"), std::string::npos) << why->reason;
-  EXPECT_NE(why->reason.find("road.continues"), std::string::npos) << why->reason;
+  Status done;
+  for (int i = 0; done.ok() && i < 300; ++i) done = ends.unit().step(1e-3 * i, 1e-3);
+  ASSERT_FALSE(done.ok());
+  const std::string& why = done.failure().reason;
+  EXPECT_NE(why.find("off the road's edge"), std::string::npos) << why;
+  EXPECT_NE(why.find("road.continues"), std::string::npos) << why;
   goes_on.go(300);
   endless.go(300);
   EXPECT_GT(goes_on.get("wheel.FL.x"), 6.0);
@@ -224,7 +224,7 @@ TEST(CarUnit, SaysWhichParameterIsOutOfRange) {
     Driven car;
     car.set(name, value);
     try {
-      car.unit().start(0.0);
+      (void)car.unit().start(0.0);
       ADD_FAILURE() << name;
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "experiment/language/known_limits.h"
 
 namespace latsch::exchange {
 namespace {
@@ -148,22 +149,27 @@ void TireUnit::take(const HubForces& hub, const WheelMotion& motion, double time
   print_.reset();
 }
 
-std::optional<Failure> TireUnit::start(double time) {
+Status TireUnit::start(double time) {
   tire_ = rolls_->tire(given_[pressure] != 0.0 ? experiment::Inflation(given_[pressure])
                                                : experiment::Inflation());
   const WheelMotion now = motion();
   const Result<HubForces> hub = tire_->settle(now, *road_, time);
   if (!hub) return hub.failure();
   take(*hub, now, time);
-  return std::nullopt;
+  return {};
 }
 
-std::optional<Failure> TireUnit::step(double time, double step) {
+Status TireUnit::step(double time, double step) {
   const WheelMotion end = given_[is_carried_on] != 0.0 ? carried_on(motion(), step) : motion();
   const Result<HubForces> hub = tire_->advance(end, *road_, time + step, step);
   if (!hub) return hub.failure();
   take(*hub, end, time + step);
-  return std::nullopt;
+  return {};
+}
+
+std::vector<std::string> TireUnit::limits_met() const {
+  tire_->clone().reset();  // a tire passes its inputs on at its end
+  return experiment::limits_met(*specimen_);
 }
 
 }  // namespace latsch::exchange

@@ -40,8 +40,9 @@ class TireUnit final : public ExchangedModel {
   const std::vector<ExchangedVariable>& variables() const override { return *variables_; }
   double value(std::size_t variable) const override;
   void set(std::size_t variable, double value) override;
-  std::optional<Failure> start(double time) override;
-  std::optional<Failure> step(double time, double step) override;
+  Status start(double time) override;
+  Status step(double time, double step) override;
+  std::vector<std::string> limits_met() const override;
   std::unique_ptr<ExchangedModel> clone() const override {
     return std::make_unique<TireUnit>(*this);
   }

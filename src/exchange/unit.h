@@ -14,7 +14,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,11 +43,15 @@ class ExchangedModel {
   virtual void set(std::size_t variable, double value) = 0;
 
   /// Starts anew at `time` from parameters and inputs, so that the outputs belong to them. Returns
-  /// nothing, or why there is no such state. Throws InputError if the parameters make no model.
-  virtual std::optional<Failure> start(double time) = 0;
+  /// a Failure if there is no such state. Throws InputError if the parameters make no model.
+  virtual Status start(double time) = 0;
   /// Advances from `time` by `step` > 0, in seconds. After a Failure only an earlier copy, or this
   /// unit after start(), can continue.
-  virtual std::optional<Failure> step(double time, double step) = 0;
+  virtual Status step(double time, double step) = 0;
+
+  /// Returns a sentence for every limit of the model that was met since the unit was made, such as
+  /// a range of the tire's file that it left.
+  virtual std::vector<std::string> limits_met() const { return {}; }
 
   virtual std::unique_ptr<ExchangedModel> clone() const = 0;
 };

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <optional>
 #include <regex>
@@ -17,60 +16,58 @@
 #include "base/document_record.h"
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
+#include "experiment/keys_of_tests.h"
 #include "experiment/language.h"
-#include "experiment/test_samples_testing.h"
+#include "experiment/tests/keys/sample_files.h"
 
 namespace latsch::experiment {
 namespace {
 
-/// Returns recordings of all measured conditions: every channel near a usual value times `scale`,
-/// in `samples` samples.
-Channels recorded(const std::vector<MeasuredCondition>& conditions, double scale, int samples) {
-  static const std::map<std::string, double> usual = {{"m", 0.01},
-                                                      {"N", 4000.0},
-                                                      {"N m", 100.0},
-                                                      {"m/s", 20.0},
-                                                      {"Pa", 2e5},
-                                                      {"rad", 0.05},
-                                                      {"Hz", 80.0},
-                                                      {"1", 0.05}};
-  Channels channels;
-  for (const MeasuredCondition& condition : conditions) {
-    const std::string& name = condition.channel;
-    const bool is_of_one_wheel = name.ends_with("_L") || name.ends_with("_R");
-    if (is_of_one_wheel && !condition.is_needed) continue;  // the rig has loaded one wheel only
-    // Each post moves independently, so that they move in every mode and at all frequencies.
-    const bool is_post = name.starts_with("post_");
-    unsigned drawn = static_cast<unsigned>(std::hash<std::string>()(name));
-    const auto change = [&](int i) {
-      if (!is_post) return 0.001 * (i % 3);
-      drawn = drawn * 1664525u + 1013904223u;
-      return static_cast<double>(drawn >> 16) / 65536.0;
-    };
-    std::vector<double> values;
-    for (int i = 0; i < samples; ++i)
-      values.push_back(condition.channel == "time" ? 0.01 * i * scale
-                       : condition.channel == "mode"
-                           ? 1.0
-                           : (usual.contains(condition.unit) ? usual.at(condition.unit) : 1.0) *
-                                 scale * (1.0 + change(i)));
-    channels.add({condition.channel, condition.unit, std::move(values)});
+/// A sample of a kind of test.
+struct TestSample {
+  const TestKind* kind;
+  std::string keys;
+};
+
+std::vector<TestSample> test_samples() {
+  std::vector<TestSample> samples;
+  for (const TestKind* kind : language().tests) {
+    if (!kind->keys) continue;
+    for (const std::string& keys : kind->keys().samples) samples.push_back({kind, keys});
   }
-  return channels;
+  return samples;
+}
+
+/// Other values for keys that have neither numbers nor choices.
+const std::map<std::string, std::string>& other_texts() {
+  static const std::map<std::string, std::string> others = {
+      {"frame", "[\"H\"]"}, {"measures", "[\"slip\"]"}, {"directions", "[\"vertical\"]"}};
+  return others;
+}
+
+/// Returns the content of a file with another number; "" for a file that only refers to the next
+/// one.
+std::string other_content(const SampleFile& file) {
+  static const std::map<std::string, std::pair<std::string, std::string>> changes = {
+      {"states.csv", {"-4", "-4.1"}},
+      {"heights.csv", {"\n4.", "\n4.0"}},
+      {"surface.crg", {"0.2000000\n", "0.3000000\n"}},
+      {"track.rdf", {"HEIGHT = 0.02", "HEIGHT = 0.03"}},
+      {"track.toml", {"0.9", "0.8"}}};
+  const auto change = changes.find(file.name);
+  if (change == changes.end()) return "";
+  const auto& [from, to] = change->second;
+  const std::size_t at = file.text.rfind(from);
+  if (at == file.text.npos) throw InputError(file.name + " does not hold " + from);
+  return std::string(file.text).replace(at, from.size(), to);
 }
 
 class IdentityOfTests : public testing::Test {
  protected:
-  IdentityOfTests() {
-    for (const SampleFile& file : sample_files()) write_text_file(folder_ / file.name, file.text);
-  }
+  IdentityOfTests() { write_sample_files(folder_.path()); }
 
   TestSource source(double scale = 1.0, int samples = 12) const {
-    return {folder_.path(), [=](const Node& table, const auto& conditions) {
-              table.text("from");
-              if (conditions.size() == 1) table.text("channel", conditions[0].channel);
-              return recorded(conditions, scale, samples);
-            }};
+    return source_of_samples(folder_.path(), scale, samples);
   }
   /// Returns nothing if the reader refuses the keys.
   std::optional<std::string> identity(const std::string& keys,
@@ -94,10 +91,7 @@ class IdentityOfTests : public testing::Test {
   ScratchFolder folder_;
 };
 
-/// Returns the kind of a sample.
-std::string kind_of(const TestSample& sample) {
-  return Document::parse(sample.keys, "").root().text("kind");
-}
+const std::string& kind_of(const TestSample& sample) { return sample.kind->name; }
 
 struct Line {
   std::string path, value;
@@ -154,26 +148,31 @@ std::vector<std::string> others(const std::string& value, const DeclaredKey& key
   return found;
 }
 
-TEST_F(IdentityOfTests, EveryKindHasSamplesThatStateEveryKey) {
-  for (const TestKind* kind : language().tests) {
-    std::set<std::string> known, stated, measurable;
-    for (const TestSample& sample : test_samples()) {
-      if (kind_of(sample) != kind->name) continue;
-      for (const auto& [path, key] : declared(sample.keys)) {
-        known.insert(path);
-        if (key.is_there) stated.insert(path);
-        if (key.is_measurable) measurable.insert(path);
-      }
-    }
-    ASSERT_FALSE(known.empty()) << "no sample of " << kind->name;
-    for (const std::string& path : known) {
-      const bool is_of_measured = std::any_of(measurable.begin(), measurable.end(), [&](auto& one) {
-        return path.starts_with(one + ".");
-      });
-      EXPECT_TRUE(stated.contains(path) || is_of_measured)
-          << "no sample of " << kind->name << " states " << path;
-    }
-  }
+// Each key that a reader requests has a sentence and a sample that states it, and each sentence has
+// a key.
+TEST_F(IdentityOfTests, EveryKindHasSamplesAndSentencesForEveryKey) {
+  for (const TestKind* kind : language().tests)
+    EXPECT_TRUE(kind->keys && !kind->keys().samples.empty()) << "no sample of " << kind->name;
+  KeyTable table(test_sections(language()));
+  add_keys_of_tests(language(), folder_.path(), table);
+  for (const std::string& fault : table.faults()) ADD_FAILURE() << fault;
+}
+
+TEST_F(IdentityOfTests, ASentenceOrASampleThatIsMissingIsFound) {
+  KeySection section = language().find_test("mass_properties")->keys();
+  section.shared.clear();
+  section.sentences = {{"rpessure", "Pressure."}};
+  KeyTable table({&section});
+  table.add(section, keys_of_test(language(), section.samples.front(), folder_.path()));
+  EXPECT_EQ(table.faults(),
+            (std::vector<std::string>{
+                section.heading + ": `pressure` has no sentence",
+                section.heading + ": `rpessure` has a sentence, but no reader requests it"}));
+  section.sentences = {{"pressure", "Pressure."}};
+  KeyTable unstated({&section});
+  unstated.add(section, keys_of_test(language(), "kind = \"mass_properties\"\n", folder_.path()));
+  EXPECT_EQ(unstated.faults(),
+            (std::vector<std::string>{section.heading + ": `pressure` is stated by no sample"}));
 }
 
 TEST_F(IdentityOfTests, EveryKeyCounts) {
@@ -190,7 +189,7 @@ TEST_F(IdentityOfTests, EveryKeyCounts) {
       if (key->second.choices.size() == 1 || line.path == "kind") continue;
       if (line.path.ends_with(".from")) continue;  // the key is varied in another test
       std::vector<std::string> candidates = others(line.value, key->second);
-      if (sample.others.contains(line.path)) candidates = {sample.others.at(line.path)};
+      if (other_texts().contains(line.path)) candidates = {other_texts().at(line.path)};
       int accepted = 0;
       for (const std::string& other : candidates) {
         const auto after = identity(with(lines, line.path, other));
@@ -220,8 +219,9 @@ TEST_F(IdentityOfTests, EveryFileCountsByItsContent) {
               return one.name == named.filename().string();
             });
         ASSERT_NE(file, sample_files().end()) << named;
-        if (file->other.empty()) continue;  // the key only refers to the next file
-        write_text_file(folder_ / file->name, file->other);
+        const std::string other = other_content(*file);
+        if (other.empty()) continue;
+        write_text_file(folder_ / file->name, other);
         const auto after = identity(sample.keys);
         ASSERT_TRUE(after) << file->name;
         EXPECT_NE(*after, *before) << path << " names " << file->name;

@@ -155,7 +155,7 @@ namespace {
 
 /// Returns a Failure for the first value that is not a number; `before` samples were recorded in
 /// earlier blocks.
-std::optional<Failure> not_a_number(const Channels& channels, std::size_t before = 0) {
+Status check_numbers(const Channels& channels, std::size_t before = 0) {
   for (const Channel& channel : channels.all())
     for (std::size_t i = 0; i < channel.values.size(); ++i)
       if (std::isnan(channel.values[i]))
@@ -164,7 +164,7 @@ std::optional<Failure> not_a_number(const Channels& channels, std::size_t before
             "test has no result",
             channel.name,
             before + i + 1)};
-  return std::nullopt;
+  return {};
 }
 
 /// Carries a Failure out of a test that passes its channels on block by block.
@@ -180,7 +180,7 @@ Result<Channels> Language::run(const SpecimenKind& kind,
   check_ability(*this, kind, test);
   auto recorded = test.run(*kind.build(numbers));
   if (!recorded) return recorded;
-  if (auto failure = not_a_number(*recorded)) return std::move(*failure);
+  if (const Status done = check_numbers(*recorded); !done) return done.failure();
   return recorded;
 }
 
@@ -194,7 +194,7 @@ Result<std::vector<std::string>> Language::run_in_blocks(
   const auto specimen = kind.build(numbers);
   try {
     auto notes = test.run_in_blocks(*specimen, [&](const Channels& block) {
-      if (auto failure = not_a_number(block, before)) throw NotANumber{std::move(*failure)};
+      if (const Status done = check_numbers(block, before); !done) throw NotANumber{done.failure()};
       before += block.empty() ? 0 : block.all().front().values.size();
       tell(block);
     });

@@ -16,12 +16,15 @@ namespace latsch::experiment {
 
 struct Language {
   std::vector<const SpecimenKind*> kinds;  // in the order of the documentation
-  std::vector<const TestKind*> tests;
+  std::vector<const TestKind*> tests;      // in the order of the documentation
 
+  /// Returns the names of the kinds of specimens: "fe_tire", ...
   std::vector<std::string> kind_names() const;
+  /// Returns the names of the kinds of tests: "load_deflection", ...
   std::vector<std::string> test_names() const;
   /// Returns nullptr if no kind has the given name.
   const SpecimenKind* find_kind(const std::string& name) const;
+  /// Returns nullptr if no kind of test has the given name.
   const TestKind* find_test(const std::string& name) const;
   /// Decides by a model's file alone: the `kind` that a TOML file states, else the first kind that
   /// recognizes the file. Throws InputError.
@@ -35,6 +38,7 @@ struct Language {
   /// Reads a test with its identity, for callers that keep recordings.
   ReadTest read_identified_test(const std::filesystem::path& file,
                                 const MeasuredConditions& measured = nullptr) const;
+  /// Reads a test with its identity from its keys in any file.
   ReadTest read_identified_test(const Node& keys, const TestSource& source) const;
   /// Returns the kinds of specimens that have at least one of these capabilities, as tests need
   /// them: "ring_tire", ...
@@ -55,6 +59,7 @@ const Language& language();
 
 /// True if specimens of this kind have one of these capabilities, or can run the test.
 bool can(const SpecimenKind& kind, const std::vector<std::string>& needs);
+/// True if specimens of this kind can run the test.
 bool can(const SpecimenKind& kind, const Test& test);
 
 }  // namespace latsch::experiment

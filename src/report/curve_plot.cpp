@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/color_map.h"
 #include "report/html_text.h"
 #include "report/svg_plot.h"
 
@@ -15,6 +16,7 @@ namespace {
 constexpr std::size_t kDots = 200;      // dots drawn at most; a channel may have millions of
                                         // samples
 constexpr std::size_t kCorners = 2000;  // corners of a line drawn at most; a picture shows no more
+constexpr double kKeyRow = 18.0;        // pixels, height of a row of the key
 
 struct Samples {
   std::vector<double> x, y;  // in the units a person reads
@@ -68,8 +70,96 @@ std::string titled(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, typeset_unit(unit));
 }
 
-void draw_errors(Svg& svg, const Axis& x, const Samples& errors, const std::string& x_title) {
-  const Axis y = Axis::around(errors.y, 372, 302, /*zero=*/true);
+/// Returns the levels of the pieces in their order; pieces of one level have one color.
+std::vector<std::string> levels_of(const MeasuredCurve& curve) {
+  std::vector<std::string> levels;
+  for (const MeasuredCurve::Piece& piece : curve.pieces)
+    if (std::find(levels.begin(), levels.end(), piece.level) == levels.end())
+      levels.push_back(piece.level);
+  return levels;
+}
+
+std::string color_of(const std::vector<std::string>& levels, const std::string& level) {
+  return category(
+      static_cast<int>(std::find(levels.begin(), levels.end(), level) - levels.begin()));
+}
+
+/// Draws the key: line styles, then one entry for each level of pieces. Returns the height of the
+/// rows beyond the first, pixels.
+double draw_key(Svg& svg, const MeasuredCurve& curve) {
+  const std::string simulated(drawn_as(curve.fitted, curve.of_design));
+  const std::vector<std::string> levels = levels_of(curve);
+  if (levels.empty()) {
+    double at = draw_legend(svg, {72, 18}, "measured", true, "measured");
+    at = draw_legend(svg, {at, 18}, "found", false, simulated);
+    if (!curve.y_initial.empty()) draw_legend(svg, {at, 18}, "initial", false, "initial values");
+    return 0.0;
+  }
+  svg.text({72, 18},
+           "circles: measured, lines: " + simulated +
+               (curve.y_initial.empty() ? "" : ", gray: initial values"));
+  Point at(72, 18 + kKeyRow);
+  for (const std::string& level : levels) {
+    const double width = 42 + 6.4 * static_cast<double>(level.size());
+    if (at.x() > 72 && at.x() + width > 510) at = {72, at.y() + kKeyRow};
+    const std::string color = color_of(levels, level);
+    svg.line({at.x(), at.y() - 4},
+             {at.x() + 18, at.y() - 4},
+             fmt::format("stroke=\"{}\" stroke-width=\"2\"", color));
+    svg.circle(
+        {at.x() + 9, at.y() - 4}, 2.6, fmt::format("class=\"of-level\" stroke=\"{}\"", color));
+    svg.text({at.x() + 24, at.y()}, level);
+    at.x() += width;
+  }
+  return at.y() - 18;
+}
+
+/// Draws the measured samples of a curve or of one piece as circles, and the values as tips.
+void draw_dots(Svg& svg,
+               const Axis& x,
+               const Axis& y,
+               const Samples& dots,
+               const MeasuredCurve& curve,
+               const std::string& style,
+               const std::string& name = "") {
+  for (std::size_t k = 0; k < dots.x.size(); ++k) {
+    svg.circle({x.at(dots.x[k]), y.at(dots.y[k])},
+               name.empty() ? 3 : 2.2,
+               style,
+               fmt::format("{}{}{}: measured {}{}",
+                           name.empty() ? "" : name + ", ",
+                           significant(dots.x[k], 4),
+                           unit_suffix(curve.x_unit),
+                           significant(dots.y[k], 5),
+                           unit_suffix(curve.y_unit)));
+  }
+}
+
+void draw_pieces(Svg& svg, const Axis& x, const Axis& y, const MeasuredCurve& curve) {
+  const std::vector<std::string> levels = levels_of(curve);
+  const std::size_t most = std::max<std::size_t>(12, 3 * kDots / curve.pieces.size());
+  const auto draw = [&](const Samples& samples, const std::string& style) {
+    if (!samples.y.empty()) svg.polyline(points_of(x, y, samples.x, samples.y), style);
+  };
+  for (const MeasuredCurve::Piece& piece : curve.pieces) {
+    const std::string color = color_of(levels, piece.level);
+    draw(piece_of(curve, piece, curve.y_initial), "class=\"initial\"");
+    draw(piece_of(curve, piece, curve.y_simulated),
+         fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"", color));
+    draw_dots(svg,
+              x,
+              y,
+              thinned(piece_of(curve, piece, curve.y_measured), most),
+              curve,
+              fmt::format("class=\"of-level\" stroke=\"{}\"", color),
+              piece.name);
+  }
+}
+
+/// Draws the errors below the curve; `down` moves them, pixels.
+void draw_errors(
+    Svg& svg, const Axis& x, const Samples& errors, const std::string& x_title, double down) {
+  const Axis y = Axis::around(errors.y, 372 + down, 302 + down, /*zero=*/true);
   draw_frame(svg, x, y, x_title, "Error [%]", {.y_spacing = 22.0});
   svg.line({x.first_pixel(), y.at(0)}, {x.last_pixel(), y.at(0)}, "class=\"axis\"");
   for (std::size_t k = 0; k < errors.x.size(); ++k) {
@@ -93,12 +183,12 @@ std::string curve_plot(const MeasuredCurve& curve) {
   all.insert(all.end(), initial.y.begin(), initial.y.end());
   const Samples lower = thinned(shown(curve, curve.x_band, curve.band.lower), kCorners),
                 upper = thinned(shown(curve, curve.x_band, curve.band.upper), kCorners);
-  const Axis y = Axis::around(with_band(all, lower.y, upper.y), 270, 34);
+  Svg key(0, 0, "");
+  const double down = draw_key(key, curve);
+  const Axis y = Axis::around(with_band(all, lower.y, upper.y), 270 + down, 34 + down);
 
-  Svg svg(520, 416, "Measured and simulated curve, " + curve.experiment);
-  double at = draw_legend(svg, {72, 18}, "measured", true, "measured");
-  at = draw_legend(svg, {at, 18}, "found", false, drawn_as(curve.fitted, curve.of_design));
-  if (!initial.y.empty()) draw_legend(svg, {at, 18}, "initial", false, "initial values");
+  Svg svg(520, 416 + down, "Measured and simulated curve, " + curve.experiment);
+  draw_key(svg, curve);
   draw_frame(svg, x, y, "", titled(curve.y_name, curve.y_unit), {.label_x = false});
   draw_band(svg, x, y, lower.x, lower.y, upper.y);
   const auto draw = [&](const Samples& samples, const char* style) {
@@ -107,26 +197,14 @@ std::string curve_plot(const MeasuredCurve& curve) {
   if (curve.pieces.empty()) {
     draw(initial, "class=\"initial\"");
     draw(simulated, "class=\"found\"");
-  }
-  for (const MeasuredCurve::Piece& piece : curve.pieces) {
-    draw(piece_of(curve, piece, curve.y_initial), "class=\"initial\"");
-    draw(piece_of(curve, piece, curve.y_simulated), "class=\"found\"");
-  }
-  const Samples dots = thinned(measured, kDots);
-  for (std::size_t k = 0; k < dots.x.size(); ++k) {
-    svg.circle({x.at(dots.x[k]), y.at(dots.y[k])},
-               3,
-               "class=\"measured\"",
-               fmt::format("{}{}: measured {}{}",
-                           significant(dots.x[k], 4),
-                           unit_suffix(curve.x_unit),
-                           significant(dots.y[k], 5),
-                           unit_suffix(curve.y_unit)));
+    draw_dots(svg, x, y, thinned(measured, kDots), curve, "class=\"measured\"");
+  } else {
+    draw_pieces(svg, x, y, curve);
   }
   Samples errors{measured.x, curve.errors};
   for (double& error : errors.y) error *= 100.0;
   const std::string x_title = curve.x_name.empty() ? "Sample" : titled(curve.x_name, curve.x_unit);
-  draw_errors(svg, x, thinned(errors, kDots), x_title);
+  draw_errors(svg, x, thinned(errors, kDots), x_title, down);
   return svg.str();
 }
 

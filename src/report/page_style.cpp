@@ -128,6 +128,7 @@ svg line.initial, svg polyline.initial {
   stroke: var(--initial); stroke-width: 1.6; stroke-dasharray: 6 4;
 }
 svg .measured { fill: var(--paper); stroke: var(--measured); stroke-width: 2; }
+svg .of-level { fill: var(--paper); stroke-width: 1.2; }
 svg .found-bar { fill: var(--found); }
 svg .initial-bar { fill: none; stroke: var(--initial); stroke-dasharray: 3 2; }
 svg .warm { fill: var(--measured); }

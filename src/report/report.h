@@ -97,7 +97,8 @@ struct MeasuredCurve {
   /// belong together. With pieces, measured, simulated and initial samples have equal length and
   /// order.
   struct Piece {
-    std::string name;       // for example "Fz 1050 N"; may be empty
+    std::string name;       // for example "Fz 1050 N, gamma 2 deg"; may be empty
+    std::string level;      // "Fz 1050 N": pieces with the same one share a color
     std::size_t from, end;  // range of the samples
   };
   std::vector<Piece> pieces = {};

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "models/fe_tire/description/reference_tires.h"
+#include "report/color_map.h"
 #include "report/comparison_plots.h"
 #include "report/curve_plot.h"
 #include "report/html_text.h"
@@ -346,6 +347,39 @@ std::size_t count_of(const std::string& text, const std::string& what) {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
     ++count;
   return count;
+}
+
+TEST(CurvePlot, TellsTheLoadsOfManySamplesApartByColor) {
+  MeasuredCurve curve;
+  curve.x_name = "alpha";
+  curve.x_unit = "deg";
+  curve.y_name = "Fy";
+  curve.y_unit = "N";
+  const char* names[] = {
+      "Fz 500 N, gamma 0 deg", "Fz 500 N, gamma 2 deg", "Fz 1000 N, gamma 0 deg"};
+  for (std::size_t piece = 0; piece < 3; ++piece) {
+    for (int k = 0; k < 100; ++k) {
+      curve.x_measured.push_back(1e-3 * k);
+      curve.y_measured.push_back(10.0 * k * static_cast<double>(piece + 1));
+    }
+    const std::string level = piece < 2 ? "Fz 500 N" : "Fz 1000 N";
+    curve.pieces.push_back({names[piece], level, 100 * piece, 100 * piece + 100});
+  }
+  curve.x_simulated = curve.x_measured;
+  curve.y_simulated = curve.y_measured;
+  curve.errors.assign(300, 0.0);
+  const std::string plot = curve_plot(curve);
+  const auto lines = [&](int color) {
+    return count_of(
+        plot, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.4\"", category(color)));
+  };
+  EXPECT_EQ(lines(0), 2u);
+  EXPECT_EQ(lines(1), 1u);
+  EXPECT_EQ(count_of(plot, ">Fz 500 N<"), 1u);
+  EXPECT_EQ(count_of(plot, ">Fz 1000 N<"), 1u);
+  EXPECT_NE(plot.find("circles: measured"), std::string::npos);
+  EXPECT_NE(plot.find("Fz 500 N, gamma 2 deg, "), std::string::npos);  // the tip of a circle
+  EXPECT_EQ(plot.find("class=\"measured\""), std::string::npos);  // no second meaning of a color
 }
 
 // An unknown band in the middle leaves a gap; a single value is drawn as a bar; and a band far

@@ -23,14 +23,24 @@ class Query {
     const auto found = request_.query.find(key);
     return found == request_.query.end() ? fallback : found->second;
   }
-  long number(const std::string& key, long fallback) const {
+  /// Throws InputError if the value is no whole number of at least `least`.
+  long number(const std::string& key, long fallback, long least) const {
     const std::string value = text(key);
     if (value.empty()) return fallback;
     long number = 0;
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-    if (error != std::errc{} || end != value.data() + value.size())
-      throw InputError(key + " is \"" + value + "\", expected a whole number");
+    if (error != std::errc{} || end != value.data() + value.size() || number < least)
+      throw InputError(key + " is \"" + value + "\", expected a whole number of at least " +
+                       std::to_string(least));
     return number;
+  }
+  /// Returns one of two words, the first unless the request has one. Throws InputError for others.
+  std::string either(const std::string& key, const char* first, const char* second) const {
+    const std::string value = text(key, first);
+    if (value != first && value != second)
+      throw InputError(key + " is \"" + value + "\", expected \"" + first + "\" or \"" + second +
+                       "\"");
+    return value;
   }
 
  private:
@@ -48,6 +58,25 @@ std::string text_in(const Json& body, const char* key) {
   if (found == body.end() || !found->is_string())
     throw InputError(std::string(key) + " is missing in the request, expected a text");
   return found->get<std::string>();
+}
+
+/// Returns a whole number of the body of a POST; 0 if the body has none.
+long whole_number_in(const Json& body, const char* key, long least, long most) {
+  const auto found = body.find(key);
+  if (found == body.end()) return 0;
+  if (!found->is_number_integer() || *found < least || *found > most)
+    throw InputError(std::string(key) + " is " + found->dump() + ", expected a whole number, " +
+                     std::to_string(least) + " to " + std::to_string(most));
+  return found->get<long>();
+}
+
+/// Returns a flag of the body of a POST; false if the body has none.
+bool flag_in(const Json& body, const char* key) {
+  const auto found = body.find(key);
+  if (found == body.end()) return false;
+  if (!found->is_boolean())
+    throw InputError(std::string(key) + " is " + found->dump() + ", expected true or false");
+  return found->get<bool>();
 }
 
 std::vector<Edit> edits_in(const Json& body) {
@@ -118,8 +147,10 @@ class Studio::Impl {
       return error_response(409, error.what(), "Load the file again");
     } catch (const InputError& error) {
       return error_response(400, error.what(), "");
-    } catch (const Json::exception& error) {
+    } catch (const Json::parse_error& error) {
       return error_response(400, std::string("the request is no JSON: ") + error.what(), "");
+    } catch (const Json::exception& error) {
+      return error_response(400, std::string("the request cannot be read: ") + error.what(), "");
     } catch (const JournalError& error) {
       return error_response(
           422, error.what(), "latsch doctor JOURNAL says what is damaged and saves the rest");
@@ -136,24 +167,26 @@ class Studio::Impl {
   Json look(const Request& request) {
     const Query query(request);
     if (request.path == "/api/home") return home_view(shelf_, options_.version, options_.has_page);
+    if (request.path == "/api/keys") return keys_view(language_);
     using View = std::function<Json(ShelvedStudy&)>;
     const std::string weights = query.text("weights"), trial = query.text("trial");
     const std::map<std::string, View> views{
         {"/api/study", [&](auto& s) { return study_view(s, runs_); }},
         {"/api/convergence",
          [&](auto& s) {
-           const TrialRange stretch{
-               query.number("from", 1), query.number("to", 0), query.number("most", 4000)};
+           const TrialRange stretch{query.number("from", 1, 1),
+                                    query.number("to", 0, 0),
+                                    query.number("most", 4000, kFewestPoints)};
            return convergence_view(s, stretch, weights);
          }},
         {"/api/trials",
          [&](auto& s) {
-           const TrialsPage page{query.number("from", 1),
-                                 query.number("count", 50),
-                                 query.text("order", "trial") == "target"};
+           const TrialsPage page{query.number("from", 1, 1),
+                                 query.number("count", 50, 0),
+                                 query.either("order", "trial", "target") == "target"};
            return trials_view(s, page, weights);
          }},
-        {"/api/trial", [&](auto& s) { return trial_view(s, query.number("trial", 0)); }},
+        {"/api/trial", [&](auto& s) { return trial_view(s, query.number("trial", 0, 1)); }},
         {"/api/comparison", [&](auto& s) { return comparison_view(s, trial); }},
         {"/api/target", [&](auto& s) { return target_view(s, weights); }},
         {"/api/kpis", [&](auto& s) { return kpi_view(s, weights); }},
@@ -214,10 +247,8 @@ class Studio::Impl {
     const auto verb = run_verb(name);
     if (!verb) throw InputError("verb is \"" + name + "\", expected run, resume, doe or identify");
     constexpr int kMostWorkers = 1024;
-    const int workers = body.value("workers", 0);
-    if (workers < 0 || workers > kMostWorkers)
-      throw InputError("workers is " + std::to_string(workers) + ", expected 1 to 1024");
-    runs_.start(shelved, {*verb, workers, body.value("anew", false)});
+    const long workers = whole_number_in(body, "workers", 0, kMostWorkers);
+    runs_.start(shelved, {*verb, static_cast<int>(workers), flag_in(body, "anew")});
     shelf_.look_again();
     return {{"started", true}};
   }

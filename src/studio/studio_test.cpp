@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <mutex>
@@ -74,6 +75,16 @@ weight = 0.5
   std::vector<std::pair<std::string, Json>> events_;
   std::unique_ptr<Studio> studio_;
 };
+
+TEST_F(Asked, KeysHaveTheChoicesOfTheirReaders) {
+  begin();
+  const Json keys = get("/api/keys");
+  const Json methods = keys["optimizer"]["method"]["choices"];
+  EXPECT_NE(std::find(methods.begin(), methods.end(), "nelder_mead"), methods.end());
+  EXPECT_EQ(keys["run"]["on_failure"]["choices"].size(), 5u);
+  EXPECT_NE(keys["doe"]["points"]["sentence"], "");
+  EXPECT_FALSE(keys.contains("variable")) << "its tables have free names";
+}
 
 TEST_F(Asked, StudyAndTrialsAreThoseOfTheJournal) {
   const auto study = two();
@@ -355,6 +366,24 @@ TEST_F(Asked, WhatIsNotThereIsNotFound) {
   EXPECT_EQ(ask("/api/trials", {{"from", "x"}}).status, 400);
   EXPECT_EQ(post("/api/run", {{"verb", "rm"}}).status, 400);
   EXPECT_EQ(post("/api/stop", Json::object()).status, 400);
+  const auto refusal = [](const Response& response) {
+    EXPECT_EQ(response.status, 400) << response.body;
+    return Json::parse(response.body)["error"].get<std::string>();
+  };
+  EXPECT_NE(refusal(ask("/api/trials", {{"order", "foo"}})).find("expected \"trial\" or"),
+            std::string::npos);
+  for (const char* most : {"1", "0", "-5"})
+    EXPECT_NE(refusal(ask("/api/convergence", {{"most", most}})).find("at least 10"),
+              std::string::npos);
+  for (const char* from : {"0", "-3", "1.5"})
+    EXPECT_EQ(ask("/api/trials", {{"from", from}}).status, 400) << from;
+  for (const Json& workers : {Json("2"), Json(2.5), Json(-1), Json(1e9)})
+    EXPECT_NE(refusal(post("/api/run", {{"verb", "run"}, {"workers", workers}}))
+                  .find("expected a whole number, 0 to 1024"),
+              std::string::npos)
+        << workers;
+  EXPECT_NE(refusal(post("/api/run", {{"verb", "run"}, {"anew", "yes"}})).find("true or false"),
+            std::string::npos);
   EXPECT_EQ(studio_->answer({"POST", "/api/run", {}, "{", {}}).status, 400);
   EXPECT_EQ(studio_->answer({"POST", "/api/run", {}, "[1]", {}}).status, 400);
 }

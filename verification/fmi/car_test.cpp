@@ -36,11 +36,11 @@ class Drive {
 
   Slave& slave() { return *slave_; }
   void set(const std::string& variable, double value) {
-    ASSERT_EQ(slave_->set(package_.reference(variable), value), Status::ok) << variable;
+    ASSERT_EQ(slave_->set(package_.reference(variable), value), CallStatus::ok) << variable;
   }
   void start() {
     set("speed", kSpeed);
-    ASSERT_EQ(slave_->initialize(0.0), Status::ok);
+    ASSERT_EQ(slave_->initialize(0.0), CallStatus::ok);
   }
   void step(int from) {
     set("rack.travel", kRackRate * kStep * from);
@@ -48,7 +48,7 @@ class Drive {
     set("drive.RL", torque_);
     set("drive.RR", torque_);
     set("load.Fz", -200.0);
-    ASSERT_EQ(slave_->step(kStep * from, kStep), Status::ok)
+    ASSERT_EQ(slave_->step(kStep * from, kStep), CallStatus::ok)
         << (slave_->log.empty() ? "" : slave_->log.back().second);
   }
   /// Returns all outputs.
@@ -57,13 +57,13 @@ class Drive {
     for (const ExchangedVariable& variable : package_.variables) {
       if (variable.causality != Causality::output) continue;
       values.emplace_back();
-      EXPECT_EQ(slave_->get(package_.reference(variable.name), values.back()), Status::ok);
+      EXPECT_EQ(slave_->get(package_.reference(variable.name), values.back()), CallStatus::ok);
     }
     return bits_of(values);
   }
   double get(const std::string& variable) {
     double value = 0.0;
-    EXPECT_EQ(slave_->get(package_.reference(variable), value), Status::ok);
+    EXPECT_EQ(slave_->get(package_.reference(variable), value), CallStatus::ok);
     return value;
   }
 
@@ -127,7 +127,7 @@ TEST_P(CarOf, AnswersOverACleatAsTheCarDrivenDirectlyToTheLastBit) {
   for (int i = 0; i < kSteps; ++i) {
     for (int j = 1; j <= kCarSteps; ++j) {
       inputs.rack = kRackRate * kStep * i + j * h * kRackRate;
-      ASSERT_TRUE((*car)->advance(*state, h, *road, inputs));
+      ASSERT_TRUE((*car)->advance(*state, h, *road, inputs).ok());
     }
     drive.step(i);
     expect_same(*state, inputs);
@@ -143,7 +143,7 @@ TEST_P(CarOf, GoesBackToAStateAndOnToTheSameBitsAlsoInAnotherInstance) {
   other.start();
   for (int i = 0; i < 10; ++i) drive.step(i);
   void* state = nullptr;
-  ASSERT_EQ(drive.slave().copy(&state), Status::ok);
+  ASSERT_EQ(drive.slave().copy(&state), CallStatus::ok);
   const Bits there = drive.answer();
   std::vector<Bits> first;
   for (int i = 10; i < kSteps; ++i) {
@@ -152,14 +152,14 @@ TEST_P(CarOf, GoesBackToAStateAndOnToTheSameBitsAlsoInAnotherInstance) {
   }
   EXPECT_NE(first.front(), first.back());
   for (Drive* again : {&drive, &other}) {
-    ASSERT_EQ(again->slave().restore(state), Status::ok);
+    ASSERT_EQ(again->slave().restore(state), CallStatus::ok);
     EXPECT_EQ(again->answer(), there);
     for (int i = 10; i < kSteps; ++i) {
       again->step(i);
       EXPECT_EQ(again->answer(), first[static_cast<std::size_t>(i - 10)]);
     }
   }
-  ASSERT_EQ(drive.slave().free(&state), Status::ok);
+  ASSERT_EQ(drive.slave().free(&state), CallStatus::ok);
 }
 
 TEST_P(CarOf, InstancesOfOneProcessDoNotFeelEachOther) {
@@ -187,22 +187,22 @@ TEST_P(CarOf, LivesAsTheStandardSays) {
   Drive drive(package);
   double value = 0.0;
   Slave& slave = drive.slave();
-  EXPECT_EQ(slave.step(0.0, kStep), Status::error);
-  EXPECT_EQ(slave.get(package.reference("chassis.z"), value), Status::error);
-  EXPECT_EQ(slave.set(package.reference("speed"), -3.0), Status::ok);
-  EXPECT_EQ(slave.initialize(0.0), Status::error);
+  EXPECT_EQ(slave.step(0.0, kStep), CallStatus::error);
+  EXPECT_EQ(slave.get(package.reference("chassis.z"), value), CallStatus::error);
+  EXPECT_EQ(slave.set(package.reference("speed"), -3.0), CallStatus::ok);
+  EXPECT_EQ(slave.initialize(0.0), CallStatus::error);
   EXPECT_NE(slave.log.back().second.find("speed = -3 m/s"), std::string::npos)
       << slave.log.back().second;
-  ASSERT_EQ(slave.reset(), Status::ok);
+  ASSERT_EQ(slave.reset(), CallStatus::ok);
   drive.start();
   const Bits rest = drive.answer();
-  EXPECT_EQ(slave.set(package.reference("speed"), 3.0), Status::error);
+  EXPECT_EQ(slave.set(package.reference("speed"), 3.0), CallStatus::error);
   drive.step(0);
   const Bits first = drive.answer();
   EXPECT_NE(first, rest);
-  ASSERT_EQ(slave.terminate(), Status::ok);
-  EXPECT_EQ(slave.step(kStep, kStep), Status::error);
-  ASSERT_EQ(slave.reset(), Status::ok);
+  ASSERT_EQ(slave.terminate(), CallStatus::ok);
+  EXPECT_EQ(slave.step(kStep, kStep), CallStatus::error);
+  ASSERT_EQ(slave.reset(), CallStatus::ok);
   drive.start();
   EXPECT_EQ(drive.answer(), rest);
   drive.step(0);

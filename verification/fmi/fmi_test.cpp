@@ -56,7 +56,7 @@ class Drive {
       : package_(package), slave_(slave), height_(height) {}
 
   void set(const std::string& variable, double value) {
-    ASSERT_EQ(slave_.set(package_.reference(variable), value), Status::ok);
+    ASSERT_EQ(slave_.set(package_.reference(variable), value), CallStatus::ok);
   }
   void set_motion(int step) {
     set("wheel.x", kSpeed * kStep * step);
@@ -69,18 +69,18 @@ class Drive {
   }
   void start() {
     set_motion(0);
-    ASSERT_EQ(slave_.initialize(0.0), Status::ok);
+    ASSERT_EQ(slave_.initialize(0.0), CallStatus::ok);
   }
   void step(int from) {
     set_motion(from);
-    ASSERT_EQ(slave_.step(kStep * from, kStep), Status::ok)
+    ASSERT_EQ(slave_.step(kStep * from, kStep), CallStatus::ok)
         << (slave_.log.empty() ? "" : slave_.log.back().second);
   }
   Answer answer() {
     Answer hub{};
     const char* names[] = {"hub.Fx", "hub.Fy", "hub.Fz", "hub.Mx", "hub.My", "hub.Mz"};
     for (std::size_t i = 0; i < hub.size(); ++i)
-      EXPECT_EQ(slave_.get(package_.reference(names[i]), hub[i]), Status::ok);
+      EXPECT_EQ(slave_.get(package_.reference(names[i]), hub[i]), CallStatus::ok);
     return hub;
   }
 
@@ -167,7 +167,7 @@ TEST_P(EveryTire, GoesBackToAStateAndOnToTheSameBits) {
   drive.start();
   for (int i = 0; i < 10; ++i) drive.step(i);
   void* state = nullptr;
-  ASSERT_EQ(slave->copy(&state), Status::ok);
+  ASSERT_EQ(slave->copy(&state), CallStatus::ok);
   const Answer there = drive.answer();
   std::vector<Answer> first;
   for (int i = 10; i < kSteps; ++i) {
@@ -175,14 +175,14 @@ TEST_P(EveryTire, GoesBackToAStateAndOnToTheSameBits) {
     first.push_back(drive.answer());
   }
   for (int again = 0; again < 2; ++again) {
-    ASSERT_EQ(slave->restore(state), Status::ok);
+    ASSERT_EQ(slave->restore(state), CallStatus::ok);
     expect_same_bits(drive.answer(), there);
     for (int i = 10; i < kSteps; ++i) {
       drive.step(i);
       expect_same_bits(drive.answer(), first[static_cast<std::size_t>(i - 10)]);
     }
   }
-  ASSERT_EQ(slave->free(&state), Status::ok);
+  ASSERT_EQ(slave->free(&state), CallStatus::ok);
   EXPECT_EQ(state, nullptr);
 }
 
@@ -216,7 +216,7 @@ TEST_P(EveryTire, InstancesOfOneProcessDoNotFeelEachOther) {
 
 class EveryVersion : public testing::TestWithParam<FmiVersion> {
  protected:
-  static void expect_logged(const Slave& slave, Status status, const std::string& part) {
+  static void expect_logged(const Slave& slave, CallStatus status, const std::string& part) {
     ASSERT_FALSE(slave.log.empty());
     EXPECT_EQ(slave.log.back().first, status);
     EXPECT_NE(slave.log.back().second.find(part), std::string::npos) << slave.log.back().second;
@@ -233,12 +233,12 @@ TEST_P(EveryVersion, RefusesAnotherTokenAndAFolderWithoutAUnit) {
   const Package package(GetParam(), kMagicFormula, "");
   const auto other = instantiate(package, "{00000000-0000-0000-0000-000000000000}");
   EXPECT_FALSE(other->there());
-  expect_logged(*other, Status::error, "not of one package");
+  expect_logged(*other, CallStatus::error, "not of one package");
   const std::string nowhere =
       GetParam() == FmiVersion::fmi2 ? "file:///no/such%20folder" : "/no/such folder";
   const auto missing = instantiate(package, "", nowhere);
   EXPECT_FALSE(missing->there());
-  expect_logged(*missing, Status::error, "/no/such folder");
+  expect_logged(*missing, CallStatus::error, "/no/such folder");
 }
 
 TEST_P(EveryVersion, RefusesAMissingResource) {
@@ -246,61 +246,61 @@ TEST_P(EveryVersion, RefusesAMissingResource) {
   fs::remove(package.file("resources") / "model.tir");
   const auto slave = instantiate(package);
   EXPECT_FALSE(slave->there());
-  expect_logged(*slave, Status::error, "model.tir");
+  expect_logged(*slave, CallStatus::error, "model.tir");
 }
 
 TEST_P(EveryVersion, RefusesWhatIsWrongAndGoesOn) {
   const Package package(GetParam(), kMagicFormula, "");
   const auto slave = instantiate(package);
   double value = 0.0;
-  EXPECT_EQ(slave->step(0.0, kStep), Status::error);
-  expect_logged(*slave, Status::error, "not initialized");
-  EXPECT_EQ(slave->get(package.reference("hub.Fz"), value), Status::error);
-  EXPECT_EQ(slave->leave(), Status::error);
-  EXPECT_EQ(slave->terminate(), Status::error);
-  ASSERT_EQ(slave->initialize(0.0), Status::ok);
-  EXPECT_EQ(slave->initialize(0.0), Status::error);
+  EXPECT_EQ(slave->step(0.0, kStep), CallStatus::error);
+  expect_logged(*slave, CallStatus::error, "not initialized");
+  EXPECT_EQ(slave->get(package.reference("hub.Fz"), value), CallStatus::error);
+  EXPECT_EQ(slave->leave(), CallStatus::error);
+  EXPECT_EQ(slave->terminate(), CallStatus::error);
+  ASSERT_EQ(slave->initialize(0.0), CallStatus::ok);
+  EXPECT_EQ(slave->initialize(0.0), CallStatus::error);
 
-  EXPECT_EQ(slave->get(4711, value), Status::error);
-  expect_logged(*slave, Status::error, "value reference 4711");
-  EXPECT_EQ(slave->set(4711, 0.0), Status::error);
-  EXPECT_EQ(slave->set(kTimeReference, 0.0), Status::error);
-  EXPECT_EQ(slave->set(package.reference("hub.Fz"), 0.0), Status::error);
-  expect_logged(*slave, Status::error, "hub.Fz is an output");
-  EXPECT_EQ(slave->set(package.reference("pressure"), 2e5), Status::error);
-  expect_logged(*slave, Status::error, "pressure is fixed");
-  EXPECT_EQ(slave->ask_for_integer(), Status::error);
+  EXPECT_EQ(slave->get(4711, value), CallStatus::error);
+  expect_logged(*slave, CallStatus::error, "value reference 4711");
+  EXPECT_EQ(slave->set(4711, 0.0), CallStatus::error);
+  EXPECT_EQ(slave->set(kTimeReference, 0.0), CallStatus::error);
+  EXPECT_EQ(slave->set(package.reference("hub.Fz"), 0.0), CallStatus::error);
+  expect_logged(*slave, CallStatus::error, "hub.Fz is an output");
+  EXPECT_EQ(slave->set(package.reference("pressure"), 2e5), CallStatus::error);
+  expect_logged(*slave, CallStatus::error, "pressure is fixed");
+  EXPECT_EQ(slave->ask_for_integer(), CallStatus::error);
 
-  EXPECT_EQ(slave->set(package.reference("wheel.z"), NAN), Status::discard);
-  expect_logged(*slave, Status::discard, "wheel.z = nan");
-  EXPECT_EQ(slave->step(0.0, -kStep), Status::error);
-  expect_logged(*slave, Status::error, "-0.001 s");
-  EXPECT_EQ(slave->step(0.0, 0.0), Status::error);
-  EXPECT_EQ(slave->step(0.0, NAN), Status::error);
-  EXPECT_EQ(slave->step(1.0, kStep), Status::error);
-  expect_logged(*slave, Status::error, "begins at 1 s");
-  EXPECT_EQ(slave->restore(nullptr), Status::error);
-  EXPECT_EQ(slave->copy(nullptr), Status::error);
+  EXPECT_EQ(slave->set(package.reference("wheel.z"), NAN), CallStatus::discard);
+  expect_logged(*slave, CallStatus::discard, "wheel.z = nan");
+  EXPECT_EQ(slave->step(0.0, -kStep), CallStatus::error);
+  expect_logged(*slave, CallStatus::error, "-0.001 s");
+  EXPECT_EQ(slave->step(0.0, 0.0), CallStatus::error);
+  EXPECT_EQ(slave->step(0.0, NAN), CallStatus::error);
+  EXPECT_EQ(slave->step(1.0, kStep), CallStatus::error);
+  expect_logged(*slave, CallStatus::error, "begins at 1 s");
+  EXPECT_EQ(slave->restore(nullptr), CallStatus::error);
+  EXPECT_EQ(slave->copy(nullptr), CallStatus::error);
 
-  ASSERT_EQ(slave->get(package.reference("wheel.z"), value), Status::ok);
+  ASSERT_EQ(slave->get(package.reference("wheel.z"), value), CallStatus::ok);
   EXPECT_GT(value, 0.2);  // none of these calls has changed it
-  EXPECT_EQ(slave->step(0.0, kStep), Status::ok);
-  ASSERT_EQ(slave->get(kTimeReference, value), Status::ok);
+  EXPECT_EQ(slave->step(0.0, kStep), CallStatus::ok);
+  ASSERT_EQ(slave->get(kTimeReference, value), CallStatus::ok);
   EXPECT_EQ(value, kStep);
 }
 
 TEST_P(EveryVersion, DiscardsAStepThatHasNoEndAndGoesOnFromTheStateBefore) {
   const Package package(GetParam(), kRing, "");
   const auto slave = instantiate(package);
-  ASSERT_EQ(slave->initialize(0.0), Status::ok);
+  ASSERT_EQ(slave->initialize(0.0), CallStatus::ok);
   void* state = nullptr;
-  ASSERT_EQ(slave->copy(&state), Status::ok);
-  ASSERT_EQ(slave->set(package.reference("wheel.z"), -10.0), Status::ok);
-  EXPECT_EQ(slave->step(0.0, kStep), Status::discard);
-  EXPECT_EQ(slave->log.back().first, Status::discard);
+  ASSERT_EQ(slave->copy(&state), CallStatus::ok);
+  ASSERT_EQ(slave->set(package.reference("wheel.z"), -10.0), CallStatus::ok);
+  EXPECT_EQ(slave->step(0.0, kStep), CallStatus::discard);
+  EXPECT_EQ(slave->log.back().first, CallStatus::discard);
   EXPECT_FALSE(slave->log.back().second.empty());
-  ASSERT_EQ(slave->restore(state), Status::ok);
-  EXPECT_EQ(slave->step(0.0, kStep), Status::ok);
+  ASSERT_EQ(slave->restore(state), CallStatus::ok);
+  EXPECT_EQ(slave->step(0.0, kStep), CallStatus::ok);
   slave->free(&state);
 }
 
@@ -313,13 +313,13 @@ TEST_P(EveryVersion, BeginsAnewAfterTerminateAndReset) {
   const Answer rest = drive.answer();
   drive.step(0);
   const Answer first = drive.answer();
-  ASSERT_EQ(slave->terminate(), Status::ok);
+  ASSERT_EQ(slave->terminate(), CallStatus::ok);
   expect_same_bits(drive.answer(), first);
-  EXPECT_EQ(slave->set(package.reference("wheel.x"), 0.0), Status::error);
-  EXPECT_EQ(slave->step(kStep, kStep), Status::error);
-  ASSERT_EQ(slave->reset(), Status::ok);
+  EXPECT_EQ(slave->set(package.reference("wheel.x"), 0.0), CallStatus::error);
+  EXPECT_EQ(slave->step(kStep, kStep), CallStatus::error);
+  ASSERT_EQ(slave->reset(), CallStatus::ok);
   double height = 0.0;
-  ASSERT_EQ(slave->get(package.reference("wheel.z"), height), Status::ok);
+  ASSERT_EQ(slave->get(package.reference("wheel.z"), height), CallStatus::ok);
   EXPECT_EQ(height, direct.tire->free_radius());  // the start value of the description
   drive.start();
   expect_same_bits(drive.answer(), rest);
@@ -332,16 +332,16 @@ TEST_P(EveryVersion, FollowsInputsWhileItIsInitialized) {
   const auto slave = instantiate(package);
   const Direct direct(kMagicFormula);
   const unsigned z = package.reference("wheel.z"), Fz = package.reference("hub.Fz");
-  ASSERT_EQ(slave->enter(0.0), Status::ok);
+  ASSERT_EQ(slave->enter(0.0), CallStatus::ok);
   double at_touch = 0.0, pressed = 0.0, ran = 0.0;
-  ASSERT_EQ(slave->get(Fz, at_touch), Status::ok);
+  ASSERT_EQ(slave->get(Fz, at_touch), CallStatus::ok);
   EXPECT_NEAR(at_touch, 0.0, 1e-6);  // wheel.z starts where the tire first touches the road
-  ASSERT_EQ(slave->set(z, direct.height), Status::ok);
-  ASSERT_EQ(slave->get(Fz, pressed), Status::ok);
+  ASSERT_EQ(slave->set(z, direct.height), CallStatus::ok);
+  ASSERT_EQ(slave->get(Fz, pressed), CallStatus::ok);
   EXPECT_GT(pressed, 1000.0);
-  ASSERT_EQ(slave->leave(), Status::ok);
-  ASSERT_EQ(slave->set(z, direct.height - 0.01), Status::ok);
-  ASSERT_EQ(slave->get(Fz, ran), Status::ok);
+  ASSERT_EQ(slave->leave(), CallStatus::ok);
+  ASSERT_EQ(slave->set(z, direct.height - 0.01), CallStatus::ok);
+  ASSERT_EQ(slave->get(Fz, ran), CallStatus::ok);
   EXPECT_EQ(ran, pressed);  // outputs are those of the last communication point
 }
 
@@ -350,14 +350,14 @@ TEST_P(EveryVersion, TakesTheInputsAsTheEndOfAStepWhereItIsToldSo) {
   const auto force = [&](double carried_on, double z, double vz) {
     const auto slave = instantiate(package);
     const unsigned height = package.reference("wheel.z");
-    EXPECT_EQ(slave->set(package.reference("inputs.carried_on"), carried_on), Status::ok);
-    EXPECT_EQ(slave->set(height, Direct(kMagicFormula).height), Status::ok);
-    EXPECT_EQ(slave->initialize(0.0), Status::ok);
-    EXPECT_EQ(slave->set(height, z), Status::ok);
-    EXPECT_EQ(slave->set(package.reference("wheel.vz"), vz), Status::ok);
-    EXPECT_EQ(slave->step(0.0, kStep), Status::ok);
+    EXPECT_EQ(slave->set(package.reference("inputs.carried_on"), carried_on), CallStatus::ok);
+    EXPECT_EQ(slave->set(height, Direct(kMagicFormula).height), CallStatus::ok);
+    EXPECT_EQ(slave->initialize(0.0), CallStatus::ok);
+    EXPECT_EQ(slave->set(height, z), CallStatus::ok);
+    EXPECT_EQ(slave->set(package.reference("wheel.vz"), vz), CallStatus::ok);
+    EXPECT_EQ(slave->step(0.0, kStep), CallStatus::ok);
     double radius = 0.0;
-    EXPECT_EQ(slave->get(package.reference("loaded_radius"), radius), Status::ok);
+    EXPECT_EQ(slave->get(package.reference("loaded_radius"), radius), CallStatus::ok);
     return radius;
   };
   EXPECT_DOUBLE_EQ(force(1.0, 0.3, -1.0), 0.3 - kStep);

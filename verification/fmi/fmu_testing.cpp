@@ -69,7 +69,7 @@ unsigned Package::reference(const std::string& variable) const {
 
 namespace {
 
-using Log = std::vector<std::pair<Status, std::string>>;
+using Log = std::vector<std::pair<CallStatus, std::string>>;
 
 /// Formats a message as an importer does: the message is a format string.
 void log2(void* environment, fmi2::Text, fmi2::Status status, fmi2::Text, fmi2::Text format, ...) {
@@ -78,11 +78,11 @@ void log2(void* environment, fmi2::Text, fmi2::Status status, fmi2::Text, fmi2::
   va_start(arguments, format);
   std::vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  static_cast<Log*>(environment)->emplace_back(static_cast<Status>(status), text);
+  static_cast<Log*>(environment)->emplace_back(static_cast<CallStatus>(status), text);
 }
 
 void log3(void* environment, fmi3::Status status, fmi3::Text, fmi3::Text message) {
-  static_cast<Log*>(environment)->emplace_back(static_cast<Status>(status), message);
+  static_cast<Log*>(environment)->emplace_back(static_cast<CallStatus>(status), message);
 }
 
 #define CALL(version, name) binary_.function<decltype(version::name)>(#name)
@@ -97,44 +97,45 @@ class Slave2 final : public Slave {
   ~Slave2() override { CALL(fmi2, fmi2FreeInstance)(component_); }
 
   bool there() const override { return component_ != nullptr; }
-  Status enter(double start) override {
-    const Status status = from(CALL(fmi2, fmi2SetupExperiment)(component_, 0, 0.0, start, 0, 0.0));
-    if (status != Status::ok) return status;
+  CallStatus enter(double start) override {
+    const CallStatus status =
+        from(CALL(fmi2, fmi2SetupExperiment)(component_, 0, 0.0, start, 0, 0.0));
+    if (status != CallStatus::ok) return status;
     return from(CALL(fmi2, fmi2EnterInitializationMode)(component_));
   }
-  Status leave() override { return from(CALL(fmi2, fmi2ExitInitializationMode)(component_)); }
-  Status initialize(double start) override {
-    const Status status = enter(start);
-    return status == Status::ok ? leave() : status;
+  CallStatus leave() override { return from(CALL(fmi2, fmi2ExitInitializationMode)(component_)); }
+  CallStatus initialize(double start) override {
+    const CallStatus status = enter(start);
+    return status == CallStatus::ok ? leave() : status;
   }
-  Status set(unsigned reference, double value) override {
+  CallStatus set(unsigned reference, double value) override {
     return from(CALL(fmi2, fmi2SetReal)(component_, &reference, 1, &value));
   }
-  Status get(unsigned reference, double& value) override {
+  CallStatus get(unsigned reference, double& value) override {
     return from(CALL(fmi2, fmi2GetReal)(component_, &reference, 1, &value));
   }
-  Status step(double time, double step) override {
+  CallStatus step(double time, double step) override {
     return from(CALL(fmi2, fmi2DoStep)(component_, time, step, 0));
   }
-  Status copy(void** state) override {
+  CallStatus copy(void** state) override {
     return from(CALL(fmi2, fmi2GetFMUstate)(component_, state));
   }
-  Status restore(void* state) override {
+  CallStatus restore(void* state) override {
     return from(CALL(fmi2, fmi2SetFMUstate)(component_, state));
   }
-  Status free(void** state) override {
+  CallStatus free(void** state) override {
     return from(CALL(fmi2, fmi2FreeFMUstate)(component_, state));
   }
-  Status terminate() override { return from(CALL(fmi2, fmi2Terminate)(component_)); }
-  Status reset() override { return from(CALL(fmi2, fmi2Reset)(component_)); }
-  Status ask_for_integer() override {
+  CallStatus terminate() override { return from(CALL(fmi2, fmi2Terminate)(component_)); }
+  CallStatus reset() override { return from(CALL(fmi2, fmi2Reset)(component_)); }
+  CallStatus ask_for_integer() override {
     const unsigned reference = 1;
     int value = 0;
     return from(CALL(fmi2, fmi2GetInteger)(component_, &reference, 1, &value));
   }
 
  private:
-  static Status from(fmi2::Status status) { return static_cast<Status>(status); }
+  static CallStatus from(fmi2::Status status) { return static_cast<CallStatus>(status); }
 
   const Binary& binary_;
   fmi2::Callbacks callbacks_;
@@ -161,42 +162,49 @@ class Slave3 final : public Slave {
   ~Slave3() override { CALL(fmi3, fmi3FreeInstance)(handle_); }
 
   bool there() const override { return handle_ != nullptr; }
-  Status enter(double start) override {
+  CallStatus enter(double start) override {
     return from(CALL(fmi3, fmi3EnterInitializationMode)(handle_, false, 0.0, start, false, 0.0));
   }
-  Status leave() override { return from(CALL(fmi3, fmi3ExitInitializationMode)(handle_)); }
-  Status initialize(double start) override {
-    const Status status = enter(start);
-    return status == Status::ok ? leave() : status;
+  CallStatus leave() override { return from(CALL(fmi3, fmi3ExitInitializationMode)(handle_)); }
+  CallStatus initialize(double start) override {
+    const CallStatus status = enter(start);
+    return status == CallStatus::ok ? leave() : status;
   }
-  Status set(unsigned reference, double value) override {
+  CallStatus set(unsigned reference, double value) override {
     return from(CALL(fmi3, fmi3SetFloat64)(handle_, &reference, 1, &value, 1));
   }
-  Status get(unsigned reference, double& value) override {
+  CallStatus get(unsigned reference, double& value) override {
     return from(CALL(fmi3, fmi3GetFloat64)(handle_, &reference, 1, &value, 1));
   }
-  Status step(double time, double step) override {
+  CallStatus step(double time, double step) override {
     bool event = true, terminate = true, early = true;
     double reached = 0.0;
-    const Status status = from(
+    const CallStatus status = from(
         CALL(fmi3, fmi3DoStep)(handle_, time, step, false, &event, &terminate, &early, &reached));
     if (event || terminate || early) throw std::runtime_error("asks for what it has not");
-    if (status == Status::ok && reached != time + step) throw std::runtime_error("another time");
+    if (status == CallStatus::ok && reached != time + step)
+      throw std::runtime_error("another time");
     return status;
   }
-  Status copy(void** state) override { return from(CALL(fmi3, fmi3GetFMUState)(handle_, state)); }
-  Status restore(void* state) override { return from(CALL(fmi3, fmi3SetFMUState)(handle_, state)); }
-  Status free(void** state) override { return from(CALL(fmi3, fmi3FreeFMUState)(handle_, state)); }
-  Status terminate() override { return from(CALL(fmi3, fmi3Terminate)(handle_)); }
-  Status reset() override { return from(CALL(fmi3, fmi3Reset)(handle_)); }
-  Status ask_for_integer() override {
+  CallStatus copy(void** state) override {
+    return from(CALL(fmi3, fmi3GetFMUState)(handle_, state));
+  }
+  CallStatus restore(void* state) override {
+    return from(CALL(fmi3, fmi3SetFMUState)(handle_, state));
+  }
+  CallStatus free(void** state) override {
+    return from(CALL(fmi3, fmi3FreeFMUState)(handle_, state));
+  }
+  CallStatus terminate() override { return from(CALL(fmi3, fmi3Terminate)(handle_)); }
+  CallStatus reset() override { return from(CALL(fmi3, fmi3Reset)(handle_)); }
+  CallStatus ask_for_integer() override {
     const unsigned reference = 1;
     std::int32_t value = 0;
     return from(CALL(fmi3, fmi3GetInt32)(handle_, &reference, 1, &value, 1));
   }
 
  private:
-  static Status from(fmi3::Status status) { return static_cast<Status>(status); }
+  static CallStatus from(fmi3::Status status) { return static_cast<CallStatus>(status); }
 
   const Binary& binary_;
   fmi3::Handle handle_;

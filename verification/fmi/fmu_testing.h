@@ -59,20 +59,20 @@ class Slave {
   virtual ~Slave() = default;
 
   virtual bool there() const = 0;
-  virtual Status initialize(double start) = 0;  // the whole initialization, from `instantiated`
-  virtual Status enter(double start) = 0;       // its first half
-  virtual Status leave() = 0;                   // its second half
-  virtual Status set(unsigned reference, double value) = 0;
-  virtual Status get(unsigned reference, double& value) = 0;
-  virtual Status step(double time, double step) = 0;
-  virtual Status copy(void** state) = 0;
-  virtual Status restore(void* state) = 0;
-  virtual Status free(void** state) = 0;
-  virtual Status terminate() = 0;
-  virtual Status reset() = 0;
-  virtual Status ask_for_integer() = 0;
+  virtual CallStatus initialize(double start) = 0;  // the whole initialization, from `instantiated`
+  virtual CallStatus enter(double start) = 0;       // its first half
+  virtual CallStatus leave() = 0;                   // its second half
+  virtual CallStatus set(unsigned reference, double value) = 0;
+  virtual CallStatus get(unsigned reference, double& value) = 0;
+  virtual CallStatus step(double time, double step) = 0;
+  virtual CallStatus copy(void** state) = 0;
+  virtual CallStatus restore(void* state) = 0;
+  virtual CallStatus free(void** state) = 0;
+  virtual CallStatus terminate() = 0;
+  virtual CallStatus reset() = 0;
+  virtual CallStatus ask_for_integer() = 0;
 
-  std::vector<std::pair<Status, std::string>> log;
+  std::vector<std::pair<CallStatus, std::string>> log;
 };
 
 /// Empty `token` and `resources` stand for those of the package.

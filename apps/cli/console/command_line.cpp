@@ -2,9 +2,13 @@
 #include "cli/console/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "base/text.h"
 #include "cli/console/console.h"
+#include "cli/console/version.h"
 
 namespace latsch::cli {
 namespace {
@@ -175,23 +179,51 @@ std::string as_typed(int argc, char** argv) {
   return line;
 }
 
+/// Returns the words behind the program's name. --json and --quiet before the verb, where the
+/// parser does not expect them, are moved to the end.
+std::vector<std::string> words_of(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc), moved;
+  while (!words.empty() && (words[0] == "--json" || words[0] == "--quiet")) {
+    moved.push_back(words[0]);
+    words.erase(words.begin());
+  }
+  words.insert(words.end(), moved.begin(), moved.end());
+  return words;
+}
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 }  // namespace
 
+bool CommandLine::give_text(const CLI::ParseError& request) {
+  std::ostringstream text;
+  app_->exit(request, text, text);
+  put(text.str());
+  answer()["text"] = text.str();
+  if (dynamic_cast<const CLI::CallForVersion*>(&request)) answer()["version"] = version_number();
+  return true;
+}
+
 bool CommandLine::run(int argc, char** argv) {
+  std::vector<std::string> words = words_of(argc, argv);
   // A line that is not understood is answered in the form that the line requests.
   CommonOptions asked;
-  for (int i = 2; i < argc; ++i) asked.json = asked.json || std::string_view(argv[i]) == "--json";
-  open_console(asked, argc > 1 ? argv[1] : "", "");
-  if (argc > 1 && !known(*app_, argv[1])) return false;
+  asked.json = contains(words, "--json");
+  const std::string first = words.empty() || words[0] == "--json" ? "" : words[0];
+  open_console(asked, first, "");
+  if (!first.empty() && !known(*app_, first)) return false;
   general_help_ = app_->help();
   app_->parse_complete_callback([&] {
     const auto verbs = app_->get_subcommands();
     if (!verbs.empty()) open_console(*common_, verbs[0]->get_name(), as_typed(argc, argv));
   });
   try {
-    app_->parse(argc, argv);
+    std::reverse(words.begin(), words.end());  // the parser takes words from the end
+    app_->parse(std::move(words));
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app_->exit(error) == 0;  // --help, --version
+    if (error.get_exit_code() == 0) return give_text(error);  // --help, --version
     const std::vector<CLI::App*> verbs = app_->get_subcommands();
     const CLI::App* verb = verbs.empty() ? nullptr : verbs.front();
     const std::string name = verb ? "latsch " + verb->get_name() : "latsch";

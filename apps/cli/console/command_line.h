@@ -14,6 +14,7 @@
 namespace CLI {
 class App;
 class Option;
+class ParseError;
 }  // namespace CLI
 
 namespace latsch::cli {
@@ -59,7 +60,7 @@ class Verb {
   std::vector<Form> forms_;
 };
 
-/// Every verb has --json, --quiet and --log FILE, see console.h.
+/// Every verb has --json, --quiet and --log FILE, see console.h. The first two may also precede it.
 class CommandLine {
  public:
   CommandLine(const std::string& description,
@@ -81,6 +82,8 @@ class CommandLine {
 
  private:
   void add_common_options(CLI::App& verb);
+  /// Gives the text that --help or --version requests; returns true.
+  bool give_text(const CLI::ParseError& request);
 
   std::unique_ptr<CLI::App> app_;
   std::unique_ptr<struct CommonOptions> common_;

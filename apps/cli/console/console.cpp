@@ -21,9 +21,10 @@ namespace {
 
 /// A log is appended to. A file that is no log is somebody's work, given by mistake.
 void refuse_to_log_into_other_file(const std::string& file) {
+  if (!std::filesystem::is_regular_file(file)) return;
   std::ifstream there(file, std::ios::binary);
   std::string line;
-  if (!std::filesystem::is_regular_file(file) || !std::getline(there, line)) return;
+  if (!std::getline(there, line)) return;
   if (!line.starts_with("# 2"))  // the year, as in every first line of a log
     throw InputError({file, 1},
                      "exists and is no log of latsch, so nothing is appended to it: expected "

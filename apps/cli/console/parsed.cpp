@@ -2,6 +2,7 @@
 #include "cli/console/parsed.h"
 
 #include "base/text.h"
+#include "base/toml/toml_text.h"
 
 namespace latsch::cli {
 
@@ -9,8 +10,9 @@ double parse_option(const std::string& option,
                     const std::string& text,
                     const std::string& unit,
                     Range range) {
-  const bool plain = unit == "1";
-  const Document line = Document::parse(option + " = " + (plain ? text : '"' + text + '"'), "");
+  const bool plain = unit == "1" && parse_number(text);
+  const Document line =
+      Document::parse(toml_key(option) + " = " + (plain ? text : toml_text(text)), "");
   return line.root().quantity(option, unit, range);
 }
 
@@ -33,7 +35,7 @@ void set_variable(const DesignSpace& space, const std::string& assignment, Desig
     return;
   }
   throw InputError("--set: no variable " + in_quotes(name) + did_you_mean(name, names) +
-                   " The study has " + list_of(names));
+                   "; the study has " + list_of(names));
 }
 
 }  // namespace latsch::cli

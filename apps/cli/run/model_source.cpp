@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "base/file.h"
 #include "cli/console/console.h"
 #include "cli/console/implausible.h"
 #include "correlation/search/search_standing.h"
@@ -11,7 +12,6 @@
 #include "correlation/target/best_trial.h"
 #include "experiment/language/kind_files.h"
 #include "experiment/language/model_file.h"
-#include "formats/text/pipe.h"
 
 namespace latsch::cli {
 namespace {
@@ -35,7 +35,7 @@ correlation::Study study_with_model(const std::string& file, const experiment::L
 }
 
 bool is_study(const std::string& file) {
-  formats::expect_no_pipe(file);
+  expect_no_pipe(file);
   if (!experiment::is_document(file)) return false;
   const Node root = Document::read(file).root();
   return root.has("model") || root.has("simulator");

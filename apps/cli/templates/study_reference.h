@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/study_reference.md, contained in the program; tools/study_reference.py makes it from the
-// readers.
+// The reference of all keys of a study: `latsch help study`, docs/study_reference.md.
 #pragma once
 
-#include <string_view>
+#include <string>
+
+#include "experiment/language/key_section.h"
+#include "formats/text/json.h"
 
 namespace latsch::cli {
 
-std::string_view study_reference();
+/// Returns the page: a section for each table, with an example and a row for each key.
+std::string study_reference(const experiment::KeyTable& keys);
+
+/// Returns the same for programs: a list of sections, each with the path of its table, its text and
+/// its keys. A key has its path below the table, its sentence, the forms of its values (kind, SI
+/// units, range, choices) and its default. "*" in a path stands for a free name.
+Json study_keys_json(const experiment::KeyTable& keys);
 
 }  // namespace latsch::cli

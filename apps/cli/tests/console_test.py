@@ -115,6 +115,23 @@ class Console(Coarse):
         self.assertEqual(self.outputs("help"), self.outputs("--help"))
         self.assertIn('did you mean "run"?', self.outputs("help", "rum", code=WRONG_INPUT)[1])
 
+    def test_texts_are_answers_too(self):
+        for line in (["help"], ["help", "run"], ["run", "--help"], ["--help"], ["--version"]):
+            with self.subTest(line):
+                self.assertEqual(self.answer(*line)["text"], self.outputs(*line)[0])
+        self.assertRegex(self.answer("--version")["version"], r"^\d+\.\d+")
+        self.assertTrue(self.answer("help", "study")["sections"])
+
+    def test_json_may_stand_before_the_verb(self):
+        for line in (["help", "run"], ["--version"], ["check", self.study]):
+            behind, before = (json.loads(self.outputs(*order)[0]) for order in ([*line, "--json"], ["--json", *line]))
+            self.assertEqual(before, behind)
+            self.assertIn("result", before)
+        self.assertEqual(self.outputs("--quiet", "check", self.study), ("", ""))
+        found = json.loads(self.outputs("--json", code=WRONG_INPUT)[0])
+        self.assertEqual((found["verb"], found["exit_code"], found["status"]), ("", WRONG_INPUT, "wrong input"))
+        self.assertIn("subcommand", found["error"]["message"])
+
     def test_nothing_is_printed_past_the_console(self):
         for file in (TREE / "apps/cli").rglob("*.cpp"):  # not apps/exchange, which other programs load
             if file.name == "console.cpp":

@@ -444,16 +444,16 @@ scale = "0.1 deg"
         edit(study, ('file = "table.csv"', 'file = "table.csv"\ncolumns = {Fx = "-Fx", Fy = "-Fy", dx = "-dx", dy = "-dy"}'))
         self.assertIn("Everything is in order", self.latsch("check", study))
 
-    def test_a_car_whose_air_lifts_and_whose_damper_drives_is_told_of(self):
+    def test_a_car_whose_air_lifts_and_whose_damper_falls_is_told_of(self):
         shutil.copytree(STUDIES / "kerb", self.folder / "kerb", ignore=shutil.ignore_patterns("*.latsch", "*.html"))
         car = self.folder / "kerb" / "baseline.toml"
         text = self.latsch("check", car)
         self.assertNotIn("aero.map", text)
-        car.write_text(car.read_text().replace('"-1.3 kN"', '"1.3 kN"')
+        car.write_text(car.read_text().replace('"-1.3 kN"', '"-0.3 kN"')
                        + '\n[aero]\narea = "1 m^2"\nmap = [["0 mm", "0 mm", -1.0, -2.0]]\n')
         test = '{kind = "four_post", duration = "0.5 s", from = "5 Hz"}'
         for text in (self.latsch("check", car), self.latsch("show", car), self.latsch("test", car, test)):
-            self.assertRegex(text, r"baseline\.toml:\d+: front\.spring\.damper falls from 1300 N at -0\.5 m/s")
+            self.assertRegex(text, r"baseline\.toml:\d+: front\.spring\.damper falls from -300 N at -0\.5 m/s")
             self.assertRegex(text, r"baseline\.toml:\d+: aero\.map has a coefficient below 0 in 1 of 1 rows")
 
     def test_a_tire_file_tells_its_assumed_units_ranges_and_mode(self):

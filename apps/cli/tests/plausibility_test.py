@@ -171,6 +171,13 @@ class ModelsAlone(unittest.TestCase):
                                   ("export", tire, "--ccx", self.folder / "x.inp")):
                     self.assertIn(says, self.run_it(*arguments, code=WRONG_INPUT))
 
+    def test_a_cord_stiffer_in_compression_than_in_tension_is_a_warning(self):
+        says = "a cord is at most as stiff as in tension, 1.1e+05 MPa"
+        tire = self.changed(self.FE, ('compression_modulus = "55 GPa"', 'compression_modulus = "550 GPa"'))
+        for arguments in (("check", tire), ("test", tire, '{kind = "mass_properties"}')):
+            self.assertIn(says, self.run_it(*arguments))
+        self.assertNotIn("in tension", self.run_it("check", self.FE))
+
     def test_a_test_alone_has_usual_numbers_too(self):
         for keys, says in (('pressure = "300 bar"', "0.3 to 16 bar"), ('load = "4 MN", directions = ["vertical"]', "a wheel load")):
             kind = "static_stiffness" if "load" in keys else "load_deflection"

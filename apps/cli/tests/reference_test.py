@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""The study reference agrees with the readers of a study, and the program prints it.
+"""docs/study_reference.md and `latsch help study` are written from the readers of a study.
 
     reference_test.py PATH/TO/latsch
 """
+import json
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -14,10 +16,22 @@ TREE = pathlib.Path(__file__).resolve().parents[3]
 PAGE = TREE / "docs" / "study_reference.md"
 
 
+def said(*arguments):
+    return subprocess.run([LATSCH, *arguments], capture_output=True, text=True, check=True).stdout
+
+
+def sections():
+    return {one["heading"]: one for one in json.loads(said("help", "study", "--json"))["result"]["sections"]}
+
+
 class Reference(unittest.TestCase):
-    def test_the_page_is_what_the_readers_say(self):
-        made = subprocess.run([sys.executable, TREE / "tools" / "study_reference.py", "--check"], capture_output=True, text=True)
+    def test_the_page_is_what_the_program_says(self):
+        made = subprocess.run([sys.executable, TREE / "tools" / "study_reference.py", LATSCH, "--check"], capture_output=True, text=True)
         self.assertEqual(made.returncode, 0, made.stderr)
+
+    def test_the_tool_reads_no_source(self):
+        tool = (TREE / "tools" / "study_reference.py").read_text()
+        self.assertNotRegex(tool, r"\.cpp|\.h\b|import re\b|src")
 
     def test_every_key_of_the_studies_that_are_shipped_is_on_it(self):
         page = PAGE.read_text()
@@ -27,12 +41,46 @@ class Reference(unittest.TestCase):
                 if equal and key.isidentifier():
                     self.assertRegex(page, rf"\b{key}\b", f"{study}: {key}")
 
-    def test_the_program_prints_it(self):
-        run = subprocess.run([LATSCH, "help", "study"], capture_output=True, text=True)
-        page, own = run.stdout.split("\n## Models and tests of this program\n")
+    def test_the_program_prints_it_and_its_models(self):
+        page, own = said("help", "study").split("\n## Models and tests of this program\n")
         self.assertEqual(page, PAGE.read_text())
         self.assertRegex(own, r"\| `magic_formula` \| Magic Formula \| a \.tir file \|")
         self.assertRegex(own, r"\| `footprint` \| .* \| fe_tire, inp_tire, ring_tire, rigid_ring, magic_formula \|")
+
+    def test_programs_get_kind_unit_range_choices_default_and_sentence_of_every_key(self):
+        found = sections()
+        keys = [key for section in found.values() for key in section["keys"]]
+        self.assertGreater(len(keys), 300)
+        for key in keys:
+            self.assertTrue(key["sentence"].endswith("."), key)
+            self.assertTrue(key["forms"], key)
+        drum = {key["path"]: key for key in found['Test "drum_cleat": over a cleat on the drum']["keys"]}
+        self.assertEqual(drum["drum_diameter"]["forms"], [{"kind": "quantity", "units": ["m"], "lower": 0.2, "lower_excluded": False, "upper": 100.0}])
+        self.assertEqual(drum["passages"]["defaults"], ["1"])
+        self.assertTrue(drum["speed"]["required"])
+        self.assertEqual(found["[run]"]["table"], "run")
+        failure = next(key for key in found["[run]"]["keys"] if key["path"] == "on_failure")
+        self.assertEqual(failure["forms"][0]["choices"], ["proceed", "abort", "retry", "recover", "continuation"])
+
+    def test_no_word_of_the_program_s_code_is_on_the_page(self):
+        self.assertNotRegex(PAGE.read_text(), r"\bk[A-Z][a-z]{2,}\w*|any_model|\w+_keys\b|std::|\w+\.h\b")
+
+    def test_units_of_examples_are_those_of_their_keys(self):
+        """A scale of x over time is a time: "10 %" fits only where x has no unit."""
+        rows = [line for line in PAGE.read_text().splitlines() if line.startswith("| `x_scale`")]
+        self.assertEqual(len(rows), 1)
+        self.assertIn('"10 ms" over time', rows[0])
+        self.assertIn("only where x has no unit", rows[0])
+        self.assertNotRegex(PAGE.read_text(), r"noise = \{\w+ = 20\}")
+
+    def test_every_example_is_a_sample_that_was_read(self):
+        samples = [sample for section in sections().values() for sample in section["samples"]]
+        page = PAGE.read_text()
+        self.assertGreater(sum(sample in page for sample in samples), 35)
+
+    def test_help_of_a_verb_is_in_the_answer_for_programs(self):
+        self.assertIn("latsch help", json.loads(said("help", "--json"))["result"]["text"])
+        self.assertIn("--set", json.loads(said("help", "simulate", "--json"))["result"]["text"])
 
 
 if __name__ == "__main__":

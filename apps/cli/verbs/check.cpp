@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/file.h"
 #include "base/text.h"
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
@@ -35,7 +36,6 @@
 #include "evaluation/journal/journal.h"
 #include "evaluation/journal/local_file_system.h"
 #include "experiment/language/model_file.h"
-#include "formats/text/pipe.h"
 
 namespace latsch::cli {
 namespace {
@@ -303,7 +303,7 @@ void check_model(const std::string& file, const experiment::Language& language) 
 /// True if a file is a model of some kind: a car, a suspension, a tire. Any other file is read as a
 /// study, with the error messages of a study.
 bool is_model(const std::string& file, const experiment::Language& language) {
-  formats::expect_no_pipe(file);
+  expect_no_pipe(file);
   if (!experiment::is_document(file)) return true;
   if (is_study(file)) return false;
   const Node root = Document::read(file).root();

@@ -96,6 +96,7 @@ void compare_models(const std::string& name,
           progress.update(done, all, "runs");
         });
   }
+  for (const std::string& limit : limits_of_models(file, comparison)) warn(limit, {name, 0});
   write_text_file(output, model_comparison_page(file, comparison));
   say("{}\n\n", file.title);
   for (std::size_t i = 0; i < file.cases.size(); ++i)

@@ -3,31 +3,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "base/text.h"
 #include "cli/console/console.h"
 #include "cli/templates/study_reference.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/study_keys.h"
 
 namespace latsch::cli {
 namespace {
-
-/// Returns the sections of the page without those of tests that this program does not have.
-std::string sections(std::string_view page, const std::vector<std::string>& tests) {
-  constexpr std::string_view kSection = "\n## ", kTest = "\n## Test \"";
-  std::string kept;
-  while (!page.empty()) {
-    const std::string_view section = page.substr(0, page.find(kSection, 1));
-    page.remove_prefix(section.size());
-    std::string_view name = section;
-    if (section.starts_with(kTest))
-      name = section.substr(kTest.size(), section.find('"', kTest.size()) - kTest.size());
-    if (name == section || std::find(tests.begin(), tests.end(), name) != tests.end())
-      kept += section;
-  }
-  return kept;
-}
 
 std::string models_and_tests(const experiment::Language& language) {
   std::string text =
@@ -43,9 +28,17 @@ std::string models_and_tests(const experiment::Language& language) {
   return text;
 }
 
+void help_on_study(const experiment::Language& language) {
+  const experiment::KeyTable keys = correlation::read_study_keys(language);
+  if (answers_in_json()) {
+    answer()["sections"] = study_keys_json(keys);
+  } else {
+    put(study_reference(keys) + models_and_tests(language));
+  }
+}
+
 void help(const CommandLine& app, const experiment::Language& language, const std::string& topic) {
-  if (topic == "study")
-    return put(sections(study_reference(), language.test_names()) + models_and_tests(language));
+  if (topic == "study") return help_on_study(language);
   const auto text = app.help(topic);
   if (!text) {
     std::vector<std::string> topics = app.verbs();
@@ -53,7 +46,11 @@ void help(const CommandLine& app, const experiment::Language& language, const st
     throw InputError("no help on " + in_quotes(topic) + did_you_mean(topic, topics) +
                      "\nlatsch help lists the verbs");
   }
-  put(*text);
+  if (answers_in_json()) {
+    answer()["text"] = *text;
+  } else {
+    put(*text);
+  }
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "cli/verbs/verbs.h"
 #include "formats/road/road_file.h"
 #include "formats/tables/csv_table.h"
+#include "models/road/drum_road.h"
 #include "models/road/road_reader.h"
 
 namespace latsch::cli {
@@ -31,7 +32,10 @@ struct Beyond {
   std::string first;  // place of the first one, and what ends there
 };
 
-void warn_of_points_beyond(const Beyond& beyond, std::size_t points, const std::string& road) {
+void warn_of_points_beyond(const Beyond& beyond,
+                           std::size_t points,
+                           const std::string& road,
+                           bool is_grid) {
   if (beyond.count == 0) return;
   std::string sentence =
       fmt::format("warning: {} of {} points lie beyond the data of the road, the first at {}",
@@ -40,11 +44,19 @@ void warn_of_points_beyond(const Beyond& beyond, std::size_t points, const std::
                   beyond.first);
   if (beyond.without_road > 0)
     sentence += fmt::format(
-        "; {} of them have no height, because a border mode of 0 says that there is no road",
-        beyond.without_road);
+        "; {} of them have no height, because {}",
+        beyond.without_road,
+        is_grid ? "a border mode of 0 says that there is no road" : "they are beside the drum");
   if (beyond.without_road < beyond.count)
     sentence += "; beyond its data a road is continued, not measured";
   warn(sentence, {road, 0});
+}
+
+/// True if a road whose data end before a point is continued there.
+bool is_there(const formats::RoadFile& file, double x, double y) {
+  if (const auto* drum = dynamic_cast<const road::DrumRoad*>(file.road.get()))
+    return std::abs(x) <= drum->radius();
+  return !file.crg || file.crg->elevation(file.crg->locate(x, y));
 }
 
 /// Returns one row for each point: height, normal, friction; u and v if the road has them. A point
@@ -61,8 +73,7 @@ Channels ask(const formats::RoadFile& file,
   for (std::size_t i = 0; i < x.size(); ++i) {
     road::GroundPoint ground = file.road->at(x[i], y[i], time[i]);
     const std::string words = file.road->beyond(x[i], y[i]);
-    const bool has_road =
-        words.empty() || !file.crg || file.crg->elevation(file.crg->locate(x[i], y[i]));
+    const bool has_road = words.empty() || is_there(file, x[i], y[i]);
     if (!words.empty() && beyond.count++ == 0)
       beyond.first = fmt::format("x = {:g} m, y = {:g} m: {}", x[i], y[i], words);
     if (!has_road) {
@@ -138,7 +149,7 @@ int road(const RoadOptions& options) {
   Beyond beyond;
   const Channels answers = ask(file, x, y, time, beyond);
   give(answers, options.output);
-  warn_of_points_beyond(beyond, x.size(), options.road);
+  warn_of_points_beyond(beyond, x.size(), options.road, file.crg != nullptr);
   return kDone;
 }
 
@@ -157,7 +168,11 @@ void add_road(CommandLine& app, Program& program) {
       "POINTS.csv has columns x, y and, for a road that moves, time; their units may stand in "
       "brackets, \"x [mm]\",\n"
       "and are SI if none is given.\n\n"
-      "Examples:\n  latsch road track.crg points.csv > ground.csv\n"
+      "Examples:\n"
+      "  printf 'kind = \"kerb\"\\nshape = \"saw_tooth\"\\npitch = \"1 m\"\\nwidth = \"0.8 m\"\\n"
+      "height = \"25 mm\"\\ncount = 3\\n' > kerb.toml\n"
+      "  printf 'x [m],y [m]\\n0.2,0\\n0.5,0\\n' > points.csv\n"
+      "  latsch road kerb.toml points.csv > ground.csv\n"
       "  latsch road kerb.toml --triangles kerb.rdf");
   auto options = std::make_shared<RoadOptions>();
   verb.add_option("road", options->road, "Road file").required();

@@ -12,6 +12,7 @@
 #include "cli/run/model_source.h"
 #include "cli/run/served_studies.h"
 #include "cli/verbs/verbs.h"
+#include "studio/shelf/shelf.h"
 
 namespace latsch::cli {
 namespace {
@@ -26,7 +27,7 @@ struct AskedToServe {
 void serve(const AskedToServe& asked, const experiment::Language& language) {
   if (!std::filesystem::exists(asked.folder))
     throw InputError({asked.folder, 0}, "does not exist: expected a folder of studies, or a study");
-  if (std::filesystem::is_regular_file(asked.folder) && !is_study(asked.folder))
+  if (!std::filesystem::is_directory(asked.folder) && !is_study(asked.folder))
     throw InputError({asked.folder, 0}, "is no study: expected a folder of studies, or a study");
   catch_interrupts();
   const ServedStudies served({asked.folder, asked.listen, asked.port}, language);
@@ -35,6 +36,10 @@ void serve(const AskedToServe& asked, const experiment::Language& language) {
         "other machines can reach this address: whoever knows it may start and stop runs of these "
         "studies; nothing on the way is encrypted. A tunnel is safer: ssh -L PORT:localhost:PORT");
   say("Studies below {}\n", std::filesystem::canonical(asked.folder).string());
+  if (std::filesystem::is_directory(asked.folder) && studio::find_studies(asked.folder).empty())
+    warn(asked.folder +
+         ": there is no study in this folder or below it yet; the page shows one as soon as it is "
+         "there. latsch new FOLDER writes one");
   put(served.address() + "\n");  // also with --quiet
   say("Ctrl-C ends the page; runs it has started continue\n");
   std::fflush(stdout);  // a program that reads the output from a pipe waits for the address
@@ -52,9 +57,9 @@ void add_serve(CommandLine& app, Program& program) {
       "The address it prints holds a token: it alone opens the page, and a new one is made every "
       "time.\nThe page reads journals while runs write them; it needs no network. From another "
       "machine:\n  ssh -L 8421:localhost:8421 lab7 latsch serve studies --port 8421\n\n"
-      "Examples:\n  latsch serve                       the studies below this folder\n"
-      "  latsch serve my_tire/study.toml    one of them\n  latsch run study.toml --watch      the "
-      "same beside a run");
+      "Examples:\n  latsch serve                              # the studies below this folder\n"
+      "  latsch serve my_tire/study.toml           # one of them\n"
+      "  latsch run my_tire/study.toml --watch     # the same beside a run");
   auto asked = std::make_shared<AskedToServe>();
   verb.add_option(
       "folder", asked->folder, "Folder of studies, or a study; this folder unless given");

@@ -137,7 +137,7 @@ class SpacedIdentification {
     found_.observe(told);
   }
   const Identification& found() const {
-    if (found_.failure()) raise(*found_.failure());
+    if (!found_.status()) raise(found_.status().failure());
     if (!found_.is_linearized())
       throw InputError(
           "there are no results yet: pass the outcomes of the points in `wanted` to observe()");

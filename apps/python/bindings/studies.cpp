@@ -63,7 +63,7 @@ struct Trials {
   std::vector<DesignPoint> points;
   std::vector<double> targets, violations, seconds;
   std::vector<bool> asked, own;
-  std::vector<std::optional<Failure>> failures;
+  std::vector<Status> failures;
   std::vector<std::string> channels;                             // in order of appearance
   std::map<std::string, std::vector<std::vector<double>>> rows;  // empty: failed
   std::map<std::string, std::string> units;
@@ -99,7 +99,7 @@ Trials trials_of(const Study& as_written, const std::vector<std::string>& names,
     trials.points.push_back(trial.point);
     trials.targets.push_back(score ? score->value : kUnknown);
     trials.violations.push_back(score ? violation(*score) : kUnknown);
-    trials.failures.push_back(score ? std::nullopt : std::optional(score.failure()));
+    trials.failures.push_back(score ? Status() : score.failure());
     trials.seconds.push_back(trial.outcome.wall_time);
     trials.asked.push_back(asked.contains(row, trial.point));
     trials.own.push_back(!ownership.is_known() || ownership.is_own(row, trial.point));
@@ -133,8 +133,8 @@ py::object column(const std::vector<std::vector<double>>& rows) {
 
 py::dict as_dict(const Trials& trials, int variables) {
   py::list failures;
-  for (const auto& failure : trials.failures)
-    failures.append(failure ? failure_value(*failure) : py::none());
+  for (const Status& status : trials.failures)
+    failures.append(status.ok() ? py::none() : failure_value(status.failure()));
   py::array_t<bool> asked(static_cast<py::ssize_t>(trials.asked.size()));
   std::copy(trials.asked.begin(), trials.asked.end(), asked.mutable_data());
   py::array_t<bool> own(static_cast<py::ssize_t>(trials.own.size()));

@@ -48,6 +48,35 @@ TEST(DocumentRecordTest, IsBlindForNotesUnitsOrderDefaultsAndPlace) {
   EXPECT_EQ(one, text_of("[test]\nspeed = \"10 m/s\"\nloads = \"1 kN\"\n", "test"));
 }
 
+TEST(DocumentRecordTest, AValueThatIsAlsoReadAsATextStaysWhatItIs) {
+  const Document document = Document::parse("width = \"3 mm\"\nmode = \"roll\"\n", "test.toml");
+  const DocumentRecord record(document.root());
+  record.node().quantity("width", "m", Range::positive());
+  record.node().text("width");
+  record.node().choice("mode", {"heave", "roll"});
+  record.node().text("mode");
+  const DeclaredKey& width = record.keys().at("width");
+  EXPECT_EQ(width.kind, DeclaredKey::Kind::quantity);
+  EXPECT_EQ(width.units, std::vector<std::string>{"m"});
+  EXPECT_TRUE(width.range.lower_excluded);
+  EXPECT_EQ(record.keys().at("mode").choices.size(), 2u);
+}
+
+TEST(DocumentRecordTest, KnowsWhichKeysMayBeMissingAndWhatATextHasToBe) {
+  const Document document = Document::parse("noise = \"3 %\"\nforce = \"1 N\"\n", "test.toml");
+  const DocumentRecord outer(document.root());
+  const DocumentRecord record(outer.node());
+  if (record.node().has("noise")) record.node().text("noise");
+  record.node().quantity("force", "N");
+  for (int times = 0; times < 2; ++times)
+    DocumentRecord::expects(record.node(), "noise", "a share such as \"3 %\"");
+  for (const auto& keys : {record.keys(), outer.keys()}) {
+    EXPECT_TRUE(keys.at("noise").may_be_missing);
+    EXPECT_FALSE(keys.at("force").may_be_missing);
+    EXPECT_EQ(keys.at("noise").expected, std::vector<std::string>{"a share such as \"3 %\""});
+  }
+}
+
 TEST(DocumentRecordTest, DiffersWithEveryKey) {
   const std::string all =
       "speed = \"10 m/s\"\npressure = \"2 bar\"\nmode = \"roll\"\nspectra = true\ncount = 2\n"

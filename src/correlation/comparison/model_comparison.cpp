@@ -2,6 +2,7 @@
 #include "correlation/comparison/model_comparison.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <atomic>
@@ -15,6 +16,7 @@
 
 #include "base/random.h"
 #include "base/text.h"
+#include "experiment/language/known_limits.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/band_level.h"
 #include "numerics/chi_square.h"
@@ -38,12 +40,42 @@ double rate_of(const Channels& channels) {
   return static_cast<double>(time.size() - 1) / (time.back() - time.front());
 }
 
+/// Throws InputError if the samples of a recording do not follow each other evenly: spectra would
+/// take a gap for none.
+void check_even(const ModelComparisonFile& file,
+                const Channels& channels,
+                const std::string& whose) {
+  constexpr double kOff = 0.5;  // share of a step; less may be the rounding of a table
+  const auto& time = channels["time"];
+  const double step = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  for (std::size_t i = 1; i < time.size(); ++i)
+    if (!(std::abs(time[i] - time[i - 1] - step) <= kOff * step))
+      throw InputError(
+          {file.file.string(), 0},
+          fmt::format("{} is not even in time: sample {} follows at {:.6g} s the one at {:.6g} s, "
+                      "where {:.4g} s are usual",
+                      whose,
+                      i + 1,
+                      time[i],
+                      time[i - 1],
+                      step));
+}
+
 /// Filters forward only, starting from the steady state of the first 20 ms, so that later samples
 /// do not affect earlier ones.
-Channels low_passed(const Channels& recording, double edge) {
+Channels low_passed(const ModelComparisonFile& file, const Channels& recording) {
+  const double edge = file.low_pass;
   if (edge == 0.0) return recording;
   constexpr double kFirst = 0.02;  // s
   const double rate = rate_of(recording);
+  if (edge >= 0.5 * rate)
+    throw InputError(
+        {file.file.string(), 0},
+        fmt::format("reference.low_pass is {:g} Hz, but {:g} samples a second hold nothing above "
+                    "{:g} Hz; expected a lower edge, or none",
+                    edge,
+                    rate,
+                    0.5 * rate));
   const auto filter = numerics::polynomials_of(
       numerics::butterworth(2, numerics::FilterBand::low_pass, {edge}, rate));
   const auto rest = numerics::steady_state(filter);
@@ -91,14 +123,19 @@ std::unique_ptr<experiment::Test> read_case(const Document& document,
   return test;
 }
 
+/// `limits`: receives the limits of the model in the test, unless it is null.
 Channels run_of(const ComparedModel& model,
                 const Document& numbers,
                 const experiment::Test& test,
-                const std::string& name) {
-  auto channels = test.run(*model.kind->build(numbers));
+                const std::string& name,
+                std::vector<std::string>* limits = nullptr) {
+  const auto specimen = model.kind->build(numbers);
+  auto channels = test.run(*specimen);
   if (!channels)
     throw std::runtime_error(
         fmt::format("{} in {}: {}", model.title, name, channels.failure().reason));
+  if (const auto* tells = dynamic_cast<const experiment::TellsLimits*>(&test); tells && limits)
+    *limits = tells->limits(*specimen);
   return std::move(*channels);
 }
 
@@ -173,7 +210,17 @@ std::vector<numerics::Density> densities_of(const ModelComparisonFile& file,
                                             const Channels& channels,
                                             const std::string& whose) {
   std::vector<numerics::Density> all;
-  const double rate = rate_of(channels);
+  check_even(file, channels, whose);
+  const double rate = rate_of(channels), first = channels["time"].front();
+  constexpr double kRounding = 1e-9;  // s
+  if (file.has_from && file.from < first - kRounding)
+    throw InputError(
+        {file.file.string(), 0},
+        fmt::format("from is {:g} s, but {} begins at {:.4g} s; expected a later time, "
+                    "or no from for the whole record",
+                    file.from,
+                    whose,
+                    first));
   for (const std::string& name : file.channels) {
     const auto values = counted(file, channels, name, whose);
     if (values.size() < 16)
@@ -182,6 +229,45 @@ std::vector<numerics::Density> densities_of(const ModelComparisonFile& file,
     all.push_back(numerics::power_density(values, rate, welch_of(file, values.size(), rate)));
   }
   return all;
+}
+
+bool is_in(double frequency, FrequencyBand band) {
+  return frequency >= band.lower - 1e-9 && frequency <= band.upper + 1e-9;
+}
+
+/// Throws InputError if a channel of the reference is still in a band, to which nothing can be
+/// compared.
+void check_power(const ModelComparisonFile& file, const std::vector<numerics::Density>& reference) {
+  for (std::size_t c = 0; c < reference.size(); ++c)
+    for (const auto& [name, band] : file.bands) {
+      double most = 0.0;
+      for (std::size_t k = 0; k < reference[c].value.size(); ++k)
+        if (is_in(reference[c].frequency[k], band)) most = std::max(most, reference[c].value[k]);
+      if (most > 0.0) continue;
+      throw InputError({file.file.string(), 0},
+                       fmt::format("{} of {} does not move in band.{}, so there is nothing to "
+                                   "compare with; expected another channel or band",
+                                   in_quotes(file.channels[c]),
+                                   file.reference.title,
+                                   name));
+    }
+}
+
+/// Throws InputError for a channel of `told` that no test of the models records.
+void check_told(const ModelComparisonFile& file,
+                const std::vector<std::unique_ptr<experiment::Test>>& tests) {
+  for (const std::string& name : file.told) {
+    std::vector<std::string> recorded;
+    for (const auto& test : tests)
+      for (const experiment::ChannelInfo& channel : test->channels())
+        if (std::find(recorded.begin(), recorded.end(), channel.name) == recorded.end())
+          recorded.push_back(channel.name);
+    if (std::find(recorded.begin(), recorded.end(), name) != recorded.end()) continue;
+    throw InputError(
+        {file.file.string(), 0},
+        fmt::format(
+            "told has {}, which no test records{}", in_quotes(name), did_you_mean(name, recorded)));
+  }
 }
 
 /// Returns white noise as stated.
@@ -196,10 +282,6 @@ std::vector<LineNoise> noise_of(const ModelComparisonFile& file, const Channels&
                    independent_segments(static_cast<int>(samples), welch_of(file, samples, rate))});
   }
   return all;
-}
-
-bool is_in(double frequency, FrequencyBand band) {
-  return frequency >= band.lower - 1e-9 && frequency <= band.upper + 1e-9;
 }
 
 bool has(const Document& numbers, const std::vector<std::string>& wanted) {
@@ -422,7 +504,7 @@ ModelRun run_model(const ModelComparisonFile& file,
   const auto& reference = compared.reference;
   ModelRun run;
   const double begin = cpu_seconds();
-  const Channels channels = run_of(model, model.numbers, test, one.name);
+  const Channels channels = run_of(model, model.numbers, test, one.name, &run.limits);
   run.cpu = cpu_seconds() - begin;
   run.densities = densities_of(file, channels, model.title);
   for (std::size_t c = 0; c < reference.size(); ++c)
@@ -470,6 +552,24 @@ void share_out(std::size_t count, int threads, const std::function<void(std::siz
 }
 
 }  // namespace
+
+std::vector<std::string> limits_of_models(const ModelComparisonFile& file,
+                                          const ModelComparison& comparison) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> limits;  // with their cases
+  for (std::size_t m = 0; m < file.models.size(); ++m)
+    for (std::size_t i = 0; i < file.cases.size(); ++i)
+      for (const std::string& limit : comparison.cases[i].models[m].limits) {
+        const std::string sentence = file.models[m].title + ": " + limit;
+        auto known = std::find_if(
+            limits.begin(), limits.end(), [&](const auto& one) { return one.first == sentence; });
+        if (known == limits.end()) known = limits.insert(known, {sentence, {}});
+        known->second.push_back(file.cases[i].name);
+      }
+  std::vector<std::string> sentences;
+  for (const auto& [sentence, cases] : limits)
+    sentences.push_back(fmt::format("{} ({})", sentence, fmt::join(cases, ", ")));
+  return sentences;
+}
 
 double ModelRun::mean_distance(std::size_t band) const { return mean(distance[band]); }
 double ModelRun::mean_decibels(std::size_t band) const { return mean(decibels[band]); }
@@ -566,12 +666,14 @@ ModelComparison compare_models(const ModelComparisonFile& as_written,
   share_out(count, threads, [&](std::size_t i) {
     const Channels recording = reference_of(file, i, language);
     all.cases[i].reference = densities_of(file, recording, file.reference.title);
+    check_power(file, all.cases[i].reference);
     all.cases[i].noise = noise_of(file, recording);
     all.cases[i].models.resize(file.models.size());
-    const Channels conditions = low_passed(recording, file.low_pass);
+    const Channels conditions = low_passed(file, recording);
     tests[i] = read_case(
         file.cases[i].model_test, file.tests[file.cases[i].test].folder, language, &conditions);
   });
+  check_told(file, tests);
   std::mutex guard;
   long done = 0;
   const std::size_t runs = count * file.models.size();

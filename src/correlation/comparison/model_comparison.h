@@ -41,11 +41,12 @@ struct ModelRun {
   std::vector<numerics::Density> densities;
   std::vector<std::vector<double>> distance, decibels;  // [band][channel]
   std::vector<std::vector<double>> lower, upper;        // [channel][line]; empty: no bands
-  std::vector<double> coverage;  // share of lines in the first band; empty: no bands
-  std::vector<double> reach;     // mean half width of the band of ln S, each channel
-  std::vector<double> told;      // means of the `told` channels; NaN: the model does not record
-                                 // that channel
-  double cpu = 0.0;              // CPU time of the run itself, s
+  std::vector<double> coverage;     // share of lines in the first band; empty: no bands
+  std::vector<double> reach;        // mean half width of the band of ln S, each channel
+  std::vector<double> told;         // means of the `told` channels; NaN: the model does not record
+                                    // that channel
+  std::vector<std::string> limits;  // sentences on what the model or the test lacks
+  double cpu = 0.0;                 // CPU time of the run itself, s
 
   /// Returns the mean over the channels.
   double mean_distance(std::size_t band) const;
@@ -91,6 +92,10 @@ ModelComparison compare_models(const ModelComparisonFile& file,
                                const experiment::Language& language,
                                int threads,
                                const std::function<void(long done, long all)>& tell = {});
+
+/// Returns the limits that the models have met in their tests, each with the cases.
+std::vector<std::string> limits_of_models(const ModelComparisonFile& file,
+                                          const ModelComparison& comparison);
 
 /// Returns RMS(a - b) / RMS(b) over the lines of the band.
 double psd_distance(const numerics::Density& a, const numerics::Density& b, FrequencyBand band);

@@ -51,6 +51,12 @@ void read_reference(const Node& table,
                          : channel.starts_with("line") ? "m"
                                                        : "N";
       file.noise[channel] = noise->quantity(channel, unit, Range::not_negative());
+      const auto& compared = file.channels;
+      if (!file.recordings.empty() &&
+          std::find(compared.begin(), compared.end(), channel) == compared.end())
+        noise->reject(channel,
+                      "is of a channel that is not compared, and recordings have their noise "
+                      "already: expected one of the compared channels");
     }
   }
 }
@@ -168,6 +174,8 @@ void read_uncertainty(const Node& root, ModelComparisonFile& file) {
   }
   if (const auto table = root.find_table("bands")) {
     file.samples = static_cast<int>(table->integer("samples", 0, 10'000, 0));
+    if (file.samples == 1)
+      table->reject("samples", "is 1, which has no quantiles; expected 0 or at least 2");
     file.band_seed = table->integer("seed", 0, 1'000'000'000, 1);
     file.level = table->quantity("level", "1", Range::between(0.1, 0.999), 0.9);
   }
@@ -246,6 +254,8 @@ ModelComparisonFile read_model_comparison(const fs::path& path,
       file.channels.size())
     root.reject("channels", "has a channel twice, expected each once");
   if (root.has("told")) file.told = root.texts("told");
+  if (std::set<std::string>(file.told.begin(), file.told.end()).size() != file.told.size())
+    root.reject("told", "has a channel twice, expected each once");
   file.has_from = root.has("from");
   if (file.has_from) file.from = root.quantity("from", "s");
   file.segment = root.quantity("segment", "s", Range::positive());

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/document_record.h"
 #include "base/text.h"
 #include "base/unit_reading.h"
 #include "correlation/laboratory/columns_hint.h"
@@ -32,6 +33,7 @@ std::vector<std::string> names_of(const Channels& channels) {
 
 /// Reads one window or several.
 std::vector<std::string> windows_of(const Node& table, const std::string& key) {
+  DocumentRecord::expects(table, key, R"(a window such as "900 N .. 1200 N" or a list of windows)");
   try {
     return {table.text(key)};
   } catch (const InputError&) {
@@ -142,6 +144,7 @@ void check_signs(const Node& table, const LabRecord& record, const std::string& 
 void read_zero(const Node& table, LabRecord& record, std::vector<std::string>& words) {
   const auto zero = table.find_table("zero");
   if (!zero) return;
+  DocumentRecord::expects(*zero, "time", R"(a window such as "0 s .. 2 s")");
   const auto [window, fault] = parse_window(zero->text("time"), "s");
   if (!window) zero->reject("time", "is " + in_quotes(zero->text("time")) + ", " + fault);
   if (record.time().empty()) zero->reject("time", "needs a channel time, and there is none");

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/document_record.h"
 #include "base/text.h"
 #include "base/unit_reading.h"
 #include "correlation/laboratory/stated_share.h"
@@ -59,6 +60,7 @@ bool is_a_text(const Node& table, const std::string& key) {
 }  // namespace
 
 bool is_estimated(const Node& experiment) {
+  DocumentRecord::expects(experiment, "noise", R"("estimated" or "own_stage")");
   return experiment.has("noise") && is_a_text(experiment, "noise") &&
          (experiment.text("noise") == "estimated" || is_of_own_stage(experiment));
 }
@@ -71,6 +73,8 @@ bool is_of_own_stage(const Node& experiment) {
 std::optional<MeasurementNoise> read_noise(const Node& table,
                                            const std::string& unit,
                                            const std::string& key) {
+  DocumentRecord::expects(
+      table, key, R"(a deviation in the unit of what is compared, a share such as "2 %", or both)");
   if (!table.has(key)) return std::nullopt;
   MeasurementNoise noise;
   if (!is_a_text(table, key)) {

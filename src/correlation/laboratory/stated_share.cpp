@@ -4,6 +4,7 @@
 #include <cctype>
 #include <optional>
 
+#include "base/document_record.h"
 #include "base/error.h"
 #include "base/text.h"
 
@@ -44,6 +45,7 @@ void expect_stated_share(const Node& table,
 }
 
 double read_share(const Node& table, const std::string& key, Range range, const std::string& unit) {
+  DocumentRecord::expects(table, key, R"(a share such as "3 %"; without a unit at most 1)");
   const auto text = text_at(table, key);  // first: the last type is recorded
   const double share = table.quantity(key, "1", range);
   expect_stated_share(table, key, text.value_or(""), share, unit);

@@ -14,6 +14,7 @@
 #include "base/units.h"
 #include "correlation/laboratory/measurement_twin.h"
 #include "correlation/observable/compared_frame.h"
+#include "correlation/observable/compared_kinds.h"
 #include "formats/tables/csv_table.h"
 #include "report/report.h"
 
@@ -459,7 +460,7 @@ void Curve::draw_over_natural(const ShownExperiment& shown, report::MeasuredCurv
   }
   if (over.groups.size() > 1)
     for (const auto& group : over.groups)
-      picture.pieces.push_back({group.name, group.from, group.end});
+      picture.pieces.push_back({group.name, group.level, group.from, group.end});
 }
 
 void Curve::draw(const ShownExperiment& shown, report::StudyReport& page) const {
@@ -547,5 +548,15 @@ std::pair<std::string, nlohmann::ordered_json> Curve::answer(const Channels& tri
        {"delay_s",
         comparison.delay ? json_of(comparison.delay->value) : nlohmann::ordered_json(nullptr)}}};
 }
+
+extern const ComparedKind kCurveKind;
+const experiment::KeySection& curve_keys();
+
+const ComparedKind kCurveKind = {
+    "curve",
+    true,
+    [](const Node& table, const std::vector<KnownChannel>& channels, const Measurement* measurement)
+        -> std::shared_ptr<const Observable> { return read_curve(table, *measurement, channels); },
+    curve_keys};
 
 }  // namespace latsch::correlation

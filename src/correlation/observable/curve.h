@@ -31,9 +31,9 @@
 
 #include "base/document.h"
 #include "correlation/laboratory/measurement.h"
+#include "correlation/laboratory/natural_abscissa.h"
 #include "correlation/observable/curve_comparison.h"
 #include "correlation/observable/known_channels.h"
-#include "correlation/observable/natural_abscissa.h"
 #include "correlation/observable/observable.h"
 
 namespace latsch::report {

@@ -17,8 +17,8 @@ namespace latsch::correlation {
 
 /// One stage as it is run.
 struct StageRun {
-  int number = 0;  // counted from 0
-  bool is_last = true;
+  int number = 0;                    // counted from 0
+  bool is_last = true;               // false: another stage follows
   bool next_shares_journal = false;  // true if the next stage adds its trials to the same journal
   Study study;  // the study with the model, start, variables, experiments, noise, optimizer, and
                 // journal of the stage
@@ -27,8 +27,8 @@ struct StageRun {
 /// Result of a stage, with the journal that holds its trials. The journal must exist until
 /// run_stages() has returned.
 struct StageResult {
-  Fit fit;
-  const Journal* journal = nullptr;
+  Fit fit;                           // steps and end of the search
+  const Journal* journal = nullptr;  // holds the stage's trials
 };
 
 /// Runs one stage; nullopt if that is not possible yet.

@@ -16,8 +16,9 @@
 
 namespace latsch::correlation {
 
+/// The steps of one stage's search and its end.
 struct Fit {
-  Run run;
+  Run run;  // every step with its score, the best one, and the reason of the end
   std::optional<std::string> hopeless;  // reason why no point can succeed
   std::vector<OwnStage> own = {};       // one for each experiment, from the earlier stages; set by
                                         // run_stages()

@@ -98,19 +98,17 @@ Result<double> value_of(const ChannelConstraint& constraint, const Channels& cha
   return y;
 }
 
-std::optional<Failure> apply(const ChannelConstraint& constraint,
-                             const Channels& channels,
-                             Score& score) {
+Status apply(const ChannelConstraint& constraint, const Channels& channels, Score& score) {
   const auto value = value_of(constraint, channels);
   if (!value) return value.failure();
   const double y = *value;
   if (constraint.is_equation()) {
     score.equations.push_back((y - *constraint.upper) / constraint.scale);
-    return std::nullopt;
+    return {};
   }
   if (constraint.lower) score.constraints.push_back((*constraint.lower - y) / constraint.scale);
   if (constraint.upper) score.constraints.push_back((y - *constraint.upper) / constraint.scale);
-  return std::nullopt;
+  return {};
 }
 
 std::string in_words(const ChannelConstraint& constraint) {

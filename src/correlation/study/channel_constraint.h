@@ -49,9 +49,7 @@ ChannelConstraint read_channel_range(const Node& table, const std::vector<KnownC
 Result<double> value_of(const ChannelConstraint& constraint, const Channels& channels);
 
 /// Adds the constraint's c or h to the score. Returns a Failure if the trial left no such number.
-std::optional<Failure> apply(const ChannelConstraint& constraint,
-                             const Channels& channels,
-                             Score& score);
+Status apply(const ChannelConstraint& constraint, const Channels& channels, Score& score);
 
 /// Returns "4 kN <= largest stiffness/force".
 std::string in_words(const ChannelConstraint& constraint);

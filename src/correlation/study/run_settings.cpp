@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "base/document_record.h"
 #include "base/text.h"
 #include "base/units.h"
 
@@ -20,6 +21,7 @@ constexpr long kMostLookAhead = 1000;   // points for each worker; all are compu
 constexpr double kLeastMemory = 16e6;   // bytes; with less a worker does not start
 
 double read_memory(const Node& table) {
+  DocumentRecord::expects(table, "memory", R"(an amount of at least 16 MB such as "4 GB")");
   if (!table.has("memory")) return 0.0;
   const std::string text = table.text("memory");
   const auto bytes = parse_memory(text);
@@ -130,6 +132,8 @@ RunSettings read_run_settings(const Node* table, const std::filesystem::path& st
   run.journal = folder / journal;
   if (std::filesystem::is_directory(run.journal))
     table->reject("journal", "is a folder, expected the name of a file in it");
+  if (std::filesystem::exists(run.journal) && !std::filesystem::is_regular_file(run.journal))
+    table->reject("journal", "is a device or a pipe, expected the name of a file");
   const bool names_folder = std::filesystem::path(journal).has_parent_path();
   if (names_folder && !std::filesystem::is_directory(run.journal.parent_path()))
     table->reject("journal",

@@ -92,6 +92,7 @@ TEST(RunSettings, WhatMakesNoSenseIsRefusedInWords) {
 TEST(RunSettings, AJournalThatCannotBeKeptIsRefusedBeforeTheFirstTrial) {
   EXPECT_NE(run_complaint("journal = \"\"").find("is empty"), std::string::npos);
   EXPECT_NE(run_complaint("journal = \"/\"").find("is a folder"), std::string::npos);
+  EXPECT_NE(run_complaint("journal = \"/dev/null\"").find("is a device"), std::string::npos);
   EXPECT_NE(run_complaint("journal = \"nowhere/a.latsch\"").find("folder/nowhere"),
             std::string::npos);
 }

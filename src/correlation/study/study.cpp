@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "correlation/observable/curve.h"
 #include "correlation/observable/values.h"
+#include "correlation/study/keys/declared_keys.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/linear_constraints.h"
 #include "correlation/study/program_specimens.h"
@@ -23,9 +24,12 @@
 #include "correlation/study/study_start.h"
 #include "correlation/study/variables.h"
 #include "evaluation/trial/encoding.h"
-#include "formats/text/pipe.h"
+#include "experiment/language/key_section.h"
 
 namespace latsch::correlation {
+
+const experiment::KeySection& study_keys();
+
 namespace {
 
 /// Reads the variables. Without a model they stand for holes in the input files of a simulator.
@@ -166,29 +170,16 @@ constexpr std::size_t kLargestMeasurement = std::size_t{2} << 30;
 /// If a table's name is misspelled, another table seems to be missing. Reports the first unknown
 /// table that resembles a known one.
 void reject_unknown_table(const std::filesystem::path& file) {
-  static const std::vector<std::string> kTables{"model",
-                                                "simulator",
-                                                "test",
-                                                "variable",
-                                                "linear_constraint",
-                                                "tie",
-                                                "constraint",
-                                                "measurement",
-                                                "experiment",
-                                                "target",
-                                                "optimizer",
-                                                "stage",
-                                                "refined",
-                                                "doe",
-                                                "run"};
+  std::vector<std::string> known;
+  for (const auto& key : study_keys().sentences) known.push_back(key.path);
   std::istringstream lines(read_text_file(file));
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     const auto from = line.find_first_not_of('[');
     if (from == 0 || from == std::string::npos) continue;
     const std::string name = line.substr(from, line.find_first_of(".]", from) - from);
-    if (std::find(kTables.begin(), kTables.end(), name) != kTables.end()) continue;
-    const std::string meant = did_you_mean(name, kTables);
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string meant = did_you_mean(name, known);
     if (meant.empty()) continue;
     throw InputError({file.string(), number}, "unknown table [" + name + "]" + meant);
   }
@@ -242,7 +233,21 @@ void check_reach(const Node& root,
   const auto reach = test->test->reach(channel.substr(name.size() + 1));
   if (!reach) return;
   const auto [least, most] = std::minmax_element(curve.x_measured.begin(), curve.x_measured.end());
-  if (reach->from <= *least && *most <= reach->to) return;
+  const bool is_within = reach->from <= *least && *most <= reach->to;
+  const double room = (*least - reach->from) + (reach->to - *most);
+  constexpr double kNoRoom = 1e-9;  // share of the record; less is rounding of time
+  if (is_within && curve.fits_delay && room <= kNoRoom * (*most - *least))
+    table.reject(
+        "nuisance",
+        fmt::format("asks for a delay, but the measurement and the test \"{}\"{} both reach "
+                    "from {:g} to {:g} {}, which leaves no room for one; select a shorter "
+                    "part of the recording or make the test longer",
+                    name,
+                    of,
+                    *least,
+                    *most,
+                    curve.x_unit));
+  if (is_within) return;
   table.reject("measurement",
                fmt::format("reaches from {:g} to {:g} {}, but the test \"{}\"{} from {:g} to {:g}; "
                            "make the test longer or the measurement shorter",
@@ -321,11 +326,12 @@ void check_tests(const Node& root, const Study& study) {
   }
 }
 
+/// `root`: the document's root, by which its keys are read.
 Study read(const Document& document,
+           const Node& root,
            const std::filesystem::path& file,
            Measurements measurements,
            const experiment::Language& language) {
-  const Node root = document.root();
   const auto folder = file.parent_path();
   const Laboratory laboratory = read_laboratory(root, folder);
   WhatVaries what = read_what_varies(root, file, language, laboratory);
@@ -394,7 +400,6 @@ Study read(const Document& document,
 Study read_study(const std::filesystem::path& file,
                  const experiment::Language& language,
                  Measurements measurements) {
-  formats::expect_no_pipe(file);
   const Document document = Document::read(file);
   if (document.root().has("kind"))
     document.root().reject("kind",
@@ -402,11 +407,19 @@ Study read_study(const std::filesystem::path& file,
                                ": that is a tire, a road or a test, expected a study, which has a "
                                "model, [variable.NAME] and [experiment.NAME]");
   try {
-    return read(document, file, measurements, language);
+    return read(document, document.root(), file, measurements, language);
   } catch (const InputError&) {
     reject_unknown_table(file);
     throw;
   }
+}
+
+std::map<std::string, DeclaredKey> keys_of_study(const std::filesystem::path& file,
+                                                 const experiment::Language& language) {
+  const Document document = Document::read(file);
+  const DocumentRecord record(document.root());
+  read(document, record.node(), file, Measurements::required, language);
+  return record.keys();
 }
 
 std::vector<std::string> tests_asked_for(const Study& study) {

@@ -44,20 +44,21 @@ namespace latsch::correlation {
 
 /// Start of a search: study_start.h.
 struct StartSettings {
+  /// The values of the study, the best trial of a journal, or the minima of the study's design.
   enum class From { values, journal, basins };
-  From from = From::values;
-  int starts = 1;
+  From from = From::values;  // start of the search
+  int starts = 1;            // number of minima of the design to begin at, from the lowest
   std::filesystem::path journal = {};  // another journal to start from; empty: the study's own
 };
 
 /// One [stage.NAME]: study_stages.h.
 struct StageSettings {
-  std::string name;
-  OptimizerSettings optimizer;
-  long max_steps = 1000;
-  StartSettings start = {};
-  double bounds = 1.0;                                       // width of the bounds over that of the
-                                                             // study's
+  std::string name;             // NAME of the table
+  OptimizerSettings optimizer;  // method and its options in this stage
+  long max_steps = 1000;        // number of steps after which the stage ends
+  StartSettings start = {};     // start of the stage's search
+  double bounds = 1.0;          // width of the bounds over that of the
+                                // study's
   std::vector<std::pair<std::string, double>> numbers = {};  // numbers of the model by path, SI
   std::vector<int> free = {};                                // indices of the variables that move;
                                                              // empty: all
@@ -71,31 +72,33 @@ struct Refinement {
   std::shared_ptr<const Specimens> specimens = {};      // set for an outside program
 };
 
+/// Largest max_steps that a study may state.
 constexpr long kMostSteps = 1'000'000;
 
+/// A study file with everything that it names, ready to run. All numbers are in SI.
 struct Study {
-  std::filesystem::path file;
-  std::string title;
-  std::filesystem::path model_file;
-  Document model;  // file's content; at(model, space, point) inserts the variables
-  DesignSpace space;
+  std::filesystem::path file;        // the study file
+  std::string title;                 // for people
+  std::filesystem::path model_file;  // empty: the study has an outside program in place of a model
+  Document model;     // file's content; at(model, space, point) inserts the variables
+  DesignSpace space;  // the variables with their bounds and initial values
   std::vector<StudyExperiment> experiments;  // in the order of the file
-  OptimizerSettings optimizer;
-  long max_steps = 1000;
-  std::optional<StudyDesign> doe;
-  RunSettings run;
+  OptimizerSettings optimizer;               // method and its options
+  long max_steps = 1000;                     // number of steps after which the search ends
+  std::optional<StudyDesign> doe;            // design of experiments; none without [doe]
+  RunSettings run;  // workers, time limits and journal; they do not change results
   std::shared_ptr<const Specimens> specimens = {};  // made from `model` or an outside program
   std::vector<StudyTest> tests = {};                // tests of the study and the experiments' own
   std::vector<ChannelConstraint> constraints = {};  // on channels; linear constraints belong to the
                                                     // space
 
-  Laboratory laboratory = {};  // every [measurement.NAME], for their ledgers
-  StartSettings start = {};
-  std::vector<StageSettings> stages = {};  // empty: one run, as [optimizer] says
-  std::optional<Refinement> refinement = {};
-  std::string stage = {};                   // name of the stage that this study is; empty: none
-  std::vector<int> free = {};               // indices of the variables that this stage moves;
-                                            // empty: all
+  Laboratory laboratory = {};                 // every [measurement.NAME], for their ledgers
+  StartSettings start = {};                   // start of the search
+  std::vector<StageSettings> stages = {};     // empty: one run, as [optimizer] says
+  std::optional<Refinement> refinement = {};  // none without [refined]
+  std::string stage = {};                     // name of the stage that this study is; empty: none
+  std::vector<int> free = {};                 // indices of the variables that this stage moves;
+                                              // empty: all
   std::optional<DesignPoint> held_at = {};  // values of the held variables in this stage, if known
   bool asks_slopes = false;                 // true if trials must record slopes: study_slopes.h
   std::string search_key = {};              // everything a search depends on, for the journal's

@@ -6,7 +6,6 @@
 #include <memory>
 #include <mutex>
 #include <numeric>
-#include <optional>
 
 #include "correlation/study/study_slopes.h"
 #include "correlation/target/compared_trial.h"
@@ -174,7 +173,7 @@ Objective objective(const Study& study) {
           score.stand_ins += static_cast<int>(comparison.pairing.missing.size());
         }
         for (const ChannelConstraint& constraint : constraints) {
-          if (auto failure = apply(constraint, channels, score)) return *failure;
+          if (const Status done = apply(constraint, channels, score); !done) return done.failure();
         }
         return score;
       },

@@ -43,7 +43,7 @@ Result<TargetParts> PartedTarget::parts(const DesignPoint& point, const Channels
   }
   Score limits;
   for (const ChannelConstraint& constraint : constraints_)
-    if (auto failure = apply(constraint, channels, limits)) return *failure;
+    if (const Status done = apply(constraint, channels, limits); !done) return done.failure();
   parts.violation = violation(limits);
   return parts;
 }

@@ -39,13 +39,10 @@ void read_experiment_of(const Node& table,
   check.experiment = read_experiment(table, context, tests);
 }
 
-}  // namespace
-
-Suite read_suite(const std::filesystem::path& file,
-                 const experiment::SpecimenKind& kind,
-                 const experiment::Language& language) {
-  const Document document = Document::read(file);
-  const Node root = document.root();
+Suite read(const Node& root,
+           const std::filesystem::path& file,
+           const experiment::SpecimenKind& kind,
+           const experiment::Language& language) {
   const auto checks = root.named_tables("check");
   if (checks.empty())
     root.reject("check",
@@ -73,6 +70,23 @@ Suite read_suite(const std::filesystem::path& file,
   root.close();
   for (const auto& measurement : laboratory) refuse_doubtful(measurement->ledgers());
   return suite;
+}
+
+}  // namespace
+
+Suite read_suite(const std::filesystem::path& file,
+                 const experiment::SpecimenKind& kind,
+                 const experiment::Language& language) {
+  return read(Document::read(file).root(), file, kind, language);
+}
+
+std::map<std::string, DeclaredKey> keys_of_suite(const std::filesystem::path& file,
+                                                 const experiment::SpecimenKind& kind,
+                                                 const experiment::Language& language) {
+  const Document document = Document::read(file);
+  const DocumentRecord record(document.root());
+  read(record.node(), file, kind, language);
+  return record.keys();
 }
 
 }  // namespace latsch::correlation

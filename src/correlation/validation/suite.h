@@ -27,10 +27,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/document_record.h"
 #include "correlation/study/channel_constraint.h"
 #include "correlation/study/study_experiment.h"
 #include "experiment/language.h"
@@ -57,5 +59,9 @@ struct Suite {
 Suite read_suite(const std::filesystem::path& file,
                  const experiment::SpecimenKind& kind,
                  const experiment::Language& language);
+/// Reads a suite and returns every key that its readers request, by its path.
+std::map<std::string, DeclaredKey> keys_of_suite(const std::filesystem::path& file,
+                                                 const experiment::SpecimenKind& kind,
+                                                 const experiment::Language& language);
 
 }  // namespace latsch::correlation

@@ -18,6 +18,7 @@ class Executor {
  public:
   virtual ~Executor() = default;
 
+  /// Returns the number of trials that can run at the same time.
   virtual int workers() const = 0;
   /// Returns the number of workers without a trial.
   virtual int idle() const = 0;

@@ -10,6 +10,7 @@ namespace latsch {
 
 class InlineExecutor : public Executor {
  public:
+  /// Evaluates every trial by `evaluator`.
   explicit InlineExecutor(Evaluator evaluator);
 
   int workers() const override { return 1; }

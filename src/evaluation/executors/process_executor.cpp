@@ -24,6 +24,9 @@ constexpr int kMostFailedStarts = 3;
 // A cause that kills this many processes in a row from outside, such as a lack of memory, counts as
 // permanent.
 constexpr int kMostKilledStarts = 20;
+// Longest start of a worker that a busy machine delays, as a multiple of ProcessOptions::
+// start_timeout. A larger one lets a run wait longer for a disk that never answers.
+constexpr double kLongestStart = 20.0;
 
 Steady::duration seconds(double s) {
   return std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(s));
@@ -36,6 +39,8 @@ struct Slot {
   std::optional<DesignPoint> point;
   std::uint64_t trial = 0;   // number of its trial; messages contain it
   Steady::time_point since;  // start of the process until it is ready, then start of the trial
+  Steady::time_point seen;   // when the start of the process was last found to proceed
+  double used = 0.0;         // processor time until then, s
 };
 
 }  // namespace
@@ -50,7 +55,8 @@ struct ProcessExecutor::Impl {
   void start_process(Slot& slot) {
     slot.process = std::make_unique<WorkerProcess>(options.arguments, options.memory_limit);
     slot.ready = false;
-    slot.since = Steady::now();
+    slot.since = slot.seen = Steady::now();
+    slot.used = 0.0;
   }
 
   void send_point(Slot& slot) {
@@ -138,19 +144,40 @@ struct ProcessExecutor::Impl {
 
   std::optional<Trial> check_time(Slot& slot) {
     if (Steady::now() < deadline(slot)) return std::nullopt;
-    slot.process->end();
     if (!slot.ready) {
-      restart_or_give_up(slot, fmt::format("took more than {} s", options.start_timeout), false);
+      check_start(slot);
       return std::nullopt;
     }
+    slot.process->end();
     return finish_lost(
         slot,
         {fmt::format("took more than the {} s allowed and was killed", options.timeout),
          Cause::timeout});
   }
 
+  /// Ends a worker whose start does not proceed. On a busy machine a start takes long without a
+  /// fault of the worker.
+  void check_start(Slot& slot) {
+    const double limit = options.start_timeout;
+    const ProcessUse use = slot.process->use();
+    const auto now = Steady::now();
+    std::string fault;
+    if (use.processor_time > limit)
+      fault = fmt::format("used more than {} s of processor time", limit);
+    else if (now - slot.since > seconds(kLongestStart * limit))
+      fault = fmt::format("took more than {} s", kLongestStart * limit);
+    else if (!use.is_held_up && use.processor_time <= slot.used)
+      fault = fmt::format(
+          "neither computed nor waited for a processor or a disk for more than {} s", limit);
+    slot.seen = now;
+    slot.used = use.processor_time;
+    if (fault.empty()) return;
+    slot.process->end();
+    restart_or_give_up(slot, fault, false);
+  }
+
   Steady::time_point deadline(const Slot& slot) const {
-    if (!slot.ready) return slot.since + seconds(options.start_timeout);
+    if (!slot.ready) return slot.seen + seconds(options.start_timeout);
     return slot.point ? slot.since + seconds(options.timeout) : Steady::time_point::max();
   }
 

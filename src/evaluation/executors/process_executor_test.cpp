@@ -4,10 +4,13 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <sys/file.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -328,6 +331,77 @@ TEST(ProcessExecutor, WorkersThatAreAlwaysKilledWhileTheyStartEndTheRun) {
     expect_in_output(error.what(),
                      "(Killed) before it was ready, 20 times in a row; is there too little memory");
   }
+}
+
+/// Returns options for a worker that first runs `script`, a line of the shell. `limit` is that of
+/// its start, s.
+ProcessOptions slow_to_start(const std::string& script, double limit) {
+  ProcessOptions options = worker_options(1);
+  options.arguments.insert(options.arguments.begin(),
+                           {"/bin/sh", "-c", script + R"(; exec "$0" "$@")"});
+  options.start_timeout = limit;
+  return options;
+}
+
+std::string complaint_of_start(const std::string& script) {
+  try {
+    ProcessExecutor executor(slow_to_start(script, 0.3));
+    run_one(executor, {{0.0, 3.0}});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Occupies the processor that this thread may use, which is only one while this exists. Processes
+/// that this thread starts meanwhile have to share that processor.
+class BusyProcessor {
+ public:
+  BusyProcessor() {
+    ::sched_getaffinity(0, sizeof(before_), &before_);
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(::sched_getcpu(), &one);
+    ::sched_setaffinity(0, sizeof(one), &one);  // threads and processes started now inherit it
+    for (std::thread& thread : busy_)
+      thread = std::thread([this] {
+        while (!ends_) {
+        }
+      });
+  }
+  ~BusyProcessor() {
+    ends_ = true;
+    for (std::thread& thread : busy_) thread.join();
+    ::sched_setaffinity(0, sizeof(before_), &before_);
+  }
+
+ private:
+  cpu_set_t before_{};
+  std::atomic<bool> ends_ = false;
+  std::array<std::thread, 2> busy_;
+};
+
+// The worker gets some hundredths of a processor, so that its start takes longer than the limit.
+TEST(ProcessExecutor, AWorkerThatWaitsForAProcessorIsNotLost) {
+  const BusyProcessor busy;
+  const auto begin = std::chrono::steady_clock::now();
+  ProcessExecutor executor(slow_to_start(
+      "renice -n 10 -p $$ > /dev/null; i=0; while [ $i -lt 100000 ]; do i=$((i+1)); done", 1.0));
+  const Trial trial = run_one(executor, {{0.0, 3.0}});
+  ASSERT_TRUE(trial.outcome.result) << trial.outcome.result.failure().reason;
+  EXPECT_EQ((*trial.outcome.result)["y"][0], 9.0);
+  EXPECT_GT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
+}
+
+TEST(ProcessExecutor, AWorkerThatNeitherComputesNorWaitsForAProcessorIsLost) {
+  expect_in_output(complaint_of_start("sleep 100"),
+                   "neither computed nor waited for a processor or a disk for more than 0.3 s "
+                   "before it was ready, 3 times in a row");
+}
+
+TEST(ProcessExecutor, AWorkerThatComputesForEverBeforeItIsReadyIsLost) {
+  expect_in_output(complaint_of_start("while :; do :; done"),
+                   "used more than 0.3 s of processor time before it was ready");
 }
 
 TEST(ProcessExecutor, AProgramThatIsNoWorkerIsReportedInWords) {

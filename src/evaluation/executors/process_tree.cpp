@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/executors/process_tree.h"
 
+#include <unistd.h>
+
 #include <charconv>
 #include <csignal>
 #include <filesystem>
@@ -15,10 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the parent of every process. [proc(5): /proc/PID/stat is "PID (NAME) STATE PARENT ...",
-/// and NAME may hold anything]
-std::map<pid_t, pid_t> parents() {
-  std::map<pid_t, pid_t> parents;
+struct Process {
+  pid_t parent = 0;
+  char state = 'Z';             // R: computes or waits for a processor, D: waits for a disk
+  double processor_time = 0.0;  // s
+};
+
+/// Returns every process. [proc(5): /proc/PID/stat is "PID (NAME) STATE PARENT ...", and NAME may
+/// hold anything; fields 14 to 17 are the times of the process and of its ended children]
+std::map<pid_t, Process> processes() {
+  constexpr int kBetween = 9;  // fields between the parent and the times
+  const double tick = 1.0 / static_cast<double>(::sysconf(_SC_CLK_TCK));  // s
+  std::map<pid_t, Process> all;
   std::error_code ended;
   for (const auto& entry : fs::directory_iterator("/proc", ended)) {
     const std::string name = entry.path().filename();
@@ -31,21 +41,24 @@ std::map<pid_t, pid_t> parents() {
     const std::size_t after_name = stat.rfind(')');
     if (after_name == std::string::npos) continue;  // the process has just ended
     std::istringstream rest(stat.substr(after_name + 1));
-    std::string state;
-    pid_t parent = 0;
-    if (rest >> state >> parent) parents[pid] = parent;
+    Process process;
+    if (!(rest >> process.state >> process.parent)) continue;
+    std::string skipped;
+    for (int i = 0; i < kBetween; ++i) rest >> skipped;
+    for (double ticks = 0.0, i = 0; i < 4 && rest >> ticks; ++i)
+      process.processor_time += ticks * tick;
+    all[pid] = process;
   }
-  return parents;
+  return all;
 }
 
 /// Adds the descendants of the members. Returns true if there were any.
-bool add_descendants(std::set<pid_t>& tree) {
-  const std::map<pid_t, pid_t> all = parents();
+bool add_descendants(const std::map<pid_t, Process>& all, std::set<pid_t>& tree) {
   const std::size_t before = tree.size();
   for (std::size_t size = 0; size != tree.size();) {
     size = tree.size();
-    for (const auto& [pid, parent] : all) {
-      if (tree.contains(parent)) tree.insert(pid);
+    for (const auto& [pid, process] : all) {
+      if (tree.contains(process.parent)) tree.insert(pid);
     }
   }
   return tree.size() > before;
@@ -56,13 +69,28 @@ bool add_descendants(std::set<pid_t>& tree) {
 void kill_descendants(pid_t root) {
   std::set<pid_t> tree{root};
   // A stopped process starts nothing, so once no further descendant is found, all are known.
-  while (add_descendants(tree)) {
+  while (add_descendants(processes(), tree)) {
     for (const pid_t pid : tree) {
       if (pid != root) ::kill(pid, SIGSTOP);
     }
   }
   tree.erase(root);
   for (const pid_t pid : tree) ::kill(pid, SIGKILL);
+}
+
+ProcessUse use_of_tree(pid_t root) {
+  const std::map<pid_t, Process> all = processes();
+  std::set<pid_t> tree{root};
+  add_descendants(all, tree);
+  ProcessUse use;
+  for (const pid_t pid : tree) {
+    const auto found = all.find(pid);
+    if (found == all.end()) continue;
+    const Process& process = found->second;
+    use.processor_time += process.processor_time;
+    use.is_held_up = use.is_held_up || process.state == 'R' || process.state == 'D';
+  }
+  return use;
 }
 
 }  // namespace latsch

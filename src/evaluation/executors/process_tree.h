@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds all descendants of a process in /proc.
+// Finds all descendants of a process in /proc: kills them, or sums up what they have used.
 //
 // A process that became independent of its parents (its parent ended first) is not found. If an
 // outside program does so, it ends with the process group of its worker at the latest.
@@ -14,5 +14,14 @@ namespace latsch {
 /// were killed before killing it, the worker could not react to the death of its parent and would
 /// stay forever.
 void kill_descendants(pid_t root);
+
+/// The use of the machine by a process and its descendants.
+struct ProcessUse {
+  double processor_time = 0.0;  // s, of user and system, with that of children that have ended
+  bool is_held_up = false;      // true if one of them computes or waits for a processor or a disk
+};
+
+/// Returns the use of a process with its descendants; nothing is used if it has ended.
+ProcessUse use_of_tree(pid_t root);
 
 }  // namespace latsch

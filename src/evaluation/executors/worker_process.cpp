@@ -19,7 +19,6 @@
 
 #include "base/error.h"
 #include "evaluation/executors/process_end.h"
-#include "evaluation/executors/process_tree.h"
 #include "evaluation/executors/worker.h"
 
 extern char** environ;

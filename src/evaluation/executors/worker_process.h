@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "evaluation/executors/frame.h"
+#include "evaluation/executors/process_tree.h"
 
 namespace latsch {
 
@@ -44,6 +45,8 @@ class WorkerProcess {
   void receive();
   FrameReader& frames() { return frames_; }
   bool ended() const;
+  /// Returns what the worker and its descendants have used.
+  ProcessUse use() const { return use_of_tree(pid_); }
 
   /// Kills the rest of the process group and returns how the worker ended: "was killed by signal 11
   /// (Segmentation fault)", with the last line it printed.

@@ -4,11 +4,14 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 
 #include <cassert>
 #include <optional>
+#include <utility>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "evaluation/journal/asked_trials.h"
 #include "evaluation/journal/journal_format.h"
 #include "evaluation/journal/journal_lock.h"
@@ -32,6 +35,35 @@ std::string way_out(const std::string& journal) {
 constexpr int kBusyTimeout = 2000;       // ms
 constexpr int kReaderPatience = 60'000;  // ms; a commit waits this long for readers of a rollback
                                          // journal
+
+/// A log of SQLite bears the name by which the journal was opened. Throws InputError if another
+/// hard link in the same folder has one that a killed process has left, because trials would be
+/// missed now and spoiled later.
+void refuse_log_of_other_name(const std::filesystem::path& file) {
+  std::error_code none;
+  const auto own = std::filesystem::canonical(file, none);
+  if (none || std::filesystem::hard_link_count(own, none) < 2 || none) return;
+  for (const auto& entry : std::filesystem::directory_iterator(own.parent_path(), none)) {
+    if (entry.path() == own || entry.is_symlink(none)) continue;
+    for (const char* log : {"-wal", "-journal"}) {
+      const auto left = entry.path().string() + log;
+      const auto size = std::filesystem::file_size(left, none);
+      if (none || size == 0 || !std::filesystem::equivalent(entry.path(), own, none)) continue;
+      throw InputError({file.string(), 0},
+                       "is another name (a hard link) of " + entry.path().string() +
+                           ", whose last trials are in " + left + ": open it by that name");
+    }
+  }
+}
+
+/// A file by its device and its number there.
+using FileId = std::pair<dev_t, ino_t>;
+
+std::optional<FileId> id_of(const std::string& file) {
+  struct stat about {};
+  if (::stat(file.c_str(), &about) != 0) return std::nullopt;
+  return FileId(about.st_dev, about.st_ino);
+}
 
 /// Keeps the packer's state only if the transaction is committed; otherwise the next row must not
 /// refer to the lost one.
@@ -63,6 +95,9 @@ struct Journal::Impl {
   Tally tally;
   std::vector<JournalMark> marks;
   OutcomePacker packer;
+  std::string opened_as = {};            // name of the journal with links followed
+  std::optional<FileId> log_id = {};     // write-ahead log of this writer
+  std::optional<std::string> lost = {};  // message, once the file is no longer in its place
 
   [[noreturn]] void refuse(const std::string& message) const {
     throw InputError({file.string(), 0}, message);
@@ -122,11 +157,96 @@ struct Journal::Impl {
 
   template <class Action>
   auto guarded(Action&& action) const {
+    if (lost) throw JournalError(*lost);
     try {
       return action();
     } catch (const SQLite::Exception& error) {
       report(error);
     }
+  }
+
+  /// A rollback log cannot be begun once the file has another name; a write-ahead log can.
+  template <class Action>
+  void write(Action&& action) {
+    try {
+      guarded(action);
+    } catch (const std::exception&) {
+      keep_trials_if_lost();
+      throw;
+    }
+    keep_trials_if_lost();
+  }
+
+  /// Returns a name beside the journal that no file has.
+  std::filesystem::path free_name() const {
+    for (int number = 1;; ++number) {
+      auto name = file;
+      name.replace_extension(fmt::format(
+          ".saved{}{}", number == 1 ? "" : std::to_string(number), file.extension().string()));
+      if (!std::filesystem::exists(name)) return name;
+    }
+  }
+
+  /// Copies the open journal, whose file may have no name any more, to a free name; returns it.
+  std::filesystem::path save_copy() {
+    const std::filesystem::path copy = free_name();
+    guarded([&] {
+      SQLite::Statement into(*database, "VACUUM INTO ?");
+      into.bind(1, copy.string());
+      into.exec();
+    });
+    return copy;
+  }
+
+  /// Closes the database and removes its log. SQLite leaves the log beside a file that was moved or
+  /// deleted, and would later apply it to another file of that name.
+  void close_and_remove_log() {
+    insert.reset();
+    database.reset();
+    if (!log_id || id_of(opened_as + "-wal") != log_id) return;
+    for (const char* part : {"-wal", "-shm"}) std::filesystem::remove(opened_as + part);
+  }
+
+  /// Gives the copy the journal's name if that is free. Returns the name that the copy has now.
+  std::filesystem::path take_its_place(const std::filesystem::path& copy) {
+    for (const char* part : {"", "-wal", "-journal"})
+      if (std::filesystem::exists(file.string() + part)) return copy;
+    move_file(copy, file);
+    return file;
+  }
+
+  /// Throws JournalError if the file of this writer was deleted, moved or replaced, once its trials
+  /// are safe under a name that the message contains. The journal cannot be used afterwards.
+  void keep_trials_if_lost() {
+    if (!lock || lost || lock->is_in_place()) return;
+    insert.reset();
+    const std::string name = file.string();
+    std::string where;
+    const auto moved = lock->moved_to();
+    if (moved) {
+      guarded([&] { database->exec("PRAGMA wal_checkpoint(TRUNCATE)"); });
+      close_and_remove_log();
+      where = fmt::format(
+          "was moved to {} while it was written; its {} trials are there. Move it "
+          "back and continue with latsch resume",
+          moved->string(),
+          tally.trials);
+    } else {
+      const bool is_replaced = std::filesystem::exists(file);
+      const auto copy = save_copy();
+      close_and_remove_log();
+      const auto saved = take_its_place(copy);
+      where = fmt::format("{} while it was written; its {} trials are saved {}",
+                          is_replaced ? "was replaced by another file" : "was deleted",
+                          tally.trials,
+                          saved == file
+                              ? "under its name again: continue with latsch resume"
+                              : "in " + saved.string() +
+                                    ": give that file the journal's name and continue with latsch "
+                                    "resume");
+    }
+    lost = name + ": " + where;
+    throw JournalError(*lost);
   }
 
   bool is_new() const {
@@ -307,6 +427,7 @@ Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& id
   auto impl = std::make_unique<Impl>();
   impl->file = file;
   impl->lock.emplace(file);
+  refuse_log_of_other_name(file);
   impl->guarded([&] {
     impl->database = std::make_unique<SQLite::Database>(
         file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeout);
@@ -319,6 +440,8 @@ Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& id
     if (is_new) impl->create(identity);
     impl->read_identity();
     impl->read_tally();
+    impl->opened_as = std::filesystem::canonical(file).string();
+    impl->log_id = id_of(impl->opened_as + "-wal");
     impl->expect(identity);  // checked first, so that a refused journal stays unchanged
     if (impl->format != kFormat) {
       const StudyIdentity same = impl->identity;
@@ -362,10 +485,11 @@ Journal Journal::read(const std::filesystem::path& file, const StudyIdentity& id
 
 void Journal::append(std::span<const Trial> trials) {
   assert(impl_->lock && "opened for reading");
-  impl_->guarded([&] { impl_->append(trials); });
+  impl_->write([&] { impl_->append(trials); });
 }
 
 void Journal::for_each(const std::function<void(const Trial&)>& visit) const {
+  impl_->keep_trials_if_lost();
   impl_->guarded([&] { impl_->for_each(visit); });
 }
 
@@ -395,7 +519,7 @@ void Journal::keep_asked(const std::set<std::string>& points) {
 
 void Journal::mark(const std::string& kind, const std::string& text) {
   assert(impl_->lock && "opened for reading");
-  impl_->guarded([&] { impl_->mark(kind, text); });
+  impl_->write([&] { impl_->mark(kind, text); });
 }
 
 const std::vector<JournalMark>& Journal::marks() const { return impl_->marks; }

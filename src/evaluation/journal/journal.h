@@ -3,7 +3,9 @@
 // its channels or its failure, and a hash on every row. A trial is acknowledged once it is on the
 // disk. A restart reads the file again.
 //
-// One process writes (a lock file beside the journal names it); any number may read meanwhile.
+// One process writes (a lock file beside the journal names it); any number may read meanwhile. If
+// somebody deletes, moves or replaces the file while it is written, the writer notices when it
+// next writes or reads: it saves all trials and throws JournalError naming where they are.
 //
 // SQLite's write-ahead log needs memory that reader and writer share, which network file systems do
 // not offer. On these the journal uses a rollback log. A commit then waits for the disk several
@@ -25,6 +27,8 @@ namespace latsch {
 
 class Journal : public TrialStore {
  public:
+  /// SQLite's write-ahead log, which readers need not wait for, or its rollback journal, which also
+  /// works on file systems of several machines.
   enum class Log { write_ahead, rollback };
 
   /// Opens the journal for writing, or creates it. Throws InputError if it belongs to another study
@@ -46,31 +50,40 @@ class Journal : public TrialStore {
   /// outside program.
   static Journal read(const std::filesystem::path& file, const StudyIdentity& identity);
 
+  /// A journal can be moved, not copied. The journal that was moved from must not be used.
   Journal(Journal&&) noexcept;
+  /// Closes this journal and takes over the other.
   Journal& operator=(Journal&&) noexcept;
   ~Journal() override;
 
   /// Writes all trials in one transaction. They are on the disk when it returns.
   void append(std::span<const Trial> trials) override;
+  /// Writes one trial. It is on the disk when it returns.
   void append(const Trial& trial) { append(std::span(&trial, 1)); }
 
   /// Throws JournalError naming the row that does not agree with its hash.
   void for_each(const std::function<void(const Trial&)>& visit) const override;
+  /// Returns all trials in the order in which they were written.
   std::vector<Trial> trials() const;
   /// Visits only the requested trials (asked_trials.h), from which results are taken.
   void for_each_asked(const std::function<void(const Trial&)>& visit) const;
 
   /// Stores the requested points as marks, if these add information.
   void begin_asking() override;
+  /// Stores these points as requested by the search.
   void keep_asked(const std::set<std::string>& points) override;
 
   /// Writes a mark, which is on the disk when it returns. Marks keep their order.
   void mark(const std::string& kind, const std::string& text);
+  /// Returns the marks in the order in which they were written.
   const std::vector<JournalMark>& marks() const;
 
+  /// Returns the number of trials.
   long size() const;
+  /// The file of the journal.
   const std::filesystem::path& file() const;
 
+  /// The identity of the study that the trials belong to.
   const StudyIdentity& identity() const;
 
  private:

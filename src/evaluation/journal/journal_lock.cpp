@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -19,8 +20,10 @@
 #include <sstream>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "base/error.h"
+#include "evaluation/journal/local_file_system.h"
 
 namespace latsch {
 namespace {
@@ -87,11 +90,13 @@ std::optional<Named> named_in(const std::string& holder) {
   return named;
 }
 
+bool is_gone(int process) { return ::kill(process, 0) != 0 && errno == ESRCH; }
+
 /// True if the process that took the lock is gone: a child holds the lock until it executes another
 /// program.
 bool is_inherited(const std::string& holder) {
   const auto named = named_in(holder);
-  return named && named->host == host_name() && ::kill(named->process, 0) != 0 && errno == ESRCH;
+  return named && named->host == host_name() && is_gone(named->process);
 }
 
 /// Returns the lock beside the file itself, so that all links to a journal have one lock.
@@ -105,59 +110,121 @@ std::filesystem::path lock_of(const std::filesystem::path& journal) {
 
 }  // namespace
 
-JournalLock::JournalLock(const std::filesystem::path& journal) : file_(lock_of(journal)) {
-  using namespace std::chrono_literals;
-  constexpr auto kMostPatience = 5s;  // for short waits on a busy machine
-  const auto until = std::chrono::steady_clock::now() + kMostPatience;
-  while (true) {
-    fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (fd_ < 0) refuse(journal, fmt::format("cannot write beside it: {}", std::strerror(errno)));
-    int locked = 0;
-    while ((locked = ::flock(fd_, LOCK_EX | LOCK_NB)) != 0 && errno == EINTR) {
-    }
-    if (locked != 0) {
-      const int error = errno;
-      const std::string holder = read_all(fd_);
-      ::close(fd_);
-      if (error == EWOULDBLOCK && is_inherited(holder) &&
-          std::chrono::steady_clock::now() < until) {
-        std::this_thread::sleep_for(10ms);
-        continue;
-      }
-      refuse(journal, complaint(error, holder));
-    }
-    if (is_current(fd_, file_)) break;
-    ::close(fd_);
-  }
-  // If the holder's name cannot be written, for example on a full disk, the lock still holds.
-  const std::string holder = holder_text();
-  if (::ftruncate(fd_, 0) == 0 && ::pwrite(fd_, holder.data(), holder.size(), 0) < 0) errno = 0;
-}
-
-JournalLock::~JournalLock() {
-  ::unlink(file_.c_str());
-  ::close(fd_);
-}
-
 namespace {
 
-/// True if that process of this machine holds an flock(2) on the file. The device is not compared,
-/// because overlays and file systems of several volumes show another one there. [proc(5),
-/// /proc/locks]
-bool holds(int process, ino_t inode) {
+/// Calls flock(2) without waiting; returns 0 or its error.
+int lock(int fd) {
+  while (::flock(fd, LOCK_EX | LOCK_NB) != 0)
+    if (errno != EINTR) return errno;
+  return 0;
+}
+
+/// Returns the processes of this machine that hold an flock(2) on a file of that number. The device
+/// is not compared, because overlays and file systems of several volumes show another one there.
+/// [proc(5), /proc/locks]
+std::vector<int> flock_holders(ino_t inode) {
+  std::vector<int> holders;
   std::ifstream locks("/proc/locks");
   for (std::string line; std::getline(locks, line);) {
     std::istringstream words(line);
     std::string number, kind, manner, access, file;
     int holder = 0;
     if (words >> number >> kind >> manner >> access >> holder >> file && kind == "FLOCK" &&
-        holder == process && file.ends_with(fmt::format(":{}", inode)))
-      return true;
+        file.ends_with(fmt::format(":{}", inode)))
+      holders.push_back(holder);
   }
-  return false;
+  return holders;
 }
 
+/// Waits for short locks on a busy machine.
+class Patience {
+ public:
+  /// Returns false once the patience has ended.
+  bool wait() const {
+    using namespace std::chrono_literals;
+    if (std::chrono::steady_clock::now() >= until_) return false;
+    std::this_thread::sleep_for(10ms);
+    return true;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point until_ =
+      std::chrono::steady_clock::now() + std::chrono::seconds(5);
+};
+
 }  // namespace
+
+JournalLock::JournalLock(const std::filesystem::path& journal)
+    : journal_(journal), file_(lock_of(journal)), is_local_(!shared_file_system(journal)) {
+  const Patience patience;
+  while (true) {
+    fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (fd_ < 0) refuse(journal, fmt::format("cannot write beside it: {}", std::strerror(errno)));
+    if (const int error = lock(fd_)) {
+      const std::string holder = read_all(fd_);
+      ::close(fd_);
+      if (error == EWOULDBLOCK && is_inherited(holder) && patience.wait()) continue;
+      refuse(journal, complaint(error, holder));
+    }
+    if (is_current(fd_, file_)) break;
+    ::close(fd_);
+  }
+  lock_itself();
+  // If the holder's name cannot be written, for example on a full disk, the lock still holds.
+  const std::string holder = holder_text();
+  if (::ftruncate(fd_, 0) == 0 && ::pwrite(fd_, holder.data(), holder.size(), 0) < 0) errno = 0;
+}
+
+/// A lock on the journal itself finds a process that opened it by another hard link. A network file
+/// system may make a lock of SQLite's kind of it, which SQLite would then wait for.
+void JournalLock::lock_itself() {
+  const auto give_up = [this](const std::string& what) {
+    ::unlink(file_.c_str());
+    ::close(fd_);
+    if (itself_ >= 0) ::close(itself_);
+    refuse(journal_, what);
+  };
+  itself_ = ::open(journal_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  if (itself_ < 0) itself_ = ::open(journal_.c_str(), O_RDONLY | O_CLOEXEC);
+  struct stat about {};
+  if (itself_ < 0 || !is_local_ || ::fstat(itself_, &about) != 0) return;
+  const Patience patience;
+  while (const int error = lock(itself_)) {
+    if (error != EWOULDBLOCK) return;  // the lock beside it holds
+    const std::vector<int> holders = flock_holders(about.st_ino);
+    const bool are_gone = !holders.empty() && std::all_of(holders.begin(), holders.end(), is_gone);
+    if (are_gone && patience.wait()) continue;
+    give_up(fmt::format(
+        "is in use by {}, under another name of the same file (a hard link); wait until it ends or "
+        "stop it. Reading it, as a report does, is possible meanwhile",
+        holders.size() == 1 ? fmt::format("process {}", holders.front()) : "another process"));
+  }
+}
+
+JournalLock::~JournalLock() {
+  ::unlink(file_.c_str());
+  ::close(fd_);
+  if (itself_ >= 0) ::close(itself_);
+}
+
+bool JournalLock::is_in_place() const {
+  struct stat opened {};
+  struct stat present {};
+  if (itself_ < 0 || ::fstat(itself_, &opened) != 0) return true;
+  if (::stat(journal_.c_str(), &present) != 0) return errno != ENOENT && errno != ENOTDIR;
+  return !is_local_ || (opened.st_ino == present.st_ino && opened.st_dev == present.st_dev);
+}
+
+std::optional<std::filesystem::path> JournalLock::moved_to() const {
+  struct stat opened {};
+  if (itself_ < 0 || ::fstat(itself_, &opened) != 0 || opened.st_nlink == 0) return std::nullopt;
+  std::error_code none;
+  const auto name = std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", itself_), none);
+  struct stat present {};
+  const bool is_it = !none && ::stat(name.c_str(), &present) == 0 &&
+                     opened.st_ino == present.st_ino && opened.st_dev == present.st_dev;
+  return is_it ? std::optional(name) : std::nullopt;
+}
 
 std::optional<JournalHolder> journal_holder(const std::filesystem::path& journal) {
   const int fd = ::open(lock_of(journal).c_str(), O_RDONLY | O_CLOEXEC);
@@ -169,9 +236,9 @@ std::optional<JournalHolder> journal_holder(const std::filesystem::path& journal
   const auto named = named_in(words);
   if (!named) return std::nullopt;
   if (named->host != host_name()) return JournalHolder{words, std::nullopt};
-  if (!holds(named->process, file.st_ino))
-    return std::nullopt;  // the name was left behind by a
-                          // killed process
+  const std::vector<int> holders = flock_holders(file.st_ino);
+  if (std::find(holders.begin(), holders.end(), named->process) == holders.end())
+    return std::nullopt;  // the name was left behind by a killed process
   return JournalHolder{words, named->process};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Admits one writer for each journal, by an advisory lock on a file beside it that names the
-// process holding it. The system releases the lock when that process ends, however it ends.
+// process holding it, and by a second lock on the journal itself, which a hard link in any folder
+// shares. The system releases both locks when that process ends, however it ends.
 #pragma once
 
 #include <filesystem>
@@ -17,18 +18,31 @@ struct JournalHolder {
 
 class JournalLock {
  public:
-  /// Waits briefly while a child of a killed process still holds the lock, until it executes
-  /// another program. Throws InputError naming the holder and its machine if another process (or
-  /// another Journal of this process) has the lock, or the reason if the file system gives no
-  /// locks.
+  /// Creates an empty journal if there is none. Waits briefly while a child of a killed process
+  /// still holds the lock, until it executes another program. Throws InputError naming the holder
+  /// and its machine if another process (or another Journal of this process) has the lock, or the
+  /// reason if the file system gives no locks.
   explicit JournalLock(const std::filesystem::path& journal);
   ~JournalLock();
   JournalLock(const JournalLock&) = delete;
   JournalLock& operator=(const JournalLock&) = delete;
 
+  /// Returns true if the name still leads to the journal that was locked: nobody has deleted, moved
+  /// or replaced it. On file systems that are not local only a missing file counts, because they
+  /// may number a file anew.
+  bool is_in_place() const;
+  /// Returns the present name of a journal that was moved; nullopt if it was deleted.
+  std::optional<std::filesystem::path> moved_to() const;
+
  private:
+  void lock_itself();
+
+  std::filesystem::path journal_;
   std::filesystem::path file_;
-  int fd_ = -1;
+  int fd_ = -1;      // file beside the journal
+  int itself_ = -1;  // the journal; closed after its database, because close(2) releases the
+                     // locks of SQLite
+  bool is_local_ = true;
 };
 
 /// Looks up the holder without taking the lock even briefly, so it does not disturb a process that

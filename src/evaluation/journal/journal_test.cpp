@@ -252,6 +252,113 @@ TEST(Journal, AFileSystemWithoutLocksIsNotCalledInUse) {
   expect_contains(complaint([&] { Journal::open(folder / "a", kStudy); }), "in use by another");
 }
 
+// Hard links in two folders have lock files of their own.
+TEST(Journal, OneThatIsOpenIsInUseUnderItsHardLinks) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder / "deep");
+  {
+    Journal writer = Journal::open(folder / "a", kStudy);
+    writer.append(trial(1));
+    for (const char* link : {"b", "deep/c"}) {
+      std::filesystem::create_hard_link(folder / "a", folder / link);
+      const std::string text = complaint([&] { Journal::open(folder / link, kStudy); });
+      expect_contains(text, "in use by process " + std::to_string(::getpid()));
+      expect_contains(text, "hard link");
+      EXPECT_FALSE(std::filesystem::exists(folder / (std::string(link) + ".lock")));
+    }
+    writer.append(trial(2));
+  }
+  Journal writer = Journal::open(folder / "b", kStudy);
+  EXPECT_EQ(writer.size(), 2);
+  expect_contains(complaint([&] { Journal::open(folder / "a", kStudy); }), "hard link");
+}
+
+// A killed writer leaves its log under the name by which it opened the journal.
+TEST(Journal, AHardLinkWithoutTheLogOfAKilledWriterIsRefused) {
+  const ScratchFolder folder;
+  const pid_t writer = ::fork();
+  if (writer == 0) {
+    Journal journal = Journal::open(folder / "a", kStudy, Journal::Log::write_ahead);
+    journal.append(trial(1));
+    std::_Exit(0);  // without closing it
+  }
+  ::waitpid(writer, nullptr, 0);
+  ASSERT_TRUE(std::filesystem::exists(folder / "a-wal"));
+  std::filesystem::create_hard_link(folder / "a", folder / "b");
+  expect_contains(complaint([&] { Journal::open(folder / "b", kStudy); }), "open it by that name");
+  EXPECT_EQ(Journal::open(folder / "a", kStudy).size(), 1);
+  EXPECT_EQ(Journal::open(folder / "b", kStudy).size(), 1);  // the log is merged by now
+}
+
+/// Returns the message of a JournalError.
+template <class Action>
+std::string loss(Action&& action) {
+  try {
+    action();
+  } catch (const JournalError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Journal, OneThatIsDeletedWhileItIsWrittenKeepsItsTrials) {
+  for (const Journal::Log log : {Journal::Log::write_ahead, Journal::Log::rollback}) {
+    const ScratchFolder folder;
+    const bool is_rollback = log == Journal::Log::rollback;
+    {
+      Journal writer = Journal::open(folder / "a.journal", kStudy, log);
+      writer.append(trial(1));
+      std::filesystem::remove(folder / "a.journal");
+      const std::string text = loss([&] { writer.append(trial(2)); });
+      expect_contains(text, "was deleted while it was written");
+      expect_contains(text, "saved under its name again");
+      EXPECT_EQ(loss([&] { writer.append(trial(3)); }), text);
+      EXPECT_EQ(loss([&] { writer.trials(); }), text);
+    }
+    Journal again = Journal::open(folder / "a.journal", kStudy, log);
+    EXPECT_EQ(again.trials().size(), is_rollback ? 1u : 2u);
+    again.append(trial(4));
+  }
+}
+
+TEST(Journal, AReaderOfItsOwnTrialsNoticesThatItWasDeleted) {
+  const ScratchFolder folder;
+  Journal writer = Journal::open(folder / "a.journal", kStudy);
+  writer.append(trial(1));
+  std::filesystem::remove(folder / "a.journal");
+  expect_contains(loss([&] { writer.trials(); }), "its 1 trials are saved");
+}
+
+TEST(Journal, OneThatIsReplacedWhileItIsWrittenKeepsItsTrialsBesideIt) {
+  const ScratchFolder folder;
+  { Journal::open(folder / "other", kStudy).append(trial(7)); }
+  {
+    Journal writer = Journal::open(folder / "a.journal", kStudy);
+    writer.append(trial(1));
+    std::filesystem::rename(folder / "other", folder / "a.journal");
+    const std::string text = loss([&] { writer.append(trial(2)); });
+    expect_contains(text, "was replaced by another file");
+    expect_contains(text, "its 2 trials are saved in " + (folder / "a.saved.journal").string());
+  }
+  EXPECT_EQ(Journal::open(folder / "a.saved.journal", kStudy).trials().size(), 2u);
+  const std::vector<Trial> others = Journal::open(folder / "a.journal", kStudy).trials();
+  ASSERT_EQ(others.size(), 1u);  // the log of the writer was not applied to it
+  expect_same(others[0], trial(7));
+}
+
+TEST(Journal, OneThatIsMovedWhileItIsWrittenSaysWhereItIs) {
+  const ScratchFolder folder;
+  {
+    Journal writer = Journal::open(folder / "a.journal", kStudy);
+    writer.append(trial(1));
+    std::filesystem::rename(folder / "a.journal", folder / "b.journal");
+    expect_contains(loss([&] { writer.append(trial(2)); }),
+                    "was moved to " + (folder / "b.journal").string());
+  }
+  EXPECT_EQ(Journal::open(folder / "b.journal", kStudy).trials().size(), 2u);
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.journal"));
+}
+
 TEST(Journal, OneThatIsOpenIsInUseUnderEveryNameItHas) {
   const ScratchFolder folder;
   std::filesystem::create_directory(folder / "deep");

@@ -12,11 +12,13 @@ namespace latsch {
 /// One named text that the channels of a trial depend on: the model's file, the load cases, the
 /// varied paths.
 struct IdentityPart {
-  std::string name;
-  std::string text;
+  std::string name;  // one of the names below
+  std::string text;  // canonical text of what the part names
 
   bool operator==(const IdentityPart&) const = default;
 };
+/// Everything that the channels of a study's trials depend on. A journal accepts trials of one
+/// identity.
 using StudyIdentity = std::vector<IdentityPart>;
 
 /// The model's numbers as canonical TOML (base/document_record.h).
@@ -30,6 +32,7 @@ inline constexpr const char* kOldTestsPart = "experiments";
 /// Parts that may change although the study does not: the version of the built-in model, or the
 /// files of an outside program. A person may know that the results are not affected.
 inline constexpr const char* kModelVersionPart = "model version";
+/// Files of an outside program.
 inline constexpr const char* kProgramFilesPart = "program files";
 
 /// Returns the identity without the files of an outside program, for reading a journal if the

@@ -61,7 +61,7 @@ class Reading {
         take_matches();
         break;
     }
-    if (failure_) return *failure_;
+    if (!read_) return read_.failure();
     return channels();
   }
 
@@ -80,13 +80,13 @@ class Reading {
   void each_line(Action&& action) {
     std::istringstream lines(text_);
     std::string line;
-    for (int number = 1; !failure_ && std::getline(lines, line); ++number) {
+    for (int number = 1; read_.ok() && std::getline(lines, line); ++number) {
       if (!line.empty() && line.back() == '\r') line.pop_back();
-      failure_ = action(number, line);
+      read_ = action(number, line);
     }
   }
 
-  std::optional<Failure> add(std::size_t quantity, double number, int line) {
+  Status add(std::size_t quantity, double number, int line) {
     if (!std::isfinite(number)) {
       return wrong(
           fmt::format(
@@ -94,10 +94,10 @@ class Reading {
           line);
     }
     values_[quantity].push_back(Unit::of(reader_.quantities[quantity].unit).to_si(number));
-    return std::nullopt;
+    return {};
   }
 
-  std::optional<Failure> take_row(int number, const std::string& line) {
+  Status take_row(int number, const std::string& line) {
     std::vector<std::string> cells;
     std::string cell;
     for (const char c : line + ' ') {
@@ -107,7 +107,7 @@ class Reading {
         cells.push_back(std::exchange(cell, {}));
       }
     }
-    if (cells.empty() || cells.front().starts_with('#')) return std::nullopt;
+    if (cells.empty() || cells.front().starts_with('#')) return {};
     std::vector<double> row;
     for (const int column : reader_.columns) {
       const auto value =
@@ -116,20 +116,20 @@ class Reading {
     }
     if (row.size() == reader_.columns.size()) {
       for (std::size_t i = 0; i < row.size(); ++i) {
-        if (auto failure = add(i, row[i], number)) return failure;
+        if (const Status done = add(i, row[i], number); !done) return done;
       }
-      return std::nullopt;
+      return {};
     }
-    if (values_.front().empty()) return std::nullopt;  // a header
+    if (values_.front().empty()) return {};  // a header
     return wrong(fmt::format("is {}, expected numbers in columns {}",
                              in_quotes(line),
                              fmt::join(reader_.columns, ", ")),
                  number);
   }
 
-  std::optional<Failure> take_key(int number, const std::string& line) {
+  Status take_key(int number, const std::string& line) {
     const std::size_t middle = line.find_first_of("=:");
-    if (middle == std::string::npos) return std::nullopt;
+    if (middle == std::string::npos) return {};
     const std::string_view key = trimmed(std::string_view(line).substr(0, middle));
     const std::string_view value = trimmed(std::string_view(line).substr(middle + 1));
     for (std::size_t i = 0; i < reader_.keys.size(); ++i) {
@@ -140,22 +140,22 @@ class Reading {
             fmt::format("has {} for {}, expected a number", in_quotes(value), reader_.keys[i]),
             number);
       }
-      if (auto failure = add(i, *parsed, number)) return failure;
+      if (const Status done = add(i, *parsed, number); !done) return done;
     }
-    return std::nullopt;
+    return {};
   }
 
   void take_matches() {
     const std::regex pattern(reader_.pattern);
     bool there = reader_.after.empty();
-    each_line([&](int number, const std::string& line) -> std::optional<Failure> {
+    each_line([&](int number, const std::string& line) -> Status {
       if (!there) {
         there = line.find(reader_.after) != std::string::npos;
-        return std::nullopt;
+        return {};
       }
       std::smatch groups;
       if (line.size() > kLongestLine || !std::regex_search(line, groups, pattern)) {
-        return std::nullopt;
+        return {};
       }
       for (std::size_t i = 0; i < values_.size(); ++i) {
         const auto value = parse_number(groups[i + 1].str());
@@ -165,11 +165,11 @@ class Reading {
                                    reader_.quantities[i].name),
                        number);
         }
-        if (auto failure = add(i, *value, number)) return failure;
+        if (const Status done = add(i, *value, number); !done) return done;
       }
-      return std::nullopt;
+      return {};
     });
-    if (!failure_ && !there) failure_ = wrong("has no line with " + in_quotes(reader_.after));
+    if (read_.ok() && !there) read_ = wrong("has no line with " + in_quotes(reader_.after));
   }
 
   Result<std::vector<Channel>> from_table() {
@@ -233,7 +233,7 @@ class Reading {
   const OutputReader& reader_;
   std::string text_;
   std::vector<std::vector<double>> values_;  // SI, for each quantity
-  std::optional<Failure> failure_;
+  Status read_;                              // of the lines read so far
 };
 
 }  // namespace

@@ -57,10 +57,10 @@ bool ends_within(pid_t pid, double timeout) {
 
 }  // namespace
 
-std::optional<Failure> run_program(const std::vector<std::string>& arguments,
-                                   const std::filesystem::path& folder,
-                                   const std::filesystem::path& printed,
-                                   double timeout) {
+Status run_program(const std::vector<std::string>& arguments,
+                   const std::filesystem::path& folder,
+                   const std::filesystem::path& printed,
+                   double timeout) {
   assert(!arguments.empty());
   posix_spawn_file_actions_t files;
   ::posix_spawn_file_actions_init(&files);
@@ -93,7 +93,7 @@ std::optional<Failure> run_program(const std::vector<std::string>& arguments,
                                timeout),
                    Cause::timeout};
   }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
   return Failure{in_quotes(arguments.front()) + " " + how_it_ended(status, tail_of(printed))};
 }
 

@@ -15,10 +15,10 @@ namespace latsch {
 /// an empty standard input and its output in the file `printed`. Unless it exits with code 0, the
 /// Failure says how it ended and the last line it printed. After `timeout` seconds (0: never) it is
 /// killed with all its descendants; that is a Failure with Cause::timeout.
-std::optional<Failure> run_program(const std::vector<std::string>& arguments,
-                                   const std::filesystem::path& folder,
-                                   const std::filesystem::path& printed,
-                                   double timeout = 0.0);
+Status run_program(const std::vector<std::string>& arguments,
+                   const std::filesystem::path& folder,
+                   const std::filesystem::path& printed,
+                   double timeout = 0.0);
 
 /// Returns the file of such a program if it is known: found in PATH, or existing if the path is
 /// absolute.

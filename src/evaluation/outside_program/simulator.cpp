@@ -96,10 +96,8 @@ Result<Channels> run(const Simulator& simulator,
                      const DesignPoint& point,
                      const fs::path& folder) {
   write_inputs(simulator, space, point, folder);
-  if (const auto failure =
-          run_program(command(simulator), folder, folder / kPrinted, simulator.timeout)) {
-    return *failure;
-  }
+  const Status ran = run_program(command(simulator), folder, folder / kPrinted, simulator.timeout);
+  if (!ran) return ran.failure();
   Channels channels;
   for (const OutputReader& output : simulator.outputs) {
     auto read = read_output(output, folder);

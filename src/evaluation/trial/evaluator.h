@@ -31,22 +31,27 @@ class Objective {
                          std::is_invocable_r<Result<Score>, const F&, const Channels&>>>;
 
  public:
+  /// Returns the score of a point and its channels, or the reason why they cannot be compared.
   using OfTrial = std::function<Result<Score>(const DesignPoint&, const Channels&)>;
 
   Objective() = default;
   /// With `needs_slopes`, a trial stored without slopes counts as not evaluated.
   Objective(OfTrial of_trial, bool needs_slopes = false)
       : of_trial_(std::move(of_trial)), needs_slopes_(needs_slopes) {}
+  /// An objective that does not depend on the point.
   template <class OfChannels, class = IfOfChannels<OfChannels>>
   Objective(OfChannels of_channels)
       : of_trial_([of_channels](const DesignPoint&, const Channels& channels) {
           return of_channels(channels);
         }) {}
 
+  /// False for an objective that was default-constructed.
   explicit operator bool() const { return static_cast<bool>(of_trial_); }
+  /// Returns the score of a trial.
   Result<Score> operator()(const DesignPoint& point, const Channels& channels) const {
     return of_trial_(point, channels);
   }
+  /// True if a trial stored without slopes counts as not evaluated.
   bool needs_slopes() const { return needs_slopes_; }
   /// Evaluates an objective that does not depend on the point.
   Result<Score> operator()(const Channels& channels) const { return of_trial_({}, channels); }

@@ -11,16 +11,17 @@ namespace latsch {
 
 /// Channels, or the reason why there are none, and their cost.
 struct Outcome {
-  Result<Channels> result;
-  double wall_time = 0.0;  // s
-  double cpu_time = 0.0;   // s, of the thread that evaluated
-  int worker = 0;
+  Result<Channels> result;    // the channels, or why there are none
+  double wall_time = 0.0;     // s
+  double cpu_time = 0.0;      // s, of the thread that evaluated
+  int worker = 0;             // number of the worker that evaluated
   double program_time = 0.0;  // s, user and system CPU time of completed outside programs
 };
 
+/// One evaluation: the point and its outcome.
 struct Trial {
-  DesignPoint point;
-  Outcome outcome;
+  DesignPoint point;  // in SI, in the order of the design space
+  Outcome outcome;    // channels and cost
 };
 
 /// Runs the evaluator on the point and measures the time. Exceptions and numbers that are not

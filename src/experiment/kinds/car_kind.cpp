@@ -16,6 +16,7 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
 #include "experiment/language/specimen.h"
+#include "formats/text/letter_case.h"
 #include "models/car/car_reader.h"
 #include "models/suspension/suspension_reader.h"
 #include "models/tire/mirrored_tire.h"
@@ -58,6 +59,23 @@ const SpecimenKind& tire_kind(const Node& car, const Document& tire, const std::
   throw InputError({tire.file(), 0},
                    part + " is of kind " + in_quotes(name) +
                        ", which does not roll: expected a flexible ring, a rigid ring or a .tir");
+}
+
+/// Reads the file of a tire of any kind that a car's file names.
+Document read_named_tire(const Node& car,
+                         const std::string& part,
+                         const std::filesystem::path& of) {
+  const std::string ending = formats::lower(of.extension().string());
+  if (ending == ".tir") return read_tir_numbers(of);
+  const char* const expected =
+      "which does not roll: expected the file of a flexible ring, of a rigid ring or a .tir";
+  if (ending == ".inp") car.reject(part, "is " + of.string() + ", a deck, " + expected);
+  Document tire = Document::read(of);
+  if (!tire.root().has("kind"))
+    car.reject(
+        part,
+        "is " + of.string() + ", which states no kind, as a finite-element tire, " + expected);
+  return tire;
 }
 
 /// Returns the side for which a tire was measured; the left if the tire states no side.
@@ -103,6 +121,9 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
         const std::string key = side == 1 && numbers.root().has(right) ? right : part;
         const Document tire = part_of(numbers, key);
         auto specimen = tire_kind(numbers.root(), tire, key).build(tire);
+        if (const auto* knows = specimen->find<KnowsLimits>())
+          if (const auto height = knows->section_height())
+            section_ = std::min(section_.value_or(*height), *height);
         if (const auto* knows = specimen->find<KnowsLimits>(); knows && (side == 0 || key == right))
           for (const std::string& limit : knows->limits_across())
             limits_across_.push_back(key + ": " + limit);
@@ -114,6 +135,27 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
       }
     }
     refuse_unknown(numbers.root());
+  }
+
+  bool records_limits() const override {
+    return std::ranges::any_of(built_from_, [](const auto& one) {
+      const auto* knows = one.second->template find<KnowsLimits>();
+      return knows && knows->records_limits();
+    });
+  }
+  /// Throws InputError if a tire does not fit under its wheel center.
+  void check_tires() const {
+    const auto wrong = car::Car::misfit(car::build(file_.parameters).parts, tires_);
+    if (!wrong) return;
+    const std::size_t axle = car::is_front(wrong->corner) ? 0 : 1,
+                      side = car::is_left(wrong->corner) ? 0 : 1;
+    std::string key = tire_key(axle, side);
+    if (!numbers_.root().has(key)) key = tire_key(axle, 0);
+    if (!numbers_.root().has(key)) key = kAxles[axle];
+    throw InputError({numbers_.file(), 0},
+                     key + ": " + wrong->why +
+                         ": expected another tire, or wheel_center and contact "
+                         "of its suspension as this tire stands");
   }
 
   /// Returns the limits that its tires have met, each with the tire's key and side.
@@ -136,6 +178,8 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   /// No car rolls over a single cleat.
   std::vector<std::string> limits_on(const Cleat&) const override { return {}; }
   std::vector<std::string> limits_across() const override { return limits_across_; }
+  /// The lowest section of its tires.
+  std::optional<double> section_height() const override { return section_; }
 
   Result<Channels> load(const AxleKcTest& test, const Asked& asked) const override {
     const auto car = on_rig(test);
@@ -185,6 +229,7 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   car::Tires tires_;
   std::vector<std::pair<std::string, std::unique_ptr<Specimen>>> built_from_;  // tires by key, side
   std::vector<std::string> limits_across_;
+  std::optional<double> section_;  // m
 };
 
 class CarKind : public SpecimenKind {
@@ -208,30 +253,40 @@ class CarKind : public SpecimenKind {
         const std::string tire = tire_key(axle, side);
         if (!written.root().has(tire) || has_part(written, tire)) continue;
         const std::filesystem::path named = named_file(file, written, tire);
-        const Document of =
-            named.extension() == ".tir" ? read_tir_numbers(named) : Document::read(named);
+        const Document of = read_named_tire(written.root(), tire, named);
         document = with_part(document, tire, tire_kind(written.root(), of, tire).read(named));
       }
     }
     CarSpecimen{document};
     return document;
   }
-  /// Returns the notes of its tires, and says which of them are mirror images.
-  std::vector<std::string> notes(const std::filesystem::path& file) const override {
+  std::vector<Part> parts(const std::filesystem::path& file) const override {
     const Document written = Document::read(file);
-    std::vector<std::string> notes;
-    std::set<std::filesystem::path> told;
-    for (std::size_t axle = 0; axle < 2; ++axle)
+    std::vector<Part> parts;
+    for (std::size_t axle = 0; axle < 2; ++axle) {
+      const std::string suspension = std::string(kAxles[axle]) + "_suspension";
+      if (written.root().has(suspension) && !has_part(written, suspension))
+        parts.push_back({suspension, &suspension_kind(), named_file(file, written, suspension)});
       for (std::size_t side = 0; side < 2; ++side) {
         const std::string tire = tire_key(axle, side);
         if (!written.root().has(tire) || has_part(written, tire)) continue;
         const std::filesystem::path named = named_file(file, written, tire);
-        if (!told.insert(named).second) continue;
-        const Document of =
-            named.extension() == ".tir" ? read_tir_numbers(named) : Document::read(named);
-        for (std::string& note : tire_kind(written.root(), of, tire).notes(named))
-          notes.push_back(std::move(note));
+        const Document of = read_named_tire(written.root(), tire, named);
+        parts.push_back({tire, &tire_kind(written.root(), of, tire), named});
       }
+    }
+    return parts;
+  }
+  void check(const Document& numbers) const override { CarSpecimen(numbers).check_tires(); }
+  bool has_usual_numbers() const override { return true; }
+  /// Returns the notes of its tires, and says which of them are mirror images.
+  std::vector<std::string> notes(const std::filesystem::path& file) const override {
+    std::vector<std::string> notes;
+    std::set<std::filesystem::path> told;
+    for (const Part& part : parts(file)) {
+      if (part.key.ends_with("_suspension") || !told.insert(part.file).second) continue;
+      for (std::string& note : part.kind->notes(part.file)) notes.push_back(std::move(note));
+    }
     return notes;
   }
   std::string describe(const Document& numbers) const override {

@@ -95,7 +95,7 @@ class CarFile : public testing::Test {
     const double start = y();
     while (state->time() < lasts) {
       const auto done = car.advance(*state, 2e-4, flat, {});
-      EXPECT_TRUE(done) << done.failure().reason;
+      EXPECT_TRUE(done.ok()) << done.failure().reason;
       if (!done) break;
       found.drift = std::max(found.drift, std::abs(y() - start));
     }

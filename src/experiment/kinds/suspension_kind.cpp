@@ -85,6 +85,10 @@ class SuspensionKind : public SpecimenKind {
   bool knows_slopes_in(const std::string& path) const override {
     return suspension::is_stiffness(path);
   }
+  Place written_place(const std::filesystem::path& file, const Place& place) const override {
+    return composed_suspension(Document::read(file), file.parent_path()).origin(place);
+  }
+  bool has_usual_numbers() const override { return true; }
   bool has_body() const override { return true; }
   void draw_body(const Document& numbers,
                  const std::vector<const Test*>& tests,

@@ -32,7 +32,7 @@ namespace latsch::experiment {
 
 /// The specimen can be pressed on flat ground, standing still.
 struct IsPressed {
-  static constexpr const char* kName = "is pressed on the ground";
+  static constexpr const char* kName = "is pressed on the ground";  // in messages
   virtual ~IsPressed() = default;
   /// Returns the channels with the requested slopes as far as they are known.
   virtual Result<Channels> press(const LoadDeflection& test, const Asked& asked) = 0;
@@ -40,7 +40,7 @@ struct IsPressed {
 
 /// The specimen vibrates with its rim fixed, off the ground or standing on it.
 struct Vibrates {
-  static constexpr const char* kName = "vibrates";
+  static constexpr const char* kName = "vibrates";  // in messages
   virtual ~Vibrates() = default;
   /// Returns the channels with the requested slopes as far as they are known.
   virtual Result<Channels> vibrate(const ModalTest& test, const Asked& asked) = 0;
@@ -55,7 +55,7 @@ using FeTireDrive = std::function<Result<Channels>(TireRig& rig, fe_tire::TireSl
 /// The specimen is a finite-element tire. A test that only such a tire can undergo drives the tire
 /// itself, in its own file, so that a new test needs no new capability.
 struct IsFeTire {
-  static constexpr const char* kName = "is a finite-element tire";
+  static constexpr const char* kName = "is a finite-element tire";  // in messages
   virtual ~IsFeTire() = default;
   /// `states_pressure`: true if the test states the pressure, so that the tire's own has no effect.
   virtual Result<Channels> drive(const FeTireDrive& drive,
@@ -63,9 +63,11 @@ struct IsFeTire {
                                  const Asked& asked) = 0;
 };
 
+/// The specimen leaves a footprint on flat ground, whose pressures can be computed.
 struct HasFootprint {
-  static constexpr const char* kName = "leaves a footprint";
+  static constexpr const char* kName = "leaves a footprint";  // in messages
   virtual ~HasFootprint() = default;
+  /// Returns one footprint for each state of the test.
   virtual Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) = 0;
   /// Returns the channels of the test with the requested slopes as far as they are known.
   virtual Result<Channels> print(const FootprintTest& test, const Asked&) {
@@ -77,13 +79,13 @@ struct HasFootprint {
 
 /// The specimen has a footprint of elements whose size the test states.
 struct HasTreadElements {
-  static constexpr const char* kName = "has a section to divide into elements";
+  static constexpr const char* kName = "has a section to divide into elements";  // in messages
   virtual ~HasTreadElements() = default;
 };
 
 /// The specimen rolls on a road in steps of time.
 struct Rolls {
-  static constexpr const char* kName = "rolls";
+  static constexpr const char* kName = "rolls";  // in messages
   virtual ~Rolls() = default;
   /// Returns a new tire at rest under this pressure. Throws InputError if the pressure does not
   /// suit this tire.
@@ -92,8 +94,9 @@ struct Rolls {
 
 /// The specimen has forces in states of steady rolling, each independent of the others.
 struct HasSteadyStates {
-  static constexpr const char* kName = "has steady states";
+  static constexpr const char* kName = "has steady states";  // in messages
   virtual ~HasSteadyStates() = default;
+  /// Returns forces and moments, one sample for each row of `states`, in the stated conventions.
   virtual Channels steady(const formats::CsvTable& states,
                           const magic_formula::Conventions&) const = 0;
   /// Computes the states block by block. Returns remarks as Test::run_in_blocks() does.
@@ -107,6 +110,16 @@ struct HasSteadyStates {
                                       const Asked&) const {
     return steady(states, conventions);
   }
+  /// Says in which states the model leaves its limits, and which condition of the test has no
+  /// effect on it, one sentence each, without computing the states.
+  virtual std::vector<std::string> limits_in(const formats::CsvTable& /*states*/,
+                                             const magic_formula::Conventions&) const {
+    return {};
+  }
+  /// Says the same of a table with times that slip_history() follows.
+  virtual std::vector<std::string> limits_in_history(const formats::CsvTable& /*states*/) const {
+    return {};
+  }
   /// Follows a table of states with their times, with lagging slips (rigs/slip/slip_lag.h) and the
   /// requested slopes.
   virtual Channels slip_history(const formats::CsvTable& states, const Asked&) const = 0;
@@ -114,7 +127,7 @@ struct HasSteadyStates {
 
 /// A corner of a suspension that can be loaded on a rig which holds the chassis.
 struct IsLoaded {
-  static constexpr const char* kName = "is loaded on a K&C rig";
+  static constexpr const char* kName = "is loaded on a K&C rig";  // in messages
   virtual ~IsLoaded() = default;
   /// Returns the channels with the requested slopes as far as they are known.
   virtual Result<Channels> load(const KcTest& test, const Asked& asked) = 0;
@@ -126,7 +139,7 @@ struct IsLoaded {
 
 /// A car that can be driven.
 struct Drives {
-  static constexpr const char* kName = "drives";
+  static constexpr const char* kName = "drives";  // in messages
   virtual ~Drives() = default;
   /// Returns a new car whose springs carry it in its drawn position under these loads.
   virtual Result<std::unique_ptr<car::Car>> car(const car::CarInputs& at_rest) const = 0;
@@ -134,7 +147,7 @@ struct Drives {
 
 /// The specimen has axles that a K&C rig loads while it holds the chassis.
 struct HasAxles {
-  static constexpr const char* kName = "is loaded on a K&C rig by its axles";
+  static constexpr const char* kName = "is loaded on a K&C rig by its axles";  // in messages
   virtual ~HasAxles() = default;
   /// Returns the channels with the requested slopes as far as they are known.
   virtual Result<Channels> load(const AxleKcTest& test, const Asked& asked) const = 0;
@@ -146,13 +159,15 @@ struct HasAxles {
 
 /// A corner of a suspension as rigid links, and the axle of the corner and its mirror image.
 struct MovesAsLinkage {
-  static constexpr const char* kName = "moves as a linkage";
+  static constexpr const char* kName = "moves as a linkage";  // in messages
   virtual ~MovesAsLinkage() = default;
+  /// Returns the kinematic outputs in every position of the test.
   virtual Result<Channels> move(const KinematicsTest& test) = 0;
 };
 
 /// The specimen accepts conditions from a test that other specimens state in their own files.
 struct TakesConditions {
+  /// Name in messages.
   static constexpr const char* kName = "takes friction and sensor points from a test";
   virtual ~TakesConditions() = default;
 };

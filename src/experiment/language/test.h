@@ -35,6 +35,7 @@ class DocumentRecord;
 namespace latsch::experiment {
 
 struct DrumTest;
+struct KeySection;
 struct LoadDeflection;
 struct ModalTest;
 
@@ -46,7 +47,7 @@ using RigSettings =
 /// Effect of the discretization on a channel: root mean square differences over the record, in the
 /// channel's unit.
 struct ChannelConvergence {
-  std::string name, unit;
+  std::string name, unit;    // the channel and its SI unit
   double about_mean = 0.0;   // the channel itself about its mean
   double by_step = 0.0;      // to a run with half the step
   double by_segments = 0.0;  // to a run with 3/2 of the segments; 0: a model without segments
@@ -63,6 +64,7 @@ struct ChannelInfo {
 /// Returns the channel of a slope: "dz_by_Fz" for "dz".
 ChannelInfo slope_of(const std::string& moved, const std::string& unit, const SlopesBy& slopes);
 
+/// A range of values.
 struct Reach {
   double from, to;  // SI
 };
@@ -70,7 +72,7 @@ struct Reach {
 /// Requested slopes of a recording: of these channels in these numbers of the specimen, given by
 /// their paths. Columns of Channel::slopes follow the order of the paths, in SI.
 struct Asked {
-  std::vector<std::string> channels, paths;
+  std::vector<std::string> channels, paths;  // names of channels, and paths of numbers
 };
 
 class Test {
@@ -122,12 +124,14 @@ class Test {
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const;
   /// A picture of a run beside its channels, with numbers that are too many for a trial.
   struct Picture {
-    std::string title, svg, caption;
+    std::string title, svg, caption;  // heading, the picture as SVG text, a sentence below it
   };
+  /// Results beside the channels that are recomputed for a page or a table and never stored.
   struct Details {
-    std::vector<Picture> pictures;
-    Channels numbers;
+    std::vector<Picture> pictures;  // in the order of the page
+    Channels numbers;               // SI
   };
+  /// Runs the test for its details; without pictures and numbers if the test has none.
   virtual Result<Details> details(Specimen&) const { return Details{}; }
   /// Repeats the test with finer steps in time and space; nullopt if the test has no such steps.
   virtual std::optional<Result<std::vector<ChannelConvergence>>> convergence(
@@ -138,7 +142,7 @@ class Test {
   virtual bool has_film() const { return false; }
   /// Adds to a scene the motion of the specimen in this test, in at most the given number of steps.
   /// Returns a Failure if the run fails.
-  virtual Result<bool> film(Specimen&, int /*most_steps*/, report::Scene&) const { return true; }
+  virtual Status film(Specimen&, int /*most_steps*/, report::Scene&) const { return {}; }
   /// Returns the positive direction of a channel or a detail, for conversion into the signs of
   /// another convention; nullopt: the test does not say.
   virtual std::optional<suspension::SignSense> sense(const std::string&) const {
@@ -158,6 +162,7 @@ class Test {
   }
 
  protected:
+  /// The numbers of the test as its rig takes them.
   virtual RigSettings rig_settings() const { return {}; }
 };
 
@@ -176,8 +181,8 @@ struct TestSource {
 /// name (base/document_record.h), so no kind of test writes it, and it is the same for keys in a
 /// study, in a file, as numbers or from a measurement.
 struct ReadTest {
-  std::unique_ptr<Test> test;
-  std::string identity;
+  std::unique_ptr<Test> test;                // ready to run
+  std::string identity;                      // canonical text
   std::vector<std::filesystem::path> files;  // files that it reads beside its own
 };
 
@@ -188,6 +193,7 @@ struct MeasuredAbscissa {
   Eigen::Matrix3Xd points = {};  // m, wheel frame, at which shapes were measured
 };
 
+/// A kind of test: its name, and how it is read from a file.
 struct TestKind {
   std::string name;                // "drum_cleat"
   std::string in_words;            // "rolls over a cleat on the drum"
@@ -195,6 +201,8 @@ struct TestKind {
                                    // one
   /// Reads its keys except `kind`. Throws InputError naming the place.
   std::unique_ptr<Test> (*read)(const Node& root, const TestSource& source);
+  /// Returns the sentences and samples of its keys; nullptr: the reference has no section of it.
+  const KeySection& (*keys)() = nullptr;
   /// Version of the rig's computation, if other versions give other recordings for equal keys. It
   /// is part of the identity of its tests, so that a journal never mixes recordings of two
   /// versions.

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "base/text.h"
 #include "base/units.h"
 #include "experiment/language/specimen.h"
+#include "experiment/language/usual_car_numbers.h"
 
 namespace latsch::experiment {
 namespace {
@@ -103,11 +105,21 @@ std::string may_be_meant(const UsualMagnitude& usual, const std::string& written
   return "";
 }
 
-/// True if the number is of the quantity that the table lists, not of another one with its key.
-bool is_meant(const UsualMagnitude& usual, const Document& document, const std::string& path) {
-  // In a profile only the second column is a length.
-  if (std::string_view(usual.key).starts_with("thickness") && !path.ends_with(".1")) return false;
-  return Unit::of(document.unit(path)).same_dimension(Unit::of(usual.unit));
+/// False for the first column of a profile, which is no thickness.
+bool is_meant(const UsualMagnitude& usual, const std::string& path) {
+  return !std::string_view(usual.key).starts_with("thickness") || path.ends_with(".1");
+}
+
+/// Returns the path within the part of a car that it belongs to: "bushing.all.x" for
+/// "front_suspension.bushing.all.x".
+std::string_view within_part(std::string_view path) {
+  const auto dot = path.find('.');
+  if (dot == path.npos) return path;
+  const std::string_view first = path.substr(0, dot);
+  for (const char* axle : {"front", "rear"})
+    for (const char* part : {"_suspension", "_tire", "_tire_right"})
+      if (first == std::string(axle) + part) return path.substr(dot + 1);
+  return path;
 }
 
 /// Number of a table; nullopt if the table has no such key.
@@ -167,6 +179,23 @@ void examine_cords(const Document& document, std::vector<Finding>& found) {
   }
 }
 
+/// Finds cords that are stiffer in compression than in tension: a modulus with one zero too many. A
+/// cord buckles, so its modulus in compression is at most that in tension.
+void examine_compression(const Document& document, std::vector<Finding>& found) {
+  for (const Node& layer : document.root().named_tables("layer")) {
+    const std::string at = "layer." + layer.name() + ".";
+    const auto tension = number_at(document, at + "young_modulus");
+    const auto compression = number_at(document, at + "compression_modulus");
+    if (!tension || !compression || *compression <= *tension) continue;
+    found.push_back({layer.place("compression_modulus"),
+                     fmt::format("{}compression_modulus is {:.4g} MPa, but a cord is at most as "
+                                 "stiff as in tension, {:.4g} MPa",
+                                 at,
+                                 1e-6 * *compression,
+                                 1e-6 * *tension)});
+  }
+}
+
 /// Judges the mass of a ring's belt by the surface that it covers: 3 kg/m^2 for a bicycle, 15 for a
 /// car, 60 for a truck.
 void examine_belt(const Document& document, std::vector<Finding>& found) {
@@ -190,7 +219,7 @@ void examine_belt(const Document& document, std::vector<Finding>& found) {
 }  // namespace
 
 Seen judged(const UsualMagnitude& usual, double si) {
-  const double value = in_unit(usual, si);
+  const double value = usual.is_signed ? std::abs(in_unit(usual, si)) : in_unit(usual, si);
   if (value == 0.0 && usual.zero_allowed) return Seen::usual;
   // A flat tire may be intended.
   if (value == 0.0 && std::string_view(usual.key) == "pressure") return Seen::unusual;
@@ -199,6 +228,12 @@ Seen judged(const UsualMagnitude& usual, double si) {
 }
 
 std::string usual_in_words(const UsualMagnitude& usual) {
+  if (usual.from == 0.0)
+    return fmt::format("{} is usually at most {:g}{}{}",
+                       usual.words,
+                       usual.to,
+                       std::string_view(usual.unit) == "1" ? "" : " ",
+                       std::string_view(usual.unit) == "1" ? "" : usual.unit);
   return fmt::format("{} is usually {:g} to {:g}{}{}",
                      usual.words,
                      usual.from,
@@ -240,16 +275,19 @@ std::string key_of(std::string path) {
   }
 }
 
-const UsualMagnitude* usual_magnitude(std::string_view path) {
+const UsualMagnitude* usual_magnitude(std::string_view path, std::string_view unit) {
   // The pressures of a friction law are those of the contact.
   if (path.find("friction.pressure") != path.npos) return nullptr;
+  path = within_part(path);
   const std::string key = key_of(std::string(path));
-  for (const auto* table : {&of_tests(), &of_fe_tires(), &of_rings()}) {
+  for (const auto* table :
+       {&of_tests(), &of_fe_tires(), &of_rings(), &usual_of_cars(), &usual_of_car_tests()}) {
     for (const UsualMagnitude& usual : *table) {
       const std::string_view below = usual.below;
       const bool is_below =
           below.empty() || (path.starts_with(below) && path.substr(below.size()).starts_with('.'));
-      if (key == usual.key && is_below) return &usual;
+      if (key != usual.key || !is_below) continue;
+      if (unit.empty() || Unit::of(unit).same_dimension(Unit::of(usual.unit))) return &usual;
     }
   }
   return nullptr;
@@ -271,18 +309,23 @@ std::optional<Finding> unusual(const UsualMagnitude& usual,
                  seen == Seen::impossible};
 }
 
-std::vector<Finding> unusual_numbers(const Document& document, const std::string& below) {
+std::vector<Finding> unusual_numbers(const Document& document,
+                                     const std::string& below,
+                                     const std::function<bool(const std::string&)>& passed_over) {
   std::vector<Finding> found;
   for (const std::string& path : document.paths()) {
-    const UsualMagnitude* usual = usual_magnitude(below.empty() ? path : below + "." + path);
-    if (!usual) continue;
+    if (passed_over && passed_over(path)) continue;
+    const std::string whole = below.empty() ? path : below + "." + path;
+    if (!usual_magnitude(whole)) continue;
+    const UsualMagnitude* usual = usual_magnitude(whole, document.unit(path));
     const double si = document.get(path);
-    if (!std::isfinite(si) || !is_meant(*usual, document, path)) continue;
+    if (!usual || !std::isfinite(si) || !is_meant(*usual, path)) continue;
     if (const auto one = unusual(*usual, written_at(document, path), path, si))
       found.push_back(*one);
   }
   if (!below.empty()) return found;
   examine_cords(document, found);
+  examine_compression(document, found);
   examine_belt(document, found);
   return found;
 }
@@ -294,7 +337,26 @@ std::vector<Finding> findings_of_model(const SpecimenKind& kind,
   for (const std::string& note : kind.notes(file))
     found.push_back({{file.string(), 0}, note, false, true});
   if (!kind.has_usual_numbers()) return found;
-  for (Finding& one : unusual_numbers(numbers)) found.push_back(std::move(one));
+  const auto add = [&](const SpecimenKind& of,
+                       const std::filesystem::path& named,
+                       std::vector<Finding> unusual) {
+    for (Finding& one : unusual) {
+      one.place = of.written_place(named, one.place);
+      found.push_back(std::move(one));
+    }
+  };
+  const auto parts = kind.parts(file);
+  std::set<std::filesystem::path> examined;
+  for (const SpecimenKind::Part& part : parts)
+    if (part.kind->has_usual_numbers() && examined.insert(part.file).second)
+      add(*part.kind, part.file, unusual_numbers(part.kind->read(part.file)));
+  // The lines of a part's numbers are those of its own file, so they are not judged again.
+  const auto is_of_part = [&](const std::string& path) {
+    return std::any_of(parts.begin(), parts.end(), [&](const SpecimenKind::Part& part) {
+      return path.starts_with(part.key + ".");
+    });
+  };
+  add(kind, file, unusual_numbers(numbers, "", is_of_part));
   return found;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The usual magnitudes of numbers in files of tires, tests and studies, the only table of them.
+// The usual magnitudes of numbers in files of tires, cars, tests and studies, the only table of
+// them.
 //
 // Units have been checked before (a pressure is a pressure), but magnitudes have not: 240 bar for
 // 240 kPa, grams for kilograms, the density of air. An unusual number may be meant and is a
@@ -9,6 +10,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,6 +39,7 @@ struct UsualMagnitude {
   double least, from, to, most;
   std::vector<const char*> taken_for;  // units that are often confused
   bool zero_allowed = false;
+  bool is_signed = false;  // true if the range is of the absolute value
 };
 
 enum class Seen { usual, unusual, impossible };
@@ -45,8 +48,10 @@ enum class Seen { usual, unusual, impossible };
 Seen judged(const UsualMagnitude& usual, double si);
 /// Returns for example "a wheel load is usually 100 to 60000 N".
 std::string usual_in_words(const UsualMagnitude& usual);
-/// Returns the usual magnitude of the number at a path; nullptr if the table has none.
-const UsualMagnitude* usual_magnitude(std::string_view path);
+/// Returns the usual magnitude of the number at a path, if `unit` is given that of a number with
+/// this dimension; nullptr if the table has none. Parts of a car count by their own paths:
+/// "front_suspension.bushing.all.x" as "bushing.all.x".
+const UsualMagnitude* usual_magnitude(std::string_view path, std::string_view unit = "");
 
 /// A number of a document as it is written.
 struct Written {
@@ -65,8 +70,12 @@ std::optional<Finding> unusual(const UsualMagnitude& usual,
 
 /// Examines all numbers of a document, those of a model also by each other: cords that overlap, a
 /// belt too light for its size. `below` is the table as which the whole document counts, "test" for
-/// the file of a test; empty if it counts as written.
-std::vector<Finding> unusual_numbers(const Document& document, const std::string& below = "");
+/// the file of a test; empty if it counts as written. Paths for which `passed_over` is true are not
+/// examined.
+std::vector<Finding> unusual_numbers(
+    const Document& document,
+    const std::string& below = "",
+    const std::function<bool(const std::string&)>& passed_over = nullptr);
 
 class SpecimenKind;
 

@@ -19,7 +19,7 @@ constexpr double kFirstShare = 0.25;       // share of the radius; greatest firs
 constexpr double kShortestStep = 1e-6;     // s
 constexpr double kFastest = 200.0;         // m/s; a greater value means another unit in the file
 
-road::DrumRoad drum_of(const DrumTest& test) {
+road::DrumRoad::Settings drum_of(const DrumTest& test) {
   road::DrumRoad::Settings settings;
   settings.diameter = test.diameter;
   settings.surface = test.speed;
@@ -31,7 +31,7 @@ road::DrumRoad drum_of(const DrumTest& test) {
                         .starting_angle = 0.0,
                         .angle = cleat.angle}};
   }
-  return road::DrumRoad(settings);
+  return settings;
 }
 
 WheelMotion standing(double height, const Eigen::Matrix3d& carrier) {
@@ -165,6 +165,20 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured) {
     root.reject("sample_step", "is no multiple of step");
   constexpr double kWidest = 1.4;  // rad: at larger angles the bar lies along the drum
   test.cleat = read_cleat(root, kWidest);
+  if (test.cleat && test.speed * test.step > test.cleat->length * (1.0 + 1e-9))
+    root.reject("step",
+                fmt::format("moves the tire {:.3g} mm at {:.3g} km/h, over a cleat of {:.3g} mm at "
+                            "once; expected at most {:.3g} ms",
+                            1e3 * test.speed * test.step,
+                            3.6 * test.speed,
+                            1e3 * test.cleat->length,
+                            1e3 * test.cleat->length / test.speed));
+  if (const std::string fault = road::DrumRoad::fault(drum_of(test)); !fault.empty())
+    root.reject("cleat", "does not fit the drum: " + fault);
+  if (2.0 * test.sample_step > test.duration)
+    root.reject("sample_step",
+                fmt::format("leaves less than two samples of {:.4g} s: expected a shorter one",
+                            test.duration));
   if (test.cleat && test.duration <= test.lead)
     root.reject(root.has("duration") ? "duration" : "lead",
                 fmt::format("ends the record before the cleat is below the axle: {:g} s are "
@@ -176,14 +190,14 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured) {
   return test;
 }
 
-std::string too_deep(const Tire& tire, double deflection) {
+Status check_depth(const Tire& tire, double deflection) {
   constexpr double kDeepest = 0.6;  // share of the radius
-  if (!(deflection > kDeepest * tire.free_radius())) return "";
-  return fmt::format(
-      "a deflection of {:.4g} mm is more than the section of a tire with a radius of "
-      "{:.4g} mm: its rim would be in the road",
-      1e3 * deflection,
-      1e3 * tire.free_radius());
+  if (!(deflection > kDeepest * tire.free_radius())) return {};
+  return Failure{
+      fmt::format("a deflection of {:.4g} mm is more than the section of a tire with a radius of "
+                  "{:.4g} mm: its rim would be in the road",
+                  1e3 * deflection,
+                  1e3 * tire.free_radius())};
 }
 
 void check_step(const Node& test, double speed, double step) {
@@ -220,8 +234,8 @@ Result<double> height_under_load(Tire& tire,
     if (!hub) return failure(z, "it has no state of rest (" + hub.failure().reason + ")");
     const double F = (carrier * hub->force).z();
     if (std::abs(F - load) <= kClose * load) {
-      const std::string why = too_deep(tire, free - z);
-      if (!why.empty()) return failure(z, "it has no state of rest (" + why + ")");
+      const Status fit = check_depth(tire, free - z);
+      if (!fit) return failure(z, "it has no state of rest (" + fit.failure().reason + ")");
       return z;
     }
     const double slope = z != z0 && F != F0 ? (F - F0) / (z - z0) : -kFirstStiffness;
@@ -237,8 +251,8 @@ Result<Channels> run(Tire& tire, const DrumTest& test) {
   WheelMotion start =
       standing(tire.free_radius() - test.deflection.value_or(0.0),
                Eigen::AngleAxisd(test.camber, Eigen::Vector3d::UnitX()).toRotationMatrix());
-  if (const std::string why = too_deep(tire, test.deflection.value_or(0.0)); !why.empty())
-    return Failure{"on the drum: " + why};
+  if (const Status fit = check_depth(tire, test.deflection.value_or(0.0)); !fit)
+    return Failure{"on the drum: " + fit.failure().reason};
   if (test.load) {
     const auto height = height_under_load(tire, surfaces.smooth, start.carrier, *test.load);
     if (!height) return height.failure();

@@ -70,9 +70,9 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured = {
 /// Runs any tire; the tire keeps its final state.
 Result<Channels> run(Tire& tire, const DrumTest& test);
 
-/// Returns a sentence if a deflection, m, is deeper than the section of any tire of this radius;
-/// empty if it is not. A tire whose file states its rim refuses less.
-std::string too_deep(const Tire& tire, double deflection);
+/// Returns a Failure if a deflection, m, is deeper than the section of any tire of this radius. A
+/// tire whose file states its rim refuses less.
+Status check_depth(const Tire& tire, double deflection);
 
 /// Longest distance, m, that a tire may move in one step: a block of its tread gains and loses
 /// contact within some steps.

@@ -59,7 +59,7 @@ const char* unit_of(Direction direction) {
 }
 
 Result<double> load_at(Tire& tire, double deflection, const std::optional<Cleat>& cleat) {
-  if (const std::string why = too_deep(tire, deflection); !why.empty()) return Failure{why};
+  if (const Status fit = check_depth(tire, deflection); !fit) return fit.failure();
   const auto on = [&](const road::Road& ground) -> Result<double> {
     const double height = ground.height(0.0, 0.0, 0.0) + tire.free_radius() - deflection;
     const auto hub = tire.settle(standing(height), ground, 0.0);

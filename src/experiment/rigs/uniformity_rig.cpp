@@ -9,7 +9,6 @@
 #include <memory>
 #include <numbers>
 #include <numeric>
-#include <optional>
 #include <vector>
 
 #include "experiment/rigs/drum_rig.h"
@@ -52,33 +51,33 @@ class Machine {
   }
 
   /// Starts at rest; with `follow` the axle follows the load.
-  std::optional<Failure> start(bool follow) {
+  Status start(bool follow) {
     const auto hub = tire_.settle(motion_, *road_, 0.0);
     if (!hub) return hub.failure();
     wheel_.spin = {.inertia = test_.wheel_inertia,
                    .place = motion_.spin,
                    .rate = motion_.spin_rate,
                    .acceleration = hub->moment.y() / test_.wheel_inertia};
-    if (!follow) return std::nullopt;
+    if (!follow) return {};
     const double load = test_.load, c = kFollow * load / deflection_;
     wheel_.height = {.place = motion_.center.z(),
                      .rate = (hub->force.z() - load) / c,
                      .push = [c, load](double, double rate) -> Push {
                        return {-load - c * rate, -c};
                      }};
-    return std::nullopt;
+    return {};
   }
 
   /// Records a turn after a part of a turn in which the wheel finds its speed.
   Result<Turn> turn() {
     Turn turn;
-    if (const auto failure = roll(kRunIn, nullptr)) return *failure;
-    if (const auto failure = roll(1.0, &turn)) return *failure;
+    if (const Status done = roll(kRunIn, nullptr); !done) return done.failure();
+    if (const Status done = roll(1.0, &turn); !done) return done.failure();
     return turn;
   }
 
  private:
-  std::optional<Failure> roll(double turns, Turn* seen) {
+  Status roll(double turns, Turn* seen) {
     const double period = 2.0 * std::numbers::pi / std::abs(motion_.spin_rate);
     const double least = std::max(period / test_.step, 2.0 * test_.harmonics + 1.0);
     const long count = std::lround(std::ceil(turns * least));
@@ -93,7 +92,7 @@ class Machine {
       seen->Fz.push_back(hub->force.z());
       seen->height.push_back(motion_.center.z());
     }
-    return std::nullopt;
+    return {};
   }
 
   Tire& tire_;
@@ -110,7 +109,7 @@ Result<double> rolling_height(Tire& tire, const UniformityTest& test) {
       height_under_load(tire, *road_of(test, 0.0), Eigen::Matrix3d::Identity(), test.load);
   if (!standing) return standing;
   Machine machine(tire, test, 1.0, *standing);
-  if (const auto failure = machine.start(true)) return *failure;
+  if (const Status done = machine.start(true); !done) return done.failure();
   const auto turn = machine.turn();
   if (!turn) return turn.failure();
   return mean(turn->height);
@@ -118,7 +117,7 @@ Result<double> rolling_height(Tire& tire, const UniformityTest& test) {
 
 Result<Turn> held(Tire& tire, const UniformityTest& test, double way, double height) {
   Machine machine(tire, test, way, height);
-  if (const auto failure = machine.start(false)) return *failure;
+  if (const Status done = machine.start(false); !done) return done.failure();
   return machine.turn();
 }
 

@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
+#include "experiment/rigs/sampling.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/drum_convergence.h"
 
@@ -59,7 +60,11 @@ Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
 }
 
 std::vector<std::string> DrumCleatTest::limits(Specimen& specimen) const {
-  return limits_of(specimen, test_.cleat);
+  std::vector<std::string> limits = limits_of(specimen, test_.cleat);
+  if (!test_.cleat) return limits;
+  if (std::string note = note_on_samples(test_.sample_step, test_.speed); !note.empty())
+    limits.push_back(std::move(note));
+  return limits;
 }
 
 Result<std::vector<std::string>> DrumCleatTest::run_in_blocks(
@@ -88,7 +93,13 @@ DrumTest read_drum_cleat(const std::filesystem::path& file) {
   return read_drum_test(document.root());
 }
 
-const TestKind kDrumCleat = {
-    "drum_cleat", "rolls over a cleat on the drum", {Rolls::kName}, read_drum, kWheelScheme};
+const KeySection& drum_cleat_keys();
+
+const TestKind kDrumCleat = {"drum_cleat",
+                             "rolls over a cleat on the drum",
+                             {Rolls::kName},
+                             read_drum,
+                             drum_cleat_keys,
+                             kWheelScheme};
 
 }  // namespace latsch::experiment

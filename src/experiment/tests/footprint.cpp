@@ -75,7 +75,12 @@ std::unique_ptr<Test> read_footprint(const Node& root, const TestSource& source)
 
 }  // namespace
 
-const TestKind kFootprint = {
-    "footprint", "stands: length, width, area of its patch", {HasFootprint::kName}, read_footprint};
+const KeySection& footprint_keys();
+
+const TestKind kFootprint = {"footprint",
+                             "stands: length, width, area of its patch",
+                             {HasFootprint::kName},
+                             read_footprint,
+                             footprint_keys};
 
 }  // namespace latsch::experiment

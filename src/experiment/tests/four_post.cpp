@@ -1,30 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // kind = "four_post": a car on four posts that move its wheels up and down.
 //
-//   kind = "four_post"
-//   mode = "heave"                       # a sweep: default; or "pitch", "roll", "warp"
-//   from = "0.5 Hz"                      # default, as the next four
-//   to = "30 Hz"
-//   duration = "20 s"
-//   amplitude = "3 mm"                   # up to the frequency at which the plates move at
-//   velocity = "0.03 m/s"                # this peak velocity, which holds above it
-//   posts = {from = "measurement.rig"}   # instead of the sweep: the heights post_FL, post_FR,
-//                                        # post_RL, post_RR that were recorded, evenly in time; or
-//                                        # posts = "heights.csv", a table of them and time
-//   step = "0.2 ms"                      # of the simulation; default
-//   sample_step = "1 ms"                 # of the record, a multiple of it; default
-//   spectra = true                       # adds channels over frequency; in recorded posts to the
-//                                        # signal of the mode that is stated; default false. The
-//                                        # car runs a second time, with the posts upside down
-//   segment = "4 s"                      # of Welch's method for densities, and 1/segment the
-//                                        # distance of lines; default, or all of a shorter record
-//   band = ["0.5 Hz", "30 Hz"]           # the lines that are kept; those of the sweep unless
-//                                        # given, within the posts' record
-//
 // Its channels: time, forces of the push-rods (pushrod_FL ..., compression positive), of the road
 // on the tires (Fz_FL ...), accelerations of hubs and body upward, spring travel, heave, roll and
 // pitch, heights of the posts (post_FL ...). Over frequency: densities psd_pushrod_FL ..., transfer
 // functions tf_pushrod_FL ..., their phases and coherences. Signs and units: docs/car.md.
+//
+// The keys are in experiment/tests/keys/four_post_keys.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -38,6 +20,7 @@
 #include "experiment/rigs/car/held_band.h"
 #include "experiment/rigs/car/post_notes.h"
 #include "experiment/rigs/car/post_spectra.h"
+#include "experiment/rigs/sampling.h"
 #include "experiment/tests/films/car_film.h"
 #include "experiment/tests/four_post_pictures.h"
 #include "formats/tables/csv_table.h"
@@ -123,14 +106,14 @@ class FourPost : public Test {
     return four_post_details(as_posts_moved(runs->up), over_frequency(*runs));
   }
   bool has_film() const override { return true; }
-  Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
+  Status film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
     CarFilm film(CarFilm::On::posts);
     const auto done = experiment::run(**car, test_, film.watcher());
     if (!done) return done.failure();
     film.add_to(scene, in_words(), most_steps);
-    return true;
+    return {};
   }
 
  private:
@@ -279,6 +262,47 @@ void take_what_is_held(const Node& root, const FourPostTest& test, Frequencies& 
       "{}: the channels over frequency go from {:.3g} to {:.3g} Hz", words, band.from, band.to);
 }
 
+/// The record has to hold the band that is stated; a band that is not stated becomes that of the
+/// record. Recorded posts must not move faster than the samples show, because spectra would show
+/// that motion at other frequencies.
+void take_what_is_sampled(const Node& root,
+                          const FourPostTest& test,
+                          bool is_sweep,
+                          Frequencies& read) {
+  constexpr double kRounding = 1e-9;
+  const double highest = 0.5 / test.sample_step;
+  PostSpectra& settings = read.settings;
+  if (settings.to > highest * (1.0 + kRounding)) {
+    const std::string words = fmt::format(
+        "a sample every {:.4g} ms holds frequencies to {:.4g} Hz", 1e3 * test.sample_step, highest);
+    if (root.has("band"))
+      root.reject("band",
+                  fmt::format("ends at {:.4g} Hz, but {}: expected a lower end or a shorter "
+                              "sample_step",
+                              settings.to,
+                              words));
+    settings.to = highest;
+    if (read.are_recorded)
+      read.note += fmt::format(
+          "{}{}: the channels over frequency end there", read.note.empty() ? "" : "; ", words);
+  }
+  if (!read.are_recorded || is_sweep) return;
+  for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+    const auto held = held_band(test, static_cast<PostMode>(mode), 0.5 / settings.segment);
+    if (!held || held->to <= highest * (1.0 + kRounding)) continue;
+    root.reject(
+        "sample_step",
+        fmt::format("is {:.4g} ms, which holds frequencies to {:.4g} Hz, but the recorded "
+                    "posts move in {} at up to {:.4g} Hz, which spectra would show at other "
+                    "frequencies: expected at most {:.3g} ms, or posts that were low-passed",
+                    1e3 * test.sample_step,
+                    highest,
+                    kModes[mode],
+                    held->to,
+                    0.5e3 / held->to));
+  }
+}
+
 /// `from` and `to`: default ends of the band, Hz. `sweep`: the sweep that the posts follow;
 /// nullptr: none.
 Frequencies read_frequencies(const Node& root,
@@ -309,11 +333,27 @@ Frequencies read_frequencies(const Node& root,
     refuse_beyond(root, test, sweep, settings);
     if (!sweep) take_what_is_held(root, test, read);
   }
-  const double highest = 0.5 / test.sample_step;
-  settings.to = std::min(settings.to, highest);
+  take_what_is_sampled(root, test, sweep != nullptr, read);
   if (std::floor(settings.to * settings.segment) < std::ceil(settings.from * settings.segment))
     root.reject("band", "holds no line: a longer segment has them closer together");
+  for (const char* key : {"segment", "band"})
+    if (root.has(key) && !read.are_recorded)
+      root.reject(key, "belongs to the spectra, which are not recorded: expected spectra = true");
   return read;
+}
+
+/// Refuses a sweep that ends before its lowest frequency has moved the posts.
+void refuse_short(const Node& root, const PostSweep& sweep) {
+  constexpr double kNear = 1e-9;
+  const double least = 1.0 / sweep.from;
+  if (sweep.duration >= least * (1.0 - kNear)) return;
+  root.reject("duration",
+              fmt::format("is {:.4g} s, which holds {:.3g} periods of the lowest frequency, {:.4g} "
+                          "Hz; expected one at least: {:.4g} s or more, or a higher from",
+                          sweep.duration,
+                          sweep.duration * sweep.from,
+                          sweep.from,
+                          least));
 }
 
 std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source) {
@@ -347,9 +387,14 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
   const FourPostTest made = sweep_test(sweep, test.sample_step);
   test.times = made.times;
   test.heights = made.heights;
+  if (test.times.size() < 2)
+    root.reject("duration", "is shorter than sample_step: expected a longer sweep");
+  const Frequencies frequencies = read_frequencies(root, which, test, sweep.from, sweep.to, &sweep);
+  refuse_coarse_samples(root, "to", sweep.to, test.sample_step);
+  refuse_short(root, sweep);
   return std::make_unique<FourPost>(
       test,
-      read_frequencies(root, which, test, sweep.from, sweep.to, &sweep),
+      frequencies,
       fmt::format("four posts, {} from {:.3g} to {:.3g} Hz, {:.3g} mm",
                   mode,
                   sweep.from,
@@ -360,10 +405,13 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
 
 }  // namespace
 
+const KeySection& four_post_keys();
+
 const TestKind kFourPost = {"four_post",
                             "stands on four posts that move it",
                             {Drives::kName},
                             read_four_post,
+                            four_post_keys,
                             "sweeps begin below their band; responses of two runs"};
 
 }  // namespace latsch::experiment

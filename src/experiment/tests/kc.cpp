@@ -2,19 +2,12 @@
 // kind = "kc": a corner on the rig for kinematics and compliance, its chassis and the inboard end
 // of its push-rod held.
 //
-//   kind = "kc"
-//   Fz = ["0 N", "2.5 kN", "5 kN"]       # of the ground on the tire: Fx, Fy, Fz, Mx, My, Mz,
-//   Mz = "100 N m"                       # of every state, or one for all of them
-//   loads = {from = "measurement.rig"}   # or all it recorded; Fz = {from = ...}: this one
-//   at = "contact_patch"                 # or "wheel_center": the point of the loads and of
-//                                        # dx, dy, dz
-//   slopes_by = "Fz"                     # adds dz_by_Fz, toe_by_Fz ...: slopes of a regression
-//   window = ["1 kN", "4 kN"]            # over the states whose Fz is in this range
-//
 // Its channels are the loads and dx, dy, dz, camber, toe, caster relative to the unloaded corner: x
 // forward, y left, z up; camber with the top outboard, toe with the front inboard, caster with the
 // top of the kingpin rearward. `latsch test --details FILE` writes the compliance matrix of every
 // state: dx_by_Fx ... about_z_by_Mz; `--html FILE` draws the loops.
+//
+// The keys are in experiment/tests/keys/kc_keys.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -86,7 +79,7 @@ class KcTestOfCorner : public Test {
     return Details{loop_pictures(*recorded, loads, {""}, test_.slopes), std::move(*matrices)};
   }
   bool has_film() const override { return true; }
-  Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
+  Status film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
     std::size_t along = 0;  // index of the first load that varies, or that is stated
     for (std::size_t i = 6; i-- > 0;)
       if (test_.stated[i]) along = i;
@@ -100,7 +93,7 @@ class KcTestOfCorner : public Test {
     const auto done = specimen.find<IsLoaded>()->watch(test_, film.watcher());
     if (!done) return done.failure();
     film.add_to(scene, in_words());
-    return true;
+    return {};
   }
   bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
@@ -138,7 +131,12 @@ std::unique_ptr<Test> read_kc(const Node& root, const TestSource& source) {
 
 }  // namespace
 
-const TestKind kKc = {
-    "kc", "is loaded on a K&C rig: travel, camber, toe, caster", {IsLoaded::kName}, read_kc};
+const KeySection& kc_keys();
+
+const TestKind kKc = {"kc",
+                      "is loaded on a K&C rig: travel, camber, toe, caster",
+                      {IsLoaded::kName},
+                      read_kc,
+                      kc_keys};
 
 }  // namespace latsch::experiment

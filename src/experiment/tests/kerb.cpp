@@ -1,49 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // kind = "kerb": a car drives straight over a kerb.
 //
-//   kind = "kerb"
-//   speed = "60 m/s"                     # or {from = "measurement.track"}: its channel speed over
-//                                        # time, counted from where the front axle meets the kerb
-//   line = "0 mm"                        # of the car's middle, to the left of y = 0; likewise;
-//                                        # default
-//   run_in = "0.2 s"                     # of driving before the front axle is at x = 0; default
-//   duration = "0.5 s"                   # recorded from there; default, as the next two
-//   step = "0.2 ms"                      # of the simulation
-//   sample_step = "1 ms"                 # of the record, a multiple of step
-//   area = true                          # records the contact areas: default false
-//   [wander]                             # of the driver: none unless given, not with a measured
-//                                        # speed or line
-//   speed = "0.5 m/s"                    # standard deviations from speed and line
-//   line = "20 mm"
-//   period = "1 s"                       # the longest in them
-//   seed = 1
-//   [kerb]                               # none: a level road; as that of latsch road, x counted
-//   kind = "kerb"                        # from the front axle's position at time 0
-//   shape = "sine"
-//   pitch = "800 mm"
-//   width = "800 mm"
-//   height = "25 mm"
-//   count = 6
-//   start = ["0 m", "0.4 m"]             # its right edge 0.4 m to the left of the car's middle
-//   [road]                               # instead of the kerb: a road from a file
-//   file = "track.crg"                   # OpenCRG, .rdf or .toml, beside this file
-//   start = ["120 m", "-2 m"]            # middle of the front axle at time 0, in the file's axes
-//   heading = "30 deg"                   # direction of driving, counterclockwise from the file's
-//                                        # x axis; default 0
-//   beyond_edge = "error"                # if a tire leaves the road of the file: default; or
-//                                        # "continue": .rdf level, OpenCRG as the file says
-//   [loaders]                            # vertical forces on the chassis, none unless given
-//   points = [["2 m", "0.4 m"], ["2 m", "-0.4 m"], ["-0.2 m", "0 m"]]    # x and y at rest
-//   downforce = ["1 kN", "1 kN", "2 kN"]
-//   pushrods = {from = "measurement.track"}    # or forces for which the four pushrod_FL ... are
-//                                        # as measured, low-passed before by the measurement
-//   stretch = ["-0.2 s", "0 s"]          # with pushrods: constant forces for the means over this
-//                                        # time; without stretch they follow
-//
 // Its channels are those of a four-post rig, speed, line, loader_1 .. loader_3, and for areas mean
 // and standard deviation from time 0 on, area_mean_FL ..., area_spread_FL ..., area_mean,
 // area_spread. The part of the push-rod forces that the loaders cannot reproduce is in
 // `unreachable`.
+//
+// The keys are in experiment/tests/keys/kerb_keys.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -51,11 +14,15 @@
 #include <cmath>
 
 #include "base/document_record.h"
+#include "base/error.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/kerb_rig.h"
+#include "experiment/rigs/car/kerb_way.h"
+#include "experiment/rigs/drum_rig.h"
+#include "experiment/rigs/sampling.h"
 #include "experiment/tests/films/car_film.h"
 #include "experiment/tests/kerb_pictures.h"
 #include "formats/road/road_file.h"
@@ -66,24 +33,33 @@ namespace latsch::experiment {
 extern const TestKind kKerb;
 namespace {
 
-/// True if the height of the road differs across the width of a wheel anywhere on its way.
-bool varies_across(const KerbTest& test, const car::Car& car) {
-  constexpr double kHalfWidth = 0.1;  // m, of a tire; a wider one meets what lies farther outside
-  constexpr double kAlong = 0.02;     // m, between the places looked at
-  constexpr double kDiffers = 1e-3;   // m, of height; less is below the roughness of a road
-  if (!test.kerb && !test.filed) return false;
-  const auto road = road_of(test, car);
-  const double reach = test.speed.area(test.duration) - test.speed.area(-test.run_in);
-  for (const auto& corner : car.parts().corners) {
-    const double y = corner.wheel_center.y() + test.line.at(0.0);
-    for (double x = 0.0; x <= reach; x += kAlong) {
-      const double at = corner.wheel_center.x() + x;
-      const double left = road->height(at, y + kHalfWidth, 0.0), middle = road->height(at, y, 0.0),
-                   right = road->height(at, y - kHalfWidth, 0.0);
-      if (std::max({left, middle, right}) - std::min({left, middle, right}) > kDiffers) return true;
-    }
-  }
-  return false;
+/// Returns a sentence if a wheel would have to rise within its radius by more than the section of
+/// its tire, so that its rim would hit the kerb; else an empty text. `section`: as the tires' files
+/// state, m.
+std::string too_high(const KerbWay& way, std::optional<double> section) {
+  constexpr double kDeepest = 0.6;  // share of the radius, of a tire whose file states no section
+  const double most = section ? *section : kDeepest * way.radius;
+  if (!(way.rise > most)) return "";
+  return fmt::format(
+      "no car drives over this road: at x = {:.4g} m wheel {} would have to rise {:.4g} mm within "
+      "its radius of {:.4g} mm, but {} {:.4g} mm high; expected a lower kerb, a longer pitch or "
+      "another line",
+      way.place,
+      car::kCornerNames[static_cast<std::size_t>(way.corner)],
+      1e3 * way.rise,
+      1e3 * way.radius,
+      section ? "the section of its tire is" : "no section of such a tire is more than",
+      1e3 * most);
+}
+
+std::optional<double> section_of(Specimen& specimen) {
+  const auto* knows = specimen.find<KnowsLimits>();
+  return knows ? knows->section_height() : std::nullopt;
+}
+
+/// Returns the highest speed, m/s.
+double fastest_of(const KerbTest& test) {
+  return *std::max_element(test.speed.values.begin(), test.speed.values.end());
 }
 
 class KerbRunTest : public Test, public TellsLimits {
@@ -123,16 +99,29 @@ class KerbRunTest : public Test, public TellsLimits {
   Result<Channels> run(Specimen& specimen) const override {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
+    if (const std::string why = too_high(way_of(test_, **car), section_of(specimen)); !why.empty())
+      throw InputError(why);
     return experiment::run(**car, test_);
   }
   std::vector<std::string> limits(Specimen& specimen) const override {
-    const auto* knows = specimen.find<KnowsLimits>();
-    if (!knows || knows->limits_across().empty()) return {};
     const auto car = specimen.find<Drives>()->car({});
-    if (!car || !varies_across(test_, **car)) return {};
-    return knows->limits_across();
+    if (!car) return {};
+    const KerbWay way = way_of(test_, **car);
+    const auto* knows = specimen.find<KnowsLimits>();
+    std::vector<std::string> limits;
+    if (knows && way.varies_across) limits = knows->limits_across();
+    if (!test_.kerb && !test_.filed) return limits;
+    if (std::string why = too_high(way, section_of(specimen)); !why.empty())
+      limits.push_back(std::move(why));
+    if (fastest_of(test_) == 0.0)
+      limits.emplace_back("the car stands: its speed is 0 throughout the test");
+    else if (test_.kerb && !way.meets)
+      limits.push_back(without_kerb(way));
+    if (std::string note = note_on_samples(test_.sample_step, fastest_of(test_)); !note.empty())
+      limits.push_back(std::move(note));
+    return limits;
   }
-  /// Tells what the tires' model does not describe on this road.
+  /// Tells what the tires' model does not describe on this road, and what the test does not meet.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     const auto notes = Test::run_in_blocks(specimen, tell);
@@ -154,17 +143,34 @@ class KerbRunTest : public Test, public TellsLimits {
     return film.details();
   }
   bool has_film() const override { return true; }
-  Result<bool> film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
+  Status film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
     CarFilm film(CarFilm::On::road);
     const auto done = experiment::run(**car, test_, film.watcher());
     if (!done) return done.failure();
     film.add_to(scene, in_words(), most_steps, road_of(test_, **car).get());
-    return true;
+    return {};
   }
 
  private:
+  /// Says that no wheel meets the kerb, with the places of both.
+  std::string without_kerb(const KerbWay& way) const {
+    const road::Kerb& kerb = *test_.kerb;
+    return fmt::format(
+        "no tire meets the kerb, so the record is that of a level road: the wheels roll from x = "
+        "{:.4g} to {:.4g} m on the line y = {:.4g} m, while the kerb begins at x = {:.4g}, y = "
+        "{:.4g} m, is {:.4g} m long and {:.4g} m wide; expected another start, width, height, line "
+        "or duration",
+        way.first,
+        way.last,
+        test_.line.at(0.0),
+        kerb.start.x(),
+        kerb.start.y(),
+        kerb.count * kerb.pitch,
+        kerb.width);
+  }
+
   KerbTest test_;
 };
 
@@ -253,14 +259,58 @@ FiledRoad read_filed_road(const Node& node, const TestSource& source) {
   return filed;
 }
 
+/// Returns the step of a test that states none: 0.2 ms, or at a high speed the share of sample_step
+/// in which a tire moves no farther than allowed.
+double usual_step(double usual, double sample_step, double fastest) {
+  if (usual * fastest <= kFarthestStep || sample_step < usual) return usual;
+  return sample_step / std::ceil(sample_step * fastest / kFarthestStep);
+}
+
+/// Refuses steps and samples between which a shape of the kerb passes unseen.
+void refuse_coarse_steps(const Node& root, const KerbTest& test) {
+  constexpr double kSteps = 8.0,
+                   kSamples = 4.0;  // fewest in a pitch
+  const double fastest = fastest_of(test);
+  check_step(root, fastest, test.step);
+  if (2.0 * test.sample_step > test.run_in + test.duration)
+    root.reject("sample_step",
+                fmt::format("leaves less than two samples of {:.4g} s: expected a shorter one",
+                            test.run_in + test.duration));
+  if (!test.kerb || test.kerb->height == 0.0 || fastest == 0.0) return;
+  const road::Kerb& kerb = *test.kerb;
+  const auto reject =
+      [&](const char* key, double step, const char* shape, double length, double n) {
+        root.reject(
+            key,
+            fmt::format("moves the car {:.3g} mm at {:.3g} m/s, but {} of the kerb is {:.4g} mm "
+                        "long: expected at most {:.3g} ms, {:g} in it",
+                        1e3 * fastest * step,
+                        fastest,
+                        shape,
+                        1e3 * length,
+                        1e3 * length / (n * fastest),
+                        n));
+      };
+  constexpr double kRounding = 1.0 + 1e-9;
+  if (fastest * test.step * kSteps > kerb.pitch * kRounding)
+    reject("step", test.step, "a pitch", kerb.pitch, kSteps);
+  if (kerb.shape == road::Kerb::Shape::block && fastest * test.step > kerb.length * kRounding)
+    reject("step", test.step, "a bar", kerb.length, 1.0);
+  if (fastest * test.sample_step * kSamples > kerb.pitch * kRounding)
+    reject("sample_step", test.sample_step, "a pitch", kerb.pitch, kSamples);
+}
+
 std::unique_ptr<Test> read_kerb_test(const Node& root, const TestSource& source) {
   KerbTest test;
   test.speed = read_history(root, "speed", "m/s", source, std::nullopt, Range::between(0.0, 150.0));
   test.line = read_history(root, "line", "m", source, 0.0, Range::between(-50.0, 50.0));
   test.run_in = root.quantity("run_in", "s", Range::between(0.0, 20.0), test.run_in);
   test.duration = root.quantity("duration", "s", Range::between(1e-3, 60.0), test.duration);
-  test.step = root.quantity("step", "s", Range::between(1e-6, 2e-3), test.step);
   test.sample_step = root.quantity("sample_step", "s", Range::positive(), test.sample_step);
+  test.step = root.quantity("step",
+                            "s",
+                            Range::between(1e-6, 2e-3),
+                            usual_step(test.step, test.sample_step, fastest_of(test)));
   const double ratio = test.sample_step / test.step;
   if (std::abs(ratio - std::round(ratio)) > 1e-6 * ratio || ratio < 0.5)
     root.reject("sample_step", "is no multiple of step");
@@ -272,11 +322,14 @@ std::unique_ptr<Test> read_kerb_test(const Node& root, const TestSource& source)
     test.filed = read_filed_road(*road, source);
   }
   if (const auto loaders = root.find_table("loaders")) read_loaders(*loaders, source, test);
+  refuse_coarse_steps(root, test);
   return std::make_unique<KerbRunTest>(std::move(test));
 }
 
 }  // namespace
 
-const TestKind kKerb = {"kerb", "drives over a kerb", {Drives::kName}, read_kerb_test};
+const KeySection& kerb_keys();
+
+const TestKind kKerb = {"kerb", "drives over a kerb", {Drives::kName}, read_kerb_test, kerb_keys};
 
 }  // namespace latsch::experiment

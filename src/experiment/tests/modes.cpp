@@ -129,10 +129,13 @@ std::unique_ptr<Test> modes_as_measured(const Node& experiment,
 
 }  // namespace
 
+const KeySection& modes_keys();
+
 const TestKind kModes = {"modes",
                          "vibrates with its rim held",
                          {Vibrates::kName},
                          read_modes_test,
+                         modes_keys,
                          "",
                          modes_as_measured};
 

@@ -109,10 +109,13 @@ std::unique_ptr<Test> read_rolling_stiffness(const Node& root, const TestSource&
 
 }  // namespace
 
+const KeySection& rolling_stiffness_keys();
+
 const TestKind kRollingStiffness = {"rolling_stiffness",
                                     "rolls freely: slip, cornering and camber stiffness, trail",
                                     {Rolls::kName},
                                     read_rolling_stiffness,
+                                    rolling_stiffness_keys,
                                     kWheelScheme};
 
 }  // namespace latsch::experiment

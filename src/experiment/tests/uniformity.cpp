@@ -65,11 +65,14 @@ std::unique_ptr<Test> read_uniformity(const Node& root, const TestSource& source
 
 }  // namespace
 
+const KeySection& uniformity_keys();
+
 const TestKind kUniformity = {
     "uniformity",
     "uniformity machine: force variations over a turn, conicity, ply steer",
     {Rolls::kName},
     read_uniformity,
+    uniformity_keys,
     kWheelScheme};
 
 }  // namespace latsch::experiment

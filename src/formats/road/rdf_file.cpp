@@ -397,6 +397,8 @@ class RdfReading {
                                         format_number(settings.diameter, 6),
                                         cleats));
     if (cleats > 0) settings.cleats = road::equally_spaced(cleats, read_cleat(settings));
+    if (const std::string fault = road::DrumRoad::fault(settings); !fault.empty())
+      throw InputError(parameters_->place(), fault);
     return std::make_unique<road::DrumRoad>(settings);
   }
 

@@ -148,6 +148,14 @@ TEST_F(LabTables, AreReadInUtf8AndWindows1252AndNotInUtf16) {
           << complaint(name, text);
 }
 
+// A file of zeros is what a crash leaves of a file that had room on the disk and no text yet.
+TEST_F(LabTables, AFileOfZerosIsNoText) {
+  for (const char* name : {"z.csv", "z.dat", "z.tdx"}) {
+    const std::string said = complaint(name, std::string(4096, '\0'));
+    EXPECT_NE(said.find("holds a zero byte"), std::string::npos) << said;
+  }
+}
+
 // The unit behind a name counts if the name is known.
 TEST_F(LabTables, AUnitMayEndAName) {
   const auto expected = [](const std::string& name) {

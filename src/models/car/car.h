@@ -29,6 +29,7 @@
 
 namespace latsch::car {
 
+/// The tires of a car, in the order of its corners.
 using Tires = std::array<std::unique_ptr<Tire>, kCorners>;
 
 /// Parameters of the guide, which holds the chassis against a point that moves along x.
@@ -51,7 +52,7 @@ struct Trim {
 
 /// State of the guide: its distance along x, m, its speed, and its line.
 struct GuidePoint {
-  double x, speed, y;
+  double x, speed, y;  // m, m/s, m to the left
 };
 
 /// Inputs at the end of a step.
@@ -62,15 +63,18 @@ struct CarInputs {
   std::optional<GuidePoint> guide = {};           // none: straight on at the initial speed
 };
 
+/// State of a wheel and its tire.
 struct WheelState {
-  std::unique_ptr<Tire> tire;
-  FreeWheel wheel;
-  WheelMotion motion;
-  HubForces hub;              // in C
-  double brake_moment = 0.0;  // N m, on the wheel
+  std::unique_ptr<Tire> tire;  // with its internal state
+  FreeWheel wheel;             // its spin
+  WheelMotion motion;          // motion of the rim
+  HubForces hub;               // in C
+  double brake_moment = 0.0;   // N m, on the wheel
 
   WheelState() = default;
+  /// Copies the tire with its internal state.
   WheelState(const WheelState& other);
+  /// Copies the tire with its internal state.
   WheelState& operator=(const WheelState& other);
   WheelState(WheelState&&) = default;
   WheelState& operator=(WheelState&&) = default;
@@ -79,17 +83,20 @@ struct WheelState {
 /// The state is a value: copied with its tires, restored by assignment. Two states are equal if all
 /// motions and forces are; internal states of tires are not compared.
 struct CarState {
-  multibody::MechanismState bodies;
-  std::array<WheelState, kCorners> wheels;
-  double speed = 0.0;  // m/s, speed of the guide
-  Trim trim;
-  double rack = 0.0;  // m, rack and loads of the last step's inputs
-  std::vector<multibody::Load> loads;
+  multibody::MechanismState bodies;         // poses and rates of the bodies, and the time
+  std::array<WheelState, kCorners> wheels;  // front left, front right, rear left, rear right
+  double speed = 0.0;                       // m/s, speed of the guide
+  Trim trim;                                // constant forces of the guide
+  double rack = 0.0;                        // m, rack and loads of the last step's inputs
+  std::vector<multibody::Load> loads;       // loads of the last step
 
+  /// Time, s.
   double time() const { return bodies.time; }
+  /// Compares motions and forces, not the internal states of tires.
   bool operator==(const CarState& other) const;
 };
 
+/// The car of a parameter set on four tires, held on its line by a guide.
 class Car {
  public:
   /// The parameters must have no fault(). The springs carry the car in its drawn position, at rest
@@ -99,9 +106,21 @@ class Car {
                                            const CarInputs& at_rest = {},
                                            const multibody::TransientSettings& settings = {});
 
+  /// A corner whose tire does not fit under its wheel center.
+  struct Misfit {
+    int corner;       // index, in the order of the corners
+    std::string why;  // one sentence
+  };
+  /// Returns the first corner whose tire does not fit; nullopt if all fit.
+  static std::optional<Misfit> misfit(const CarParts& parts, const Tires& tires);
+
+  /// The parameters it was made from.
   const CarParameters& parameters() const { return parameters_; }
+  /// Its bodies and joints.
   const multibody::Mechanism& mechanism() const { return *mechanism_; }
+  /// Indices of its bodies and elements in the mechanism.
   const CarParts& parts() const { return parts_; }
+  /// The guide. It may be changed before settle().
   Guide guide = {};
   /// Steps of the mechanism per step of the tires.
   int mechanism_steps = 2;
@@ -116,21 +135,20 @@ class Car {
   bool may_leave_road = false;
   /// Takes one step. After a Failure, which names the part and the time, the state must not be
   /// used.
-  Result<bool> advance(CarState& state,
-                       double step,
-                       const road::Road& road,
-                       const CarInputs& inputs);
+  Status advance(CarState& state, double step, const road::Road& road, const CarInputs& inputs);
 
   /// Returns the force along the push-rod, N, compression positive.
   std::array<double, kCorners> pushrod_forces(const CarState& state,
                                               const CarInputs& inputs = {}) const;
   /// Returns the motion of the bodies for forces of elements; it is valid as long as the state.
   multibody::Motion motion_of(const CarState& state) const;
+  /// The equations of motion of its bodies.
   const multibody::Assembly& assembly() const { return transient_->assembly(); }
   /// Returns the extension of the spring unit from rest, m; 0 if it is locked.
   double spring_extension(const CarState& state, int corner) const;
   /// Returns the upward force of each tire on its hub, N, including the inertia of a moving belt.
   std::array<double, kCorners> vertical_forces(const CarState& state) const;
+  /// Returns the motion of a wheel in these poses; at rest if `rates` is nullptr.
   WheelMotion motion_of_wheel(int corner,
                               const multibody::Poses& poses,
                               const Eigen::VectorXd* rates) const;
@@ -155,6 +173,7 @@ class Car {
                double speed,
                std::vector<multibody::BodyForce>& wrenches) const;
 
+  /// The equilibrium of its bodies.
   multibody::Equilibrium& statics() { return *statics_; }
 
  private:
@@ -197,19 +216,18 @@ class Car {
                                   const road::Road& road,
                                   const CarInputs& inputs);
   void rebuild(std::vector<multibody::Strut> struts);
-  /// Returns a complaint about a preloaded unit that no spring of its kind can be, or an empty
-  /// text.
-  std::string fault_of_spring(int corner, const std::vector<multibody::Strut>& springs) const;
+  /// Returns a Failure if no spring of its kind can be the preloaded unit of a corner.
+  Status check_spring(int corner, const std::vector<multibody::Strut>& springs) const;
   /// Returns linear acceleration of its center and angular acceleration, for a motion with rates
   /// and accelerations.
   multibody::Vector6d acceleration_of_wheel(int corner, const multibody::Motion& motion) const;
   /// Advances the tires to the positions of the wheels `ahead` seconds after this motion.
-  std::string roll(CarState& next,
-                   const multibody::Motion& motion,
-                   double ahead,
-                   double step,
-                   const road::Road& road,
-                   const CarInputs& inputs) const;
+  Status roll(CarState& next,
+              const multibody::Motion& motion,
+              double ahead,
+              double step,
+              const road::Road& road,
+              const CarInputs& inputs) const;
   /// Adds the actions of tires, drive and guide in this motion. Tire forces are a mixture of the
   /// present ones, with weight `share`, and those before.
   void add_wheels(const CarState& state,
@@ -220,9 +238,8 @@ class Car {
                   const GuidePoint& guide,
                   std::vector<multibody::BodyForce>& wrenches) const;
   Eigen::Vector3d wheel_center_in_upright(int corner) const;
-  /// Describes where the point below the wheel in its plane is off the road; empty if there is
-  /// road.
-  std::string off_road(int corner, const WheelMotion& wheel, const road::Road& road) const;
+  /// Returns a Failure that says where the point below the wheel in its plane is off the road.
+  Status check_on_road(int corner, const WheelMotion& wheel, const road::Road& road) const;
   const AxleMasses& masses(int corner) const;
 
   CarParameters parameters_;

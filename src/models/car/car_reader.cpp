@@ -58,7 +58,8 @@ SpringUnit read_unit(const Node& node) {
   }
   unit.inertance = node.quantity("inertance", "kg", Range::not_negative(), 0.0);
   if (node.has("curve"))
-    unit.parts.push_back(multibody::ElasticCurve{suspension::read_curve(node, "curve", "m", "N")});
+    unit.parts.push_back(
+        multibody::ElasticCurve{suspension::read_curve(node, "curve", "m", "N", unit.stiffness)});
   return unit;
 }
 

@@ -66,8 +66,9 @@
 
 namespace latsch::car {
 
+/// A car as its file states it, without its tires.
 struct CarFile {
-  CarParameters parameters;
+  CarParameters parameters;  // suspensions, masses, springs and air
   /// Spring tires of the axles that name no tire.
   std::optional<SpringTireParameters> front_spring_tire, rear_spring_tire;
   double driver_line = 0.0;                   // m

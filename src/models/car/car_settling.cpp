@@ -170,8 +170,7 @@ Result<Rest> Car::settle_on_tires(CarState& state,
   Rest rest = statics_->unloaded();
   for (int corner = 0; corner < kCorners; ++corner) {
     const WheelMotion drawn = motion_of_wheel(corner, rest.poses, nullptr);
-    if (std::string trouble = off_road(corner, drawn, road); !trouble.empty())
-      return Failure{std::move(trouble)};
+    if (const Status on = check_on_road(corner, drawn, road); !on) return on.failure();
     const double ground = road.height(drawn.center.x(), drawn.center.y(), 0.0);
     lines[at(corner)] = {.stiffness = 2e5, .height = ground + tires_[at(corner)]->free_radius()};
     state.trim.arm[at(corner)] = tires_[at(corner)]->free_radius();

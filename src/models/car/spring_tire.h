@@ -33,8 +33,7 @@ class SpringTire final : public Tire {
                             const road::Road& road,
                             double time,
                             double step) override {
-    if (const std::string trouble = trouble_with(motion, step); !trouble.empty())
-      return Failure{trouble};
+    if (const Status fit = check_motion(motion, step); !fit) return fit.failure();
     const road::GroundPoint ground = road.at(motion.center.x(), motion.center.y(), time);
     const Eigen::Vector3d& n = ground.normal;
     const Eigen::Vector3d& v = motion.velocity;

@@ -22,13 +22,6 @@ Conventions for_mode(Conventions conventions, int use_mode) {
 
 bool transient(int use_mode) { return use_mode / 10 % 10 > 0; }
 
-double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
-  if (at <= 0.0) return 0.0;
-  auto i = std::upper_bound(x.begin(), x.end(), at) - x.begin();
-  i = std::clamp<std::ptrdiff_t>(i, 1, std::ssize(x) - 1);  // the last piece is extended
-  return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
-}
-
 }  // namespace
 
 Parameters on_road(Parameters parameters, double friction) {
@@ -37,18 +30,18 @@ Parameters on_road(Parameters parameters, double friction) {
   return parameters;
 }
 
-std::string rim_in_road(const Parameters& p, const WheelContact& contact) {
+Status check_rim(const Parameters& p, const WheelContact& contact) {
   // A rim that bottoms on its own stiffness may go below the radius of its bead seat a little.
   constexpr double kBottomed = 0.9, kNoRim = 0.4;  // shares of the rim's and of the free radius
   const double lowest = p.RIM_RADIUS > 0.0 ? (p.BOTTOM_STIFF > 0.0 ? kBottomed : 1.0) * p.RIM_RADIUS
                                            : kNoRim * p.UNLOADED_RADIUS;
-  if (!(contact.height < lowest)) return "";
-  return fmt::format(
-      "the axle is {:.4g} mm above the road, but the rim {} {:.4g} mm: the tire is "
-      "pressed by more than its section",
-      1e3 * contact.height,
-      p.RIM_RADIUS > 0.0 ? "has a radius of" : "of a tire of this size has at least",
-      1e3 * (p.RIM_RADIUS > 0.0 ? p.RIM_RADIUS : lowest));
+  if (!(contact.height < lowest)) return {};
+  return Failure{
+      fmt::format("the axle is {:.4g} mm above the road, but the rim {} {:.4g} mm: the tire is "
+                  "pressed by more than its section",
+                  1e3 * contact.height,
+                  p.RIM_RADIUS > 0.0 ? "has a radius of" : "of a tire of this size has at least",
+                  1e3 * (p.RIM_RADIUS > 0.0 ? p.RIM_RADIUS : lowest))};
 }
 
 MagicFormulaTire::MagicFormulaTire(const Parameters& parameters,
@@ -94,10 +87,8 @@ double MagicFormulaTire::vertical_force(const WheelContact& contact, double spin
   const double R_omega = p.UNLOADED_RADIUS * (p.Q_RE0 + p.Q_V1 * speed * speed);  // (1)
   const double rho = R_omega - contact.height;
   if (rho <= 0.0) return 0.0;
-  double Fz = p.curve_deflection.empty()
-                  ? formula_.vertical_force(
-                        rho, spin_rate, contact.gamma, settings_.pressure, forces_.Fx, forces_.Fy)
-                  : interpolated(p.curve_deflection, p.curve_force, rho);
+  double Fz = formula_.vertical_force(
+      rho, spin_rate, contact.gamma, settings_.pressure, forces_.Fx, forces_.Fy);
   const double bottomed = p.RIM_RADIUS + p.BOTTOM_OFFST - contact.height;
   if (bottomed > 0.0) Fz += p.BOTTOM_STIFF * bottomed;
   return std::max(Fz + p.VERTICAL_DAMPING * contact.approach, 0.0);
@@ -261,7 +252,7 @@ HubForces MagicFormulaTire::hub_forces(const WheelMotion& motion,
 Result<HubForces> MagicFormulaTire::settle(const WheelMotion& motion,
                                            const road::Road& road,
                                            double time) {
-  if (const std::string trouble = trouble_with(motion); !trouble.empty()) return Failure{trouble};
+  if (const Status fit = check_motion(motion); !fit) return fit.failure();
   patch_ = {};
   before_.reset();
   forces_ = {};
@@ -269,7 +260,7 @@ Result<HubForces> MagicFormulaTire::settle(const WheelMotion& motion,
   auto contact = touch(motion, plane);
   if (!contact) return Failure{"the wheel lies flat: its spin axis is perpendicular to the road"};
   take_friction(contact->friction);
-  if (std::string why = rim_in_road(parameters_, *contact); !why.empty()) return Failure{why};
+  if (const Status above = check_rim(parameters_, *contact); !above) return above.failure();
   contact->approach = contact->Vx = contact->Vy = contact->yaw_rate = 0.0;
   const double Fz = vertical_force(*contact, 0.0);
   if (Fz > 0.0) forces_ = answer(*contact, {.Fz = Fz}, patch_);
@@ -281,12 +272,11 @@ Result<HubForces> MagicFormulaTire::advance(const WheelMotion& motion,
                                             const road::Road& road,
                                             double time,
                                             double step) {
-  if (const std::string trouble = trouble_with(motion, step); !trouble.empty())
-    return Failure{trouble};
+  if (const Status fit = check_motion(motion, step); !fit) return fit.failure();
   const RoadPlane plane = tangent_plane(motion, road, time);
   const auto contact = touch(motion, plane);
   if (!contact) return Failure{"the wheel lies flat: its spin axis is perpendicular to the road"};
-  if (std::string why = rim_in_road(parameters_, *contact); !why.empty()) return Failure{why};
+  if (const Status above = check_rim(parameters_, *contact); !above) return above.failure();
   take_friction(contact->friction);
   roll(*contact, motion.spin_rate, step);
   watch_.see({.Fz = forces_.Fz,

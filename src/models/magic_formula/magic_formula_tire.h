@@ -26,9 +26,10 @@
 
 namespace latsch::magic_formula {
 
+/// Choices beside the coefficients.
 struct MagicFormulaTireSettings {
-  Conventions conventions = {};
-  int use_mode = 14;
+  Conventions conventions = {};        // axes and signs of inputs and outputs
+  int use_mode = 14;                   // USE_MODE of the .tir file: which forces are computed
   double pressure = 0.0;               // Pa; 0: INFLPRES
   std::shared_ptr<RangeLog> log = {};  // collects the inputs of its steps; null: nothing does
 };
@@ -42,6 +43,7 @@ std::optional<Footprint> footprint_of(const MagicFormula& formula,
 
 class MagicFormulaTire final : public Tire {
  public:
+  /// Takes the coefficients of a .tir file.
   explicit MagicFormulaTire(const Parameters& parameters,
                             const MagicFormulaTireSettings& settings = {});
 
@@ -61,7 +63,9 @@ class MagicFormulaTire final : public Tire {
 
   /// Results of the last step: load, lagged slips, forces in W.
   const SteadyState& contact_forces() const { return forces_; }
+  /// Longitudinal slip of the last step after the relaxation length.
   double lagged_kappa() const { return patch_.kappa; }
+  /// Slip angle of the last step after the relaxation length, rad.
   double lagged_alpha() const { return patch_.alpha; }
 
  private:
@@ -100,8 +104,8 @@ class MagicFormulaTire final : public Tire {
   RangeWatch watch_;
 };
 
-/// Returns a sentence if the axle is so low that the rim would be in the road; empty if it is not.
-std::string rim_in_road(const Parameters& parameters, const WheelContact& contact);
+/// Returns a Failure if the axle is so low that the rim would be in the road.
+Status check_rim(const Parameters& parameters, const WheelContact& contact);
 
 /// Returns the coefficients for a road whose friction differs by a factor.
 Parameters on_road(Parameters parameters, double friction);

@@ -79,8 +79,10 @@ class Assembly {
   double kinetic_energy(const Poses& poses, const Eigen::VectorXd& rates) const;
   /// Names the part with the largest rotation.
   std::string most_turned(const Poses& poses) const;
-  /// Returns the rounding error of forces that cancel, estimated from the stiffest bushing, N.
-  double rounding() const;
+  /// Returns the rounding error of forces that cancel, N: the stiffest bushing times some last
+  /// digits of the largest coordinate at rest, or of the largest displacement in these poses. A
+  /// mechanism that stands far from its position at rest has a larger one.
+  double rounding(const Poses& poses) const;
 
  private:
   struct Blocks {

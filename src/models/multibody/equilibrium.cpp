@@ -27,32 +27,31 @@ Result<Rest> Equilibrium::solve(const RestSettings& standing, const Rest& before
   iterations_ = 0;
   held_.resize(0);
   Rest at_once = before;
-  const std::string trouble = newton(at_once, standing, 1.0);
-  if (!trouble.empty()) return follow(standing, before, trouble);
+  const Status solved = newton(at_once, standing, 1.0);
+  if (!solved) return follow(standing, before, solved.failure());
   at_once.drivers.assign(standing.drivers.begin(), standing.drivers.end());
   return at_once;
 }
 
 Result<Rest> Equilibrium::follow(const RestSettings& standing,
                                  const Rest& before,
-                                 const std::string& trouble_at_once) {
+                                 const Failure& at_once) {
   reached_ = before;
   share_ = 0.0;
   assemble(before, standing, 0.0);
   held_ = -assembly_.forces();
   if (!held_.allFinite())
     return Failure{"no equilibrium: the start has forces that are no numbers"};
-  std::string trouble = trouble_at_once;
+  std::string reason = at_once.reason;
   double more = 0.5;
   for (int halvings = 1; share_ < 1.0;) {
     Rest next = reached_;
     const double share = std::min(1.0, share_ + more);
-    if (std::string why = damped_newton(next, standing, share); !why.empty()) {
-      trouble = std::move(why);
+    if (const Status solved = damped_newton(next, standing, share); !solved) {
+      reason = solved.failure().reason;
       if (++halvings > settings_.halvings) {
         held_.resize(0);
-        return Failure{
-            fmt::format("no equilibrium beyond {:.3g} of the load: {}", share_, trouble)};
+        return Failure{fmt::format("no equilibrium beyond {:.3g} of the load: {}", share_, reason)};
       }
       more *= 0.5;
       continue;
@@ -80,11 +79,13 @@ void Equilibrium::assemble(const Rest& rest, const RestSettings& standing, doubl
   if (held_.size() > 0) assembly_.forces() += (1.0 - share) * held_;
 }
 
-double Equilibrium::enough() const { return std::max(settings_.force, assembly_.rounding()); }
+double Equilibrium::enough(const Poses& poses) const {
+  return std::max(settings_.force, assembly_.rounding(poses));
+}
 
-std::string Equilibrium::end_of_newton(Rest& rest) {
+Status Equilibrium::end_of_newton(Rest& rest) {
   if (!(assembly_.turned() <= settings_.most))
-    return assembly_.most_turned(rest.poses) + ": it would be torn off";
+    return Failure{assembly_.most_turned(rest.poses) + ": it would be torn off"};
   if (!rest.memories.empty()) {
     const Memories before = rest.memories;
     assembly_.remember({.poses = rest.poses, .memories = &before, .drivers = drivers_},
@@ -109,20 +110,20 @@ double turn_of(const Eigen::VectorXd& step) {
   return turn;
 }
 
-std::string nothing_holds(const std::string& body) {
-  return fmt::format(
+Failure nothing_holds(const std::string& body) {
+  return {fmt::format(
       "nothing holds {}: a direction of it meets no stiffness (a rod whose bushings have no "
       "rotational stiffness spins freely)",
-      body);
+      body)};
 }
 
 }  // namespace
 
-std::string Equilibrium::newton(Rest& rest, const RestSettings& standing, double share) {
+Status Equilibrium::newton(Rest& rest, const RestSettings& standing, double share) {
   for (int i = 0; i <= settings_.iterations; ++i) {
     assemble(rest, standing, share);
     left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
-    if (left_ <= enough()) return end_of_newton(rest);
+    if (left_ <= enough(rest.poses)) return end_of_newton(rest);
     if (!std::isfinite(left_) || i == settings_.iterations) break;
     if (!assembly_.J().factorize())
       return nothing_holds(
@@ -134,10 +135,10 @@ std::string Equilibrium::newton(Rest& rest, const RestSettings& standing, double
     const double scale = turn > settings_.turn ? settings_.turn / turn : 1.0;
     move_all(rest.poses, step_, -scale);
   }
-  return fmt::format("{:.3g} N are left after {} corrections, {}",
-                     left_,
-                     settings_.iterations,
-                     assembly_.most_turned(rest.poses));
+  return Failure{fmt::format("{:.3g} N are left after {} corrections, {}",
+                             left_,
+                             settings_.iterations,
+                             assembly_.most_turned(rest.poses))};
 }
 
 bool Equilibrium::go_on(Rest& rest, const RestSettings& standing, double share) {
@@ -152,7 +153,7 @@ bool Equilibrium::go_on(Rest& rest, const RestSettings& standing, double share) 
     move_all(rest.poses, correction, -scale);
     assemble(rest, standing, share);
     left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
-    if (left_ <= enough()) return true;
+    if (left_ <= enough(rest.poses)) return true;
     if (!std::isfinite(left_)) continue;
     Eigen::VectorXd next = assembly_.forces();
     J.solve(next);
@@ -161,13 +162,13 @@ bool Equilibrium::go_on(Rest& rest, const RestSettings& standing, double share) 
   return false;
 }
 
-std::string Equilibrium::damped_newton(Rest& rest, const RestSettings& standing, double share) {
+Status Equilibrium::damped_newton(Rest& rest, const RestSettings& standing, double share) {
   constexpr int kIterations = 50;
   assemble(rest, standing, share);
   left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
   double before = left_;
   for (int i = 0; i < kIterations; ++i) {
-    if (left_ <= enough()) return end_of_newton(rest);
+    if (left_ <= enough(rest.poses)) return end_of_newton(rest);
     if (!assembly_.J().factorize())
       return nothing_holds(
           mechanism_.bodies()[static_cast<std::size_t>(assembly_.J().singular_body())].name);
@@ -178,20 +179,21 @@ std::string Equilibrium::damped_newton(Rest& rest, const RestSettings& standing,
     if (!go_on(rest, standing, share)) break;
     before = left_;
   }
-  return fmt::format(
-      "{:.3g} N remain, no correction reduces them, {}", before, assembly_.most_turned(rest.poses));
+  return Failure{fmt::format("{:.3g} N remain, no correction reduces them, {}",
+                             before,
+                             assembly_.most_turned(rest.poses))};
 }
 
-std::string Equilibrium::linearize(const Poses& poses, std::span<const Load> loads) {
+Status Equilibrium::linearize(const Poses& poses, std::span<const Load> loads) {
   return linearize({poses, mechanism_.no_memories()}, {.loads = loads});
 }
 
-std::string Equilibrium::linearize(const Rest& rest, const RestSettings& standing) {
+Status Equilibrium::linearize(const Rest& rest, const RestSettings& standing) {
   assemble(rest, standing, 1.0);
   if (assembly_.J().factorize()) return {};
-  return fmt::format(
+  return Failure{fmt::format(
       "nothing holds {}",
-      mechanism_.bodies()[static_cast<std::size_t>(assembly_.J().singular_body())].name);
+      mechanism_.bodies()[static_cast<std::size_t>(assembly_.J().singular_body())].name)};
 }
 
 Matrix6d Equilibrium::compliance(int of, int by, const Vector3d& arm) const {

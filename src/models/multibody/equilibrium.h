@@ -61,10 +61,10 @@ class Equilibrium {
   const Rest& reached() const { return reached_; }
   double share() const { return share_; }
 
-  /// Computes J at these poses under these loads for the functions below. Returns an empty text, or
-  /// the part that nothing holds.
-  std::string linearize(const Poses& poses, std::span<const Load> loads);
-  std::string linearize(const Rest& rest, const RestSettings& standing);
+  /// Computes J at these poses under these loads for the functions below. Returns a
+  /// Failure that names the part that nothing holds.
+  Status linearize(const Poses& poses, std::span<const Load> loads);
+  Status linearize(const Rest& rest, const RestSettings& standing);
   /// Returns travel and rotation of body `of` at its origin per force and moment on body `by` at a
   /// point of it, in m/N and so on: 6 x 6.
   Matrix6d compliance(int of, int by, const Eigen::Vector3d& arm) const;
@@ -75,17 +75,18 @@ class Equilibrium {
   Eigen::MatrixXd by_stiffness(const Poses& poses, const Eigen::MatrixXd& by_pose) const;
 
  private:
-  /// Returns an empty text, or the reason why no rest was found.
-  std::string newton(Rest& rest, const RestSettings& standing, double share);
-  std::string damped_newton(Rest& rest, const RestSettings& standing, double share);
+  /// Returns a Failure if no rest was found.
+  Status newton(Rest& rest, const RestSettings& standing, double share);
+  Status damped_newton(Rest& rest, const RestSettings& standing, double share);
   /// Corrects the poses as long as corrections become shorter. Returns false if no step length
   /// achieves this.
   bool go_on(Rest& rest, const RestSettings& standing, double share);
-  std::string end_of_newton(Rest& rest);
+  Status end_of_newton(Rest& rest);
   /// Applies the actions in shares, from a start that is held in balance.
-  Result<Rest> follow(const RestSettings& standing, const Rest& before, const std::string& trouble);
+  Result<Rest> follow(const RestSettings& standing, const Rest& before, const Failure& at_once);
   void assemble(const Rest& rest, const RestSettings& standing, double share);
-  double enough() const;
+  /// Returns the residual, N and N m, at which poses count as an equilibrium.
+  double enough(const Poses& poses) const;
 
   const Mechanism& mechanism_;
   EquilibriumSettings settings_;

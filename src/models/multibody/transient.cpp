@@ -119,7 +119,7 @@ void Transient::place(const MechanismState& from, double h, MechanismState& to) 
   }
 }
 
-Result<bool> Transient::advance(MechanismState& state, double h, const RestSettings& standing) {
+Status Transient::advance(MechanismState& state, double h, const RestSettings& standing) {
   assert(h > 0.0);
   next_.time = state.time + h;
   next_.poses.resize(state.poses.size());
@@ -166,7 +166,7 @@ Result<bool> Transient::advance(MechanismState& state, double h, const RestSetti
                         .step = h},
                        next_.memories);
   std::swap(state, next_);
-  return true;
+  return {};
 }
 
 }  // namespace latsch::multibody

@@ -56,7 +56,7 @@ class Transient {
                                const Eigen::VectorXd* rates = nullptr);
   /// Advances the state by `step` seconds; loads, drivers and actions from outside are those of the
   /// end. A Failure leaves the state unchanged and names the part that moves too far.
-  Result<bool> advance(MechanismState& state, double step, const RestSettings& standing);
+  Status advance(MechanismState& state, double step, const RestSettings& standing);
 
   /// Returns the motion of a state, for forces of elements and energies.
   Motion motion_of(const MechanismState& state, std::span<const double> drivers = {}) const;

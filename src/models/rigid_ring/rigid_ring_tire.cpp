@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/magic_formula/vertical/load_curve.h"
+#include "models/rigid_ring/ring_doubts.h"
 #include "models/tire/free_trials.h"
 
 namespace latsch::rigid_ring {
@@ -38,6 +40,7 @@ double bounded_rate(double u, double rate, double bound) {
 
 Result<std::unique_ptr<RigidRingTire>> RigidRingTire::make(
     const Parameters& parameters, const MagicFormulaTireSettings& settings) {
+  if (const Status cams = check_cams(parameters); !cams) return cams.failure();
   const Result<RingConstants> ring = ring_constants(parameters, nominal_radius(parameters));
   if (!ring) return ring.failure();
   return std::unique_ptr<RigidRingTire>(new RigidRingTire(parameters, settings, *ring));
@@ -91,7 +94,11 @@ double RigidRingTire::load(double rho, double approach, double spin_rate, double
            formula_.vertical_force(
                rho + Fz / ring_.k_bx, spin_rate, gamma, settings_.pressure, forces_.Fx, forces_.Fy);
   };
+  const double damped = parameters_.DAMP_RESIDUAL * ring_.c_rz * approach;
   if (rho <= 0.0) return 0.0;
+  if (magic_formula::has_load_curve(parameters_))
+    return std::max(
+        magic_formula::force_on_curve_with_spring(parameters_, rho, ring_.k_bx) + damped, 0.0);
   double before = 0.0, f_before = surplus(0.0);
   double Fz = -f_before * ring_.c_rz / parameters_.VERTICAL_STIFFNESS;
   for (int i = 0; i < 20; ++i) {
@@ -102,7 +109,7 @@ double RigidRingTire::load(double rho, double approach, double spin_rate, double
     f_before = f;
     Fz = next;
   }
-  return std::max(Fz + parameters_.DAMP_RESIDUAL * ring_.c_rz * approach, 0.0);
+  return std::max(Fz + damped, 0.0);
 }
 
 /// Computes slips and their rates. `turning`: w_c - w_y, rad/s.
@@ -255,7 +262,7 @@ int RigidRingTire::substeps(double step, double Vx) const {
 Result<HubForces> RigidRingTire::settle(const WheelMotion& motion,
                                         const road::Road& road,
                                         double time) {
-  if (const std::string trouble = trouble_with(motion); !trouble.empty()) return Failure{trouble};
+  if (const Status fit = check_motion(motion); !fit) return fit.failure();
   WheelMotion rest = motion;
   rest.velocity.setZero();
   rest.angular_velocity.setZero();
@@ -279,7 +286,7 @@ Result<HubForces> RigidRingTire::settle(const WheelMotion& motion,
   moving_ = true;
   if (!state_.allFinite()) return Failure{"the ring finds no equilibrium on this road"};
   if (const auto wheel = touch(motion, plane_))
-    if (std::string why = rim_in_road(parameters_, *wheel); !why.empty()) return Failure{why};
+    if (const Status above = check_rim(parameters_, *wheel); !above) return above.failure();
   return hub_forces(state_, 0.0);
 }
 
@@ -315,8 +322,7 @@ Result<HubForces> RigidRingTire::advance(const WheelMotion& motion,
                                          const road::Road& road,
                                          double time,
                                          double step) {
-  if (const std::string trouble = trouble_with(motion, step); !trouble.empty())
-    return Failure{trouble};
+  if (const Status fit = check_motion(motion, step); !fit) return fit.failure();
   if (!moving_) {
     before_ = motion;
     plane_ = plane_ahead(motion, 0.0, road, time);
@@ -326,7 +332,7 @@ Result<HubForces> RigidRingTire::advance(const WheelMotion& motion,
   const auto wheel = touch(belt_motion(state_, motion), plane);
   if (!wheel) return Failure{"the wheel lies flat: its spin axis is perpendicular to the road"};
   if (const auto rim = touch(motion, plane))
-    if (std::string why = rim_in_road(parameters_, *rim); !why.empty()) return Failure{why};
+    if (const Status above = check_rim(parameters_, *rim); !above) return above.failure();
   take_friction(plane.friction);
   if (step == 0.0) return hub_forces(state_, motion.spin_rate);
   const int n = substeps(step, wheel->Vx);

@@ -64,10 +64,12 @@ class RigidRingTire final : public Tire {
   std::optional<Footprint> footprint() const override;
   std::unique_ptr<Tire> clone() const override;
 
+  /// Stiffnesses and damping of the belt against the rim, and its mass.
   const RingConstants& constants() const { return ring_; }
   /// Contact forces of the last step.
   const magic_formula::SteadyState& contact_forces() const { return forces_; }
   Eigen::Vector3d belt_displacement() const { return state_.segment<3>(0); }  // m, C
+  /// The plane that the cams found in the last step.
   const magic_formula::RoadPlane& effective_plane() const { return plane_; }
 
  private:

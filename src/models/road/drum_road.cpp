@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/road/drum_road.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -21,7 +23,7 @@ constexpr double kVertical = 1e-12;
 
 DrumRoad::DrumRoad(const Settings& settings)
     : settings_(settings), R_(settings.diameter / 2.0), up_(settings.inner ? 1.0 : -1.0) {
-  assert(R_ > 0.0);
+  assert(R_ > 0.0 && fault(settings).empty());
   edge_x_ = kEdge * R_;
   edge_z_ = up_ * (R_ - std::sqrt(R_ * R_ - edge_x_ * edge_x_));
   for (const Cleat& cleat : settings_.cleats) {
@@ -32,6 +34,45 @@ DrumRoad::DrumRoad(const Settings& settings)
     constexpr double kLean = 10.0;
     windows_.push_back((arc / std::cos(cleat.angle) + kLean * cleat.profile.reach()) / R_);
   }
+}
+
+std::string DrumRoad::fault(const Settings& settings) {
+  const double radius = settings.diameter / 2.0, around = kTurn * radius;
+  // Each cleat covers an arc from `from` to `to`, m; an oblique one covers more.
+  std::vector<std::pair<double, double>> arcs;
+  for (const Cleat& cleat : settings.cleats) {
+    const double stretch = 1.0 / std::cos(cleat.angle);
+    const double turns = cleat.starting_angle / kTurn;
+    const double middle = (turns - std::floor(turns)) * around;
+    arcs.emplace_back(middle + stretch * cleat.profile.begin(),
+                      middle + stretch * cleat.profile.end());
+  }
+  std::sort(arcs.begin(), arcs.end());
+  constexpr double kRounding = 1e-9;  // share of the circumference
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const bool is_last = i + 1 == arcs.size();
+    const double next = is_last ? arcs.front().first + around : arcs[i + 1].first;
+    if (arcs[i].second <= next + kRounding * around) continue;
+    const double length = arcs[i].second - arcs[i].first;
+    if (arcs.size() == 1)
+      return fmt::format(
+          "the cleat covers {:.4g} m of a drum that is {:.4g} m around: expected a shorter one",
+          length,
+          around);
+    return fmt::format(
+        "the cleats overlap: one covers {:.4g} mm of the drum, which is {:.4g} mm around, but the "
+        "next one begins {:.4g} mm behind its begin; expected shorter or fewer cleats",
+        1e3 * length,
+        1e3 * around,
+        1e3 * (next - arcs[i].first));
+  }
+  return {};
+}
+
+std::string DrumRoad::beyond(double x, double) const {
+  if (std::abs(x) <= edge_x_) return {};
+  return fmt::format(
+      "a wheel meets a drum with a radius of {:.4g} m only within {:.4g} m of x = 0", R_, edge_x_);
 }
 
 void DrumRoad::raise(int number, double x, double y, double turned, Surface& surface) const {

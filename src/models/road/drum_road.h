@@ -19,6 +19,7 @@
 // 0.95 R the surface continues as the tangent there, without cleats.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "models/road/profile.h"
@@ -29,26 +30,35 @@ namespace latsch::road {
 
 class DrumRoad final : public Road {
  public:
+  /// A bar on the drum.
   struct Cleat {
     Profile profile = {};         // heights >= 0: a drum has no grooves
     double starting_angle = 0.0;  // rad
     double angle = 0.0;           // rad, against the axle, |angle| < 90 deg
     double friction = 1.0;        // factor on the tire's own friction
   };
+  /// Size, surface speed and cleats of the drum.
   struct Settings {
-    double diameter = 2.0;  // m, > 0
-    bool inner = false;
-    Travel surface = {};
-    double friction = 1.0;  // factor beside the cleats
-    std::vector<Cleat> cleats = {};
+    double diameter = 2.0;           // m, > 0
+    bool inner = false;              // true: the tire rolls inside the drum
+    Travel surface = {};             // motion of the drum's surface
+    double friction = 1.0;           // factor beside the cleats
+    std::vector<Cleat> cleats = {};  // none by default
   };
 
+  /// Returns what is wrong with the cleats, or an empty text: one is longer than the drum is
+  /// around, or two overlap.
+  static std::string fault(const Settings& settings);
+  /// Takes settings without fault.
   explicit DrumRoad(const Settings& settings);
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
   GroundBounds bounds(const GroundBox& box, double time) const override;
+  /// Names points beyond |x| = 0.95 R, where the tangent replaces the drum.
+  std::string beyond(double x, double y) const override;
 
+  /// Radius of the drum, m.
   double radius() const { return R_; }
 
  private:

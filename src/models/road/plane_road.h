@@ -9,6 +9,7 @@ namespace latsch::road {
 
 class PlaneRoad final : public Road {
  public:
+  /// Height, slopes and motion of the plane.
   struct Settings {
     double height = 0.0;    // m, at the origin
     double grade = 0.0;     // dz/dx: rises ahead
@@ -20,6 +21,7 @@ class PlaneRoad final : public Road {
 
   /// Makes a level plane at zero, at rest.
   PlaneRoad() : PlaneRoad(Settings{}) {}
+  /// A plane of these settings.
   explicit PlaneRoad(const Settings& settings);
 
   GroundPoint at(double x, double y, double time) const override;

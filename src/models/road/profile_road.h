@@ -21,8 +21,10 @@ namespace latsch::road {
 
 class ProfileRoad final : public Road {
  public:
+  /// The obstacle, and where it lies.
   struct Settings {
-    Profile along = {};
+    Profile along = {};  // height over the distance along the road, m
+    /// Factor of the height over the distance across the road; none: 1.
     std::optional<Profile> across = std::nullopt;
     double pitch = 0.0;  // m; 0: no repetition
     int count = 0;       // number of repetitions; 0: infinite on both sides
@@ -33,6 +35,7 @@ class ProfileRoad final : public Road {
     Travel belt = {};                                  // moves everything toward -x
   };
 
+  /// A road of these settings.
   explicit ProfileRoad(const Settings& settings);
 
   GroundPoint at(double x, double y, double time) const override;

@@ -24,8 +24,8 @@ struct GroundPoint {
 /// A row of successive pieces, as of tread: the positions of their middles and of the count + 1
 /// borders before, between and behind them, m.
 struct GroundRow {
-  int count;
-  const double *x, *y, *border_x, *border_y;
+  int count;                                  // number of pieces
+  const double *x, *y, *border_x, *border_y;  // m; count middles, and count + 1 borders
 };
 
 /// The ground below a row, at each piece and each border.
@@ -41,7 +41,7 @@ struct RowGround {
 
 /// A rectangle of the ground, m.
 struct GroundBox {
-  double x0, x1, y0, y1;
+  double x0, x1, y0, y1;  // m: x0 <= x <= x1, y0 <= y <= y1
 };
 
 /// A smooth drum: a cylinder that turns about its axis, which is parallel to y.
@@ -59,7 +59,7 @@ struct GroundBounds {
   bool plane = false;  // the rectangle is the plane, with the friction, that `at` finds in its
                        // middle
   std::optional<Cylinder> cylinder = std::nullopt;  // the rectangle is this drum
-  // True if a line in the rectangle may be a plane although the whole rectangle is none.
+  /// True if a line in the rectangle may be a plane although the whole rectangle is none.
   bool lines_differ = true;
 };
 

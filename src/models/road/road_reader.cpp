@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/road/road_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,12 +21,16 @@ constexpr std::array kKinds = {"flat", "cleat", "drum", "kerb", "wave"};
 constexpr double kSteepest = 10.0;
 constexpr double kLargest = 1e4;                            // m
 constexpr double kShortest = 1e-6;                          // m
+constexpr double kThinnest = 1e-3;                          // m, of a kerb's pitch and width
+constexpr double kHighest = 2.0;                            // m, of cleats and kerbs
 constexpr double kFastest = 1e3;                            // m/s
 constexpr double kRightAngle = std::numbers::pi / 2.0;      // rad
 constexpr double kMostOblique = 80.0 / 90.0 * kRightAngle;  // limit of a cleat's angle
 
 Range friction_range() { return Range::between(0.0, 10.0); }
 Range size_range() { return {0.0, kLargest, true}; }
+Range height_range() { return Range::between(-kHighest, kHighest); }
+Range kerb_range() { return Range::between(kThinnest, kLargest); }
 Range signed_range() { return Range::between(-kLargest, kLargest); }
 
 double friction(const Node& table) {
@@ -38,7 +44,7 @@ double belt_speed(const Node& table) {
 }
 
 Profile read_cleat(const Node& table) {
-  const double height = table.quantity("height", "m", signed_range());
+  const double height = table.quantity("height", "m", height_range());
   const double length = table.quantity("length", "m", size_range());
   const double most = std::min(std::abs(height), length / 2.0);
   return cleat_profile(
@@ -105,8 +111,28 @@ std::unique_ptr<Road> read_drum(const Node& table) {
     cleat.angle = read_angle(table);
     cleat.friction = obstacle_friction(table);
     settings.cleats = equally_spaced(cleats, cleat);
+    if (const std::string fault = DrumRoad::fault(settings); !fault.empty())
+      table.reject(cleats > 1 ? "cleats" : "length", fault);
   }
   return std::make_unique<DrumRoad>(settings);
+}
+
+/// Refuses waves whose slope no road has.
+void refuse_steep_waves(const Node& table, const WaveRoad::Settings& settings) {
+  const auto refuse = [&](const char* key, double amplitude, double length) {
+    const double slope = 2.0 * std::numbers::pi * std::abs(amplitude) / length;
+    if (slope <= kSteepest) return;
+    table.reject(key,
+                 fmt::format("makes a slope of {:.3g} on waves of {:.4g} m, expected at most {:g}: "
+                             "a lower amplitude or longer waves",
+                             slope,
+                             length,
+                             kSteepest));
+  };
+  refuse("amplitude", settings.amplitude_begin, settings.wave_length_begin);
+  refuse(table.has("amplitude_end") ? "amplitude_end" : "amplitude",
+         settings.amplitude_end,
+         settings.wave_length_end);
 }
 
 std::unique_ptr<Road> read_wave(const Node& table) {
@@ -125,6 +151,7 @@ std::unique_ptr<Road> read_wave(const Node& table) {
     settings.exponential = table.flag("exponential", false);
   }
   settings.friction = friction(table);
+  refuse_steep_waves(table, settings);
   return std::make_unique<WaveRoad>(settings);
 }
 
@@ -138,9 +165,9 @@ Kerb read_kerb(const Node& table) {
                : shape == "triangle" ? Kerb::Shape::triangle
                : shape == "sine"     ? Kerb::Shape::sine
                                      : Kerb::Shape::block;
-  kerb.pitch = table.quantity("pitch", "m", size_range());
-  kerb.width = table.quantity("width", "m", size_range());
-  kerb.height = table.quantity("height", "m", signed_range());
+  kerb.pitch = table.quantity("pitch", "m", kerb_range());
+  kerb.width = table.quantity("width", "m", kerb_range());
+  kerb.height = table.quantity("height", "m", height_range());
   kerb.count = static_cast<int>(table.integer("count", 1, 100000));
   if (kerb.shape == Kerb::Shape::block) {
     kerb.length = table.quantity("length", "m", {0.0, kerb.pitch, true});

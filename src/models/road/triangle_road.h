@@ -16,13 +16,15 @@
 
 namespace latsch::road {
 
+/// Triangles with their nodes.
 struct TriangleMesh {
+  /// Three nodes, and the friction between them.
   struct Triangle {
-    std::array<int, 3> nodes = {};
-    double friction = 1.0;
+    std::array<int, 3> nodes = {};  // indices of nodes
+    double friction = 1.0;          // factor on the tire's own friction
   };
   std::vector<Eigen::Vector3d> nodes;  // m
-  std::vector<Triangle> triangles;
+  std::vector<Triangle> triangles;     // in any order
 };
 
 class TriangleRoad final : public Road {
@@ -44,9 +46,11 @@ class TriangleRoad final : public Road {
   /// True if the triangle is seen from above.
   static bool has_area(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle);
 
+  /// The mesh it was made from.
   const TriangleMesh& mesh() const { return mesh_; }
   /// Bounds of all nodes, in plan.
   Eigen::Vector2d low() const { return low_; }
+  /// The greatest x and y of all nodes, m.
   Eigen::Vector2d high() const { return high_; }
 
  private:

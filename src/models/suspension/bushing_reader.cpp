@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <optional>
 
 #include "base/error.h"
 #include "base/text.h"
+#include "base/units.h"
 
 namespace latsch::suspension {
 namespace {
@@ -101,18 +104,47 @@ bool has_curve(const std::vector<BushingParameters::Part>& parts, std::size_t ax
   return false;
 }
 
+/// Rejects a curve that drives the motion on instead of resisting it. Its force at rest is a
+/// preload and does not count.
+void refuse_driving(const Node& table,
+                    const std::string& key,
+                    const std::string& unit,
+                    const std::string& unit_of_force,
+                    const multibody::ForceCharacteristic& curve,
+                    double beside) {
+  constexpr double kRounding = 1e-9;  // share of the largest force
+  double most = 0.0;
+  for (const auto& [x, f] : curve.points()) most = std::max(most, std::abs(f));
+  for (const auto& [x, f] : curve.points()) {
+    const double force = f - curve.at(0.0) + beside * x;
+    if (x == 0.0 || !(std::copysign(force, force * x) < -kRounding * most)) continue;
+    table.reject(key,
+                 fmt::format("has {} at {}{}: it drives the motion on instead of resisting it; "
+                             "expected a force with the sign of the {}. Is a sign wrong?",
+                             format_quantity(f, unit_of_force, 4),
+                             format_quantity(x, unit, 4),
+                             beside > 0.0 ? ", more than the stiffness beside it resists" : "",
+                             unit == "m/s"   ? "rate of extension"
+                             : unit == "rad" ? "angle"
+                                             : "deflection, in extension positive"));
+  }
+}
+
 }  // namespace
 
 multibody::ForceCharacteristic read_curve(const Node& table,
                                           const std::string& key,
                                           const std::string& unit,
-                                          const std::string& unit_of_force) {
+                                          const std::string& unit_of_force,
+                                          double beside) {
   std::vector<multibody::ForceCharacteristic::Point> points;
   for (const auto& row : table.rows(key, {unit, unit_of_force}))
     points.emplace_back(row[0], row[1]);
   if (const std::string fault = multibody::ForceCharacteristic::fault(points); !fault.empty())
     table.reject(key, fault);
-  return multibody::ForceCharacteristic(std::move(points));
+  multibody::ForceCharacteristic curve(std::move(points));
+  refuse_driving(table, key, unit, unit_of_force, curve, beside);
+  return curve;
 }
 
 BushingParameters read_bushing(const Node& bushings, const std::string& name) {

@@ -35,10 +35,12 @@ std::vector<std::string> bushing_lines(const multibody::BushingParameters& bushi
 /// Keys that must not be given beside `file`.
 const std::vector<std::string>& keys_in_place_of_a_file();
 
-/// Reads a curve such as [["-1 mm", "-9 kN"], ...].
+/// Reads a curve such as [["-1 mm", "-9 kN"], ...]. Throws InputError also for a curve that, with
+/// the stiffness `beside` it (force per `unit`), drives the motion on instead of resisting it.
 multibody::ForceCharacteristic read_curve(const Node& table,
                                           const std::string& key,
                                           const std::string& unit,
-                                          const std::string& unit_of_force);
+                                          const std::string& unit_of_force,
+                                          double beside = 0.0);
 
 }  // namespace latsch::suspension

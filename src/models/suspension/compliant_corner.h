@@ -26,13 +26,14 @@
 namespace latsch::suspension {
 
 struct CompliantCorner {
-  std::vector<multibody::Body> bodies;
-  std::vector<multibody::Joint> joints;
+  std::vector<multibody::Body> bodies;    // links and upright
+  std::vector<multibody::Joint> joints;   // bushings, in the order of their names
   int upright = 0;                        // index; the origin of the body is the wheel center
   Eigen::Vector3d wheel_center, contact;  // m
-  WheelPoints wheel;
+  WheelPoints wheel;                      // points of the upright
 };
 
+/// Makes bodies and bushings of a double wishbone.
 CompliantCorner compliant_corner(const DoubleWishbone& corner);
 
 /// Returns NAME_inner, NAME_outer of every link, then pushrod_inner, pushrod_outer.

@@ -272,7 +272,7 @@ KinematicCorner::KinematicCorner(const CornerGeometry& geometry, TravelOf of)
     : geometry_(&geometry), moving_(geometry.linkage, of) {
   const auto rest = standing(geometry, moving_);
   if (!rest) {
-    trouble_ = rest.failure();
+    rest_ = rest.failure();
     return;
   }
   length_at_rest_ = rest->spring_length;
@@ -280,7 +280,7 @@ KinematicCorner::KinematicCorner(const CornerGeometry& geometry, TravelOf of)
 }
 
 Result<WheelKinematics> KinematicCorner::move_to(double travel, double rack) {
-  if (trouble_) return *trouble_;
+  if (!rest_) return rest_.failure();
   if (const auto there = moving_.move_to(travel, rack); !there) return there.failure();
   auto found = standing(*geometry_, moving_);
   if (!found) return found;

@@ -66,7 +66,7 @@ class KinematicCorner {
  private:
   const CornerGeometry* geometry_;
   MovingLinkage moving_;
-  std::optional<Failure> trouble_;
+  Status rest_;  // a Failure: there is no state at rest
   double length_at_rest_ = 0.0, ratio_at_rest_ = 0.0;
 };
 

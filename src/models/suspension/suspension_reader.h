@@ -32,8 +32,9 @@
 
 namespace latsch::suspension {
 
+/// A suspension corner as its file states it.
 struct SuspensionCorner {
-  CornerGeometry geometry;
+  CornerGeometry geometry;                   // hardpoints and links
   std::optional<CompliantCorner> compliant;  // none without [bushing]
   std::optional<DoubleWishbone> statics;     // its double wishbone; none for five links
 };

@@ -17,12 +17,14 @@ using multibody::Matrix6d;
 using multibody::Pose;
 using multibody::Vector6d;
 
+/// Side of the car.
 enum class Side { left, right };
 
 /// Points of the upright at rest, relative to its origin, m.
 struct WheelPoints {
+  /// Each relative to the origin of the upright, m.
   Eigen::Vector3d contact, center, lower_ball_joint, upper_ball_joint;
-  Side side = Side::left;
+  Side side = Side::left;  // side of the car: the signs of toe, camber and steer depend on it
 };
 
 struct WheelPosition {
@@ -31,6 +33,7 @@ struct WheelPosition {
   double camber, toe, caster;  // rad
 };
 
+/// Returns the position of the wheel for this pose of its upright.
 WheelPosition wheel_position(const WheelPoints& points, const Pose& upright);
 
 /// Returns the slopes of contact point, camber, toe and caster with respect to travel and rotation

@@ -19,15 +19,17 @@ struct FootprintElement {
   /// fills the difference, so that equal neighbors give an even pressure.
   double blur = 0.0;
 
+  /// Area of the rectangle, m^2.
   double area() const { return length * width; }
 };
 
 struct Footprint {
-  double length = 0.0, width = 0.0;  // m, largest values
-  double area = 0.0;                 // m^2, grooves included
-  double load = 0.0;                 // N
-  std::vector<FootprintElement> elements;
+  double length = 0.0, width = 0.0;        // m, largest values
+  double area = 0.0;                       // m^2, grooves included
+  double load = 0.0;                       // N
+  std::vector<FootprintElement> elements;  // rectangles of which it consists
 
+  /// Load over area, Pa.
   double mean_pressure() const { return area > 0.0 ? load / area : 0.0; }
   /// Returns the pressure that a square sensor of this side (m) measures with its middle at x, y,
   /// Pa.

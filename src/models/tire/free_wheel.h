@@ -22,7 +22,7 @@ namespace latsch {
 
 /// F, N m or N, and dF/dw, which must not exceed 2 m/h.
 struct Push {
-  double value = 0.0, by_rate = 0.0;
+  double value = 0.0, by_rate = 0.0;  // F, and dF/dw
 };
 
 /// Spin or height. A step replaces it by its value at the end.
@@ -35,11 +35,12 @@ struct FreeRate {
 
 /// The free rates of a wheel. A rate that is not given here is prescribed by the wheel's motion.
 struct FreeWheel {
-  std::optional<FreeRate> spin = {}, height = {};
-  double brake = 0.0;  // N m, on the spin
+  std::optional<FreeRate> spin = {}, height = {};  // none: prescribed
+  double brake = 0.0;                              // N m, on the spin
 
   /// A number for the spin and one for the height; 0 for what is not free.
   using Pair = Eigen::Vector2d;
+  /// Derivatives of a pair with respect to another.
   using Matrix = Eigen::Matrix2d;
 
   /// Returns T.

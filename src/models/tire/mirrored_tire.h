@@ -19,6 +19,7 @@ enum class TireSide { left, right };
 
 class MirroredTire final : public Tire {
  public:
+  /// Takes a tire of the other side.
   explicit MirroredTire(std::unique_ptr<Tire> tire) : tire_(std::move(tire)) {}
 
   double free_radius() const override { return tire_->free_radius(); }

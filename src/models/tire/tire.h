@@ -10,7 +10,6 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "base/result.h"
 #include "models/road/road.h"
@@ -30,14 +29,16 @@ struct WheelMotion {
   bool operator==(const WheelMotion&) const = default;
 };
 
-/// Returns an empty text, or why no tire can follow: a number that is not finite, a step (s) back
+/// Returns a Failure if no tire can follow the motion: a number that is not finite, a step (s) back
 /// in time.
-inline std::string trouble_with(const WheelMotion& motion, double step = 0.0) {
+inline Status check_motion(const WheelMotion& motion, double step = 0.0) {
   if (!(motion.center.allFinite() && motion.carrier.allFinite() && motion.velocity.allFinite() &&
         motion.angular_velocity.allFinite() && std::isfinite(motion.spin) &&
         std::isfinite(motion.spin_rate)))
-    return "the wheel's motion is not finite";
-  return step >= 0.0 && std::isfinite(step) ? "" : "a step of the tire needs a time of 0 or more";
+    return Failure{"the wheel's motion is not finite"};
+  if (!(step >= 0.0 && std::isfinite(step)))
+    return Failure{"a step of the tire needs a time of 0 or more"};
+  return {};
 }
 
 /// Force and moment of the tire on the rim at the wheel center, in C.

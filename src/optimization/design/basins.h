@@ -34,10 +34,11 @@ Neighbors grid_neighbors(const std::vector<int>& levels);
 /// Returns the `count` nearest points of each point.
 Neighbors nearest_neighbors(const std::vector<Eigen::VectorXd>& points, int count);
 
+/// The points of a design from which every descent leads to the same minimum.
 struct Basin {
-  int lowest = 0;  // index of the basin's minimum
-  int points = 0;  // number of points that lead to the minimum, the minimum included
-  double value = 0.0;
+  int lowest = 0;      // index of the basin's minimum
+  int points = 0;      // number of points that lead to the minimum, the minimum included
+  double value = 0.0;  // value at the minimum
 };
 
 /// Returns the basins, lowest first. Points whose value is NaN belong to no basin.

@@ -26,6 +26,7 @@
 
 namespace latsch {
 
+/// The trajectories of a screening.
 struct MorrisDesign {
   /// Each trajectory has n + 1 points; consecutive points differ in one variable.
   std::vector<std::vector<DesignPoint>> trajectories;
@@ -43,8 +44,8 @@ MorrisDesign morris(const DesignSpace& space,
 
 /// Effects of one variable.
 struct ElementaryEffects {
-  double mu = 0.0, mu_star = 0.0, sigma = 0.0;
-  int effects = 0;  // number of effects with two successful evaluations
+  double mu = 0.0, mu_star = 0.0, sigma = 0.0;  // mu, mu*, sigma, in the unit of y
+  int effects = 0;                              // number of effects with two successful evaluations
 };
 
 /// Returns one entry for each variable. `values` are in the order of the trajectories' points. A

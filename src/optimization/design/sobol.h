@@ -24,6 +24,7 @@
 
 namespace latsch {
 
+/// Largest number of variables.
 inline constexpr int kMostSobolVariables = 21;
 
 /// Returns the first `points` points of the sequence. Throws InputError for less than one or more

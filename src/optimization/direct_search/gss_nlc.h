@@ -27,14 +27,15 @@
 
 namespace latsch {
 
+/// Search and penalty.
 struct GssNlcOptions {
   /// Initial step of the first search and tolerance of the last. The contraction is larger than
   /// without a penalty, because a faster contraction leaves the penalty's valleys too early:
   /// problem 71 of Hock and Schittkowski then ends 0.7 % off.
   GssOptions gss = {.contraction = 0.5};
-  Penalty penalty = Penalty::l2_squared;
-  double rho = 1.0;  // rho of the first search: change of the target worth a violation of 1
-  double largest_rho = 1e8;
+  Penalty penalty = Penalty::l2_squared;  // kind of the penalty
+  double rho = 1.0;          // rho of the first search: change of the target worth a violation of 1
+  double largest_rho = 1e8;  // the search gives up beyond it
   double alpha = 1.0;  // alpha of the first search: width of smoothing, in units of the constraints
 };
 
@@ -48,6 +49,7 @@ class GssNlc : public Optimizer {
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override { return search_->converged(); }
 
+  /// Present factor of the penalty.
   double rho() const { return rho_; }
 
  private:

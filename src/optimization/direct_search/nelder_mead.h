@@ -27,8 +27,8 @@ namespace latsch {
 
 /// Lengths are in the unit cube.
 struct NelderMeadOptions {
-  double initial_step = 0.1;  // distance from the start to every other vertex
-  double step_tolerance = 1e-3;
+  double initial_step = 0.1;     // distance from the start to every other vertex
+  double step_tolerance = 1e-3;  // the search ends when all vertices are this close to the best
 };
 
 class NelderMead : public Optimizer {

@@ -46,15 +46,18 @@ namespace latsch {
 
 /// Result of an evaluation: residuals, and dr/du if the model computes its slopes.
 struct Evaluated {
+  /// Takes residuals, and their slopes if the model computes them.
   Evaluated(Eigen::VectorXd residuals, Eigen::MatrixXd slopes = {})
       : r(std::move(residuals)), J(std::move(slopes)) {}
 
+  /// True if the model computed dr/du.
   bool has_slopes() const { return J.size() > 0; }
+  /// Returns only these rows.
   Evaluated of(const std::vector<Eigen::Index>& rows) const {
     return {r(rows), has_slopes() ? Eigen::MatrixXd(J(rows, Eigen::all)) : Eigen::MatrixXd()};
   }
 
-  Eigen::VectorXd r;
+  Eigen::VectorXd r;        // m residuals
   Eigen::MatrixXd J;        // empty: not known
   bool is_reduced = false;  // the rows are those of reduced_rows.h
 };
@@ -66,12 +69,14 @@ struct Linearization {
   Eigen::MatrixXd J;      // m x n
   bool is_exact = false;  // J is the model's own, not computed by differences
 
+  /// Returns S = r'r.
   double sum_of_squares() const { return r.squaredNorm(); }
 };
 
+/// Noise of the residuals and level of the intervals.
 struct ConfidenceOptions {
   std::optional<double> sigma = std::nullopt;  // standard deviation of a residual, if known
-  double level = 0.95;
+  double level = 0.95;  // probability that an interval contains the true value
   /// Least standard deviation used if the spread is estimated, because no residual is computed more
   /// exactly. It keeps the intervals of a perfect fit, a model fitted to itself, from having no
   /// width.
@@ -80,13 +85,13 @@ struct ConfidenceOptions {
   /// noise, so no correlation of neighbors is looked for in it. In the unit of the residuals: for
   /// relative differences 1e-5 is less than the noise of any laboratory.
   double least_noise = 1e-9;
-  ResidualTraits traits = {};
+  ResidualTraits traits = {};  // groups and order of the residuals, for noise that neighbors share
 };
 
 /// Two ends in the unit cube, not cut off at its faces; infinite if nothing determines the
 /// variable.
 struct Interval {
-  double lower, upper;
+  double lower, upper;  // coordinates of the unit cube
 };
 
 /// Uncertainty of the variables that no bound holds, direction by direction. The uncertainty of
@@ -107,10 +112,11 @@ struct Confidence {
   Eigen::MatrixXd directions;       // each column a direction of the unit cube
   Eigen::MatrixXd covariance;       // 0 in rows and columns of held variables
   Eigen::MatrixXd correlation;      // 0 in rows and columns of held variables, too
-  std::vector<Interval> intervals;
+  std::vector<Interval> intervals;  // one for each variable
   /// One threshold for each variable: the difference S - least S up to which values belong to its
   /// interval.
   std::vector<double> thresholds;
+  /// Standard deviation along each direction, in ranges of the variables; infinite if flat.
   Eigen::VectorXd direction_deviations;
   /// Standard deviation of every residual as it acts on the variables, including the part it shares
   /// with its neighbors.
@@ -119,7 +125,7 @@ struct Confidence {
   double excess = 1.0;
   bool is_colored = false;    // neighbors share noise
   double left_to_gain = 0.0;  // S - least S, as J predicts inside the bounds of held variables
-  FreeDirections free;
+  FreeDirections free;        // directions of the variables that no bound holds
 
   /// Returns s^2 t^2, the threshold for independent residuals.
   double threshold() const { return sigma * sigma * t * t; }

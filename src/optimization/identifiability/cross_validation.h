@@ -20,8 +20,9 @@
 
 namespace latsch {
 
+/// Result for one group of residuals.
 struct LeftOut {
-  int group = 0;
+  int group = 0;           // the group that the refit did not use
   Eigen::VectorXd u;       // refitted without the group
   double fitted = 0.0;     // root mean square of the group's residuals in the common fit
   double predicted = 0.0;  // and without the group; NaN if the refit did not converge
@@ -41,7 +42,9 @@ class CrossValidation {
                   std::vector<int> free = {},
                   const std::map<int, Eigen::Index>& values = {});
 
+  /// Returns the points to be evaluated next; empty when done.
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
+  /// Receives the outcomes of the wanted points, in their order.
   void observe(const std::vector<Result<Evaluated>>& evaluated);
 
   /// Returns the share of the evaluations that is done, estimated from the usual number of

@@ -19,7 +19,7 @@ namespace latsch {
 /// A measurement that could be made. Its derivatives are those of the residuals it would add, each
 /// divided by its noise.
 struct Candidate {
-  std::string name;
+  std::string name;   // for people
   Eigen::MatrixXd J;  // rows x variables, of the unit cube
 };
 

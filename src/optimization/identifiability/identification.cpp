@@ -144,21 +144,16 @@ void Identification::look_for_better(const std::vector<Result<Evaluated>>& evalu
 
 /// Selects the residuals used: those known at the center and at all points beside it at which the
 /// model does not fail. A later center uses the same residuals.
-bool Identification::center_observed(const std::vector<Result<Evaluated>>& evaluated) {
-  if (!evaluated.front()) {
-    failure_ = Failure{"at the point the evaluation failed: " + evaluated.front().failure().reason};
-    return false;
-  }
+Status Identification::center_observed(const std::vector<Result<Evaluated>>& evaluated) {
+  if (!evaluated.front())
+    return Failure{"at the point the evaluation failed: " + evaluated.front().failure().reason};
   if (centers_ == 1) {
     std::vector<Eigen::VectorXd> all;
     for (const auto& one : evaluated) {
       if (one) all.push_back(one->r);
     }
     rows_ = known_residuals(all);
-    if (rows_.empty()) {
-      failure_ = Failure{"no residual is known at the point and beside it"};
-      return false;
-    }
+    if (rows_.empty()) return Failure{"no residual is known at the point and beside it"};
     options_.confidence.traits = options_.confidence.traits.of(rows_);
     const auto& deviations = options_.confidence.traits.deviations;
     scale_ = Eigen::VectorXd::Ones(std::ssize(rows_));
@@ -171,7 +166,7 @@ bool Identification::center_observed(const std::vector<Result<Evaluated>>& evalu
   r_ = rows->r;
   least_ = r_->squaredNorm();
   least_point_ = center_;
-  return true;
+  return {};
 }
 
 /// Returns the change of the residuals at the ends of an interval of one variable with the others
@@ -188,7 +183,8 @@ void Identification::slopes_observed(const std::vector<Result<Evaluated>>& evalu
   size_t first = 0;
   if (!r_) {
     const bool is_told = is_enough(evaluated.front());
-    if (!center_observed(evaluated)) {
+    status_ = center_observed(evaluated);
+    if (!status_) {
       wanted_.clear();
       return;
     }
@@ -232,8 +228,8 @@ void Identification::take_slopes() {
       continue;
     }
     if (search.quality() == SlopeQuality::unknown) {
-      failure_ = Failure{"the evaluation fails on both sides of the point in " + space_[i].name +
-                         ": no derivative is known"};
+      status_ = Failure{"the evaluation fails on both sides of the point in " + space_[i].name +
+                        ": no derivative is known"};
       return;
     }
     at.J.col(i) = scale_.cwiseProduct(search.slope());

@@ -34,11 +34,12 @@
 
 namespace latsch {
 
+/// Noise, differences and extent of an identification.
 struct IdentificationOptions {
-  ConfidenceOptions confidence = {};
-  bool profiles = true;  // false: no round 3
-  double step = 0.01;    // first length of the differences, in the unit cube
-  int most_centers = 4;  // 1: the center stays at the point
+  ConfidenceOptions confidence = {};  // noise and level
+  bool profiles = true;               // false: no round 3
+  double step = 0.01;                 // first length of the differences, in the unit cube
+  int most_centers = 4;               // 1: the center stays at the point
   /// The variables that may move, ascending; empty means all. The others keep their exact values at
   /// every wanted point and have an interval of no width and no profile.
   std::vector<int> free = {};
@@ -46,6 +47,8 @@ struct IdentificationOptions {
 
 class Identification {
  public:
+  /// Begins at a point, usually the best of a search. Throws InputError if the space does not
+  /// contain it.
   Identification(const DesignSpace& space,
                  const DesignPoint& point,
                  const IdentificationOptions& options = {});
@@ -60,8 +63,8 @@ class Identification {
     return !r_ && first && first->has_slopes();
   }
 
-  /// The Failure that made round 1 impossible.
-  const std::optional<Failure>& failure() const { return failure_; }
+  /// Returns the Failure that made round 1 impossible, if there is one.
+  const Status& status() const { return status_; }
   /// Returns the point that linearization, confidence and profiles belong to: the given point, or a
   /// better one found since.
   const DesignPoint& center() const { return center_; }
@@ -75,9 +78,10 @@ class Identification {
   /// The same sum gives the derivative of any other quantity. The list is empty if the model
   /// computed its slopes.
   struct Term {
-    DesignPoint point;
-    double weight;
+    DesignPoint point;  // point of a trial
+    double weight;      // factor of the trial's value
   };
+  /// Returns the terms of the derivative in this variable, of the unit cube.
   std::vector<Term> derivative(int variable) const;
   /// True if linearization and confidence exist: not before round 1 is done, nor while it is
   /// repeated at a better point.
@@ -90,6 +94,7 @@ class Identification {
   double share_done() const;
   /// At the center.
   const Linearization& linearization() const { return *at_; }
+  /// Intervals, correlations and directions, from the linearization.
   const Confidence& confidence() const { return *confidence_; }
   /// Indices of the residuals used.
   const std::vector<Eigen::Index>& residuals_used() const { return rows_; }
@@ -101,7 +106,7 @@ class Identification {
  private:
   void begin_at(const DesignPoint& center);
   void slopes_observed(const std::vector<Result<Evaluated>>& evaluated);
-  bool center_observed(const std::vector<Result<Evaluated>>& evaluated);
+  Status center_observed(const std::vector<Result<Evaluated>>& evaluated);
   void ask_slopes();
   void take_slopes();
   void linearized(Linearization at);
@@ -126,7 +131,7 @@ class Identification {
   DesignPoint center_;
   int centers_ = 1;
   std::vector<DesignPoint> wanted_;
-  std::optional<Failure> failure_;
+  Status status_;
   std::vector<SlopeSearch> searches_;  // one a variable
   std::vector<int> owners_;            // for wanted_ without the center: indices in searches_
   std::optional<Eigen::VectorXd> r_;   // at the center, rows used

@@ -31,17 +31,19 @@ namespace latsch {
 /// Deviations of a value from the value at the point.
 struct PredictionBand {
   double lower = 0.0, upper = 0.0;  // <= 0, >= 0
-  // The open direction, a column of FreeDirections::axes, that makes up most of the band, at least
-  // a tenth; -1: none.
+  /// The open direction, a column of FreeDirections::axes, that makes up most of the band, at least
+  /// a tenth; -1: none.
   int open = -1;
   int held = -1;  // variable held at a bound that does so; -1: none
 };
 
+/// Bands of values computed from the variables, for one confidence.
 class PredictionBands {
  public:
   /// Uses the confidence at u, whose sigma must be a number.
   PredictionBands(const Eigen::VectorXd& u, const Confidence& confidence);
 
+  /// Returns the band of a value with the gradient g with respect to the unit cube.
   PredictionBand of(const Eigen::VectorXd& g) const;
 
  private:

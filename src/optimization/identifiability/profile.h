@@ -32,15 +32,16 @@
 
 namespace latsch {
 
+/// One rung of a profile: the other variables are refitted.
 struct ProfilePoint {
-  Eigen::VectorXd u;
-  double S;
+  Eigen::VectorXd u;      // point of the unit cube
+  double S;               // sum of squares there
   bool converged = true;  // the refit of the other variables
 };
 
 /// Settings that the branches of all variables share.
 struct ProfileSettings {
-  FeasibleRegion region;
+  FeasibleRegion region;        // bounds and linear constraints
   Eigen::VectorXd differences;  // see BroydenFitOptions
   std::vector<int> free = {};   // the variables that may move, ascending; empty: all
 };
@@ -58,6 +59,7 @@ class ProfileBranch {
 
   /// Returns nullopt at the end of the ladder.
   std::optional<Eigen::VectorXd> wanted() const;
+  /// Receives the outcome of the wanted point; nullopt if the evaluation failed.
   void observe(const std::optional<Evaluated>& evaluated);
 
   /// Returns the points from the best point outward, without the best point.
@@ -114,16 +116,18 @@ class ProfileBranch {
   std::vector<ProfilePoint> points_;
 };
 
+/// Verdict on a variable by its profile.
 enum class Verdict { identifiable, one_sided, flat, several_minima, not_evaluable };
 
+/// The least sum of squares over one variable.
 struct TargetProfile {
-  int variable = 0;
+  int variable = 0;                  // index
   std::vector<ProfilePoint> points;  // ascending in the variable, the best point among them
   double least = 0.0;                // S that the profile is measured against
-  double threshold = 0.0;
-  Interval interval{};  // ends at which S - least crosses the threshold; else infinite
-  Verdict verdict = Verdict::flat;
-  std::vector<int> other_minima;  // indices into `points`
+  double threshold = 0.0;            // rise of S at the ends of the interval
+  Interval interval{};               // ends at which S - least crosses the threshold; else infinite
+  Verdict verdict = Verdict::flat;   // in one word
+  std::vector<int> other_minima;     // indices into `points`
   /// The last evaluated value on a side on which the model fails before S has risen.
   std::optional<double> lower_end = std::nullopt, upper_end = std::nullopt;
 

@@ -61,6 +61,7 @@ struct LevenbergMarquardtOptions {
   /// First Delta: |p| of a move of all variables by this length. It may be wide, because the slopes
   /// are exact.
   double initial_step = 0.5;
+  /// The search ends if the next step is shorter.
   double step_tolerance = 1e-6;
   /// The search ends if the linear model predicts a gain of less than this share of f for the full
   /// step.

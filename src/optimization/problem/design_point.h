@@ -9,7 +9,7 @@
 namespace latsch {
 
 struct DesignPoint {
-  std::vector<double> values;
+  std::vector<double> values;  // SI, one for each variable of the space
 
   bool operator==(const DesignPoint&) const = default;
 

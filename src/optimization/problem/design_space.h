@@ -19,26 +19,28 @@
 
 namespace latsch {
 
+/// A logarithmic variable has equal steps for equal ratios of its values, which must be positive.
 enum class Scale { linear, logarithmic };
 
 /// A number of the model that is a variable's value times a factor.
 struct Follower {
-  std::string name;
-  std::vector<std::string> paths;
-  double factor = 1.0;
+  std::string name;                // for people
+  std::vector<std::string> paths;  // numbers of the model
+  double factor = 1.0;             // on the variable's value
 };
 
+/// One variable of a search.
 struct DesignVariable {
-  std::string name;
+  std::string name;                     // unique in its space
   std::vector<std::string> paths = {};  // numbers of the model set to its value
   double lower = 0.0;                   // SI, as upper and initial
-  double upper = 1.0;
-  double initial = 0.5;
-  Scale scale = Scale::linear;
+  double upper = 1.0;                   // SI
+  double initial = 0.5;                 // start of a search
+  Scale scale = Scale::linear;          // scale of the search and of the intervals
   std::string unit = "1";  // unit in which a person reads the values; the values above are in SI
   Place place = {};        // place in the study that declares it
-  std::optional<Prior> prior = {};
-  std::vector<Follower> followers = {};
+  std::optional<Prior> prior = {};       // prior knowledge of the value, a further residual
+  std::vector<Follower> followers = {};  // numbers of the model that follow its value
 };
 
 class DesignSpace {
@@ -53,11 +55,16 @@ class DesignSpace {
   explicit DesignSpace(std::vector<DesignVariable> variables,
                        std::vector<LinearConstraint> constraints = {});
 
+  /// Number of variables.
   int size() const { return static_cast<int>(variables_.size()); }
+  /// Returns the variables in their order.
   const std::vector<DesignVariable>& variables() const { return variables_; }
+  /// Returns variable i, counted from 0.
   const DesignVariable& operator[](int i) const { return variables_[i]; }
+  /// Returns the linear constraints.
   const std::vector<LinearConstraint>& constraints() const { return constraints_; }
 
+  /// Returns the point of the initial values.
   DesignPoint initial() const;
   /// True inside the bounds and, up to rounding, the constraints.
   bool contains(const DesignPoint& point) const;
@@ -71,6 +78,7 @@ class DesignSpace {
   /// Converts a point into the unit cube and back. to_unit needs a point that has a place(). Both
   /// clamp to the cube; the faces of the cube give the exact bits of the bounds.
   std::vector<double> to_unit(const DesignPoint& point) const;
+  /// Converts a point of the unit cube into values in SI.
   DesignPoint from_unit(const std::vector<double>& u) const;
   /// Returns dr/du = dr/dx dx/du of the residuals of the score at that point, one row for each
   /// residual. Empty if the score has no Jacobian, one of another size, or one that is not finite.

@@ -17,14 +17,16 @@
 namespace latsch {
 
 struct LinearConstraint {
-  std::string name;
+  std::string name;                  // for people
   std::vector<double> coefficients;  // a_i, one for each variable in the order of the space
-  double lower = -std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
-  std::string unit = "1";  // display unit of the sum
-  Place place = {};        // place in the study that declares it
+  double lower = -std::numeric_limits<double>::infinity();  // bound of the sum; infinite: none
+  double upper = std::numeric_limits<double>::infinity();   // bound of the sum; infinite: none
+  std::string unit = "1";                                   // display unit of the sum
+  Place place = {};                                         // place in the study that declares it
 
+  /// True if the bounds are equal.
   bool is_equation() const { return lower == upper; }
+  /// Returns the sum of a_i x_i, SI.
   double sum(const std::vector<double>& values) const;
 };
 

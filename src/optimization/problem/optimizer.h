@@ -37,6 +37,8 @@ class Optimizer {
   /// that succeeded.
   virtual void observe(const DesignPoint& point, const Result<Score>& outcome) = 0;
 
+  /// True if the search has ended: propose() then returns no points, unless a later outcome gives
+  /// reason to go on.
   virtual bool converged() const = 0;
 
   /// Reason why it converged, in words that continue "the search ended: "; empty before, and if a

@@ -12,13 +12,15 @@
 namespace latsch {
 
 struct Prior {
-  double value = 0.0;  // SI
-  double sigma = 1.0;  // SI; for a logarithm a share of the value
-  bool of_logarithm = false;
+  double value = 0.0;         // SI
+  double sigma = 1.0;         // SI; for a logarithm a share of the value
+  bool of_logarithm = false;  // true: the deviation is that of the logarithm
 
+  /// Returns the residual of the value x (SI), in units of its standard deviation.
   double residual(double x) const {
     return of_logarithm ? std::log(x / value) / std::log1p(sigma) : (x - value) / sigma;
   }
+  /// Returns d residual / dx.
   double slope(double x) const { return 1.0 / (of_logarithm ? x * std::log1p(sigma) : sigma); }
   bool operator==(const Prior&) const = default;
 };

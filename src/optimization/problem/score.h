@@ -10,9 +10,9 @@ namespace latsch {
 /// and their derivatives with respect to the values of the point if the model knows them, one row
 /// for each residual.
 struct Score {
-  double value = 0.0;
-  std::vector<double> residuals = {};
-  std::vector<double> jacobian = {};  // empty: not known; see DesignSpace::unit_jacobian
+  double value = 0.0;                  // the target
+  std::vector<double> residuals = {};  // empty: the target is no sum over residuals
+  std::vector<double> jacobian = {};   // empty: not known; see DesignSpace::unit_jacobian
   /// Number of residuals that stand in for a value this point does not have, such as that of a mode
   /// without a partner. No slope can be computed between points with different numbers of
   /// stand-ins.
@@ -20,7 +20,7 @@ struct Score {
   /// Nonlinear constraints computed by the evaluation, fulfilled if c_i <= 0 and h_j = 0. A value
   /// of 1 should be a large violation.
   std::vector<double> constraints = {};
-  std::vector<double> equations = {};
+  std::vector<double> equations = {};  // h_j
 
   bool operator==(const Score&) const = default;
 };

@@ -34,9 +34,9 @@ namespace latsch {
 
 /// Lengths are in the unit cube: 1 is the whole range of a variable.
 struct SqpOptions {
-  double initial_step = 0.1;  // longest first step
-  double step_tolerance = 1e-3;
-  double difference = 1e-4;  // at least the root of the relative noise of the functions
+  double initial_step = 0.1;     // longest first step
+  double step_tolerance = 1e-3;  // the search ends when no step longer than this gains
+  double difference = 1e-4;      // at least the root of the relative noise of the functions
 };
 
 class Sqp : public Optimizer {

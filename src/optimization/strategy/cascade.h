@@ -15,13 +15,15 @@
 
 namespace latsch {
 
+/// Number of stages and their bounds.
 struct CascadeOptions {
-  int stages = 2;
+  int stages = 2;            // number of searches, one after the other
   double tightening = 0.25;  // width of a stage's bounds relative to those of the stage before
 };
 
 class Cascade : public Optimizer {
  public:
+  /// Returns the search of one stage in the space with that stage's bounds.
   using MakeOptimizer = std::function<std::unique_ptr<Optimizer>(const DesignSpace&)>;
 
   /// Throws InputError for less than one stage or a tightening that is not between 0 and 1.

@@ -28,13 +28,15 @@
 
 namespace latsch {
 
+/// A search with its share of the steps.
 struct EnsembleMember {
-  std::unique_ptr<Optimizer> optimizer;
-  int priority = 1;  // its share of the steps
+  std::unique_ptr<Optimizer> optimizer;  // the search
+  int priority = 1;                      // its share of the steps
 };
 
 class Ensemble : public Optimizer {
  public:
+  /// The ensemble ends when all members have ended, or with the first.
   enum class End { all, first };
 
   /// Throws InputError if there is no member or a priority is below 1.

@@ -17,6 +17,7 @@ namespace latsch {
 
 class MultiStart : public Optimizer {
  public:
+  /// Returns a search that starts at the initial point of the given space.
   using MakeOptimizer = std::function<std::unique_ptr<Optimizer>(const DesignSpace&)>;
 
   /// Throws InputError if there is no start or one lies outside the space.

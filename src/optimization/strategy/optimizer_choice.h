@@ -28,6 +28,7 @@
 
 namespace latsch {
 
+/// The methods of search.
 enum class Method {
   gss,
   residual_trust_region,
@@ -48,42 +49,46 @@ const std::vector<std::string>& method_names();
 
 /// The facts a choice depends on.
 struct ProblemTraits {
-  int variables = 1;
-  bool has_residuals = false;
-  bool has_jacobian = false;  // every outcome brings the derivatives of its residuals
-  double failed_share = 0.0;  // share of the points evaluated so far
-  int basins = 1;             // found by a design of experiments
-  bool has_linear_constraints = false;
+  int variables = 1;                       // their number
+  bool has_residuals = false;              // the target is a sum over residuals
+  bool has_jacobian = false;               // every outcome brings the derivatives of its residuals
+  double failed_share = 0.0;               // share of the points evaluated so far
+  int basins = 1;                          // found by a design of experiments
+  bool has_linear_constraints = false;     // on the variables
   bool has_nonlinear_constraints = false;  // reported by the evaluation
   long values = 0;                         // number of measured values in a fit; 0: not known
   double noise_alone = 0.0;                // sum of squares caused by noise, if noise is stated
 };
 
+/// A method with the reason of its choice.
 struct MethodChoice {
-  Method method;
+  Method method;       // the chosen method
   std::string reason;  // a full sentence
 };
 
+/// Returns the method that suits a problem with these traits.
 MethodChoice choose_method(const ProblemTraits& traits);
 
 struct MemberSettings;
 
+/// A method and its options. Only the options of the chosen method have an effect.
 struct OptimizerSettings {
-  std::string method = "auto";  // one of method_names()
-  GssOptions gss = {};
-  ResidualTrustRegionOptions residual_trust_region = {};
-  LevenbergMarquardtOptions levenberg_marquardt = {};
-  NelderMeadOptions nelder_mead = {};
-  GeneticOptions genetic = {};
-  SqpOptions sqp = {};
-  GssNlcOptions gss_nlc = {};
+  std::string method = "auto";                            // one of method_names()
+  GssOptions gss = {};                                    // options of generating-set search
+  ResidualTrustRegionOptions residual_trust_region = {};  // options of residual trust region
+  LevenbergMarquardtOptions levenberg_marquardt = {};     // options of Levenberg-Marquardt
+  NelderMeadOptions nelder_mead = {};                     // options of Nelder-Mead
+  GeneticOptions genetic = {};                            // options of genetic algorithm
+  SqpOptions sqp = {};                                    // options of SQP
+  GssNlcOptions gss_nlc = {};                // options of generating-set search with constraints
   std::vector<MemberSettings> members = {};  // for an ensemble
-  Ensemble::End ensemble_end = Ensemble::End::all;
+  Ensemble::End ensemble_end = Ensemble::End::all;  // end of an ensemble
 };
 
+/// One member of an ensemble.
 struct MemberSettings {
-  std::string name;
-  int priority = 1;
+  std::string name;            // name of its method
+  int priority = 1;            // its share of the steps
   OptimizerSettings settings;  // for any method but ensemble
 };
 

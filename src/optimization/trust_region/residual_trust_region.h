@@ -70,15 +70,15 @@ namespace latsch {
 
 /// Lengths are in the unit cube: 1 is the whole range of a variable.
 struct ResidualTrustRegionOptions {
-  double initial_radius = 0.1;
-  double step_tolerance = 1e-3;
+  double initial_radius = 0.1;   // half width of the first box
+  double step_tolerance = 1e-3;  // the search ends when the box is smaller and predicts no gain
   /// Number of restarts after the search ended. There is no restart if the remaining sum of squares
   /// is less than `explained` times its first value and less than `explained` times its mean
   /// increase over a move by the initial radius in any direction, by the slopes at the best point.
   /// A bad start alone does not end the search. If noise is stated, noise alone decides, because
   /// compared with the walls of a narrow valley everything on its floor is almost nothing.
   int restarts = 4;
-  double explained = 1e-3;
+  double explained = 1e-3;  // see restarts
   /// Sum of squares at the true values caused by the noise of the measured values, with two
   /// standard deviations: m + 2 sqrt(2 m) for m residuals in units of their noise. At or below it
   /// no better point can be told from noise, and no restart follows [Morozov's discrepancy

@@ -11,13 +11,18 @@
 #include "optimization/trust_region/residual_trust_region.h"
 #include "optimization/trust_region/search_ending.h"
 #include "optimization/trust_region/trust_box.h"
+#include "optimization/trust_region/trust_radius.h"
+#include "optimization/trust_region/trust_region_tuning.h"
+#include "optimization/trust_region/trust_restarts.h"
 
 namespace latsch {
 
 class TrustRegionRun {
  public:
   /// Starts from the initial values of the space.
-  TrustRegionRun(const DesignSpace& space, const ResidualTrustRegionOptions& options);
+  TrustRegionRun(const DesignSpace& space,
+                 const ResidualTrustRegionOptions& options,
+                 const TrustRegionTuning& tuning = {});
 
   /// Returns the wanted points in the order proposed; empty: ended or settled.
   const PendingPoints<Wanted>& wanted() const { return wanted_; }
@@ -29,12 +34,12 @@ class TrustRegionRun {
 
   /// True before a restart from a value clearly better than at the last time: the run waits for
   /// `go_on`.
-  bool has_settled() const { return has_settled_; }
+  bool has_settled() const { return state_ == State::settled; }
   /// Returns the ending of the search that led to the best point.
   Ending ending() const { return is_hopeless() ? Ending::hopeless : ending_; }
   /// True if the noise of the measured values is known and explains the whole remaining error.
   bool is_down_to_noise() const { return box_.is_down_to(options_.noise_alone); }
-  int restarts_left() const { return options_.restarts - restarts_; }
+  int restarts_left() const { return options_.restarts - restarts_.count(); }
   void go_on(int restarts_left);
   /// Sets the number of points proposed at a time from now on.
   void widen(int count);
@@ -46,28 +51,34 @@ class TrustRegionRun {
   const ResidualSample& best() const { return box_.memory[box_.best()]; }
 
  private:
+  enum class State {
+    searching,
+    settled,  // waits for go_on()
+    over      // the last restart failed
+  };
   struct OpenDirection {
     double share = 0.0;  // share of the variance of its slope
     Eigen::VectorXd direction;
   };
 
   int n() const { return box_.n(); }
+  /// Value below which nothing is left to gain.
+  double nothing_left() const { return tuning_.search.nothing_left * f_first_; }
+  double settled_radius() const { return tuning_.search.settled * options_.initial_radius; }
+  bool is_hopeless() const;
   // Chooses the next points: a search in the box, verification at its end, restarts.
   void fill();
   std::optional<Wanted> next();
   std::optional<Wanted> next_of_search();
   OpenDirection open_direction() const;
+  std::optional<Wanted> probe(const OpenDirection& open, double least_share) const;
   bool is_step_awaited() const;
   std::optional<Wanted> another_step(const ResidualKriging& m);
-  bool widen_in_noise();
   std::optional<Wanted> look_around();
   bool begin_verification();
   std::optional<Wanted> next_to_verify();
   std::optional<Wanted> restart();
-  std::optional<Wanted> release();
-  Wanted start();
   void start_again(const Eigen::VectorXd& failed);
-  bool is_hopeless() const;
   // Updates the box with an outcome.
   void take(const Wanted& tried, ResidualSample sample);
   void take_failure(const Wanted& tried, const std::optional<ResidualSample>& exploded);
@@ -75,27 +86,16 @@ class TrustRegionRun {
   void judge_verifying_step(double gain, double promise);
 
   ResidualTrustRegionOptions options_;
+  TrustRegionTuning tuning_;
   TrustBox box_;
+  TrustRadius radius_;
+  TrustRestarts restarts_;
   std::optional<FreshSlopes> verification_;  // present at the end of a search
+  State state_ = State::searching;
   Ending ending_ = Ending::known;
-  // Increase of f at an initial radius off the best point, from the last time it was the center.
-  double rise_ = 0.0;
   double f_first_ = std::numeric_limits<double>::infinity();     // at the start, or first success
   double f_verified_ = std::numeric_limits<double>::infinity();  // lower values are verified
-  bool is_geometry_doubted_ = false;                             // a step disappointed
-  bool has_widened_ = false;  // widened the radius for noise since the last outcome
-  int disappointments_ = 0;   // number in a row
-  int failures_ = 0;          // number in a row
-  int explored_ = 0;          // number of points at the end of a run since its last better one
-  int widenings_ = 0;         // number of widenings of the radius, for a search at noise level
-  int restarts_ = 0;
-  Eigen::MatrixXd flat_;      // directions without effect at the best point of all
-  int scouts_ = 0;            // number of points along these directions left in this restart
-  bool is_scouting_ = false;  // the start being evaluated is a scout
-  bool is_over_ = false;      // the last restart failed
-  bool has_settled_ = false;
-  double f_settled_ = std::numeric_limits<double>::infinity();   // best value when the run settled
-  double f_released_ = std::numeric_limits<double>::infinity();  // best value at the last release
+  int explored_ = 0;  // number of points at the end of a run since its last better one
   PendingPoints<Wanted> wanted_;
 };
 

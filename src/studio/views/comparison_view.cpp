@@ -138,7 +138,8 @@ Json curve_of(const report::ComparedForces& curve) {
           {"psd", nullptr}};
 }
 
-/// Returns the simulated line of every piece; null if the curve is one piece.
+/// Returns the simulated line of every piece with its measured points; null if the curve is one
+/// piece.
 Json pieces_of(const report::MeasuredCurve& curve) {
   if (curve.pieces.empty() || curve.y_simulated.size() != curve.x_measured.size()) return nullptr;
   Json pieces = Json::array();
@@ -150,6 +151,9 @@ Json pieces_of(const report::MeasuredCurve& curve) {
     pieces.push_back(
         line(part(curve.x_measured), part(curve.y_simulated), curve.x_unit, curve.y_unit));
     pieces.back()["name"] = piece.name;
+    pieces.back()["level"] = piece.level;
+    pieces.back()["measured"] =
+        line(part(curve.x_measured), part(curve.y_measured), curve.x_unit, curve.y_unit);
   }
   return pieces;
 }

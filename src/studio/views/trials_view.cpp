@@ -60,7 +60,7 @@ Json convergence_view(const ShelvedStudy& study,
     const long total = static_cast<long>(table.rows().size());
     const long from = std::clamp(stretch.from, 1L, std::max(1L, total));
     const long to = stretch.to <= 0 ? total : std::clamp(stretch.to, from, std::max(from, total));
-    const long most = std::clamp(stretch.most, 10L, kMostPoints);
+    const long most = std::clamp(stretch.most, kFewestPoints, kMostPoints);
     const long count = std::max(0L, std::min(to, total) - from + 1);
     const long width = std::max(1L, (3 * count + most - 1) / most);  // trials in a stretch of three
                                                                      // points

@@ -93,6 +93,9 @@ class Options(unittest.TestCase):
         study = STUDIES / "tire_b_twin" / "study.toml"
         self.refused("--axes", "show", TIR, "--axes", "sae", says=["no effect"])
         self.refused("--set", "simulate", study, "--set", "matrix=12 N/mm^2", "--set", "matrix=13 N/mm^2", says=["matrix is set twice"])
+        self.refused("--set", "simulate", study, "--set", "z=5 N/mm^2", says=['no variable "z"', "; the study has"])
+        for value in ("5 %", '5" N', "5\\", "12", "nan"):  # a stiffness needs its unit; no text breaks the message
+            self.refused("matrix", "simulate", study, "--set", f"matrix={value}", says=["expected"])
         self.refused("pareto", "pareto", study, "modes", "modes", says=["against itself"])
 
     def test_serve_names_its_address_with_quiet_and_refuses_a_model(self):
@@ -102,6 +105,19 @@ class Options(unittest.TestCase):
         served.terminate()
         served.wait(timeout=30)
         self.refused("no study", "serve", TIR, "--no-browser")
+        self.refused("no study", "serve", "/dev/null", "--no-browser")
+
+    def test_serve_says_that_a_folder_holds_no_study(self):
+        empty = self.folder / "empty"
+        empty.mkdir()
+        served = subprocess.Popen([LATSCH, "serve", empty, "--no-browser"], stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, text=True)
+        self.addCleanup(served.stdout.close)
+        self.addCleanup(served.stderr.close)
+        self.assertIn("no study in this folder", served.stderr.readline())
+        self.assertIn("http://", "".join(served.stdout.readline() for _ in range(2)))
+        served.terminate()
+        served.wait(timeout=30)
 
     def test_an_empty_text_is_no_value(self):
         for arguments in (["test", TIR, "{}", "-o", ""], ["export", TIR, "--model", ""], ["report", ""],

@@ -165,6 +165,13 @@ export interface XY {
   y: Value[];
 }
 
+/** Samples that belong together: the simulated line, with the measured points. Pieces of a level share a color. */
+export interface Piece extends XY {
+  name: string; // "Fz 1050 N, gamma 2 deg"
+  level: string; // "Fz 1050 N"
+  measured: XY;
+}
+
 export interface Curve {
   experiment: string;
   conditions: string;
@@ -177,7 +184,7 @@ export interface Curve {
   measured: Value[];
   simulated: XY;
   initial: XY | null;
-  pieces?: (XY & { name: string })[] | null; // simulated, one line each; null or absent: one line
+  pieces?: Piece[] | null; // null or absent: one line
   errors: Value[];
   errors_x?: Value[]; // same as x if absent
   band: { x: Value[]; lower: Value[]; upper: Value[]; inside: Told } | null;
@@ -295,6 +302,7 @@ export interface Kpis {
     lower: Value;
     upper: Value;
     interval: Told;
+    interval_from?: string; // "data", "data and a bound", "bounds" or "not known" sets its ends
     flag: string;
   }[];
   target: { initial: Value; optimized: Value };
@@ -314,7 +322,7 @@ export interface Profile {
 export interface Identifiability {
   known: boolean;
   why_not: string | null;
-  variables: { name: string; value: Told; interval: Told; shift: Told }[];
+  variables: { name: string; value: Told; interval: Told; interval_from?: string; shift: Told }[];
   deviations: Value[];
   directions: string[];
   correlation: Value[][];
@@ -356,6 +364,9 @@ export interface Section {
   polygons: Outline[];
   cords: Outline[];
 }
+
+/** Keys of the tables of a study, as their readers declare them: by table, then by key. */
+export type KeysOfTables = Record<string, Record<string, { sentence: string; choices: string[] }>>;
 
 export interface StudyFile {
   text: string;

@@ -71,18 +71,30 @@ export function ago(secondsSinceEpoch: number): string {
   return seconds < 5 ? 'just now' : `${duration(seconds)} ago`;
 }
 
+/** Typesets the numbers of a text: -0.3 as −0.3, 1.1e-05 as 1.1·10⁻⁵. */
+export function typeset(text: string): string {
+  return text
+    .replace(/(\d)e([+-]?)0*(\d+)/g, (_, digit: string, sign: string, exponent: string) => `${digit}·10${raised(sign.replace('+', '') + exponent)}`)
+    .replace(/(^|[\s(±…])-(?=[\d.])/g, `$1${kMinus}`);
+}
+
+/** A text of the program, in which names stand between backticks, for a page: `NFX` as “NFX”. */
+export const quoted = (text: string): string => text.replace(/`([^`\n]+)`/g, '“$1”');
+
 /** A number, or a text that the program has worded already. */
 export function told(what: Told | undefined, units = ''): string {
-  if (typeof what === 'string') return what ? unit(what.replace(' .. ', ' … ').replaceAll('+- ', '± ')) : kNone;
+  if (typeof what === 'string') return what ? unit(typeset(what.replace(' .. ', ' … ').replaceAll('+- ', '± '))) : kNone;
   if (Array.isArray(what)) return what.every((end) => end === null) ? kNone : `${number(what[0])} … ${quantity(what[1], units)}`;
   return quantity(what as Value | undefined, units);
 }
 
-/** Ends of an interval, from [lower, upper], "9.8 .. 10.3 N/mm^2" or "at least 9.8 N/mm^2"; null for a missing end. */
+/** Ends of an interval, from [lower, upper], "9.8 .. 10.3 N/mm^2", "at least 9.8 N/mm^2" or "anywhere between the bounds"; null for
+ * a missing end. Returns null if the text is no interval. */
 export function intervalEnds(what: Told): [Value, Value] | null {
   if (Array.isArray(what)) return [what[0] ?? null, what[1] ?? null];
   if (typeof what !== 'string') return null;
-  const sides = /^at (least|most) (\S+)/.exec(what);
+  if (what.startsWith('anywhere')) return [null, null];
+  const sides = /^at (least|most) ([^\s,]+)/.exec(what);
   if (sides) return sides[1] === 'least' ? [Number(sides[2]), null] : [null, Number(sides[2])];
   const both = /^(\S+) \.\. (\S+)/.exec(what);
   return both ? [Number(both[1]), Number(both[2])] : null;

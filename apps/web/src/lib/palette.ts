@@ -36,4 +36,4 @@ export function diverging(value: number, paper: Rgb): Rgb {
 
 export const kForceless: Rgb = [168, 176, 184];
 
-export const kLineColors = ['--line-1', '--line-2', '--line-3', '--line-4', '--line-5', '--line-6'] as const;
+export const kLineColors = ['--line-1', '--line-2', '--line-3', '--line-4', '--line-5', '--line-6', '--line-7', '--line-8'] as const;

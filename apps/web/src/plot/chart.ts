@@ -153,6 +153,7 @@ export class Chart {
       size: isUpright ? (_, values) => Math.max(58, 14 + 7.4 * Math.max(...(values ?? []).map((value) => value.length))) : 27,
       gap: 5,
       ...(isUpright && this.#options.height < 160 ? { space: 16 } : {}),
+      ...(isUpright || axis.isLog ? {} : { space: (_: uPlot, __: number, least: number, greatest: number) => labelRoom(ticks, least, greatest) }),
       ...(axis.isWhole ? { incrs: kWhole } : {}),
       ...(axis.isLog ? { splits: (plot: uPlot, _: number, least: number, greatest: number) => logTicks(least, greatest, room(plot, isUpright)) } : {}),
       stroke: () => color('--soft'),
@@ -246,6 +247,13 @@ function inScale([least, greatest]: Range, isLog: boolean | undefined): { min: n
 }
 
 /** The nearest point within reach; for cells the one below the cursor. Marks drawn later come first. */
+/** CSS pixels between ticks of a horizontal axis, so that the longest label fits with a gap. */
+function labelRoom(ticks: (value: number) => string, least: number, greatest: number): number {
+  const step = 10 ** Math.floor(Math.log10(Math.max((greatest - least) / 5, Number.MIN_VALUE)));
+  const labels = [least, greatest].map((value) => ticks(Math.round(value / step) * step));
+  return Math.max(50, 16 + 7.4 * Math.max(...labels.map((label) => label.length)));
+}
+
 function nearest(marks: readonly Mark[], place: Place, atX: number, atY: number, reach: number): Probed | null {
   let best: Probed | null = null;
   let least = reach * reach;

@@ -92,22 +92,22 @@ class AxleOnRig {
         rest_(statics_.unloaded()) {}
 
   /// Solves the unloaded state, on pads if there are any; travel and angles are relative to it.
-  Result<bool> start() {
+  Status start() {
     auto found = statics_.solve({.drivers = drivers_}, rest_);
     if (!found) return Failure{"unloaded on the K&C rig: " + found.failure().reason};
     rest_ = std::move(*found);
     for (int side = 0; side < 2; ++side)
       wheels_at_rest_[static_cast<std::size_t>(side)] = wheel(rest_, side);
-    return true;
+    return {};
   }
 
-  Result<bool> go_to(Eigen::Index state) {
+  Status go_to(Eigen::Index state) {
     set_loads(state);
     auto found = statics_.solve(standing(), rest_);
     if (!found)
       return Failure{fmt::format("state {} of the K&C rig: {}", state + 1, found.failure().reason)};
     rest_ = std::move(*found);
-    return true;
+    return {};
   }
 
   /// Returns dx, dy, dz, camber, toe, caster of a side relative to the unloaded state.
@@ -140,8 +140,7 @@ class AxleOnRig {
   /// Slopes of the motion of both wheels in all stiffnesses, columns as in
   /// Equilibrium::by_stiffness.
   Result<Eigen::MatrixXd> slopes() {
-    if (const std::string trouble = statics_.linearize(rest_, standing()); !trouble.empty())
-      return Failure{trouble};
+    if (const Status done = statics_.linearize(rest_, standing()); !done) return done.failure();
     Eigen::MatrixXd by_pose =
         Eigen::MatrixXd::Zero(mechanism_.bodies().size() * 6, 2 * kMovedOfSide);
     for (int side = 0; side < 2; ++side) {
@@ -155,8 +154,7 @@ class AxleOnRig {
   }
 
   Result<suspension::Matrix12d> compliance() {
-    if (const std::string trouble = statics_.linearize(rest_, standing()); !trouble.empty())
-      return Failure{trouble};
+    if (const Status done = statics_.linearize(rest_, standing()); !done) return done.failure();
     suspension::Matrix12d C;
     for (int of = 0; of < 2; ++of)
       for (int by = 0; by < 2; ++by) {

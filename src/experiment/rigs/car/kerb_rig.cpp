@@ -105,7 +105,7 @@ class KerbRun {
 
   Result<Channels> run() {
     car_.may_leave_road = test_.filed && test_.filed->continues;
-    if (const std::string trouble = start(); !trouble.empty()) return Failure{trouble};
+    if (const Status done = start(); !done) return done.failure();
     CarRecord record(car_, state_, test_.with_area);
     const long every = std::lround(test_.sample_step / test_.step);
     const long lead = std::lround(test_.run_in / test_.step);
@@ -160,14 +160,14 @@ class KerbRun {
     add("", sum);
   }
 
-  std::string start() {
+  Status start() {
     inputs_.guide = guide_at(-test_.run_in);
     const double speed = test_.speed.at(-test_.run_in);
     downforce_ = test_.downforce;
     if (test_.follows_pushrods()) {
       auto solved = car::solve_loaders(
           car_, *test_.loaders, pushrods_at(test_, -test_.run_in), *road_, speed, inputs_);
-      if (!solved) return "the aeroloaders: " + solved.failure().reason;
+      if (!solved) return Failure{"the aeroloaders: " + solved.failure().reason};
       solution_ = std::move(*solved);
       downforce_ = solution_->downforce;
       left_ = solution_->left.norm();
@@ -178,8 +178,8 @@ class KerbRun {
     inputs_ = inputs_at(-test_.run_in);
     auto settled = car_.settle(*road_, speed, inputs_);
     if (!settled)
-      return (test_.filed ? "at its start on the road: " : "before the kerb: ") +
-             settled.failure().reason;
+      return Failure{(test_.filed ? "at its start on the road: " : "before the kerb: ") +
+                     settled.failure().reason};
     state_ = std::move(*settled);
     return {};
   }

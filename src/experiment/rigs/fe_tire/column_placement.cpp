@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "experiment/rigs/fe_tire/column_changes.h"
@@ -130,13 +129,13 @@ Result<std::vector<Judged>> next_round(const Judged& now,
 }
 
 /// Fails if the tire cannot be pressed to that deflection, before minutes are spent on it.
-std::optional<Failure> cannot_stand(const TireDescription& tire, double deflection) {
+Status check_stands(const TireDescription& tire, double deflection) {
   fe_tire::FeTire pressed(tire);
   const auto inflated = pressed.inflate(tire.pressure);
   if (!inflated) return inflated.failure();
   const auto states = pressed.press(*inflated, {}, {deflection});
   if (!states) return states.failure();
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
@@ -151,7 +150,7 @@ Result<ColumnPlacement> place_columns(const TireDescription& tire,
   const std::vector<double> fixed = fixed_ends(tire.section);
   const TireDescription first = with_columns(tire, rounded(columns_of(tire.section)));
   if (settings.deflection > 0.0) {
-    if (auto failure = cannot_stand(first, settings.deflection)) return *failure;
+    if (const Status done = check_stands(first, settings.deflection); !done) return done.failure();
   }
   const auto start = placement::inflated_start(first);
   if (!start) return start.failure();

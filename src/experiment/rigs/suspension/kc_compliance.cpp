@@ -34,8 +34,8 @@ Result<Channels> compliance_matrices(const suspension::CompliantCorner& corner,
     if (!found)
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, found.failure().reason)};
     poses = std::move(*found);
-    if (const std::string trouble = statics.linearize(poses, {&on, 1}); !trouble.empty())
-      return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, trouble)};
+    if (const Status done = statics.linearize(poses, {&on, 1}); !done)
+      return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, done.failure().reason)};
     const Eigen::Vector3d arm =
         poses[static_cast<std::size_t>(upright)].turn * (on.point - corner.wheel_center);
     const multibody::Matrix6d C =

@@ -106,7 +106,7 @@ class AxleOnRig {
     s.other = is_left_ ? wheels->right : wheels->left;
     s.axle = axle_of(wheels->left, wheels->right, test_.outer_share);
     if (test_.wheelbase)
-      if (auto trouble = steer(*wheels, s)) return *trouble;
+      if (const Status done = steer(*wheels, s); !done) return done.failure();
     return s;
   }
 
@@ -119,7 +119,7 @@ class AxleOnRig {
   }
 
   /// Steering angles are relative to the middle position of the rack.
-  std::optional<Failure> steer(const Wheels& wheels, State& s) {
+  Status steer(const Wheels& wheels, State& s) {
     const auto middle = move(straight_, s, 0.0);
     if (!middle) return middle.failure();
     const auto angles = [&](const Wheels& at) {
@@ -131,14 +131,14 @@ class AxleOnRig {
     s.steer_outer = turns_left ? right : -left;
     if (std::abs(left + right) > 2.0 * kStraightAhead) {
       s.ackermann = suspension::ackermann(left, right, s.axle.track, *test_.wheelbase);
-      return std::nullopt;
+      return {};
     }
     const double by_rack = 0.5 * (middle->left.steer_by_rack + middle->right.steer_by_rack);
     const auto near = move(steered_, s, kNearStraightAhead / by_rack);
     if (!near) return near.failure();
     const auto [near_left, near_right] = angles(*near);
     s.ackermann = suspension::ackermann(near_left, near_right, s.axle.track, *test_.wheelbase);
-    return std::nullopt;
+    return {};
   }
 
   const KinematicsTest& test_;

@@ -193,7 +193,7 @@ Scene scene_of_test(const std::string& car, const std::string& keys, int most_st
   const auto test = language().read_test(Document::parse(keys, "test.toml").root(), {});
   Scene scene;
   const auto done = test->film(*specimen, most_steps, scene);
-  EXPECT_TRUE(done) << done.failure().reason;
+  EXPECT_TRUE(done.ok()) << done.failure().reason;
   return scene;
 }
 

@@ -49,13 +49,11 @@ std::string in_words(const GroundPose& pose, const Inflated& inflated) {
 }
 
 /// Returns a Failure if the part held by the rim would lie in the ground.
-std::optional<Failure> in_the_rim(const Mesh& mesh,
-                                  const GroundPose& pose,
-                                  const std::string& name) {
+Status check_above_rim(const Mesh& mesh, const GroundPose& pose, const std::string& name) {
   double rim = 0.0;
   for (const int node : mesh.clamped)
     rim = std::max(rim, std::hypot(mesh.X(0, node), mesh.X(2, node)));
-  if (pose.height > rim) return std::nullopt;
+  if (pose.height > rim) return {};
   return Failure{
       fmt::format("{}: the ground would be {:.4g} mm from the wheel center and the rim holds the "
                   "tire up to {:.4g} mm from it",
@@ -144,7 +142,8 @@ Result<std::vector<TireState>> FeTire::advance(const TireState& from,
   Impl& tire = *impl_;
   std::vector<TireState> states;
   for (const GroundPose& pose : poses) {
-    if (auto failure = in_the_rim(mesh(), pose, in_words(pose, *from.inflated))) return *failure;
+    if (const Status done = check_above_rim(mesh(), pose, in_words(pose, *from.inflated)); !done)
+      return done.failure();
   }
   for (std::size_t k = 0; k < poses.size(); ++k) {
     // The factor comes from this path, not from an earlier computation, so that results repeat.
@@ -165,7 +164,7 @@ Result<std::vector<TireState>> FeTire::advance(const TireState& from,
   const TireState& last = states.back();
   Systems& all = tire.systems(last.is_halved, last.window);
   all.solver.release();  // makes room for the last state's factors
-  if (auto failure = tire.factorize(all, last)) return *failure;
+  if (const Status done = tire.factorize(all, last); !done) return done.failure();
   return states;
 }
 
@@ -195,10 +194,9 @@ Result<TireState> FeTire::Impl::move(const TireState& from,
     all.solver.set_reference(pressure_force(even_elements(), from.inflated->pressure));
     TreadContact contact(all.tread, from.ground);
     Placed placed{from.pose, {all.unknowns.compress(from.u), from.alpha}, from.anchors};
-    if (auto failure = move_ground(
-            all.solver, elements(), from.inflated->pressure, contact, pose, name, placed)) {
-      return *failure;
-    }
+    const Status moved =
+        move_ground(all.solver, elements(), from.inflated->pressure, contact, pose, name, placed);
+    if (!moved) return moved.failure();
     if (contact.misses(placed.state.x) && from.anchors.empty() && window < kMostWindows) continue;
     TireState state = from;
     state.pose = pose;
@@ -286,7 +284,7 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
   constexpr int kSpare = 3;
   if (state.is_halved && !mirror()) return of_other_materials();
   Systems& all = systems(state.is_halved, state.window);
-  if (auto failure = factorize(all, state)) return *failure;
+  if (const Status done = factorize(all, state); !done) return done.failure();
   all.find_masses(elements());
   std::vector<LoadedModes> kinds;
   kinds.emplace_back(all.solver.assembly(), all.tangent, all.factor, *all.mass, settings);
@@ -328,8 +326,8 @@ Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int cou
   }
 }
 
-std::optional<Failure> FeTire::Impl::factorize(Systems& all, const TireState& at) {
-  if (all.factored && same_tangent(*all.factored, at)) return std::nullopt;
+Status FeTire::Impl::factorize(Systems& all, const TireState& at) {
+  if (all.factored && same_tangent(*all.factored, at)) return {};
   all.forget_tangents();
   AssembledState state{all.unknowns.compress(at.u), at.alpha};
   std::vector<RingAssembly::Vibration> tangents{{&all.unknowns, &all.tangent}};
@@ -340,18 +338,18 @@ std::optional<Failure> FeTire::Impl::factorize(Systems& all, const TireState& at
     return no_tangent(all.unknowns.ring(), worst);
   }
   add_ground(all, all.tread, at, state, all.tangent);
-  if (auto failure = factorize(at, all.tangent, all.factor)) return failure;
+  if (const Status done = factorize(at, all.tangent, all.factor); !done) return done;
   if (all.odd) {
     add_ground(all, *all.odd_tread, at, state, *all.odd_tangent);
-    if (auto failure = factorize(at, *all.odd_tangent, *all.odd_factor)) return failure;
+    if (const Status done = factorize(at, *all.odd_tangent, *all.odd_factor); !done) return done;
   }
   all.factored = at;
-  return std::nullopt;
+  return {};
 }
 
-std::optional<Failure> FeTire::Impl::assemble(Systems& all,
-                                              const TireState& at,
-                                              numerics::SymmetricMatrix& tangent) {
+Status FeTire::Impl::assemble(Systems& all,
+                              const TireState& at,
+                              numerics::SymmetricMatrix& tangent) {
   AssembledState state{all.unknowns.compress(at.u), at.alpha};
   int worst = 0;
   if (!all.solver.assembly().assemble_tangent(
@@ -359,15 +357,15 @@ std::optional<Failure> FeTire::Impl::assemble(Systems& all,
     return no_tangent(all.unknowns.ring(), worst);
   }
   add_ground(all, all.tread, at, state, tangent);
-  return std::nullopt;
+  return {};
 }
 
-std::optional<Failure> FeTire::Impl::factorize(const TireState& at,
-                                               const numerics::SymmetricMatrix& tangent,
-                                               numerics::Factorization& factor) {
+Status FeTire::Impl::factorize(const TireState& at,
+                               const numerics::SymmetricMatrix& tangent,
+                               numerics::Factorization& factor) {
   ++counts.factorizations;
   if (!factor.factorize(tangent).definite()) return unstable(in_words(at.pose, *at.inflated));
-  return std::nullopt;
+  return {};
 }
 
 /// Adds the ground to the tangent. The state is even; odd unknowns hold only vibrations about it.

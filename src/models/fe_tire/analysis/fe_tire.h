@@ -43,8 +43,8 @@ struct Inflated {
 /// Equilibrium on or above the ground, with clamped rim.
 struct TireState {
   std::shared_ptr<const Inflated> inflated;  // inflated state from which it started
-  Ground ground;
-  GroundPose pose;
+  Ground ground;                             // the ground on which the tire stands
+  GroundPose pose;                           // pose of the ground, seen from the wheel
   /// True if poses stay below the wheel center (GroundPose::is_below) and half the ring represents
   /// all of it.
   bool is_halved = false;
@@ -62,22 +62,25 @@ struct TireState {
 struct Standing {
   double deflection = 0.0;     // m, from first touch of the inflated tire
   double loaded_radius = 0.0;  // m, wheel center to ground
-  // Force and moment of the ground on the tire, in axes that stand on the ground and head as the
-  // wheel does.
+  /// Force and moment of the ground on the tire, in axes that stand on the ground and head as the
+  /// wheel does.
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // N m, about the wheel center
-  ContactPatch patch;
+  ContactPatch patch;                                // size and area of the contact
 };
 
+/// Direction in which the belt mainly moves.
 enum class ModeType { torsional, lateral, radial, other };
 std::string name(ModeType type);  // "torsional"
+/// Returns nullopt if the name is none of a type.
 std::optional<ModeType> mode_type(const std::string& name);
 
+/// A vibration mode of the tire with clamped rim.
 struct Mode {
-  double frequency = 0.0;  // Hz
-  int n = 0;               // dominating circumferential number
-  ModeType type = ModeType::other;
-  int order = 1;     // 1, 2, ... among modes of the same n and type, by frequency
+  double frequency = 0.0;           // Hz
+  int n = 0;                        // dominating circumferential number
+  ModeType type = ModeType::other;  // direction of the belt
+  int order = 1;                    // 1, 2, ... among modes of the same n and type, by frequency
   char phase = ' ';  // symmetry of a split pair in the loaded state: 's' symmetric, 'a'
                      // antisymmetric in x; ' ' unloaded
   Eigen::Matrix3Xd
@@ -89,26 +92,33 @@ struct TireDescription;
 
 class FeTire {
  public:
+  /// Takes a mesh with its materials.
   FeTire(Mesh mesh, Materials materials, SolverSettings settings = {});
   /// Takes mesh, materials and elements from the description.
   explicit FeTire(const TireDescription& description);
   ~FeTire();
+  /// A tire can be moved, not copied.
   FeTire(FeTire&&) noexcept;
+  /// Takes over the other tire.
   FeTire& operator=(FeTire&&) noexcept;
 
+  /// The mesh at rest.
   const Mesh& mesh() const;
+  /// The present materials.
   const Materials& materials() const;
   /// Sets new material values on the same mesh.
   void set(Materials materials);
 
+  /// Finds the equilibrium under this pressure, Pa, with clamped rim. A Failure names step and
+  /// residual.
   Result<Inflated> inflate(double pressure);
   /// Starts near displacements known from another mesh (section_grid.h).
   Result<Inflated> inflate(double pressure, const Eigen::Matrix3Xd& near);
 
-  /// Returns the inflated tire over this ground, just touching it. `poses`: below if the ground
-  /// will stay below the wheel center. Then half the ring represents all of it if its symmetry
-  /// allows that.
+  /// Poses that the ground will take: below if it stays below the wheel center.
   enum class Poses { below, any };
+  /// Returns the inflated tire over this ground, just touching it. If the poses stay below and the
+  /// ground's symmetry allows it, half the ring represents all of it.
   TireState over(const Inflated& inflated, const Ground& ground, Poses poses = Poses::below);
   /// Pose of the ground at a deflection, m, from first touch of the inflated tire.
   static GroundPose below(const Inflated& inflated, double deflection) {
@@ -123,6 +133,7 @@ class FeTire {
   Result<std::vector<TireState>> press(const Inflated& inflated,
                                        const Ground& ground,
                                        const std::vector<double>& deflections);
+  /// Returns loads and contact patch of a state.
   Standing stand(const TireState& state);
   /// Returns the points that touch in a state. As Ground::held they define the state's branch, on
   /// which another pose or another tire (same mesh with other coordinates) can stand too.
@@ -137,8 +148,11 @@ class FeTire {
   Result<std::vector<Mode>> modes(const TireState& state, int count);
 
   double total_mass() const;  // kg
+  /// Returns mass and moments of inertia of the inflated tire.
   MassProperties mass_properties(const Inflated& inflated) const;
+  /// Numbers of iterations and factorizations since the last reset.
   SolverCounts counts() const;
+  /// Sets all counts to 0.
   void reset_counts();
 
  private:

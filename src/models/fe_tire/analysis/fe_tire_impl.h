@@ -45,12 +45,13 @@ struct Systems {
   Systems(const Ring& ring,
           const SolverSettings& settings,
           const std::optional<std::vector<int>>& mirror,
-          double angle)
+          double angle,
+          SolverCounts& counts)
       : unknowns(ring,
                  mirror ? RingSymmetry::even : RingSymmetry::none,
                  mirror ? *mirror : std::vector<int>()),
         tread(unknowns, settings.tread_shape(), angle),
-        solver(unknowns, tread, settings),
+        solver(unknowns, tread, settings, counts),
         half_angle(angle),
         tangent(*solver.assembly().pattern()),
         factor(*solver.assembly().pattern(), numerics::Precision::refined, solver.elimination()) {
@@ -108,8 +109,7 @@ struct FeTire::Impl {
     auto& systems = systems_[{halved, window}];
     if (!systems) {
       systems = std::make_unique<Systems>(
-          ring, settings, halved ? mirror() : std::nullopt, half_angle(window));
-      systems->solver.count_in(counts);
+          ring, settings, halved ? mirror() : std::nullopt, half_angle(window), counts);
       ++counts.analyses;
     }
     return *systems;
@@ -142,16 +142,14 @@ struct FeTire::Impl {
   /// Factorizes the tangents of even and odd motions about a state with its ground; keeps the
   /// factors if the state is the one factorized last. Returns a Failure if the state is unstable,
   /// that is, if a motion about it releases energy. Newton's method finds such equilibria too.
-  std::optional<Failure> factorize(Systems& all, const TireState& state);
+  Status factorize(Systems& all, const TireState& state);
   /// Assembles only the tangent of even motions, the ground included. Returns a Failure if an
   /// element fails.
-  std::optional<Failure> assemble(Systems& all,
-                                  const TireState& state,
-                                  numerics::SymmetricMatrix& tangent);
+  Status assemble(Systems& all, const TireState& state, numerics::SymmetricMatrix& tangent);
   /// Returns a Failure if the tangent about the state is not positive definite.
-  std::optional<Failure> factorize(const TireState& state,
-                                   const numerics::SymmetricMatrix& tangent,
-                                   numerics::Factorization& factor);
+  Status factorize(const TireState& state,
+                   const numerics::SymmetricMatrix& tangent,
+                   numerics::Factorization& factor);
 
  private:
   // Half angles of the tread that may touch, rad to both sides. At a deflection of 8 % of its

@@ -88,29 +88,25 @@ Eigen::VectorXd newton_direction(const SectorBlocks& tangent,
   return d.real();
 }
 
-/// Takes one pressure step. Returns true if `state` is the equilibrium. If it returns false,
-/// `state` is unchanged and `why` says what happened.
-bool newton(const RingElements& elements,
-            double pressure,
-            double tolerance,
-            double reference,
-            int max_iterations,
-            SectorState& state,
-            std::string& why) {
+/// Takes one pressure step, after which `state` is the equilibrium. A Failure leaves it unchanged.
+Status newton(const RingElements& elements,
+              double pressure,
+              double tolerance,
+              double reference,
+              int max_iterations,
+              SectorState& state) {
   SectorState now = state;
   SectorBlocks tangent(elements.ring());
   Eigen::VectorXd f;
   int worst = 0;
-  if (!assemble_sector(elements, now.x, pressure, now.alpha, f, &tangent, &worst)) {
-    why = inverted_in_words(elements.ring(), worst);
-    return false;
-  }
+  if (!assemble_sector(elements, now.x, pressure, now.alpha, f, &tangent, &worst))
+    return Failure{inverted_in_words(elements.ring(), worst)};
   double last = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
     const bool stalled = f.norm() <= kRoundOff * reference && f.norm() > 0.5 * last;
     if (f.norm() <= tolerance * reference || stalled) {
       state = now;
-      return true;
+      return {};
     }
     last = f.norm();
     bool shifted = false;
@@ -126,18 +122,17 @@ bool newton(const RingElements& elements,
       if (back == kMaxBacktracks) {
         if (norm <= kRoundOff * reference) {
           state = now;
-          return true;
+          return {};
         }
-        why = valid ? "the residual does not fall: " + residual_in_words(elements.ring(), f)
-                    : inverted_in_words(elements.ring(), worst);
-        return false;
+        return Failure{valid
+                           ? "the residual does not fall: " + residual_in_words(elements.ring(), f)
+                           : inverted_in_words(elements.ring(), worst)};
       }
     }
     now = std::move(trial);
   }
-  why =
-      fmt::format("after {} iterations {}", max_iterations, residual_in_words(elements.ring(), f));
-  return false;
+  return Failure{
+      fmt::format("after {} iterations {}", max_iterations, residual_in_words(elements.ring(), f))};
 }
 
 }  // namespace
@@ -189,9 +184,9 @@ Result<Inflated> inflate_sector(const RingElements& elements,
   double reached = 0.0, step = pressure;
   if (near) {
     SectorState from{ring.compress(*near), state.alpha};
-    std::string why;
-    if (newton(elements, pressure, kTolerance, reference, settings.max_iterations, from, why) &&
-        from.held) {
+    const Status solved =
+        newton(elements, pressure, kTolerance, reference, settings.max_iterations, from);
+    if (solved.ok() && from.held) {
       state = std::move(from);
       reached = pressure;
     }
@@ -200,12 +195,12 @@ Result<Inflated> inflate_sector(const RingElements& elements,
   while (reached != pressure) {
     const double next =
         std::abs(pressure - reached) < 1.001 * std::abs(step) ? pressure : reached + step;
-    std::string why;
     const double tolerance = next == pressure ? kTolerance : kOnTheWay;
     SectorState found = state;
     const bool is_jump = reached == 0.0 && next == pressure;
-    if (newton(elements, next, tolerance, reference, settings.max_iterations, found, why) &&
-        (found.held || !is_jump)) {
+    const Status solved =
+        newton(elements, next, tolerance, reference, settings.max_iterations, found);
+    if (solved.ok() && (found.held || !is_jump)) {
       state = std::move(found);
       reached = next;
     } else if (++halvings > kMaxHalvings) {
@@ -216,7 +211,7 @@ Result<Inflated> inflate_sector(const RingElements& elements,
                       "every mesh: check pressure, thicknesses and moduli",
                       reached / 1e5,
                       pressure / 1e5,
-                      why)};
+                      solved.failure().reason)};
     } else {
       step *= 0.5;
     }
@@ -240,7 +235,8 @@ Result<Inflated> inflate_ring(EquilibriumSolver& solver,
   for (int k = 1; k <= kRingSteps; ++k) {
     const double p = pressure * k / kRingSteps;
     const std::string step = fmt::format("inflation to {:.4g} bar", p / 1e5);
-    if (auto failure = solver.solve(elements, state, p, nullptr, step)) return *failure;
+    if (const Status done = solver.solve(elements, state, p, nullptr, step); !done)
+      return done.failure();
   }
   Inflated inflated;
   inflated.pressure = pressure;

@@ -6,6 +6,7 @@
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/analysis/ring_assembly.h"
 #include "models/fe_tire/description/reference_tires.h"
+#include "numerics/sparse/elimination.h"
 
 namespace latsch::fe_tire {
 namespace {

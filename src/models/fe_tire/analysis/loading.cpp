@@ -37,13 +37,13 @@ std::vector<GroundPose> poses_between(const GroundPose& a, const GroundPose& b) 
 
 }  // namespace
 
-std::optional<Failure> move_ground(EquilibriumSolver& solver,
-                                   const RingElements& elements,
-                                   double pressure,
-                                   TreadContact& contact,
-                                   const GroundPose& pose,
-                                   const std::string& name,
-                                   Placed& placed) {
+Status move_ground(EquilibriumSolver& solver,
+                   const RingElements& elements,
+                   double pressure,
+                   TreadContact& contact,
+                   const GroundPose& pose,
+                   const std::string& name,
+                   Placed& placed) {
   const GroundPose first = placed.pose;
   Placed now = placed;
   double share = 0.0;
@@ -63,22 +63,22 @@ std::optional<Failure> move_ground(EquilibriumSolver& solver,
     }
     contact.move(there);
     AssembledState trial = now.state;
-    std::optional<Failure> failure = solver.solve(elements, trial, pressure, &contact, name);
-    if (!failure) {
+    const Status solved = solver.solve(elements, trial, pressure, &contact, name);
+    if (solved.ok()) {
       now.anchors = contact.anchors(trial.x);
       now.state = std::move(trial);
       now.pose = contact.pose();
       share = next;
       step = std::min(2.0 * step, longest);
     } else if (step <= kShortest * longest) {
-      return failure;
+      return solved;
     } else {
       solver.forget_factor();  // the factor belongs to a state of the failed step
       step *= 0.5;
     }
   }
   placed = std::move(now);
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace latsch::fe_tire

@@ -22,12 +22,12 @@ struct Placed {
 /// along the ground in a straight line. A step that does not converge is halved and repeated, and
 /// the next one may be twice as long. If halving does not help, the Failure names the pose, and
 /// `placed` is unchanged.
-std::optional<Failure> move_ground(EquilibriumSolver& solver,
-                                   const RingElements& elements,
-                                   double pressure,
-                                   TreadContact& contact,
-                                   const GroundPose& pose,
-                                   const std::string& name,
-                                   Placed& placed);
+Status move_ground(EquilibriumSolver& solver,
+                   const RingElements& elements,
+                   double pressure,
+                   TreadContact& contact,
+                   const GroundPose& pose,
+                   const std::string& name,
+                   Placed& placed);
 
 }  // namespace latsch::fe_tire

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 
 #include "models/fe_tire/analysis/mode_label.h"
 #include "models/fe_tire/ring/sector.h"
@@ -46,12 +45,12 @@ Failure unfinished(const std::string& what, Eigen::Index found, int count, int s
 
 /// Finds the lowest modes of circumferential number n. Returns a Failure if the harmonic tangent is
 /// not positive definite or not all modes are found.
-std::optional<Failure> solve_harmonic(const SectorBlocks& K,
-                                      const SectorBlocks& M,
-                                      int n,
-                                      int count,
-                                      double tolerance,
-                                      std::vector<HarmonicMode>& modes) {
+Status solve_harmonic(const SectorBlocks& K,
+                      const SectorBlocks& M,
+                      int n,
+                      int count,
+                      double tolerance,
+                      std::vector<HarmonicMode>& modes) {
   modes.clear();
   numerics::BandedCholesky cholesky;
   if (!cholesky.factorize(K.harmonic(n))) {
@@ -82,7 +81,7 @@ std::optional<Failure> solve_harmonic(const SectorBlocks& K,
     mass.multiply(phi, M_phi);
     modes.push_back({to_hertz(pairs.values[k]), n, phi, kinetic_energy(phi, M_phi.col(0))});
   }
-  return std::nullopt;
+  return {};
 }
 
 /// True for n = 0 and, if S is even, n = S / 2: their modes are single, all others are pairs.
@@ -191,7 +190,7 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
   int beyond = 0;  // successive harmonics whose lowest mode lies above all wanted modes
   for (int n = 0; n <= S / 2 && beyond < 2; ++n) {
     by_n.emplace_back();
-    if (auto failure = solve(n, kPerHarmonic)) return *failure;
+    if (const Status done = solve(n, kPerHarmonic); !done) return done.failure();
     beyond = by_n[n].front().frequency > cutoff(by_n, S, count) ? beyond + 1 : 0;
   }
   // If all modes found of a harmonic are among the lowest, it may hold more of them.
@@ -199,7 +198,7 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
     for (int known = kPerHarmonic;
          known < K.size() && by_n[n].back().frequency < cutoff(by_n, S, count);
          known *= 2) {
-      if (auto failure = solve(n, 2 * known)) return *failure;
+      if (const Status done = solve(n, 2 * known); !done) return done.failure();
     }
   }
   std::vector<HarmonicMode> found;

@@ -34,22 +34,23 @@ struct Bar {
 
 /// Points of the tread, ascending, numbered as in the window of a state (FeTire::touching).
 struct TouchingPoints {
-  int window = 0;
-  std::vector<int> points;
+  int window = 0;           // TireState::window
+  std::vector<int> points;  // indices of tread points
   bool operator==(const TouchingPoints&) const = default;
 };
 
 /// Rigid ground under penalty contact and Coulomb friction.
 struct Ground {
-  double stiffness = 2.0e10;  // normal penalty, Pa/m
-  double mu = 0.0;            // friction coefficient; 0: frictionless
-  std::optional<Bar> bar = {};
+  double stiffness = 2.0e10;    // normal penalty, Pa/m
+  double mu = 0.0;              // friction coefficient; 0: frictionless
+  std::optional<Bar> bar = {};  // a bar on the ground; none: the ground is flat
   /// Points that touch, and no others, whatever their distance; only on flat ground without
   /// friction. None: the points below the ground's surface touch.
   std::optional<TouchingPoints> held = {};
   bool operator==(const Ground&) const = default;
 };
 
+/// Pose of the ground, seen from the wheel.
 struct GroundPose {
   double height = 0.0;      // m, wheel center over the ground, along the ground's normal
   double x = 0.0, y = 0.0;  // m, ground's origin from the point below the wheel center
@@ -67,6 +68,7 @@ GroundPose between(const GroundPose& a, const GroundPose& b, double share);
 /// The ground in a pose, seen from the wheel frame.
 class PosedGround {
  public:
+  /// Places this ground in this pose.
   PosedGround(const Ground& ground, const GroundPose& pose);
 
   /// Returns the point p of the wheel frame in the ground's axes, m.
@@ -74,6 +76,7 @@ class PosedGround {
   /// Turns a vector from the ground's axes into the wheel frame.
   Eigen::Vector3d to_wheel(const Eigen::Vector3d& v) const { return R_.transpose() * v; }
 
+  /// Distance of a point from the ground, and its normal.
   struct Distance {
     double g;           // m, negative in the ground
     Eigen::Vector3d n;  // ground's axes

@@ -24,6 +24,7 @@ namespace latsch::fe_tire {
 struct WallProfile {
   std::vector<double> position;  // ascending, from 0 to 1
   std::vector<double> length;    // m
+  /// Returns the length, m, at position q, 0 to 1.
   double at(double q) const;
   bool operator==(const WallProfile&) const = default;
 };
@@ -31,38 +32,42 @@ struct WallProfile {
 /// A stretch of the wall on both sides of the tire: from <= position < to. If `to` is 1, the bead
 /// is included.
 struct Extent {
-  double from = 0.0, to = 1.0;
+  double from = 0.0, to = 1.0;  // position, 0 at the crown, 1 at the bead
+  /// True if position q lies in the stretch.
   bool contains(double q) const { return from <= q && (q < to || to >= 1.0); }
   bool operator==(const Extent&) const = default;
 };
 
+/// Side of the reference line of the wall.
 enum class LineSide { inside, outside, both };  // side of the reference line
 
+/// One rubber of the tire.
 struct Rubber {
-  std::string name;
-  Hyperelastic law;
+  std::string name;      // name in the file
+  Hyperelastic law;      // its elasticity
   double density = 0.0;  // kg/m^3
 };
 
 /// The part of the section that one rubber fills. Every element belongs to exactly one region.
 struct RubberRegion {
-  std::string name;
-  Extent extent;
-  LineSide side = LineSide::both;
-  int rubber = 0;  // index into TireDescription::rubbers
+  std::string name;                // name in the file
+  Extent extent;                   // its part of the wall
+  LineSide side = LineSide::both;  // side of the reference line
+  int rubber = 0;                  // index into TireDescription::rubbers
 };
 
 /// One ply. `cords` holds the values at the crown.
 struct CordPly {
-  std::string name;
-  Extent extent;
+  std::string name;                     // name in the file
+  Extent extent;                        // its part of the wall
   WallProfile offset = {{0.0}, {0.0}};  // distance from the reference line, positive outward
-  CordLayer cords;
+  CordLayer cords;                      // material, spacing, area and angle at the crown
   /// True if the ply is built flat on a drum and lifted: its cords then keep cos(angle) / r and
   /// their number around the tire. Otherwise angle and thickness are the same everywhere.
   bool lifted = false;
 };
 
+/// Representation of the cords in the elements.
 enum class CordModel {
   rebar,    // cords at their true depth inside the elements
   smeared,  // anisotropic St. Venant-Kirchhoff inside the reference line, for comparison
@@ -80,7 +85,7 @@ struct SpacingProfile {
 /// A group of adjacent, equally wide sectors, counted from the contact upward, the same on both
 /// sides.
 struct SectorZone {
-  int sectors = 1;
+  int sectors = 1;     // number of sectors in the zone
   double width = 0.0;  // rad, width of each sector
   bool operator==(const SectorZone&) const = default;
 };
@@ -93,9 +98,9 @@ struct Section {
   std::vector<MeridianPoint> contour;  // +y half of the reference line, crown to bead, m
   WallProfile inside, outside;         // thicknesses, > 0
   double tread_to = 0.5;               // position up to which the outer face may touch the ground
-  BeadClamp clamp = BeadClamp::whole;
+  BeadClamp clamp = BeadClamp::whole;  // part of the bead that the rim holds
   int meridional = 29, rows_inside = 1, rows_outside = 1, sectors = 60;  // elements
-  SpacingProfile spacing;
+  SpacingProfile spacing;  // lengths of the elements along the wall
   /// Positions where the meridional / 2 columns end, from 0 (crown) to 1 (bead). Empty: `spacing`
   /// determines them.
   std::vector<double> columns;
@@ -106,8 +111,8 @@ struct Section {
   /// the first face and end, so that the sidewall has one row outside the first face. There the
   /// first face is the reference line, or its ply if that ply reaches the bead.
   std::vector<WallProfile> faces;
-  bool first_face_to_bead = false;
-  double faces_to = 0.0;
+  bool first_face_to_bead = false;  // true: the first of these plies reaches the bead
+  double faces_to = 0.0;            // position, 0 to 1; 0 if all these plies reach the bead
   /// Number of columns from the crown to where all rows but those of the sidewall end; none if the
   /// plies reach the bead.
   std::optional<double> crown_columns() const;
@@ -116,7 +121,9 @@ struct Section {
   std::vector<double> ends;
   /// Share of the wall's half length behind `faces_to` over which the faces blend.
   static constexpr double kFaceTransition = 0.08;
+  /// Number of rows of elements through the wall.
   int rows() const { return rows_inside + rows_between() + rows_outside; }
+  /// Number of rows between the faces.
   int rows_between() const { return faces.empty() ? 0 : static_cast<int>(faces.size()) - 1; }
   /// Offset at position q of the face below row k (0 to rows(), fractions allowed), m.
   double face(double q, double k) const;
@@ -131,16 +138,17 @@ struct Section {
   bool operator==(const Section&) const = default;
 };
 
+/// A finite-element tire as its file states it. Lengths are in m.
 struct TireDescription {
-  std::string name;
-  std::string size;       // designation, "225/50R16"
-  double pressure = 0.0;  // Pa, nominal
-  Section section;
-  std::vector<Rubber> rubbers;
-  std::vector<RubberRegion> regions;
-  std::vector<CordPly> plies;
-  CordModel cord_model = CordModel::rebar;
-  ElementKind element = ElementKind::solid_shell;
+  std::string name;                                // for people
+  std::string size;                                // designation, "225/50R16"
+  double pressure = 0.0;                           // Pa, nominal
+  Section section;                                 // contour, wall and elements
+  std::vector<Rubber> rubbers;                     // every rubber of the tire
+  std::vector<RubberRegion> regions;               // they fill the wall
+  std::vector<CordPly> plies;                      // listed from the inside to the outside
+  CordModel cord_model = CordModel::rebar;         // representation of the cords
+  ElementKind element = ElementKind::solid_shell;  // kind of finite element
   Place place;  // place of the description in its file, for complaints
 };
 
@@ -150,7 +158,8 @@ TireDescription read_tire(const Node& root);
 /// Number of parts into which every element is split around the circumference, along and through
 /// the wall.
 struct MeshRefinement {
-  int around = 1, along = 1, through = 1;
+  int around = 1, along = 1, through = 1;  // parts of every element, each >= 1
+  /// One number for each direction.
   MeshRefinement(int around, int along, int through)
       : around(around), along(along), through(through) {}
   MeshRefinement(int all = 1)

@@ -124,8 +124,9 @@ Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
   Tangent& tangent = tangent_for(all);
   if (tangent.of && is_same(*tangent.of, state)) return &tangent.factor;
   tangent.of.reset();
-  if (auto failure = base.assemble(all, state, tangent.K)) return *failure;
-  if (auto failure = base.factorize(state, tangent.K, tangent.factor)) return *failure;
+  if (const Status done = base.assemble(all, state, tangent.K); !done) return done.failure();
+  if (const Status done = base.factorize(state, tangent.K, tangent.factor); !done)
+    return done.failure();
   tangent.of = state;
   return &tangent.factor;
 }
@@ -135,7 +136,7 @@ void TireSlopes::Impl::pass(Systems& all, const TireState& state) {
   if (state.ground.mu > 0.0) return;
   Tangent& tangent = tangent_for(all);
   tangent.of.reset();
-  if (base.assemble(all, state, tangent.K)) return;
+  if (!base.assemble(all, state, tangent.K)) return;
   Eigen::VectorXd w = by_height(all, state).first;
   if (all.solver.solve_nearby(tangent.K, kExactly, w)) passed.push_back({state, std::move(w)});
 }
@@ -230,12 +231,12 @@ namespace {
 
 /// Sharpens those of the modes that are motions of these unknowns. A mode for which another one is
 /// found stays as it was.
-std::optional<Failure> sharpen(const RingAssembly& assembly,
-                               const numerics::SymmetricMatrix& tangent,
-                               const numerics::SymmetricMatrix& M,
-                               const numerics::Factorization& factor,
-                               std::optional<numerics::Davidson> search,
-                               std::vector<Mode>& modes) {
+Status sharpen(const RingAssembly& assembly,
+               const numerics::SymmetricMatrix& tangent,
+               const numerics::SymmetricMatrix& M,
+               const numerics::Factorization& factor,
+               std::optional<numerics::Davidson> search,
+               std::vector<Mode>& modes) {
   constexpr double kHalf = 0.5, kSame = 0.99;
   const RingUnknowns& unknowns = assembly.unknowns();
   const double scale = std::sqrt(unknowns.multiplicity());
@@ -247,7 +248,7 @@ std::optional<Failure> sharpen(const RingAssembly& assembly,
     vectors.col(std::ssize(own)) = scale * phi;
     own.push_back(&mode);
   }
-  if (own.empty()) return std::nullopt;
+  if (own.empty()) return {};
   vectors.conservativeResize(Eigen::NoChange, std::ssize(own));
   const bool goes_on = search && search->count() >= vectors.cols();
   if (!goes_on) {
@@ -266,7 +267,7 @@ std::optional<Failure> sharpen(const RingAssembly& assembly,
     if (overlaps.row(static_cast<Eigen::Index>(i)).maxCoeff(&same) < kSame) continue;
     own[i]->shape = unknowns.expand(sharp.col(same)) / scale;
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
@@ -275,23 +276,25 @@ Result<std::vector<Mode>> TireSlopes::Impl::sharpened_modes(const TireState& sta
                                                             std::vector<Mode> modes) {
   if (base.settings.mode_tolerance <= kSharp) return modes;
   Systems& all = base.systems(state.is_halved, state.window);
-  if (auto failure = base.factorize(all, state)) return *failure;
+  if (const Status done = base.factorize(all, state); !done) return done.failure();
   all.find_masses(base.elements());
-  if (auto failure = sharpen(all.solver.assembly(),
-                             all.tangent,
-                             *all.mass,
-                             all.factor,
-                             std::exchange(all.search, std::nullopt),
-                             modes))
-    return *failure;
+  if (const Status done = sharpen(all.solver.assembly(),
+                                  all.tangent,
+                                  *all.mass,
+                                  all.factor,
+                                  std::exchange(all.search, std::nullopt),
+                                  modes);
+      !done)
+    return done.failure();
   if (!all.odd) return modes;
-  if (auto failure = sharpen(*all.odd,
-                             *all.odd_tangent,
-                             *all.odd_mass,
-                             *all.odd_factor,
-                             std::exchange(all.odd_search, std::nullopt),
-                             modes))
-    return *failure;
+  if (const Status done = sharpen(*all.odd,
+                                  *all.odd_tangent,
+                                  *all.odd_mass,
+                                  *all.odd_factor,
+                                  std::exchange(all.odd_search, std::nullopt),
+                                  modes);
+      !done)
+    return done.failure();
   return modes;
 }
 

@@ -19,9 +19,10 @@ struct SidewallElement {
   double friction_force = 0.0;       // N per m, of all friction elements when they slip
 };
 
+/// The sidewall between rim and belt, per length of the circumference.
 struct Sidewall {
-  SidewallElement radial, tangential, lateral;
-  double time_constant = 0.015;       // s, of the Maxwell elements
+  SidewallElement radial, tangential, lateral;  // in the directions of the belt's section
+  double time_constant = 0.015;                 // s, of the Maxwell elements
   double progressivity = 0.0;         // radial: the slope grows from k to k (1 + progressivity)
   double progressive_travel = 0.015;  // m, travel of half that growth
   double rim_travel = 0.0;            // m, inward, until the belt lies on the rim; 0: no rim
@@ -31,6 +32,7 @@ struct Sidewall {
   double torsion_by_lateral = 0.0;    // rad/m, twist of the section caused by lateral travel
 };
 
+/// The belt with its plies.
 struct Belt {
   double radius = 0.3;                  // m, at rest, inflated
   double mass = 8.0;                    // kg, with the tread
@@ -44,10 +46,9 @@ struct Belt {
   double bending_twist = 0.0;   // N m^2, D16 of the plies: moment of bending in plane over twist
   double conicity = 0.0;        // rad, torsion of the sections at rest; positive: left edges lower
   double bending_across = 0.0;  // N m, of the section across, per length; 0: it stays straight
-  double section_coupling =
-      // Share of the belt's tension that smooths the bends of sections along the ring.
-      1.0;
-  // Gravity, m/s^2, downward; 0: forces as measured on a rig that is tared.
+  /// Share of the belt's tension that smooths the bends of sections along the ring.
+  double section_coupling = 1.0;
+  /// Gravity, m/s^2, downward; 0: forces as measured on a rig that is tared.
   double gravity = 0.0;
   double pressure = 0.0;        // Pa
   double pressure_width = 0.0;  // m, of the section whose pressure the belt's tension carries
@@ -66,6 +67,7 @@ struct TreadFriction {
   double blocking_speed = 20.0;                            // m/s
 };
 
+/// The tread's rubber blocks.
 struct Tread {
   int lines = 6;                 // across the width
   int blocks = 12;               // number in one line on one segment
@@ -74,11 +76,11 @@ struct Tread {
   double crown_radius = 0.0;     // m, of the tread's lateral curvature; 0: flat
   double young_modulus = 5.9e6;  // Pa
   double positive = 0.65;        // share of the surface that is rubber
-  // Share of the height after which a pressed block has no height left; 0: linear rubber.
+  /// Share of the height after which a pressed block has no height left; 0: linear rubber.
   double bottoming = 0.0;
-  double shear_ratio = 0.333;  // tangential over normal stiffness of a block
-  double damping_time = 0.0;   // s, damping over stiffness
-  TreadFriction friction = {};
+  double shear_ratio = 0.333;   // tangential over normal stiffness of a block
+  double damping_time = 0.0;    // s, damping over stiffness
+  TreadFriction friction = {};  // against the road
 };
 
 /// One harmonic of a run-out: amplitude cos(h (φ - angle)) at the angle φ of the belt; h is its
@@ -100,11 +102,11 @@ struct Uniformity {
 double runout_at(const std::vector<Harmonic>& harmonics, double phi);
 
 struct RingParameters {
-  int nodes = 80;
-  Belt belt;
-  Sidewall sidewall;
-  Tread tread;
-  Uniformity uniformity = {};
+  int nodes = 80;              // nodes of the belt, around the circumference
+  Belt belt;                   // mass, radius and stiffness of the belt
+  Sidewall sidewall;           // stiffness and damping of the sidewall
+  Tread tread;                 // blocks and friction of the tread
+  Uniformity uniformity = {};  // run-out and imbalance; none by default
 };
 
 }  // namespace latsch::ring_tire

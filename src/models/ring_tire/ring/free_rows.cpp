@@ -112,18 +112,18 @@ void FreeRows::accept(const NodeValues& q, const NodeValues& inner, const Vector
 Result<HubForces> RingTire::advance_free(
     WheelMotion& motion, FreeWheel& wheel, const road::Road& road, double time, double step) {
   assert(settled_);
-  if (const std::string why = trouble_with_step(motion, step); !why.empty()) return Failure{why};
+  if (const Status fit = check_step(motion, step); !fit) return fit.failure();
   struct WhileFree {
     FreeRows*& of;
     ~WhileFree() { of = nullptr; }
   };
   free_rows_.start(wheel);
-  std::string trouble;
+  Status done;
   {
     const WhileFree until{free_ = &free_rows_};
-    trouble = advance_in_parts(motion, road, time, step);
+    done = advance_in_parts(motion, road, time, step);
   }
-  if (!trouble.empty()) return Failure{trouble};
+  if (!done) return done.failure();
   motion = last_motion_ = free_rows_.motion();
   wheel = free_rows_.wheel();
   return hub_forces(motion.carrier);

@@ -17,6 +17,7 @@
 
 namespace latsch::ring_tire {
 
+/// A vibration mode of the ring with fixed rim, off the ground.
 struct RingMode {
   int n = 0;                         // waves around the circumference
   bool lateral = false;              // out of the plane of the rim, with torsion
@@ -28,8 +29,9 @@ struct RingMode {
 
 /// Frequency, Hz, and damping ratio by (21), from ω_K^2, φ* C φ and φ* K_M φ.
 struct DampedMode {
-  double frequency, damping;
+  double frequency, damping;  // Hz, share of critical damping
 };
+/// Returns frequency and damping ratio of a mode with Maxwell elements of this time constant, s.
 DampedMode damped_mode(double squared, double damping, double maxwell, double time_constant);
 
 /// Returns all modes with n = 0 .. most_waves, ordered by n, plane and order. Modes with n > 0 come

@@ -213,23 +213,21 @@ Result<HubForces> RingTire::advance(const WheelMotion& motion,
                                     double time,
                                     double step) {
   assert(settled_);
-  if (const std::string why = trouble_with_step(motion, step); !why.empty()) return Failure{why};
-  const std::string trouble = advance_in_parts(motion, road, time, step);
-  if (!trouble.empty()) return Failure{trouble};
+  if (const Status fit = check_step(motion, step); !fit) return fit.failure();
+  const Status done = advance_in_parts(motion, road, time, step);
+  if (!done) return done.failure();
   last_motion_ = motion;
   return hub_forces(motion.carrier);
 }
 
-/// Returns why there is no state at the end, in which case the tire keeps the state before; empty
-/// on success.
-std::string RingTire::advance_in_parts(const WheelMotion& motion,
-                                       const road::Road& road,
-                                       double time,
-                                       double step) {
+/// A Failure leaves the tire in the state before.
+Status RingTire::advance_in_parts(const WheelMotion& motion,
+                                  const road::Road& road,
+                                  double time,
+                                  double step) {
   const int parts = std::max(1, static_cast<int>(std::ceil(step / settings_.largest_step - 1e-9)));
   if (parts == 1) {
-    const std::string trouble = step_forward(motion, road, time, step);
-    if (trouble.empty()) return trouble;
+    if (const Status done = step_forward(motion, road, time, step); done.ok()) return done;
   }
   const RingState before = state();
   for (int i = 1; i <= parts; ++i) {
@@ -238,10 +236,10 @@ std::string RingTire::advance_in_parts(const WheelMotion& motion,
     const WheelMotion to =
         i == parts ? motion : between(last_motion_, motion, static_cast<double>(i) / parts);
     const double then = time - step * (1.0 - static_cast<double>(i) / parts);
-    const std::string trouble = substep(from, to, road, then, step / parts, settings_.halvings);
-    if (trouble.empty()) continue;
+    const Status done = substep(from, to, road, then, step / parts, settings_.halvings);
+    if (done.ok()) continue;
     restore(before);
-    return trouble;
+    return done;
   }
   return {};
 }
@@ -291,20 +289,18 @@ Result<RingTrial> RingTire::trial(const RingState& from,
   return trial;
 }
 
-/// Takes a step, or two of half the length if it has no solution. Returns why there is none; empty
-/// on success.
-std::string RingTire::substep(const WheelMotion& from,
-                              const WheelMotion& to,
-                              const road::Road& road,
-                              double time,
-                              double step,
-                              int halvings) {
-  const std::string trouble = step_forward(to, road, time, step);
-  if (trouble.empty() || halvings == 0) return trouble;
+/// Takes a step, or two of half the length if it has no solution.
+Status RingTire::substep(const WheelMotion& from,
+                         const WheelMotion& to,
+                         const road::Road& road,
+                         double time,
+                         double step,
+                         int halvings) {
+  const Status whole = step_forward(to, road, time, step);
+  if (whole.ok() || halvings == 0) return whole;
   const WheelMotion middle = between(from, to, 0.5);
-  const std::string first =
-      substep(from, middle, road, time - 0.5 * step, 0.5 * step, halvings - 1);
-  return first.empty() ? substep(middle, to, road, time, 0.5 * step, halvings - 1) : first;
+  const Status first = substep(from, middle, road, time - 0.5 * step, 0.5 * step, halvings - 1);
+  return first.ok() ? substep(middle, to, road, time, 0.5 * step, halvings - 1) : first;
 }
 
 /// Initial guess of Newton's method: in a rolling tire accelerations are fixed in space rather than
@@ -377,11 +373,11 @@ void RingTire::accept() {
   if (section_.on()) section_.accept();
 }
 
-/// Takes one step of (16), (17). Returns why there is no solution; empty on success.
-std::string RingTire::step_forward(const WheelMotion& motion,
-                                   const road::Road& road,
-                                   double time,
-                                   double h) {
+/// Takes one step of (16), (17).
+Status RingTire::step_forward(const WheelMotion& motion,
+                              const road::Road& road,
+                              double time,
+                              double h) {
   predict(free_ ? free_->begin(motion, time, h) : motion, road, time, h);
   ++counts_.steps;
   if (!tread_.knows_road()) return no_solution(time, kNoRoad);
@@ -390,11 +386,11 @@ std::string RingTire::step_forward(const WheelMotion& motion,
                     (!free_ || free_->knows_tangent(counts_.factorizations));
   const int age = reuse_.age();
   const long before = counts_.evaluations;
-  std::string trouble = solve_step(held, time);
-  if (trouble.empty()) trouble = torn_off(q1_, time);
-  if (!trouble.empty()) {
+  Status done = solve_step(held, time);
+  if (done.ok()) done = check_belt(q1_, time);
+  if (!done) {
     reuse_.forget();
-    return trouble;
+    return done;
   }
   const int evaluations = static_cast<int>(counts_.evaluations - before);
   if (held)
@@ -408,7 +404,7 @@ std::string RingTire::step_forward(const WheelMotion& motion,
 }
 
 /// Solves (17) by Newton's method, at first with the tangent held from an earlier step.
-std::string RingTire::solve_step(bool held, double time) {
+Status RingTire::solve_step(bool held, double time) {
   const double theta = settings_.dissipation;
   // A tangent whose step leaves more than this share of the residual is renewed.
   constexpr double kCrawling = 0.5;
@@ -453,27 +449,27 @@ std::string RingTire::solve_step(bool held, double time) {
   return no_solution(time, fmt::format("{:.3g} N are left at a node", last));
 }
 
-/// Returns an error text if the belt is so near the axle, or so far from it, that results are
-/// meaningless; otherwise empty.
-std::string RingTire::torn_off(const NodeValues& q, double time) const {
+/// Returns a Failure if the belt is so near the axle, or so far from it, that results are
+/// meaningless.
+Status RingTire::check_belt(const NodeValues& q, double time) const {
   constexpr double kNearest = 0.3, kFarthest = 2.0;  // shares of the belt's radius
   const double R = parameters_.belt.radius;
   for (int k = 0; k < angles_.nodes(); ++k) {
     const double distance = (q.col(k).head<3>() - rim_.center).norm();
     if (distance >= kNearest * R && distance <= kFarthest * R) continue;
-    return fmt::format(
+    return Failure{fmt::format(
         "the ring's belt is {:.0f} mm from the axle at {:.5f} s, at rest {:.0f} mm: the wheel "
         "moved too far in a step or stands in the road; sidewall.rim says where belt and rim meet",
         1e3 * distance,
         time,
-        1e3 * R);
+        1e3 * R)};
   }
   return {};
 }
 
-std::string RingTire::no_solution(double time, const std::string& why) const {
-  return fmt::format(
-      "the ring's step to {:.5f} s has no solution: {}; a shorter step may help", time, why);
+Failure RingTire::no_solution(double time, const std::string& why) const {
+  return {fmt::format(
+      "the ring's step to {:.5f} s has no solution: {}; a shorter step may help", time, why)};
 }
 
 }  // namespace latsch::ring_tire

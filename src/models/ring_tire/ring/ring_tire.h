@@ -38,10 +38,12 @@
 
 namespace latsch::ring_tire {
 
+/// Numbers of the time integration and of the solution of each step.
 struct RingSettings {
   double dissipation = 0.05;  // θ, 0 .. 1/3
-  // Tolerance, N (for torsion: N per meter): largest residual force at a node. If a step begins
-  // with a residual above 1 kN, the tolerance grows in proportion. A larger value saves iterations.
+  /// Tolerance, N (for torsion: N per meter): largest residual force at a node. If a step begins
+  /// with a residual above 1 kN, the tolerance grows in proportion. A larger value saves
+  /// iterations.
   double tolerance = 0.1;
   double static_tolerance = 1e-3;  // N, norm of all residual forces
   int halvings = 4;                // number of times a step without solution is halved
@@ -52,19 +54,20 @@ struct RingSettings {
 
 /// Cost of advance() and settle() so far.
 struct RingCounts {
-  long steps = 0, evaluations = 0, factorizations = 0;
+  long steps = 0, evaluations = 0, factorizations = 0;  // steps, residuals and factorized matrices
 };
 
 /// A trial step: the forces on the rim and the state after it.
 struct RingTrial {
-  HubForces hub;
-  RingState state;
+  HubForces hub;    // on the rim
+  RingState state;  // state after the step
   /// Present if requested and available: MotionSlopes::over().
   std::optional<HubSlopes> slopes;
 };
 
 class RingTire final : public Tire {
  public:
+  /// Takes the numbers of a ring; they must have no fault.
   explicit RingTire(const RingParameters& parameters, const RingSettings& settings = {});
 
   double free_radius() const override;
@@ -97,15 +100,22 @@ class RingTire final : public Tire {
   Eigen::Matrix3Xd outline() const override;
   std::unique_ptr<Tire> clone() const override { return std::make_unique<RingTire>(*this); }
 
+  /// The parameters it was made from.
   const RingParameters& parameters() const { return parameters_; }
+  /// Position, axes and rates of the rim.
   const RimFrame& rim() const { return rim_; }
+  /// Bending of the sections across the belt.
   const SectionBending& section() const { return section_; }
+  /// Positions of the nodes, one column each: x, y, z (inertial, m) and torsion of the section
+  /// (rad).
   const NodeValues& positions() const { return q_; }
+  /// Rates of positions(), per s.
   const NodeValues& velocities() const { return v_; }
   /// Returns the blocks on the road.
   std::vector<BlockContact> contacts() const { return tread_.contacts(q_); }
   /// Forces and moments of the blocks on the nodes in the last step, N, N m.
   NodeValues road_forces() const;
+  /// Cost of all steps so far.
   const RingCounts& counts() const { return counts_; }
   /// Kinetic energy and that of all springs, J.
   double energy() const;
@@ -115,15 +125,17 @@ class RingTire final : public Tire {
   /// in the sidewall sticks. `maxwell` is the stiffness of the Maxwell elements, which have one
   /// time constant.
   struct Linearized {
-    CyclicBand mass, stiffness, damping, maxwell;
-    double time_constant;
-    // Contribution of the bending of sections: SectionBending::border().
+    CyclicBand mass, stiffness, damping, maxwell;  // matrices over the nodes, SI
+    double time_constant;                          // s, of the Maxwell elements
+    /// Contribution of the bending of sections: SectionBending::border().
     Eigen::MatrixXd section_border, section_stiffness;
   };
+  /// Returns mass, stiffness and damping for small vibrations about the present state.
   Linearized linearized() const;
   /// Tangent stiffness of belt, sidewall and contact in the present state, and the mass of a knot
   /// (m, m, m, J).
   CyclicBand stiffness();
+  /// Mass of one node (kg, three times) and its moment of inertia about the belt (kg m^2).
   Eigen::Vector4d knot_mass() const { return mass_; }
 
  private:
@@ -135,10 +147,10 @@ class RingTire final : public Tire {
   /// Evaluates f of (15) at q, v with the present rim: inner forces, then those of the road.
   void evaluate(const NodeValues& q, const NodeValues& v);
   Result<HubForces> find_rest(const WheelMotion& motion, const road::Road& road, double time);
-  Result<bool> equilibrate(const road::Road& road, double time);
+  Status equilibrate(const road::Road& road, double time);
   bool relax();
   bool advance_along(const NodeValues& direction);
-  Result<bool> lower(double from, double to, const road::Road& road, double time, int halvings);
+  Status lower(double from, double to, const road::Road& road, double time, int halvings);
   void guess_end(double turn);
   void predict(const WheelMotion& motion, const road::Road& road, double time, double h);
   void follow();
@@ -146,23 +158,20 @@ class RingTire final : public Tire {
   void balance();
   void accept();
   void roll_on(const WheelMotion& motion);
-  std::string advance_in_parts(const WheelMotion& motion,
-                               const road::Road& road,
-                               double time,
-                               double step);
-  std::string substep(const WheelMotion& from,
-                      const WheelMotion& to,
-                      const road::Road& road,
-                      double time,
-                      double step,
-                      int halvings);
-  std::string step_forward(const WheelMotion& motion,
-                           const road::Road& road,
-                           double time,
-                           double step);
-  std::string solve_step(bool held, double time);
-  std::string torn_off(const NodeValues& q, double time) const;
-  std::string no_solution(double time, const std::string& why) const;
+  Status advance_in_parts(const WheelMotion& motion,
+                          const road::Road& road,
+                          double time,
+                          double step);
+  Status substep(const WheelMotion& from,
+                 const WheelMotion& to,
+                 const road::Road& road,
+                 double time,
+                 double step,
+                 int halvings);
+  Status step_forward(const WheelMotion& motion, const road::Road& road, double time, double step);
+  Status solve_step(bool held, double time);
+  Status check_belt(const NodeValues& q, double time) const;
+  Failure no_solution(double time, const std::string& why) const;
   bool factorize(const NodeValues& q, double mass_factor, double scale, const StepRule& rule);
   bool correct_wheel();
   /// Replaces residual_ and the section's residual by Newton's step.

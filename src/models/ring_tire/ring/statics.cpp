@@ -84,7 +84,7 @@ bool RingTire::relax() {
 }
 
 /// Finds the equilibrium at the rim's position, starting at q_.
-Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
+Status RingTire::equilibrate(const road::Road& road, double time) {
   constexpr int kRenewals = 40;  // largest number before it counts as no equilibrium
   // A block on an edge of the road may alternate between its two planes: it keeps its plane after
   // this number of updates.
@@ -109,7 +109,7 @@ Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
       inner_forces_.commit(q_, rim_, rule_);
       tread_.commit();
       if (section_.on()) section_.accept();
-      return true;
+      return {};
     }
     if (!relax()) break;
   }
@@ -120,20 +120,19 @@ Result<bool> RingTire::equilibrate(const road::Road& road, double time) {
 }
 
 /// Moves the rim from one height to another, in parts if one step finds no equilibrium.
-Result<bool> RingTire::lower(
-    double from, double to, const road::Road& road, double time, int halvings) {
+Status RingTire::lower(double from, double to, const road::Road& road, double time, int halvings) {
   const NodeValues before = q_;
   rim_.center.z() = to;
-  const Result<bool> found = equilibrate(road, time);
-  if (found || halvings == 0) return found;
+  const Status found = equilibrate(road, time);
+  if (found.ok() || halvings == 0) return found;
   q_ = before;
   const double middle = 0.5 * (from + to);
-  const Result<bool> first = lower(from, middle, road, time, halvings - 1);
-  return first ? lower(middle, to, road, time, halvings - 1) : first;
+  const Status first = lower(from, middle, road, time, halvings - 1);
+  return first.ok() ? lower(middle, to, road, time, halvings - 1) : first;
 }
 
 Result<HubForces> RingTire::settle(const WheelMotion& motion, const road::Road& road, double time) {
-  if (const std::string why = trouble_with(motion); !why.empty()) return Failure{why};
+  if (const Status fit = check_motion(motion); !fit) return fit.failure();
   if (!settled_) return find_rest(motion, road, time);
   const RingState before = state();
   Result<HubForces> hub = find_rest(motion, road, time);
@@ -154,11 +153,11 @@ Result<HubForces> RingTire::find_rest(const WheelMotion& motion,
   double height = end + depth;
   for (int i = settings_.lowerings - 1; i >= 0; --i) {
     const double next = end + depth * i / settings_.lowerings;
-    const Result<bool> found = lower(height, next, road, time, settings_.halvings);
+    const Status found = lower(height, next, road, time, settings_.halvings);
     if (!found) return found.failure();
     height = next;
   }
-  if (const std::string why = torn_off(q_, time); !why.empty()) return Failure{why};
+  if (const Status there = check_belt(q_, time); !there) return there.failure();
   const HubForces forces = hub_forces(motion.carrier);
   roll_on(motion);
   last_motion_ = motion;

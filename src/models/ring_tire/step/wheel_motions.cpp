@@ -47,11 +47,11 @@ double difference_step(int column, double step) {
   return kPlace / (turns ? kRadius : 1.0) / (rate ? step : 1.0);
 }
 
-std::string trouble_with_step(const WheelMotion& motion, double step) {
+Status check_step(const WheelMotion& motion, double step) {
   constexpr double kLongest = 1000.0;  // s
   if (!(step > 0.0 && step <= kLongest))
-    return fmt::format("a step of the ring needs a time above 0 and up to {} s", kLongest);
-  return trouble_with(motion, step);
+    return Failure{fmt::format("a step of the ring needs a time above 0 and up to {} s", kLongest)};
+  return check_motion(motion, step);
 }
 
 }  // namespace latsch::ring_tire

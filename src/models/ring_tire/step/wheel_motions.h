@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 
 #include "models/tire/tire.h"
 
@@ -35,7 +34,7 @@ double difference_step(int column, double step);
 /// d(hub force, then moment, in C)/d(motion), N and N m per unit of the column.
 using HubSlopes = Eigen::Matrix<double, 6, kMotionColumns>;
 
-/// Returns why the ring cannot take a step of that length, s, to `motion`; empty if it can.
-std::string trouble_with_step(const WheelMotion& motion, double step);
+/// Returns a Failure if the ring cannot take a step of that length, s, to `motion`.
+Status check_step(const WheelMotion& motion, double step);
 
 }  // namespace latsch::ring_tire

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/observable/natural_abscissa.h"
+#include "correlation/laboratory/natural_abscissa.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,10 +19,15 @@ namespace latsch::correlation {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kVaries = 0.05;        // share of the usual range: smaller variation is the rig's
-                                        // scatter
-constexpr double kApart = 0.15;         // share of a condition's range: a gap of this size
-                                        // separates two levels
+constexpr double kVaries = 0.05;    // share of the usual range: smaller variation is the rig's
+                                    // scatter
+constexpr double kApart = 0.15;     // share of a condition's range: a gap of this size
+                                    // separates two levels
+constexpr double kNear = 0.05;          // a gap of this size does, too, between distinct levels:
+constexpr double kDistinct = 3.0;       // the gaps between them are so many times those inside,
+constexpr std::size_t kFilled = 4;      // and each has so many samples on average
+constexpr std::size_t kSparse = 2;      // with fewer samples a level no values form levels: a load
+                                        // that rises with the travel of a rig is a result
 constexpr std::size_t kMostLevels = 8;  // a condition with more levels is a sweep and forms no
                                         // groups
 
@@ -78,16 +83,36 @@ const Usual* widest(const std::array<Usual, N>& candidates,
   return found;
 }
 
+/// Returns the first value of every level but the lowest. `sorted` rises.
+std::vector<double> level_starts(const std::vector<double>& sorted) {
+  const double range = sorted.back() - sorted.front();
+  std::vector<double> wide, near;
+  double inside = 0.0, between = range;  // the widest gap of a level, the narrowest between levels
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    const double gap = sorted[i] - sorted[i - 1];
+    if (gap > kApart * range) wide.push_back(sorted[i]);
+    if (gap > kNear * range) {
+      near.push_back(sorted[i]);
+      between = std::min(between, gap);
+    } else {
+      inside = std::max(inside, gap);
+    }
+  }
+  const bool are_distinct = near.size() < kMostLevels && between > kDistinct * inside &&
+                            sorted.size() >= kFilled * (near.size() + 1);
+  if (are_distinct) return near;
+  return sorted.size() >= kSparse * (wide.size() + 1) ? wide : std::vector<double>{};
+}
+
 /// Returns the level of every value, counted from the lowest; all 0 if levels cannot be
 /// distinguished.
 std::vector<int> levels_of(const std::vector<double>& values, double usual_range) {
   std::vector<int> levels(values.size(), 0);
   const double range = range_of(values);
   if (range < kVaries * usual_range) return levels;
-  std::vector<double> sorted = values, starts = {};
+  std::vector<double> sorted = values;
   std::sort(sorted.begin(), sorted.end());
-  for (std::size_t i = 1; i < sorted.size(); ++i)
-    if (sorted[i] - sorted[i - 1] > kApart * range) starts.push_back(sorted[i]);
+  const std::vector<double> starts = level_starts(sorted);
   if (starts.size() + 1 > kMostLevels) return levels;
   for (std::size_t i = 0; i < values.size(); ++i)
     levels[i] = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), values[i]) -
@@ -118,19 +143,20 @@ std::vector<Condition> conditions_of(const Measurement& measurement, const std::
   return all;
 }
 
-/// Returns the means over the samples of a group: "Fz 1050 N, gamma 2 deg".
-std::string name_of(const std::vector<Condition>& conditions,
-                    const std::vector<std::size_t>& samples) {
-  std::vector<std::string> parts;
-  for (const Condition& one : conditions) {
-    double sum = 0.0;
-    for (const std::size_t i : samples) sum += one.values[i];
-    // A level is written with the digits in which levels differ; the rest is the rig's scatter.
-    const double step = 0.01 * range_of(one.values);
-    const double level = std::round(sum / static_cast<double>(samples.size()) / step) * step;
-    parts.push_back(one.name + " " + format_quantity(level, one.shown, 4));
+/// Returns the mean of the samples of a level, "Fz 1050 N", with the digits in which levels differ;
+/// the rest is the rig's scatter.
+std::string name_of(const Condition& one, int level) {
+  const Unit unit = Unit::of(one.shown);
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < one.values.size(); ++i) {
+    if (one.levels[i] != level) continue;
+    sum += one.values[i];
+    count += 1.0;
   }
-  return fmt::format("{}", fmt::join(parts, ", "));
+  const double range = unit.from_si(range_of(one.values)) - unit.from_si(0.0);
+  const double step = std::pow(10.0, std::floor(std::log10(0.01 * range)));
+  const double shown = std::round(unit.from_si(sum / count) / step) * step + 0.0;  // 0, not -0
+  return one.name + " " + format_quantity(unit.to_si(shown), one.shown, 6);
 }
 
 void sort_into_groups(const std::vector<Condition>& conditions, NaturalAbscissa& abscissa) {
@@ -141,12 +167,18 @@ void sort_into_groups(const std::vector<Condition>& conditions, NaturalAbscissa&
     groups[levels].push_back(i);
   }
   for (auto& [levels, samples] : groups) {
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < conditions.size(); ++k)
+      names.push_back(name_of(conditions[k], levels[k]));
     std::stable_sort(samples.begin(), samples.end(), [&](std::size_t a, std::size_t b) {
       return abscissa.values[a] < abscissa.values[b];
     });
     const std::size_t from = abscissa.order.size();
     abscissa.order.insert(abscissa.order.end(), samples.begin(), samples.end());
-    abscissa.groups.push_back({name_of(conditions, samples), from, abscissa.order.size()});
+    abscissa.groups.push_back({fmt::format("{}", fmt::join(names, ", ")),
+                               names.empty() ? "" : names.front(),
+                               from,
+                               abscissa.order.size()});
   }
 }
 

@@ -25,6 +25,7 @@ struct NaturalAbscissa {
   std::vector<std::size_t> order;
   struct Group {
     std::string name;       // for example "Fz 1050 N, gamma 0 deg"; empty: there is one group
+    std::string level;      // its first condition, "Fz 1050 N": groups with it share a color
     std::size_t from, end;  // indices into `order`
   };
   std::vector<Group> groups;

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/language/key_section.h"
+
+namespace latsch::correlation {
+
+const experiment::KeySection& doe_keys() {
+  static const experiment::KeySection section = {
+      .heading = "[doe]",
+      .below = "doe",
+      .about = R"md(
+The design of experiments of a study: the points that `latsch doe` evaluates before a fit.
+)md",
+      .sentences =
+          {
+              {"design",
+               "\"full_factorial\" is a grid, which shows the target as a surface, for up to three "
+               "variables. \"latin_hypercube\" spreads few points well; \"sobol\" can be enlarged "
+               "later. \"morris\" shows which variables matter, by points / (variables + 1) "
+               "trajectories."},
+              {"levels", "Number of values of every variable in a grid."},
+              {"levels_of",
+               "Table of numbers of values of single variables: `levels_of = {belt = 1}`."},
+              {"levels_of.*",
+               "Number of values of this variable; 1: it keeps its initial value.",
+               "`levels`"},
+              {"points",
+               "Number of points of the other designs.",
+               "",
+               "2 to 100000, of a Latin hypercube fewer"},
+              {"seed", "Number that selects the points."},
+          },
+      .samples =
+          {
+              R"toml([doe]
+design = "full_factorial"
+levels = 5
+levels_of = {radial = 1}
+)toml",
+              R"toml([doe]
+design = "latin_hypercube"
+points = 40
+seed = 0
+)toml",
+              R"toml([doe]
+design = "morris"
+points = 40
+)toml",
+          },
+  };
+  return section;
+}
+
+}  // namespace latsch::correlation

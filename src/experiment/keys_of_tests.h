@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// The keys of every kind of test, as reading their samples declares them.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/document_record.h"
+#include "experiment/language.h"
+#include "experiment/language/key_section.h"
+
+namespace latsch::experiment {
+
+/// Adds a section, and behind it those of the keys that it shares, unless they are there already.
+void add_section(const KeySection& section, std::vector<const KeySection*>& sections);
+
+/// Returns the sections of the tests of the language that have one, in its order, each once with
+/// the sections of keys that they share.
+std::vector<const KeySection*> test_sections(const Language& language);
+
+/// Writes the files that samples of tests name into a folder. Throws InputError if that fails.
+void write_sample_files(const std::filesystem::path& folder);
+
+/// Returns the keys that the reading of a test's sample declares, without `kind`. The folder holds
+/// the files of the samples.
+std::map<std::string, DeclaredKey> keys_of_test(const Language& language,
+                                                const std::string& sample,
+                                                const std::filesystem::path& folder);
+
+/// Adds the keys of all these tests and of roads to a table that has their sections.
+void add_keys_of_tests(const Language& language,
+                       const std::filesystem::path& folder,
+                       KeyTable& table);
+
+}  // namespace latsch::experiment

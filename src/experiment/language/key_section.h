@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keys of a table in plain sentences, and samples that state them: a section of the reference.
+//
+// A reader declares the keys of its table by reading them (base/document_record.h): kind, unit,
+// range, choices, default. A KeySection adds a sentence for each key and samples that together
+// state every key. KeyTable joins both: it reads nothing itself, and finds keys without a sentence,
+// sentences without a key, and keys that no sample states.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/document_record.h"
+
+namespace latsch::experiment {
+
+/// Meaning of a key. Several keys with one meaning are separated by ", ": "Fx, Fy, Fz".
+struct KeySentence {
+  std::string path;            // below the section's table; "*" stands for a name that is free, and
+                               // at the end for any path: "columns.*"
+  std::string sentence;        // Markdown
+  std::string otherwise = "";  // default in words, if the recorded one depends on the sample
+  std::string range = "";      // range in words, if the recorded one depends on the sample
+};
+
+struct KeySection;
+
+/// Keys that are described by another section: all at `below`, "" for the same table.
+struct SharedKeys {
+  std::string below;
+  const KeySection& (*section)();
+};
+
+struct KeySection {
+  std::string heading;     // "[optimizer]"
+  std::string below = "";  // the section's table in its document: "experiment.*"; "" is the root
+  bool is_top = false;     // true: only the keys of the root itself, not those of its tables
+  std::string about;       // Markdown, without the keys
+  std::vector<KeySentence> sentences = {};  // in the order of the page
+  std::vector<std::string> samples = {};    // TOML; the first is the example of the page
+  std::vector<SharedKeys> shared = {};
+  std::vector<std::string> refused =
+      {};  // keys that the reader tests for only to refuse them: they
+           // belong elsewhere, or to an older form
+};
+
+/// One way in which a reader takes a key: all that DeclaredKey says except value and default.
+struct KeyForm {
+  DeclaredKey::Kind kind = DeclaredKey::Kind::presence;
+  std::vector<std::string> units = {};
+  Range range = {};
+  std::vector<std::string> choices = {}, expected = {};
+};
+
+/// A key as all samples together declare it.
+struct TabledKey {
+  KeySentence words;           // its path is that of a single key
+  std::vector<KeyForm> forms;  // in the order in which samples have them; none: never requested
+  std::vector<std::string> defaults;  // TOML
+  bool is_required = true;            // neither a default nor a test for presence in any sample
+  bool is_measurable = false;         // {from = "measurement.NAME"} is allowed
+  bool is_requested = false;          // a reader reads the key or tests whether it is present
+  bool is_stated = false;             // a sample states the key
+};
+
+struct TabledSection {
+  const KeySection* section;
+  std::vector<TabledKey> keys;
+};
+
+class KeyTable {
+ public:
+  explicit KeyTable(const std::vector<const KeySection*>& sections);
+
+  /// Adds what the reading of a sample of the section has declared, by paths from the root of the
+  /// document. Keys outside of the section's table are left out.
+  void add(const KeySection& section, const std::map<std::string, DeclaredKey>& declared);
+
+  const std::vector<TabledSection>& sections() const { return sections_; }
+  /// Returns a sentence for each requested key that has no sentence or that no sample states, and
+  /// for each sentence whose key is never requested.
+  std::vector<std::string> faults() const;
+
+ private:
+  struct Undescribed {
+    bool needs_sentence = false, is_stated = false;
+  };
+  TabledKey* find(const KeySection& section, const std::string& path);
+
+  std::vector<TabledSection> sections_;
+  std::map<std::string, Undescribed> undescribed_;  // requested keys without a sentence
+};
+
+/// True if a path matches a pattern such as "experiment.*.noise"; a "*" at the end stands for any
+/// path.
+bool matches(const std::string& path, const std::string& pattern);
+
+}  // namespace latsch::experiment

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/car/kerb_way.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace latsch::experiment {
+namespace {
+
+constexpr double kHalfWidth = 0.1;  // m, of a tire; a wider one meets what lies farther outside
+constexpr double kAlong = 5e-3;     // m, between the places looked at; steeper shapes are verticals
+constexpr double kTeeth = 16.0;     // places looked at in a pitch of the kerb, at least
+constexpr double kDiffers = 1e-3;   // m, of height; less is below the roughness of a road
+constexpr double kTouches = 1e-6;   // m, of height of a kerb; less is rounding
+constexpr long kMostPlaces = 400'000;  // places of a wheel; a longer way is looked at less closely
+
+/// Heights below one wheel, at places of equal distance.
+struct Trace {
+  double x0 = 0.0, along = 0.0;  // m
+  std::vector<double> highest;   // m, of the three lines
+  bool differs = false;          // across the width
+  bool touches = false;          // true if a place is higher or lower than the level road
+};
+
+Trace trace_of(const KerbTest& test,
+               const road::Road& road,
+               const Eigen::Vector3d& center,
+               double reach,
+               double along) {
+  Trace trace{.x0 = center.x() - reach, .along = along};
+  double time = -test.run_in, x = -reach;
+  const double way = test.speed.area(test.duration) - test.speed.area(-test.run_in);
+  for (; x <= way + reach; x += along) {
+    // The time at which the wheel is there, for a line that changes.
+    const double speed = test.speed.at(time);
+    if (x > 0.0 && speed > 0.0 && time < test.duration) time += along / speed;
+    const double y = center.y() + test.line.at(time), at = center.x() + x;
+    const double left = road.height(at, y + kHalfWidth, 0.0), middle = road.height(at, y, 0.0),
+                 right = road.height(at, y - kHalfWidth, 0.0);
+    const auto [low, high] = std::minmax({left, middle, right});
+    trace.highest.push_back(high);
+    trace.differs = trace.differs || high - low > kDiffers;
+    trace.touches = trace.touches || std::max(std::abs(low), std::abs(high)) > kTouches;
+  }
+  return trace;
+}
+
+/// Returns the path of the axle of a rigid disk, above its radius.
+std::vector<double> envelope(const Trace& trace, double radius) {
+  const long count = std::ssize(trace.highest),
+             reach = static_cast<long>(std::floor(radius / trace.along));
+  std::vector<double> arc(static_cast<std::size_t>(reach) + 1);
+  for (long k = 0; k <= reach; ++k) {
+    const double d = static_cast<double>(k) * trace.along;
+    arc[static_cast<std::size_t>(k)] = std::sqrt(std::max(0.0, radius * radius - d * d)) - radius;
+  }
+  std::vector<double> path(trace.highest.size());
+  for (long i = 0; i < count; ++i) {
+    double highest = trace.highest[static_cast<std::size_t>(i)];
+    for (long k = std::max(0L, i - reach); k <= std::min(count - 1, i + reach); ++k)
+      highest = std::max(highest,
+                         trace.highest[static_cast<std::size_t>(k)] +
+                             arc[static_cast<std::size_t>(std::abs(k - i))]);
+    path[static_cast<std::size_t>(i)] = highest;
+  }
+  return path;
+}
+
+/// Returns the distance between the places looked at, m.
+double spacing_of(const KerbTest& test, double way) {
+  double along = kAlong;
+  if (test.kerb) along = std::min(along, test.kerb->pitch / kTeeth);
+  if (test.kerb && test.kerb->shape == road::Kerb::Shape::block)
+    along = std::min(along, 0.5 * test.kerb->length);
+  return std::max(along, way / static_cast<double>(kMostPlaces));
+}
+
+}  // namespace
+
+KerbWay way_of(const KerbTest& test, const car::Car& car) {
+  KerbWay way;
+  if (!test.kerb && !test.filed) return way;
+  const auto road = road_of(test, car);
+  const double driven = test.speed.area(test.duration) - test.speed.area(-test.run_in);
+  const double origin = car.parts().corners[car::kFL].wheel_center.x() + test.speed.area(0.0) -
+                        test.speed.area(-test.run_in);
+  way.first = 1e300;
+  way.last = -1e300;
+  for (int corner = 0; corner < car::kCorners; ++corner) {
+    const Eigen::Vector3d& center =
+        car.parts().corners[static_cast<std::size_t>(corner)].wheel_center;
+    const double radius = center.z();  // a tire that stands there has this radius within a quarter
+    const double along = spacing_of(test, driven + 2.0 * radius);
+    const Trace trace = trace_of(test, *road, center, radius, along);
+    way.first = std::min(way.first, center.x() - origin);
+    way.last = std::max(way.last, center.x() - origin + driven);
+    way.varies_across = way.varies_across || trace.differs;
+    way.meets = way.meets || trace.touches;
+    const std::vector<double> path = envelope(trace, radius);
+    const auto length = static_cast<std::size_t>(std::ceil(radius / along));
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      const std::size_t to = std::min(i + length, path.size() - 1);
+      if (!(path[to] - path[i] > way.rise)) continue;
+      way.rise = path[to] - path[i];
+      way.radius = radius;
+      way.corner = corner;
+      way.place = trace.x0 + static_cast<double>(i) * along + radius - origin;
+    }
+  }
+  return way;
+}
+
+}  // namespace latsch::experiment

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The road that the wheels of a car meet in a kerb test, found without driving.
+//
+// Each wheel is taken as a rigid disk of radius R that rolls over the highest of three lines, in
+// its middle and 0.1 m to either side. Its axle then follows the envelope
+//   a(x) = max over |d| < R of z(x + d) + sqrt(R² - d²) - R
+// The rise of a over a length R is that of an obstacle which the tire has to swallow: an edge of
+// height h counts whole, a hill of the same height over some meters counts little, and a slot that
+// is narrower than the disk is not seen.
+#pragma once
+
+#include "experiment/rigs/car/kerb_rig.h"
+
+namespace latsch::experiment {
+
+struct KerbWay {
+  bool meets = false;              // a wheel meets the kerb of the test
+  bool varies_across = false;      // the height differs across the width of a wheel
+  double rise = 0.0;               // m: greatest rise of an axle over a length R
+  double radius = 0.0;             // m: R of that wheel
+  int corner = car::kFL;           // the wheel that rises most
+  double place = 0.0;              // m: where, in x of the test, 0 at the front axle at time 0
+  double first = 0.0, last = 0.0;  // m: range of x of the wheels, likewise
+};
+
+/// Follows the wheels along the line and at the speed of the test.
+KerbWay way_of(const KerbTest& test, const car::Car& car);
+
+}  // namespace latsch::experiment

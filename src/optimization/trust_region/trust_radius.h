@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The radius of a residual trust region: how gains, disappointments, failures and noise change it.
+#pragma once
+
+#include <utility>
+
+#include "optimization/trust_region/trust_box.h"
+#include "optimization/trust_region/trust_region_tuning.h"
+
+namespace latsch {
+
+class TrustRadius {
+ public:
+  TrustRadius(double initial, const RadiusTuning& tuning) : tuning_(tuning), initial_(initial) {}
+
+  bool is_good(double gain) const { return gain > tuning_.good_gain; }
+  bool is_bad(double gain) const { return gain < tuning_.bad_gain; }
+
+  /// Called before the consequences of any outcome.
+  void observe_outcome() { widened_since_outcome_ = 0; }
+  void observe_success() { failures_ = 0; }
+  void observe_failure() { ++failures_; }
+  /// Adjusts the radius after a step of this gain relative to the predicted one.
+  void judge_step(TrustBox& box, const Wanted& step, double gain, bool is_best, bool is_of_center);
+  /// Shrinks the radius if failures follow one another.
+  void shrink_after_failure(TrustBox& box, const Wanted& failed) const;
+  /// Shrinks the radius of a box without a step.
+  void shrink_without_step(TrustBox& box) const { box.radius *= tuning_.without_step; }
+  /// Starts a new search with another radius.
+  void begin(TrustBox& box, double radius);
+
+  /// Number of failures in a row.
+  int failures() const { return failures_; }
+  /// True if probes around the center do not fail again and again.
+  bool bears_probes() const { return failures_ < tuning_.failures_to_give_up; }
+  /// True once after a step that disappointed.
+  bool doubts_geometry() { return std::exchange(is_geometry_doubted_, false); }
+  /// True if so many steps disappointed that the model has to estimate the noise.
+  bool suspects_noise() const { return disappointments_ >= tuning_.disappointments; }
+
+  /// Doubles the radius if noise is as large as the slopes. Returns false if it stays.
+  bool widen_if_drowned(TrustBox& box);
+  /// If noise led the steps until the box was too small to show anything else, widens it to twice
+  /// the radius at which curvature, whose variance in the box goes as radius^4, is as large as
+  /// noise. Returns false if the radius stays.
+  bool widen_in_noise(TrustBox& box);
+
+ private:
+  RadiusTuning tuning_;
+  double initial_;
+  bool is_geometry_doubted_ = false;  // a step disappointed since the geometry was looked at
+  int disappointments_ = 0;           // number in a row
+  int failures_ = 0;                  // number in a row
+  int widened_since_outcome_ = 0;     // number of doublings of the radius
+  int widenings_ = 0;                 // number of widenings for a search at noise level
+};
+
+}  // namespace latsch
