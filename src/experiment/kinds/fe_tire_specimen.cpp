@@ -112,7 +112,9 @@ Result<Channels> FeTireSpecimen::print(const FootprintTest& test, const Asked& a
 
 std::string far_points(const fe_tire::Mesh& mesh, const Test& test) {
   const auto* modes = test.settings_as<ModalTest>();
-  return modes ? far_point(mesh, modes->points) : "";
+  if (!modes) return "";
+  const Status near = points_on_tire(mesh, modes->points);
+  return near ? "" : near.failure().reason;
 }
 
 }  // namespace latsch::experiment

@@ -106,8 +106,7 @@ Result<Channels> TireRig::run(const ModalTest& test) {
 }
 
 Result<TireRig::Vibrating> TireRig::vibrate(const ModalTest& test) {
-  if (std::string far = far_point(tire_.mesh(), test.points); !far.empty())
-    return Failure{std::move(far)};
+  if (const Status near = points_on_tire(tire_.mesh(), test.points); !near) return near.failure();
   const auto& inflated = this->inflated(test.pressure.value_or(own_pressure_));
   if (!inflated) return inflated.failure();
   Vibrating found;
@@ -333,14 +332,14 @@ NearestSensors nearest_sensors(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd
   return nearest;
 }
 
-std::string far_point(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd& points) {
+Status points_on_tire(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd& points) {
   constexpr double kFar = 0.025;  // m
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Eigen::Vector3d point = points.col(i);
     const double distance = distance_from_wall(mesh, {point.y(), std::hypot(point.x(), point.z())});
     if (distance <= kFar) continue;
     const Eigen::Vector3d mm = 1e3 * point;
-    return fmt::format(
+    return Failure{fmt::format(
         "point {} of the mode shapes, ({:.4g}, {:.4g}, {:.4g}) mm, lies {:.4g} mm from "
         "the wall of the tire, expected at most {:.0f} mm; x, y and z count from the "
         "wheel's center, x forward, y along the spin axis, z up: is their unit, or "
@@ -350,9 +349,9 @@ std::string far_point(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd& points)
         mm.y(),
         mm.z(),
         1e3 * distance,
-        1e3 * kFar);
+        1e3 * kFar)};
   }
-  return "";
+  return {};
 }
 
 }  // namespace latsch::experiment
