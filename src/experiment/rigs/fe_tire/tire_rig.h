@@ -82,10 +82,10 @@ struct NearestSensors {
 };
 NearestSensors nearest_sensors(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd& points);
 
-/// Fails if a point is none of the tire. A point may lie up to 25 mm from the wall, half of which is
-/// a mount and its cable, and the rest the difference between the drawing and the tire: a point
-/// farther away has another unit or other axes. Inside the wall, as for sensors on the inner liner,
-/// the distance is that to the nearest face of the elements.
+/// Fails if a point is none of the tire. A point may lie up to 25 mm from the wall: half of that is
+/// a mount and its cable, the rest the difference between the drawing and the tire. A point farther
+/// away has another unit or other axes. Inside the wall, as for sensors on the inner liner, the
+/// distance is that to the nearest face of the elements.
 Status points_on_tire(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd& points);
 
 }  // namespace latsch::experiment

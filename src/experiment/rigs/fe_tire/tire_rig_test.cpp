@@ -188,7 +188,7 @@ TEST(PointsOnTire, AreWithinSomeMillimetersOfTheWallAndNotInAnotherUnitOrOrder) 
 // A point on the sidewall takes the node there, not one of the tread.
 TEST(NearestSensors, TakesAnyNodeOfTheOuterSurface) {
   const FeTire tire = coarse_tire();
-  for (const Element& element : tire.mesh().elements) {
+  for (const fe_tire::Element& element : tire.mesh().elements) {
     if (!element.tread) continue;
     const Eigen::Vector3d corner = tire.mesh().coordinates(element).col(7);
     EXPECT_NEAR(nearest_sensors(tire.mesh(), corner).largest_distance, 0.0, 1e-12);
