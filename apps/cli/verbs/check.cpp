@@ -70,7 +70,6 @@ std::string what(const Study& study, const StudyExperiment& experiment) {
 }
 
 void print_experiments(const Study& study) {
-  const experiment::SpecimenKind* kind = study.specimens->kind();
   for (const StudyExperiment& experiment : study.experiments) {
     const std::string exponent =
         experiment.objective.exponent == 1.0
