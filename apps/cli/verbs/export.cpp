@@ -130,8 +130,10 @@ void write_model(const ExportOptions& options, const std::string& text) {
 void warn_of_lost_keys(const fs::path& file, const std::string& exported) {
   const std::vector<std::string> lost = formats::lost_keys(file, exported);
   if (lost.empty()) return;
-  warn(fmt::format("not in the exported file: {}; copy what another program needs",
-                   fmt::join(lost, ", ")),
+  warn(fmt::format("{} {} a comment in the exported file, with the units of the old one: it is in "
+                   "SI, and the unit of what Latsch does not know is not known",
+                   fmt::join(lost, ", "),
+                   lost.size() == 1 ? "is" : "are"),
        {file.string(), 0});
 }
 

@@ -16,6 +16,7 @@
 #include "correlation/study/ledgers/file_ledgers.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study.h"
+#include "formats/tables/lab_table.h"
 
 namespace latsch::cli {
 namespace {
@@ -62,8 +63,7 @@ bool is_recording(const std::string& file) {
   std::string ending = std::filesystem::path(file).extension().string();
   for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  const std::vector<std::string> endings = {
-      ".csv", ".txt", ".dat", ".mat", ".tdx", ".tydex", ".tda", ".tdb"};
+  const std::vector<std::string> endings = formats::lab_endings();
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
