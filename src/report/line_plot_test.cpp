@@ -62,7 +62,8 @@ TEST(LinePlot, NamesNoAttributeTwice) {
   }
 }
 
-// Digits of the widest fonts take 7.6 pixels, and letters of a title reach 3 pixels below its base line.
+// Digits of the widest fonts take 7.6 pixels, and letters of a title reach 3 pixels below its base
+// line.
 TEST(LinePlot, TheTitleOfTheOrdinateStandsBesideItsNumbers) {
   for (const double scale : {1.0, 1e-3, 2e5}) {
     for (const double sign : {1.0, -1.0}) {
