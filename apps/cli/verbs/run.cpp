@@ -318,8 +318,10 @@ int finish(const Study& study,
                                                   : correlation::Depth::at_the_point;
   if (!print_values(study, shown, depth, workers, stages.executor(), journal)) return kStopped;
   workers.end();
-  if (const auto found = correlation::best_trial(study, journal))
+  if (const auto found = correlation::best_trial(study, journal)) {
     warn_beyond_data(study, found->point);
+    for (const std::string& limit : correlation::limits_met_at(study, found->point)) warn(limit);
+  }
   const int exit_code = write_report_of_run(study, as_read, journal, language);
   if (exit_code == kDone) correlation::mark_finished(as_read, shown, journal);
   return exit_code;
@@ -400,8 +402,9 @@ void add_run(CommandLine& app, Program& program) {
         "its result.\n--anew begins from the start, start = \"journal\" in [optimizer] at the best "
         "trial; more max_steps continue.\n\n"
         "Examples:\n  latsch {0} studies/tire_b_twin/study.toml --workers 2\n"
-        "  mpirun -n 8 latsch {0} study.toml           on a cluster: one searches, seven evaluate\n"
-        "  srun -n 8 --mpi=pmix latsch {0} study.toml  the same below Slurm",
+        "  mpirun -n 8 latsch {0} my_tire/study.toml           # on a cluster: one searches, seven "
+        "evaluate\n"
+        "  srun -n 8 --mpi=pmix latsch {0} my_tire/study.toml  # the same below Slurm",
         resuming ? "resume" : "run"));
     auto asked = std::make_shared<Asked>();
     asked->resuming = resuming;

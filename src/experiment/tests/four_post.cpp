@@ -1,32 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // kind = "four_post": a car on four posts that move its wheels up and down.
 //
-//   kind = "four_post"
-//   mode = "heave"                       # a sweep: default; or "pitch", "roll", "warp"
-//   from = "0.5 Hz"                      # default, as the next four
-//   to = "30 Hz"
-//   duration = "20 s"                    # at least a period of the lowest frequency, for
-//                                        # spectra two
-//   amplitude = "3 mm"                   # up to the frequency at which the plates move at
-//   velocity = "0.03 m/s"                # this peak velocity, which holds above it
-//   posts = {from = "measurement.rig"}   # instead of the sweep: the heights post_FL, post_FR,
-//                                        # post_RL, post_RR that were recorded, evenly in time; or
-//                                        # posts = "heights.csv", a table of them and time
-//   step = "0.2 ms"                      # of the simulation; default
-//   sample_step = "1 ms"                 # of the record, a multiple of it; default; at least 12
-//                                        # samples of a period of the sweep's highest frequency
-//   spectra = true                       # adds channels over frequency; in recorded posts to the
-//                                        # signal of the mode that is stated; default false. The
-//                                        # car runs a second time, with the posts upside down
-//   segment = "4 s"                      # of Welch's method for densities, and 1/segment the
-//                                        # distance of lines; default, or all of a shorter record
-//   band = ["0.5 Hz", "30 Hz"]           # the lines that are kept; those of the sweep unless
-//                                        # given, within the posts' record
-//
 // Its channels: time, forces of the push-rods (pushrod_FL ..., compression positive), of the road
 // on the tires (Fz_FL ...), accelerations of hubs and body upward, spring travel, heave, roll and
 // pitch, heights of the posts (post_FL ...). Over frequency: densities psd_pushrod_FL ..., transfer
 // functions tf_pushrod_FL ..., their phases and coherences. Signs and units: docs/car.md.
+//
+// The keys are in experiment/tests/keys/four_post_keys.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

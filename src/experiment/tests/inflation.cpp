@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dimensions of a tire that is inflated on its rim, off the ground.
 //
-//   kind = "inflation"
-//   pressures = ["0.5 bar", "2.6 bar"]   # or {from = "measurement.inflated"}: those of its channel
-//                                        # pressure; the tire's own unless given
-//
 // Channels, one value for each pressure in the order of the file: "pressure" (Pa), "outer_radius"
 // (m, half of the outside diameter), "section_width" (m, from sidewall to sidewall), and "growth"
 // (m), the outward displacement of the middle of the tread relative to zero pressure. Growth is
 // mostly the stretch of belt and carcass: it identifies their moduli, on which frequencies hardly
 // depend.
+//
+// The keys are in experiment/tests/keys/inflation_keys.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

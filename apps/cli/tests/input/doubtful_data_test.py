@@ -185,12 +185,32 @@ class Shares(Data):
         self.latsch("export", "base.tir", "--model", "x.TIR")
         self.assertIn("[MDI_HEADER]", self.latsch("export", "base.tir", "--model", "/dev/stdout"))
 
-    def test_keys_that_an_export_loses_are_named(self):
+    def test_an_export_keeps_what_only_other_programs_read(self):
         text = (self.folder / "base.tir").read_text()
+        text = text.replace("[LATERAL_COEFFICIENTS]", "[LATERAL_COEFFICIENTS]\nPDYY1 = 2 $ mine")
+        text += "\n[SHAPE]\n{radial width}\n1.0 0.0\n1.0 0.4\n0.9 1.0\n[OTHERS]\nNAME = 'slick'\n"
+        self.write("more.tir", text)
+        self.assertNotIn("comment in the exported file", self.latsch("export", "more.tir", "--model", "out.tir"))
+        out = (self.folder / "out.tir").read_text()
+        self.assertRegex(out, r"PDYY1 +=? 2 +\$ mine\n")
+        self.assertIn("[SHAPE]\n{RADIAL WIDTH}\n1.0 0.0\n1.0 0.4\n0.9 1.0\n", out)
+        self.assertRegex(out, r"\[OTHERS\]\nNAME += 'slick'")
+        lateral = out[out.index("[LATERAL_COEFFICIENTS]"):]
+        self.assertIn("PDYY1", lateral[:lateral.index("\n[")])
+        self.latsch("export", "out.tir", "--model", "again.tir")
+        self.assertEqual((self.folder / "again.tir").read_text(), out)
+
+    def test_what_an_export_cannot_convert_is_a_comment_and_named(self):
+        text = (self.folder / "base.tir").read_text().replace("FORCE = 'newton'", "FORCE = 'kN'")
         text = text.replace("[LATERAL_COEFFICIENTS]", "[LATERAL_COEFFICIENTS]\nPDYY1 = 2")
-        self.write("more.tir", text + "\n[SHAPE]\n{radial width}\n1.0 0.0\n1.0 0.4\n0.9 1.0\n")
-        self.assert_says(self.latsch("export", "more.tir", "--model", "out.tir"), "PDYY1", "[SHAPE]")
-        self.assertNotIn("not in the exported file", self.latsch("export", "base.tir", "--model", "out.tir"))
+        for key in ("FNOMIN", "VERTICAL_STIFFNESS", "VERTICAL_DAMPING", "LONGITUDINAL_STIFFNESS", "LATERAL_STIFFNESS",
+                    "YAW_STIFFNESS"):
+            text = re.sub(rf"(?m)^({key} *= *)(\S+)", lambda m: f"{m[1]}{float(m[2]) / 1000!r}", text)
+        self.write("kilo.tir", text + "[SHAPE]\n{radial width}\n1.0 0.0\n0.9 1.0\n")
+        self.assert_says(self.latsch("export", "kilo.tir", "--model", "out.tir"), "PDYY1 is a comment in the exported file")
+        out = (self.folder / "out.tir").read_text()
+        self.assertRegex(out, r"\$ kept from kilo.tir, in its units: .*FORCE = kN.*\n\$ PDYY1 += 2")
+        self.assertIn("[SHAPE]\n{RADIAL WIDTH}\n1.0 0.0", out)
 
     def test_a_pipe_is_refused_where_a_file_is_read_more_than_once(self):
         self.write("study.toml", STUDY)

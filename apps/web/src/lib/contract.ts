@@ -365,6 +365,9 @@ export interface Section {
   cords: Outline[];
 }
 
+/** Keys of the tables of a study, as their readers declare them: by table, then by key. */
+export type KeysOfTables = Record<string, Record<string, { sentence: string; choices: string[] }>>;
+
 export interface StudyFile {
   text: string;
   version: string;
