@@ -189,8 +189,8 @@ TEST(ProcessExecutor, GivesBackChannelsAndTimes) {
 
 TEST(ProcessExecutor, EveryFaultIsAFailureWithItsReason) {
   ProcessOptions options = worker_options(1);
-#if !defined(__SANITIZE_ADDRESS__)  // the sanitizer's shadow memory needs terabytes of address \
-                                    // space
+  // The shadow memory of the address sanitizer needs terabytes of address space.
+#if !defined(__SANITIZE_ADDRESS__)
   options.memory_limit = 1e9;
 #endif
   ProcessExecutor executor(options);

@@ -29,7 +29,7 @@ Trace trace_of(const KerbTest& test,
                const Eigen::Vector3d& center,
                double reach,
                double along) {
-  Trace trace{.x0 = center.x() - reach, .along = along};
+  Trace trace{.x0 = center.x() - reach, .along = along, .highest = {}};
   double time = -test.run_in, x = -reach;
   const double way = test.speed.area(test.duration) - test.speed.area(-test.run_in);
   for (; x <= way + reach; x += along) {
