@@ -408,7 +408,7 @@ TEST(TirFile, NumbersAssumedForAWheelAtRestStandInTheLedger) {
 
 TEST(TirFile, APressureUnitFromForceAndLengthStandsInTheLedger) {
   std::string text = replaced("PRESSURE='bar'\n", "");
-  text.replace(text.find("INFLPRES=2.5\nNOMPRES=2.5"), 25, "INFLPRES=2.5e-4\nNOMPRES=2.5e-4");
+  text.replace(text.find("INFLPRES=2.5\nNOMPRES=2.5"), 24, "INFLPRES=2.5e-4\nNOMPRES=2.5e-4");
   const Ledger ledger = ledger_of(parse_tir(text, "t.tir"));
   ASSERT_NE(ledger.find_taken("PRESSURE"), nullptr);
   EXPECT_NE(ledger.find_taken("PRESSURE")->remark.find("FORCE/LENGTH^2, 1000000000 Pa"),
