@@ -48,7 +48,7 @@ struct InpTie {
 
 /// A node that equations hold at a mean of others, with weights that add up to one.
 struct InpMean {
-  std::map<int, double> weights;  // by node number
+  std::map<int, double> weights;  // number of a node and its weight
   Place place;
 };
 

@@ -2,10 +2,9 @@
 // Finds the cords that ccx_cords.h writes as springs, and makes layers of rebars of them again.
 //
 // The ends of a spring are means of the corners of one element; their local coordinates give the
-// depth and the angle of the layer, and the law of the spring gives its moduli and its pretension
-// by cord_law.h. A deck states only
-// modulus times thickness, so every layer has a thickness of one millimeter. Springs of another law
-// or across elements are refused.
+// depth and the angle of the layer, and the law of the spring (cord_law.h) gives its moduli and its
+// pretension. A deck states only the product of modulus and thickness, so every layer has a thickness
+// of one millimeter. Springs of another law or across elements are refused.
 #pragma once
 
 #include <functional>
