@@ -114,7 +114,7 @@ std::string far_points(const fe_tire::Mesh& mesh, const Test& test) {
   const auto* modes = test.settings_as<ModalTest>();
   if (!modes) return "";
   const Status near = points_on_tire(mesh, modes->points);
-  return near ? "" : near.failure().reason;
+  return near.ok() ? "" : near.failure().reason;
 }
 
 }  // namespace latsch::experiment
