@@ -27,6 +27,8 @@ constexpr int kMostKilledStarts = 20;
 // Longest start of a worker that a busy machine delays, as a multiple of ProcessOptions::
 // start_timeout. A larger one lets a run wait longer for a disk that never answers.
 constexpr double kLongestStart = 20.0;
+// Least limit of that kind, s, for short limits.
+constexpr double kLeastLongestStart = 90.0;
 
 Steady::duration seconds(double s) {
   return std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(s));
@@ -159,13 +161,14 @@ struct ProcessExecutor::Impl {
   /// fault of the worker.
   void check_start(Slot& slot) {
     const double limit = options.start_timeout;
+    const double longest = std::max(kLongestStart * limit, kLeastLongestStart);
     const ProcessUse use = slot.process->use();
     const auto now = Steady::now();
     std::string fault;
     if (use.processor_time > limit)
       fault = fmt::format("used more than {} s of processor time", limit);
-    else if (now - slot.since > seconds(kLongestStart * limit))
-      fault = fmt::format("took more than {} s", kLongestStart * limit);
+    else if (now - slot.since > seconds(longest))
+      fault = fmt::format("took more than {} s", longest);
     else if (!use.is_held_up && use.processor_time <= slot.used)
       fault = fmt::format(
           "neither computed nor waited for a processor or a disk for more than {} s", limit);
