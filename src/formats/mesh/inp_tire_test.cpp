@@ -251,8 +251,13 @@ TEST(InpTire, AHeldBodyWithoutContactIsNoPartOfTheTire) {
 
 TEST(InpTire, UnitsAreThoseACommentStatesElseThoseOfTheSize) {
   const TireDescription tire = small_tire();
-  const std::string deck = deck_of(tire);
+  std::string deck = deck_of(tire);
+  EXPECT_TRUE(parse_inp(deck, "stated.inp").are_units_stated);
+  const std::string statement = "** units: mm, N, tonne\n";
+  ASSERT_NE(deck.find(statement), deck.npos);
+  deck.erase(deck.find(statement), statement.size());
   EXPECT_EQ(parse_inp(deck, "mm.inp").units, InpUnits{});
+  EXPECT_FALSE(parse_inp(deck, "mm.inp").are_units_stated);
   const InpTire meters = tire_from(parse_inp("** units: m, N, kg\n" + deck, "m.inp"));
   EXPECT_NEAR(meters.mesh.outer_radius(), 1e3 * build_mesh(tire).outer_radius(), 1e-9);
   EXPECT_DOUBLE_EQ(meters.pressure, 0.26);
