@@ -40,8 +40,10 @@ class InpTireSpecimen : public FeTireSpecimen {
 std::vector<report::Layer> layers_of(const InpModel& model) {
   std::vector<report::Layer> layers;
   for (std::size_t i = 0; i < model.tire.layers.size(); ++i) {
-    const auto rebars = static_cast<std::size_t>(model.tire.layers[i].rebars);
-    layers.push_back({model.deck.rebars[rebars].name, model.tire.materials.layers[i].angle});
+    const int rebars = model.tire.layers[i].rebars;  // -1: the deck has the cords as springs
+    layers.push_back({rebars < 0 ? fmt::format("cords {}", i + 1)
+                                 : model.deck.rebars[static_cast<std::size_t>(rebars)].name,
+                      model.tire.materials.layers[i].angle});
   }
   return layers;
 }

@@ -213,8 +213,9 @@ class TireReader {
     for (std::size_t e = 0; e < elements_.size(); ++e)
       if (solid_[e] < 0) {
         const InpElement& element = deck_.elements.at(element_numbers_[e]);
-        throw InputError(element.place,
-                         fmt::format("element {} is in no *SOLID SECTION", element.number));
+        throw InputError(
+            element.place,
+            fmt::format("element {} is in no *SOLID SECTION, expected one", element.number));
       }
   }
 

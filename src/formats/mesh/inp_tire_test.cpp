@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -176,6 +177,84 @@ TEST(InpTire, CornersTiedByEquationsComeBackAsEdgeTiesWithTheSameResults) {
   EXPECT_NEAR(force_read / force, 1.0, 1e-7);
 }
 
+/// Cords as rebars: a radial carcass that is soft in compression, crossed belts, rows that end.
+TireDescription corded_tire() {
+  TireDescription tire = tied_tire();
+  tire.element = ElementKind::solid_shell;
+  tire.cord_model = CordModel::rebar;
+  for (CordPly& ply : tire.plies) ply.cords.E_compression = 0.2 * ply.cords.E_tension;
+  return tire;
+}
+
+std::string corded_deck(const TireDescription& tire, const Materials& materials) {
+  std::ostringstream out;
+  CcxRun run;
+  run.pressure = 2.6e5;
+  run.element = tire.element;
+  write_ccx_deck(out, build_mesh(tire), materials, run);
+  return out.str();
+}
+
+// The deck does not state by how many rows or by what wall an element corrects its shear; without
+// these corrections the tire that was written is the one that is read.
+TEST(InpTire, CordsWrittenAsSpringsComeBackAsTheirLayers) {
+  const TireDescription tire = corded_tire();
+  Materials materials = build_materials(tire);
+  materials.layers[0].pretension = 2e6;
+  Mesh written = build_mesh(tire);
+  for (Element& element : written.elements) {
+    element.layer_rows = 0;
+    element.wall = 0.0;
+  }
+  const InpTire read = tire_from(parse_inp(corded_deck(tire, materials), "cords.inp"));
+  EXPECT_EQ(read.element, ElementKind::solid_shell);
+  expect_same(read.mesh, written, 1e-12);
+  ASSERT_EQ(read.materials.layers.size(), materials.layers.size());
+  const auto results = [](const Mesh& mesh, const Materials& of) {
+    fe_tire::FeTire pressed(mesh, of, {});
+    const auto inflated = pressed.inflate(2.6e5);
+    EXPECT_TRUE(inflated);
+    const auto modes = pressed.modes(*inflated, 3);
+    const auto states = pressed.press(*inflated, {}, {0.012});
+    EXPECT_TRUE(modes);
+    EXPECT_TRUE(states);
+    return std::array{inflated->growth,
+                      (*modes)[0].frequency,
+                      (*modes)[2].frequency,
+                      pressed.stand(states->back()).force.z()};
+  };
+  const auto before = results(written, materials), after = results(read.mesh, read.materials);
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(after[i] / before[i], 1.0, 1e-5) << i;
+}
+
+TEST(InpTire, ASpringThatIsNoCordIsRefusedWithItsLine) {
+  const TireDescription tire = corded_tire();
+  const std::string good = corded_deck(tire, build_materials(tire));
+  const auto complaint = [&](std::string text) -> std::string {
+    try {
+      tire_from(parse_inp(text, "bad.inp"));
+    } catch (const InputError& error) {
+      EXPECT_GT(error.place().line, 0) << error.what();
+      return error.what();
+    }
+    return "nothing";
+  };
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, text.npos) << from;
+    return text.replace(at, from.size(), to);
+  };
+  EXPECT_NE(complaint(with(",NONLINEAR\n", "\n")).find("linear"), std::string::npos);
+  EXPECT_NE(complaint(with("*SPRING,ELSET=CORDS0,", "*SPRING,ELSET=OTHER,")).find("no *SPRING"),
+            std::string::npos);
+  // Its force jumps in one point of the law.
+  const std::size_t law = good.find('\n', good.find("NONLINEAR\n\n") + 11) + 1;
+  std::string jump = good;
+  jump.insert(law, "-");
+  EXPECT_NE(complaint(jump).find("is no cord"), std::string::npos) << complaint(jump);
+}
+
 TEST(InpTire, ElementsMayComeInAnyOfTheirTwentyFourNumberings) {
   const TireDescription tire = small_tire();
   InpDeck deck = parse_inp(deck_of(tire), "small.inp");
@@ -251,8 +330,13 @@ TEST(InpTire, AHeldBodyWithoutContactIsNoPartOfTheTire) {
 
 TEST(InpTire, UnitsAreThoseACommentStatesElseThoseOfTheSize) {
   const TireDescription tire = small_tire();
-  const std::string deck = deck_of(tire);
+  std::string deck = deck_of(tire);
+  EXPECT_TRUE(parse_inp(deck, "stated.inp").are_units_stated);
+  const std::string statement = "** units: mm, N, tonne\n";
+  ASSERT_NE(deck.find(statement), deck.npos);
+  deck.erase(deck.find(statement), statement.size());
   EXPECT_EQ(parse_inp(deck, "mm.inp").units, InpUnits{});
+  EXPECT_FALSE(parse_inp(deck, "mm.inp").are_units_stated);
   const InpTire meters = tire_from(parse_inp("** units: m, N, kg\n" + deck, "m.inp"));
   EXPECT_NEAR(meters.mesh.outer_radius(), 1e3 * build_mesh(tire).outer_radius(), 1e-9);
   EXPECT_DOUBLE_EQ(meters.pressure, 0.26);

@@ -95,8 +95,12 @@ TEST_F(MeasurementFile, FaultsOfModesNameTheirLine) {
   EXPECT_EQ(complaint("m.csv", "frequency [Hz],type\n40,latral\n", read),
             "m.csv:2: type is \"latral\", expected \"torsional\", \"lateral\" or \"radial\" or "
             "nothing, did you mean \"lateral\"?");
-  EXPECT_EQ(complaint("m.csv", "frequency [Hz],n\n40,\n50,-1\n", read),
-            "m.csv:3: n is \"-1\", expected a number of waves, 0 or more, or nothing");
+  EXPECT_EQ(
+      complaint("m.csv", "frequency [Hz],n\n40,\n50,-1\n", read),
+      "m.csv:3: n is \"-1\", expected a number of waves around the tire, 0 to 40, or nothing");
+  EXPECT_EQ(
+      complaint("m.csv", "frequency [Hz],n\n40,\n50,99\n", read),
+      "m.csv:3: n is \"99\", expected a number of waves around the tire, 0 to 40, or nothing");
   EXPECT_EQ(
       complaint("m.csv", "frequency [rpm]\n40\n", read),
       "m.csv:1: column \"frequency\" is in \"rpm\", expected a frequency, such as \"frequency "
