@@ -19,7 +19,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[4]
 
 # Examples that take longer than a test may, need a cluster or do not end by themselves. The verbs have tests of their own.
 NOT_RUN = re.compile(r"mpirun|srun|latsch (run|resume|identify|doe|serve|compare|process)\b|--place-columns|mesh .*--convergence"
-                     r"|slow\.toml|tire_b_twin|--ccx|--vtu|--drum |baseline.toml --fmu")
+                     r"|slow\.toml|tire_b_twin|--ccx|--vtu|--drum |--size|baseline.toml --fmu")
 
 
 def said(*arguments):
