@@ -202,10 +202,11 @@ class Kc(unittest.TestCase):
         self.assertIn("is loaded on a K&C rig", self.latsch("test", tire, '{kind = "kc", Fz = "1 kN"}', code=WRONG_INPUT))
 
     def test_a_load_beyond_it_fails_and_names_the_joint(self):
-        text = self.latsch("test", self.corner, '{kind = "kc", Mz = "1e9 N m"}', code=FAILED)
+        text = self.latsch("test", self.corner, '{kind = "kc", Mz = "150 kN m"}', code=FAILED)
         self.assertIn("no equilibrium beyond", text)
         self.assertIn("is turned most", text)
-        text = self.latsch("test", self.corner, '{kind = "kc", Fz = "900 kN"}', code=FAILED)
+        edit(self.corner, ("30 kN/mm", "5 kN/mm"))
+        text = self.latsch("test", self.corner, '{kind = "kc", Fz = "200 kN"}', code=FAILED)
         self.assertRegex(text, r"the bushing \w+ is stretched by [\d.]+ mm")
 
     def test_newtons_by_meter_as_by_millimeter_name_the_bushing(self):
