@@ -497,7 +497,7 @@ TEST(Report, SaysWhatTheDataDetermine) {
   const std::string page = html(report);
   for (const char* part : {"What the data determine",
                            "Mesh and step",
-                           "-0.4 N/mm²",
+                           "−0.4 N/mm²",
                            "Sensitivity",
                            "17 measured values",
                            "one-sided",
@@ -505,7 +505,7 @@ TEST(Report, SaysWhatTheDataDetermine) {
                            "at least 2 GPa",
                            "1 / 20",
                            "12.00 %",
-                           "+- 3 mm²",
+                           "± 3 mm²",
                            "2 of 3 measured values",
                            "is held",
                            "too coarse to trust",

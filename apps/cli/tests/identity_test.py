@@ -603,7 +603,7 @@ class FittedTire(unittest.TestCase):
     def test_an_edited_recording_gives_no_tir_and_no_unit_before_a_search_has_run(self):
         tir, unit, page = self.folder / "fitted.tir", self.folder / "fitted.fmu", self.folder / "page.html"
         exports = [("export", self.study, "--model", tir), ("export", self.study, "--fmu", "2.0", "-o", unit),
-                   ("report", self.study, "-o", page), ("test", self.study, '{kind = "static_stiffness", load = "1 kN"}')]
+                   ("report", self.study, "-o", page), ("test", self.study, '{kind = "static_stiffness", load = "1 kN", directions = ["vertical"]}')]
         self.run_it("run", self.study)
         for call in exports:
             self.run_it(*call)

@@ -4,12 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "base/document.h"
 #include "base/error.h"
@@ -243,6 +246,27 @@ int test(const TestOptions& options, const experiment::Language& language) {
   return kDone;
 }
 
+/// Examples of the help: a kind of test, and a command line that runs it.
+constexpr std::array<std::pair<const char*, const char*>, 6> kExamples{{
+    {"drum_cleat",
+     "studies/ring_tires/passenger_205_55R16.toml studies/cleat_fit/tests/slow.toml > forces.csv"},
+    {"drum_cleat",
+     "studies/ring_tires/passenger_205_55R16.toml studies/cleat_fit/tests/slow.toml --convergence"},
+    {"footprint",
+     "studies/ring_tires/passenger_205_55R16.toml "
+     "'{kind = \"footprint\", loads = [\"2 kN\", \"4 kN\"]}' --html patch.html"},
+    {"steady_states",
+     "studies/race_tire_mf/tire.tir "
+     "'{kind = \"steady_states\", states = \"studies/race_tire_mf/cornering.csv\"}' -o forces.csv"},
+    {"kc", "studies/compliance/corner.toml '{kind = \"kc\", Fy = \"-4 kN\"}' --signs sae"},
+    {"modes", "my_tire/study.toml '{kind = \"modes\", count = 6}'   # its best point"},
+}};
+
+/// True if the program has this kind of test. A program for models of one's own has other kinds.
+bool knows(const experiment::Language& language, std::string_view kind) {
+  return std::ranges::any_of(language.tests, [&](const auto* test) { return test->name == kind; });
+}
+
 }  // namespace
 
 void add_test(CommandLine& app, Program& program) {
@@ -250,6 +274,9 @@ void add_test(CommandLine& app, Program& program) {
   std::string tests;
   for (const experiment::TestKind* test : program.language.tests)
     tests += fmt::format("  kind = {:<20} {}\n", in_quotes(test->name), test->in_words);
+  std::string examples;
+  for (const auto& [kind, line] : kExamples)
+    if (knows(program.language, kind)) examples += fmt::format("  latsch test {}\n", line);
   verb.footer(
       "MODEL is a file with a model, or a study at its best point; TEST a file (or its keys "
       "in\nbraces) that says its\n" +
@@ -263,19 +290,8 @@ void add_test(CommandLine& app, Program& program) {
       "Toe-in, camber with the top outboard, caster with the top rearward, travel in bump, "
       "lengths\n"
       "and ratios are positive in all. What is typed in a test stays ISO.\n\n"
-      "Examples:\n"
-      "  latsch test studies/ring_tires/passenger_205_55R16.toml studies/cleat_fit/tests/slow.toml "
-      "> forces.csv\n"
-      "  latsch test studies/ring_tires/passenger_205_55R16.toml studies/cleat_fit/tests/slow.toml "
-      "--convergence\n"
-      "  latsch test studies/ring_tires/passenger_205_55R16.toml "
-      "'{kind = \"footprint\", loads = [\"2 kN\", \"4 kN\"]}' --html patch.html\n"
-      "  latsch test studies/race_tire_mf/tire.tir "
-      "'{kind = \"steady_states\", states = \"studies/race_tire_mf/cornering.csv\"}' "
-      "-o forces.csv\n"
-      "  latsch test studies/compliance/corner.toml '{kind = \"kc\", Fy = \"-4 kN\"}' --signs sae\n"
-      "  latsch test my_tire/study.toml '{kind = \"modes\", count = 6}'   # its best point\n"
-      "  latsch test --list");
+      "Examples:\n" +
+      examples + "  latsch test --list");
   auto options = std::make_shared<TestOptions>();
   verb.add_option("model", options->model, "Model or study");
   verb.add_option("test", options->test, "Test file, or its keys in braces");

@@ -14,6 +14,7 @@
 #include "correlation/study_report/study_report.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/predictions.h"
+#include "report/html_text.h"
 
 namespace latsch::correlation {
 namespace {
@@ -378,7 +379,8 @@ TEST_F(MagicBands, AreDrawnAndTabledOnThePage) {
   EXPECT_FALSE(page->identifiability->bands[1].fitted);
   const std::string html = report::html(*page);
   EXPECT_NE(html.find("class=\"band\""), std::string::npos);
-  EXPECT_NE(html.find(page->identifiability->bands[1].widest), std::string::npos);
+  EXPECT_NE(html.find(report::typeset_words(page->identifiability->bands[1].widest)),
+            std::string::npos);
   EXPECT_NE(html.find("of 25 measured values inside band and noise"), std::string::npos);
 }
 

@@ -3,8 +3,8 @@
 //
 // The ends of a spring are means of the corners of one element; their local coordinates give the
 // depth and the angle of the layer, and the law of the spring (cord_law.h) gives its moduli and its
-// pretension. A deck states only the product of modulus and thickness, so every layer has a thickness
-// of one millimeter. Springs of another law or across elements are refused.
+// pretension. A deck states only the product of modulus and thickness, so every layer has a
+// thickness of one millimeter. Springs of another law or across elements are refused.
 #pragma once
 
 #include <functional>
