@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Checks that every #include follows the architecture: a folder may use itself and what is listed here, a room the
 rooms before it; that no folder holds more files than one overlooks; that comments, which clang-format leaves as they
-are, end where the code does; that studies and verbs know no model; that a simulation which fails says so by a Result or a
-Status; and that what is written for the user goes through base/file.h, which knows of links, pipes, devices and full
-disks. `--test` shows that the checks of texts find what they are for."""
+are, end where the code does; that studies and verbs know no model; that a simulation which fails says so by a Result or
+a Status; that x.cpp implements x.h or a header that names it; and that what is written for the user goes through
+base/file.h, which knows of links, pipes, devices and full disks. `--test` shows that the checks of texts find what they
+are for."""
 import pathlib
 import re
 import sys
@@ -217,8 +218,46 @@ def outcomes():
                 yield f"{file.relative_to(SOURCE.parent)}:{line}: {advice} (src/base/result.h)"
 
 
+# x.cpp implements x.h. Otherwise a reader has to find its header: one in the same folder names the file or declares the
+# thing it is called after, or the file's name continues the header's. Programs and modules have no header, sections of
+# keys are called by the reader of their test or by the list of a study's sections.
+BEGINS_A_PROGRAM = re.compile(r"^(?:int main|PYBIND11_MODULE)\(", re.M)
+KEYS = "_keys"
+
+
+def camel_case(name):
+    return "".join(part.capitalize() for part in name.split("_"))
+
+
+def is_named_by(stem, header_stem, header):
+    """True if the header of that stem and text says that STEM.cpp implements a part of it."""
+    return (stem.startswith(header_stem + "_")
+            or re.search(rf"\b(?:\w+_)?{stem}\(|\bk{camel_case(stem)}Test\b|\b{stem}\.cpp\b", header) is not None)
+
+
+def lonely_files():
+    root = SOURCE.parent
+    for top in (SOURCE, root / "apps", root / "verification", root / "benchmarks", root / "examples"):
+        for file in sorted(top.rglob("*.cpp")):
+            if (file.with_suffix(".h").is_file() or file.stem.endswith(("_test", "_testing"))
+                    or "node_modules" in file.parts):
+                continue
+            text = file.read_text()
+            headers = ((header.stem, header.read_text()) for header in sorted(file.parent.glob("*.h")))
+            if (BEGINS_A_PROGRAM.search(text) or any(is_named_by(file.stem, stem, header) for stem, header in headers)
+                    or file.stem.endswith(KEYS) and re.search(rf"\bKeySection& {file.stem}\(\)", text)):
+                continue
+            yield (f"{file.relative_to(root)}: no {file.stem}.h is beside it, and no header of its folder names it: "
+                   f"give it one, name it after its header, or write its name where its header declares what it contains")
+
+
 def test():
     """Every spelling that is refused is found, and the two that are meant are not."""
+    header = "Result<Rest> settle();  // statics.cpp\nvoid add_check(App&);\nextern const TestKind kAxleKcTest;\nJson home_view(int);"
+    for named in ("statics", "check", "axle_kc", "home_view", "car_settling"):
+        assert is_named_by(named, "car", header), named
+    for lonely in ("static", "dynamics", "kc", "home", "carpet", "settling"):
+        assert not is_named_by(lonely, "car", header), lonely
     for refused in ("std::optional<Failure> start();", "optional<latsch::Failure> why;", "Result<bool> film();",
                     "if (const std::string why = torn(); !why.empty())\n    return Failure{why};"):
         assert [line for line, _ in other_outcomes("\n" + refused)] == [2], refused
@@ -231,6 +270,6 @@ if __name__ == "__main__":
     if sys.argv[1:] == ["--test"]:
         sys.exit(test())
     found = [*faults(), *models_in_verbs(), *names_twice(), *crowds(), *wide_comments(), *kinds_by_name(), *writers(),
-             *outcomes()]
+             *outcomes(), *lonely_files()]
     print("\n".join(found) or "layers: every #include follows the architecture")
     sys.exit(1 if found else 0)

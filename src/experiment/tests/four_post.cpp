@@ -34,7 +34,6 @@
 #include <cmath>
 
 #include "experiment/language/capabilities.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/four_post_rig.h"
 #include "experiment/rigs/car/held_band.h"
@@ -42,12 +41,11 @@
 #include "experiment/rigs/car/post_spectra.h"
 #include "experiment/rigs/sampling.h"
 #include "experiment/tests/films/car_film.h"
-#include "experiment/tests/four_post_pictures.h"
+#include "experiment/tests/pictures/four_post_pictures.h"
+#include "experiment/tests/test_kinds.h"
 #include "formats/tables/csv_table.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kFourPost;
 namespace {
 
 /// The mode to whose signal responses refer, and the settings of the spectra, which are set even if
@@ -427,11 +425,11 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
 
 const KeySection& four_post_keys();
 
-const TestKind kFourPost = {"four_post",
-                            "stands on four posts that move it",
-                            {Drives::kName},
-                            read_four_post,
-                            four_post_keys,
-                            "sweeps begin below their band; responses of two runs"};
+const TestKind kFourPostTest = {"four_post",
+                                "stands on four posts that move it",
+                                {Drives::kName},
+                                read_four_post,
+                                four_post_keys,
+                                "sweeps begin below their band; responses of two runs"};
 
 }  // namespace latsch::experiment

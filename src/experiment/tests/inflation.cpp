@@ -17,12 +17,10 @@
 
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/fe_tire/channel_slopes.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kInflation;
 namespace {
 
 /// Dimensions of the inflated tire off the ground.
@@ -119,10 +117,10 @@ std::unique_ptr<Test> read_inflation(const Node& root, const TestSource& source)
 
 const KeySection& inflation_keys();
 
-const TestKind kInflation = {"inflation",
-                             "is inflated: outer radius, section width, growth",
-                             {IsFeTire::kName},
-                             read_inflation,
-                             inflation_keys};
+const TestKind kInflationTest = {"inflation",
+                                 "is inflated: outer radius, section width, growth",
+                                 {IsFeTire::kName},
+                                 read_inflation,
+                                 inflation_keys};
 
 }  // namespace latsch::experiment

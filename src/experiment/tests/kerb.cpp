@@ -56,20 +56,18 @@
 #include "base/error.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/kerb_rig.h"
 #include "experiment/rigs/car/kerb_way.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/sampling.h"
 #include "experiment/tests/films/car_film.h"
-#include "experiment/tests/kerb_pictures.h"
+#include "experiment/tests/pictures/kerb_pictures.h"
+#include "experiment/tests/test_kinds.h"
 #include "formats/road/road_file.h"
 #include "models/road/road_reader.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kKerb;
 namespace {
 
 /// Returns a sentence if a wheel would have to rise within its radius by more than the section of
@@ -369,6 +367,7 @@ std::unique_ptr<Test> read_kerb_test(const Node& root, const TestSource& source)
 
 const KeySection& kerb_keys();
 
-const TestKind kKerb = {"kerb", "drives over a kerb", {Drives::kName}, read_kerb_test, kerb_keys};
+const TestKind kKerbTest = {
+    "kerb", "drives over a kerb", {Drives::kName}, read_kerb_test, kerb_keys};
 
 }  // namespace latsch::experiment

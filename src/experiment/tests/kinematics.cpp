@@ -33,12 +33,10 @@
 
 #include "experiment/language/capabilities.h"
 #include "experiment/language/sign_view.h"
-#include "experiment/language/test.h"
-#include "experiment/tests/kinematics_pictures.h"
+#include "experiment/tests/pictures/kinematics_pictures.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kKinematics;
 namespace {
 
 constexpr std::array<const char*, 3> kAxleModes = {"parallel", "opposed", "single"};
@@ -175,10 +173,10 @@ std::unique_ptr<Test> read_kinematics(const Node& root, const TestSource&) {
 
 const KeySection& kinematics_keys();
 
-const TestKind kKinematics = {"kinematics",
-                              "is moved as rigid links: toe, camber, roll center, motion ratio",
-                              {MovesAsLinkage::kName},
-                              read_kinematics,
-                              kinematics_keys};
+const TestKind kKinematicsTest = {"kinematics",
+                                  "is moved as rigid links: toe, camber, roll center, motion ratio",
+                                  {MovesAsLinkage::kName},
+                                  read_kinematics,
+                                  kinematics_keys};
 
 }  // namespace latsch::experiment

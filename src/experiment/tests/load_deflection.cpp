@@ -10,11 +10,10 @@
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/rigs/static_stiffness.h"
+#include "experiment/tests/test_kinds.h"
 #include "models/road/plane_road.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kLoadDeflection;
 namespace {
 
 /// Presses a rolling tire that stands: one state after the other, each settled anew.
@@ -142,12 +141,12 @@ std::unique_ptr<Test> load_deflection_as_measured(const Node&,
 
 const KeySection& load_deflection_keys();
 
-const TestKind kLoadDeflection = {"load_deflection",
-                                  "is pressed on the ground: force, patch",
-                                  {IsPressed::kName, Rolls::kName},
-                                  read_load_deflection,
-                                  load_deflection_keys,
-                                  "",
-                                  load_deflection_as_measured};
+const TestKind kLoadDeflectionTest = {"load_deflection",
+                                      "is pressed on the ground: force, patch",
+                                      {IsPressed::kName, Rolls::kName},
+                                      read_load_deflection,
+                                      load_deflection_keys,
+                                      "",
+                                      load_deflection_as_measured};
 
 }  // namespace latsch::experiment

@@ -12,12 +12,10 @@
 #include <fmt/format.h>
 
 #include "experiment/language/capabilities.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/fe_tire/channel_slopes.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kMassProperties;
 namespace {
 
 /// Mass and moments of inertia without the rim, but inflated as on the rim.
@@ -77,10 +75,10 @@ std::unique_ptr<Test> read_mass_properties(const Node& root, const TestSource& s
 
 const KeySection& mass_properties_keys();
 
-const TestKind kMassProperties = {"mass_properties",
-                                  "is weighed and swung: mass, moments of inertia",
-                                  {IsFeTire::kName},
-                                  read_mass_properties,
-                                  mass_properties_keys};
+const TestKind kMassPropertiesTest = {"mass_properties",
+                                      "is weighed and swung: mass, moments of inertia",
+                                      {IsFeTire::kName},
+                                      read_mass_properties,
+                                      mass_properties_keys};
 
 }  // namespace latsch::experiment

@@ -16,14 +16,12 @@
 
 #include "base/file.h"
 #include "experiment/language/capabilities.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/hub_frame.h"
 #include "experiment/rigs/slip/slip_lag.h"
 #include "experiment/rigs/slip/slip_states.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kSlipHistory;
 namespace {
 
 constexpr const char* kNoTurnSlip =
@@ -94,10 +92,10 @@ std::unique_ptr<Test> read_slip_history(const Node& root, const TestSource& sour
 
 const KeySection& slip_history_keys();
 
-const TestKind kSlipHistory = {"slip_history",
-                               "rolls through slips as they were recorded, lagging",
-                               {HasSteadyStates::kName},
-                               read_slip_history,
-                               slip_history_keys};
+const TestKind kSlipHistoryTest = {"slip_history",
+                                   "rolls through slips as they were recorded, lagging",
+                                   {HasSteadyStates::kName},
+                                   read_slip_history,
+                                   slip_history_keys};
 
 }  // namespace latsch::experiment

@@ -12,11 +12,10 @@
 #include "base/text.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
-#include "experiment/language/test.h"
+#include "experiment/rigs/fe_tire/standing_rig.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kStaticStiffness;
 namespace {
 
 constexpr double kWay = 1e-3;  // m or rad
@@ -149,10 +148,10 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
 
 const KeySection& static_stiffness_keys();
 
-const TestKind kStaticStiffness = {"static_stiffness",
-                                   "stands: force over deflection, stiffnesses",
-                                   {IsFeTire::kName, Rolls::kName},
-                                   read_static_test,
-                                   static_stiffness_keys};
+const TestKind kStaticStiffnessTest = {"static_stiffness",
+                                       "stands: force over deflection, stiffnesses",
+                                       {IsFeTire::kName, Rolls::kName},
+                                       read_static_test,
+                                       static_stiffness_keys};
 
 }  // namespace latsch::experiment

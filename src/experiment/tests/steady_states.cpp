@@ -22,13 +22,11 @@
 #include "base/file.h"
 #include "base/mapped_file.h"
 #include "experiment/language/capabilities.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/hub_frame.h"
 #include "experiment/rigs/slip/slip_states.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kSteadyStates;
 namespace {
 
 using magic_formula::Angles;
@@ -131,10 +129,10 @@ std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& sou
 
 const KeySection& steady_states_keys();
 
-const TestKind kSteadyStates = {"steady_states",
-                                "rolls steadily in the states of a table",
-                                {HasSteadyStates::kName},
-                                read_steady_states,
-                                steady_states_keys};
+const TestKind kSteadyStatesTest = {"steady_states",
+                                    "rolls steadily in the states of a table",
+                                    {HasSteadyStates::kName},
+                                    read_steady_states,
+                                    steady_states_keys};
 
 }  // namespace latsch::experiment

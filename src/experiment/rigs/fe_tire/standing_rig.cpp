@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The standing finite-element tire (static_stiffness.h): a sequence of equilibria.
+#include "experiment/rigs/fe_tire/standing_rig.h"
+
 #include <cmath>
 
 #include "experiment/rigs/fe_tire/channel_slopes.h"
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
-#include "experiment/rigs/static_stiffness.h"
 #include "models/fe_tire/slopes/tire_slopes.h"
 
 namespace latsch::experiment {
