@@ -86,7 +86,10 @@ CallStatus Instance::end_initialization() {
 CallStatus Instance::terminate() {
   if (now_.stage != Stage::stepping) return refuse("does not run: there is nothing to terminate");
   now_.stage = Stage::terminated;
-  return CallStatus::ok;
+  return guarded([&] {
+    for (const std::string& limit : now_.unit->limits_met()) say(CallStatus::warning, limit);
+    return CallStatus::ok;
+  });
 }
 
 CallStatus Instance::reset() {

@@ -33,6 +33,7 @@ class Instance {
   CallStatus set_up(double start, std::optional<double> stop);
   CallStatus begin_initialization();
   CallStatus end_initialization();
+  /// Logs as warnings which limits of its model the unit has met.
   CallStatus terminate();
   CallStatus reset();
 

@@ -73,12 +73,16 @@ class [[nodiscard]] Result {
 /// opposite: write `!status` or `status.ok()`.
 class [[nodiscard]] Status {
  public:
-  Status() = default;
+  Status() = default;  // a success
+  /// A failure.
   Status(Failure failure) : failure_(std::move(failure)) {}
 
+  /// True for a success.
   bool ok() const { return !failure_; }
+  /// True for a failure.
   bool operator!() const { return !ok(); }
 
+  /// The failure. Requires !ok().
   const Failure& failure() const {
     assert(!ok());
     return *failure_;

@@ -11,6 +11,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "correlation/observable/compared_kinds.h"
 #include "correlation/study/keys/declared_keys.h"
 #include "correlation/validation/suite.h"
 #include "experiment/keys_of_tests.h"
@@ -31,10 +32,6 @@ const KeySection& tie_keys();
 const KeySection& linear_constraint_keys();
 const KeySection& measurement_keys();
 const KeySection& experiment_keys();
-const KeySection& curve_keys();
-const KeySection& curve_comparison_keys();
-const KeySection& curve_delay_keys();
-const KeySection& values_keys();
 const KeySection& noise_keys();
 const KeySection& constraint_keys();
 const KeySection& optimizer_keys();
@@ -212,12 +209,10 @@ std::vector<const KeySection*> sections_of(const Language& language) {
                               linear_constraint_keys,
                               measurement_keys,
                               experiment_keys,
-                              curve_keys,
-                              curve_comparison_keys,
-                              curve_delay_keys,
-                              values_keys,
-                              noise_keys,
-                              constraint_keys,
+                              noise_keys})
+    sections.push_back(&section());
+  for (const ComparedKind* kind : compared_kinds()) experiment::add_section(kind->keys(), sections);
+  for (const auto& section : {constraint_keys,
                               optimizer_keys,
                               start_keys,
                               stage_keys,

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "experiment/language/known_limits.h"
 
 namespace latsch::exchange {
 namespace {
@@ -257,6 +258,11 @@ Status CarUnit::step(double /*time*/, double step) {
   }
   take(car, end);
   return {};
+}
+
+std::vector<std::string> CarUnit::limits_met() const {
+  std::optional<car::CarState>(state_).reset();  // tires pass their inputs on at their end
+  return experiment::limits_met(*specimen_);
 }
 
 }  // namespace latsch::exchange

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "experiment/language/known_limits.h"
 
 namespace latsch::exchange {
 namespace {
@@ -164,6 +165,11 @@ Status TireUnit::step(double time, double step) {
   if (!hub) return hub.failure();
   take(*hub, end, time + step);
   return {};
+}
+
+std::vector<std::string> TireUnit::limits_met() const {
+  tire_->clone().reset();  // a tire passes its inputs on at its end
+  return experiment::limits_met(*specimen_);
 }
 
 }  // namespace latsch::exchange

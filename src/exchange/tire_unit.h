@@ -42,6 +42,7 @@ class TireUnit final : public ExchangedModel {
   void set(std::size_t variable, double value) override;
   Status start(double time) override;
   Status step(double time, double step) override;
+  std::vector<std::string> limits_met() const override;
   std::unique_ptr<ExchangedModel> clone() const override {
     return std::make_unique<TireUnit>(*this);
   }

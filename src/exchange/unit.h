@@ -49,6 +49,10 @@ class ExchangedModel {
   /// unit after start(), can continue.
   virtual Status step(double time, double step) = 0;
 
+  /// Returns a sentence for every limit of the model that was met since the unit was made, such as
+  /// a range of the tire's file that it left.
+  virtual std::vector<std::string> limits_met() const { return {}; }
+
   virtual std::unique_ptr<ExchangedModel> clone() const = 0;
 };
 

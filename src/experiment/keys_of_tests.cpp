@@ -13,13 +13,6 @@ const KeySection& roads_keys();
 
 namespace {
 
-/// Adds a section behind those that it shares keys with, unless it is there already.
-void add_section(const KeySection& section, std::vector<const KeySection*>& sections) {
-  if (std::find(sections.begin(), sections.end(), &section) != sections.end()) return;
-  sections.push_back(&section);
-  for (const SharedKeys& shared : section.shared) add_section(shared.section(), sections);
-}
-
 /// True for keys of the table that a condition is measured by, {from = "measurement.NAME"}.
 bool is_below_measured(const std::string& path, const std::map<std::string, DeclaredKey>& keys) {
   const std::size_t dot = path.rfind('.');
@@ -29,6 +22,12 @@ bool is_below_measured(const std::string& path, const std::map<std::string, Decl
 }
 
 }  // namespace
+
+void add_section(const KeySection& section, std::vector<const KeySection*>& sections) {
+  if (std::find(sections.begin(), sections.end(), &section) != sections.end()) return;
+  sections.push_back(&section);
+  for (const SharedKeys& shared : section.shared) add_section(shared.section(), sections);
+}
 
 std::vector<const KeySection*> test_sections(const Language& language) {
   std::vector<const KeySection*> sections;

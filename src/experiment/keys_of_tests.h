@@ -13,6 +13,9 @@
 
 namespace latsch::experiment {
 
+/// Adds a section, and behind it those of the keys that it shares, unless they are there already.
+void add_section(const KeySection& section, std::vector<const KeySection*>& sections);
+
 /// Returns the sections of the tests of the language that have one, in its order, each once with
 /// the sections of keys that they share.
 std::vector<const KeySection*> test_sections(const Language& language);

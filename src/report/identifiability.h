@@ -46,8 +46,10 @@ struct Gain {
 
 struct IdentifiabilityPage {
   std::vector<std::string> variables;
-  std::vector<std::string> values;          // "10.02 N/mm^2"
-  std::vector<std::string> intervals;       // "9.8 .. 10.3 N/mm^2"
+  std::vector<std::string> values;                 // "10.02 N/mm^2"
+  std::vector<std::string> intervals;              // "9.8 .. 10.3 N/mm^2"
+  std::vector<std::string> interval_sources = {};  // "data", "data and a bound", "bounds",
+                                                   // "not known"
   std::vector<std::string> shifts;          // interval of each variable, "9.8 .. 10.3 N/mm^2"
   int residuals = 0;                        // number of measured values used
   int priors = 0;                           // number of priors of variables, each counted as one

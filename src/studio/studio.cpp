@@ -167,6 +167,7 @@ class Studio::Impl {
   Json look(const Request& request) {
     const Query query(request);
     if (request.path == "/api/home") return home_view(shelf_, options_.version, options_.has_page);
+    if (request.path == "/api/keys") return keys_view(language_);
     using View = std::function<Json(ShelvedStudy&)>;
     const std::string weights = query.text("weights"), trial = query.text("trial");
     const std::map<std::string, View> views{

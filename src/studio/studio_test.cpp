@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <mutex>
@@ -74,6 +75,16 @@ weight = 0.5
   std::vector<std::pair<std::string, Json>> events_;
   std::unique_ptr<Studio> studio_;
 };
+
+TEST_F(Asked, KeysHaveTheChoicesOfTheirReaders) {
+  begin();
+  const Json keys = get("/api/keys");
+  const Json methods = keys["optimizer"]["method"]["choices"];
+  EXPECT_NE(std::find(methods.begin(), methods.end(), "nelder_mead"), methods.end());
+  EXPECT_EQ(keys["run"]["on_failure"]["choices"].size(), 5u);
+  EXPECT_NE(keys["doe"]["points"]["sentence"], "");
+  EXPECT_FALSE(keys.contains("variable")) << "its tables have free names";
+}
 
 TEST_F(Asked, StudyAndTrialsAreThoseOfTheJournal) {
   const auto study = two();

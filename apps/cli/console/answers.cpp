@@ -80,10 +80,12 @@ Json answer_of(const correlation::Study& study, const correlation::Identifiabili
     const bool is_kept =
         !study.free.empty() && !std::binary_search(study.free.begin(), study.free.end(), i);
     if (is_kept) {
-      all[i]["interval"] = nullptr;  // not free in the last stage
+      all[i]["interval"] = nullptr;
+      all[i]["interval_from"] = "held in the last stage";
       continue;
     }
     all[i]["interval"] = {end(interval.lower), end(interval.upper)};
+    all[i]["interval_from"] = correlation::interval_source(study, result, i);
     if (!result.refined_shift) continue;
     const double u = study.space.to_unit(result.point)[static_cast<std::size_t>(i)];
     all[i]["refined"] = end(u + (*result.refined_shift)[i]);

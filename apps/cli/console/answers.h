@@ -30,8 +30,9 @@ Json answer_of(const DesignSpace& space, const DesignPoint& point);
 /// Returns [{"name", "lower", "upper", "initial", "scale", "unit", "paths"}] for the variables.
 Json answer_of(const DesignSpace& space);
 
-/// Returns a point with "interval": [lower, upper] at 95 %, null for an end that nothing limits,
-/// and "refined": the number of the refined model, if the study has one.
+/// Returns a point with "interval": [lower, upper] at 95 %, null for an end that nothing limits;
+/// "interval_from": what sets its ends, see interval_source(), or "held in the last stage"; and
+/// "refined": the number of the refined model, if the study has one.
 Json answer_of(const correlation::Study& study, const correlation::Identifiability& result);
 
 /// Returns the bands, one for each experiment: values, ends and noise in SI, null if not known; and

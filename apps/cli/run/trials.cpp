@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -20,15 +21,24 @@
 #include "correlation/analysis/refined_shift.h"
 #include "correlation/search/search_standing.h"
 #include "correlation/search/stage_runs.h"
+#include "correlation/search/study_change.h"
 #include "correlation/study_report/study_report.h"
 #include "correlation/target/trial_ownership.h"
 #include "evaluation/journal/local_file_system.h"
 #include "evaluation/journal/readable_journal.h"
 #include "evaluation/schedule/retried_failures.h"
+#include "evaluation/trial/encoding.h"
 #include "report/live_page.h"
 #include "studio/report_answers.h"
 
 namespace latsch::cli {
+
+std::string identity_key(const correlation::Study& study) {
+  std::uint64_t state = kHashStart;
+  for (const IdentityPart& part : correlation::identity(study))
+    state = hash(part.text, hash(part.name, state));
+  return fmt::format("{:016x}", state);
+}
 
 ProcessOptions worker_processes(const correlation::Study& study) {
   ProcessOptions options;
@@ -40,6 +50,8 @@ ProcessOptions worker_processes(const correlation::Study& study) {
     options.arguments.push_back(study.stage);
   }
   if (study.asks_slopes) options.arguments.emplace_back("--slopes");
+  options.arguments.emplace_back("--identity");
+  options.arguments.push_back(identity_key(study));
   options.workers = study.run.workers;
   options.timeout = study.run.timeout;
   options.memory_limit = study.run.memory;
@@ -153,10 +165,15 @@ bool take_refined(const correlation::Study& study, correlation::Identifiability&
   options.workers = 1;
   options.timeout = std::numeric_limits<double>::infinity();  // the limit of trials is meant for
                                                               // the coarse model
-  ProcessExecutor executor(options);
-  if (!correlation::evaluate_refined(
-          study, result.point, executor, counting_options(study, "the refined model")))
-    return false;
+  try {
+    ProcessExecutor executor(options);
+    if (!correlation::evaluate_refined(
+            study, result.point, executor, counting_options(study, "the refined model")))
+      return false;
+  } catch (const InputError& error) {  // the study's files have changed meanwhile
+    warn("the refined model is not evaluated: " + std::string(error.what()));
+    return true;
+  }
   result.refined_shift = correlation::refined_shift(study, result.identification);
   return true;
 }
@@ -244,26 +261,25 @@ std::string report_page(const correlation::Study& study,
 
 }  // namespace
 
-int write_report(const correlation::Study& study,
-                 const Journal& journal,
-                 const experiment::Language& language,
-                 experiment::Thoroughness thoroughness,
-                 const std::filesystem::path& output) {
-  const auto file =
-      output.empty() ? std::filesystem::path(study.run.journal).replace_extension(".html") : output;
-  if (output.empty() && !may_be_written(file))
-    throw InputError({file.string(), 0},
-                     "may not be written here: latsch report " + study.file.string() +
-                         " -o FILE writes the report elsewhere");
+namespace {
+
+/// `change` says how the study's files have changed since they were read; empty: not at all.
+int write_page(const correlation::Study& study,
+               const Journal& journal,
+               const experiment::Language& language,
+               experiment::Thoroughness thoroughness,
+               const std::filesystem::path& file,
+               const std::string& change) {
   const correlation::Study weighted = correlation::with_estimated_noise(study, journal);
-  const auto page = correlation::study_report(weighted, journal, thoroughness);
+  auto page = correlation::study_report(weighted, journal, thoroughness);
   if (!page) {
     complain(page.failure().reason);
     return kFailed;
   }
+  if (!change.empty()) page->remarks.insert(page->remarks.begin(), change);
   print_errors(*page);
   print_mesh_error(*page);
-  write_text_file(file, report_page(study, *page, language));
+  write_text_file(file, change.empty() ? report_page(study, *page, language) : report::html(*page));
   answer()["target"] = page->target;
   answer()["report"] = file.string();
   const correlation::TrialCounts counts = correlation::count_trials(weighted, journal);
@@ -273,6 +289,46 @@ int write_report(const correlation::Study& study,
       journal.file().string(),
       correlation::in_words(counts));
   return kDone;
+}
+
+std::filesystem::path report_file(const correlation::Study& study) {
+  return std::filesystem::path(study.run.journal).replace_extension(".html");
+}
+
+}  // namespace
+
+int write_report(const correlation::Study& study,
+                 const Journal& journal,
+                 const experiment::Language& language,
+                 experiment::Thoroughness thoroughness,
+                 const std::filesystem::path& output) {
+  const auto file = output.empty() ? report_file(study) : output;
+  if (output.empty() && !may_be_written(file))
+    throw InputError({file.string(), 0},
+                     "may not be written here: latsch report " + study.file.string() +
+                         " -o FILE writes the report elsewhere");
+  return write_page(study, journal, language, thoroughness, file, "");
+}
+
+int write_report_of_run(const correlation::Study& study,
+                        const correlation::Study& as_read,
+                        const Journal& journal,
+                        const experiment::Language& language,
+                        const std::filesystem::path& output) {
+  using experiment::Thoroughness;
+  const auto change = correlation::change_since_read(as_read, language);
+  if (!change) return write_report(study, journal, language, Thoroughness::seconds, output);
+  const std::string sentence = fmt::format(
+      "The files of the study have changed while this run went on: {}. The result and "
+      "the report are of the study as it was read at the beginning",
+      *change);
+  const auto file = output.empty() ? report_file(study) : output;
+  const int exit_code =
+      write_page(study, journal, language, Thoroughness::seconds, file, sentence + ".");
+  complain(sentence + ". Next: restore the files, or latsch run " + study.file.string() +
+               " for the changed ones",
+           {study.file.string(), 0});
+  return exit_code == kDone ? kFailed : exit_code;
 }
 
 }  // namespace latsch::cli

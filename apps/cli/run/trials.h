@@ -15,7 +15,11 @@
 
 namespace latsch::cli {
 
-/// Returns the settings that start this program as `latsch worker STUDY`.
+/// Returns a text that differs for studies whose trials may differ.
+std::string identity_key(const correlation::Study& study);
+
+/// Returns the settings that start this program as `latsch worker STUDY`. The workers refuse a
+/// study whose files have changed.
 ProcessOptions worker_processes(const correlation::Study& study);
 
 /// Opens the journal of the study. Trials that failed at a limit which has been raised since are
@@ -57,5 +61,14 @@ int write_report(const correlation::Study& study,
                  const experiment::Language& language,
                  experiment::Thoroughness thoroughness = experiment::Thoroughness::seconds,
                  const std::filesystem::path& output = {});
+
+/// Writes the report of a run that read `as_read` at its beginning. If the files of the study have
+/// changed meanwhile, it says so, writes a report of what the run has read, without the views that
+/// would read the files again, and returns the exit code of a failure.
+int write_report_of_run(const correlation::Study& study,
+                        const correlation::Study& as_read,
+                        const Journal& journal,
+                        const experiment::Language& language,
+                        const std::filesystem::path& output = {});
 
 }  // namespace latsch::cli

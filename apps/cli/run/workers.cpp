@@ -25,12 +25,6 @@ constexpr bool kBuiltWithMpi = true;
 constexpr bool kBuiltWithMpi = false;
 #endif
 
-std::uint64_t hash_of(const StudyIdentity& identity) {
-  std::uint64_t state = kHashStart;
-  for (const IdentityPart& part : identity) state = hash(part.text, hash(part.name, state));
-  return state;
-}
-
 /// Returns true if another task reports the error: of several tasks only the first one reports.
 bool refuse(const Launch& launch, const std::string& why) {
   if (launch.task == 0) throw InputError(why);
@@ -51,7 +45,7 @@ Workers::Workers(const correlation::Study& study) {
   if (!job_ || job_->size() != started.tasks) {
     job_.reset();
     refused_ = refuse(started, not_one_job(started, study.file.string(), kBuiltWithMpi));
-  } else if (!job_->agrees(hash_of(correlation::identity(study)))) {
+  } else if (!job_->agrees(hash(identity_key(study)))) {
     job_.reset();
     refused_ = refuse(started,
                       "the ranks of the job were given different studies, or read different "

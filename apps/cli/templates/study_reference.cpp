@@ -21,7 +21,7 @@ using experiment::KeyTable;
 using experiment::TabledKey;
 using Kind = DeclaredKey::Kind;
 
-constexpr const char* kHead = R"(# What may stand in a study
+constexpr const char* kReferenceHead = R"(# What may stand in a study
 
 `latsch help study` prints this page from the readers of a study, and `latsch help study --json` the same
 for programs. A study is a TOML file. Quantities are texts with their unit, such as `"2.6 bar"`; any
@@ -224,7 +224,7 @@ Json key_json(const TabledKey& key) {
 }  // namespace
 
 std::string study_reference(const KeyTable& keys) {
-  std::string text = kHead;
+  std::string text = kReferenceHead;
   for (const auto& [section, of_section] : keys.sections())
     text += section_words(*section, of_section);
   return text;

@@ -126,9 +126,11 @@ class ExactFit(unittest.TestCase):
                 self.assertRegex(words, r"(?m)^  a .*, set by its bounds$")
                 self.assertIn("The interval of a comes from the bounds alone", words)
                 self.assertNotRegex(words, r"(?m)^  [bc] .*set by its bounds")
+                self.assertEqual([row["interval_from"] for row in answer["variables"]], ["bounds", "data", "data"])
 
     def test_an_interval_that_the_data_tell_is_not_said_to_come_from_the_bounds(self):
-        words, _ = self.fit({"a": (0, 10, 1), "b": (-5, 0, -1), "c": (0, 2, 1)})
+        words, answer = self.fit({"a": (0, 10, 1), "b": (-5, 0, -1), "c": (0, 2, 1)})
+        self.assertEqual({row["interval_from"] for row in answer["variables"]}, {"data"})
         self.assertNotIn("bounds alone", words)
         self.assertNotIn("set by its bounds", words)
 
@@ -157,6 +159,8 @@ class ExactFit(unittest.TestCase):
                                  formula=EXPONENTIAL.replace('v["a"]', 'v["a"] * v["d"]'))
         for name in ("a", "d"):
             self.assertRegex(words, rf"(?m)^  {name} .*anywhere between the bounds")
+        sources = {row["name"]: row["interval_from"] for row in answer["variables"]}
+        self.assertEqual(sources, {"a": "bounds", "d": "bounds", "b": "data", "c": "data"})
         self.assert_known(answer, names=("b", "c"))
 
     def test_rounded_results_tie_as_well(self):

@@ -112,8 +112,9 @@ void add_compare(CommandLine& app, Program& program) {
       "grids\nof tests, whose spectra are compared: studies/kerb/comparison.toml\n\n"
       "Examples:\n  latsch compare studies/tire_model_comparison/comparison.toml\n"
       "  latsch compare studies/kerb/comparison.toml -o kerb.html --json > kerb.json\n"
-      "  latsch compare comparison.toml --write-measurements measured\n"
-      "      what the specimen shows, as tables to fit a tire to");
+      "  # The results of the specimen, as tables to which a tire can be fitted.\n"
+      "  latsch compare studies/tire_model_comparison/comparison.toml --write-measurements "
+      "measured");
   auto file = std::make_shared<std::string>();
   auto measurements = std::make_shared<std::string>();
   auto output = std::make_shared<std::string>();

@@ -215,7 +215,7 @@ int doe(const std::string& file,
   print_extent(study.space, points, level > 0.0 ? level : kNear * points.front().target);
   print_effects(study, design, journal);
   workers_of_study.end();
-  return write_report(study, journal, language);
+  return write_report_of_run(study, study, journal, language);
 }
 
 }  // namespace

@@ -130,8 +130,10 @@ void write_model(const ExportOptions& options, const std::string& text) {
 void warn_of_lost_keys(const fs::path& file, const std::string& exported) {
   const std::vector<std::string> lost = formats::lost_keys(file, exported);
   if (lost.empty()) return;
-  warn(fmt::format("not in the exported file: {}; copy what another program needs",
-                   fmt::join(lost, ", ")),
+  warn(fmt::format("{} {} a comment in the exported file, with the units of the old one: it is in "
+                   "SI, and the unit of what Latsch does not know is not known",
+                   fmt::join(lost, ", "),
+                   lost.size() == 1 ? "is" : "are"),
        {file.string(), 0});
 }
 
@@ -203,25 +205,30 @@ void add_export(CommandLine& app, Program& program) {
       "  latsch export studies/tires/passenger_225_50R16.toml --ccx tire.inp --deflection \"25 "
       "mm\"\n"
       "  latsch export studies/tire_b_twin/study.toml --model identified.toml\n"
+      "  # Measurements as the laboratory would have made them on the model that the file "
+      "describes.\n"
       "  latsch export studies/tire_b_twin/study.toml --measurements\n"
-      "      what the laboratory would have measured on the model as its file describes it\n"
-      "  latsch export studies/ring_tires/passenger_205_55R16.toml --fmu 3.0 --road kerb.toml -o "
-      "tire.fmu\n"
-      "      a co-simulation unit: wheel motion in, hub forces out (docs/exchange.md)\n"
+      "  # A co-simulation unit: wheel motion in, hub forces out (docs/exchange.md).\n"
+      "  latsch export studies/ring_tires/passenger_205_55R16.toml --fmu 3.0 -o tire.fmu\n"
+      "  # A car: rack, torques and loads in, its motion and push-rod forces out.\n"
       "  latsch export studies/kerb/baseline.toml --fmu 3.0 -o car.fmu\n"
-      "      a car: rack, torques and loads in, its motion and push-rod forces out\n"
+      "  # The bushings of a suspension as Adams property files.\n"
       "  latsch export studies/kerb/front.toml --bus bushings\n"
-      "      the bushings of a suspension as Adams property files\n"
-      "  latsch export studies/ring_tires/passenger_205_55R16.toml --sti\n"
-      "      where the library is by which a program with the Standard Tyre Interface rolls it");
+      "  # The library by which a program with the Standard Tyre Interface rolls the tire.\n"
+      "  latsch export studies/ring_tires/passenger_205_55R16.toml --sti");
   auto options = std::make_shared<ExportOptions>();
   verb.add_option("file", options->file, "Model file or study file").required();
   verb.add_option("--vtu", options->vtu, "ParaView file to write");
   verb.add_option("--ccx", options->ccx, "CalculiX deck to write");
   verb.add_option("--model", options->model, "Model file to write, with the identified values");
-  verb.add_option("--pressure", options->pressure, "Inflation, the tire's own unless given");
-  verb.add_option("--deflection", options->deflection, "Presses the tire on the ground");
-  verb.add_option("--modes", options->modes, "Lowest modes").between(0, 200);
+  verb.add_option("--pressure",
+                  options->pressure,
+                  "Inflation, such as \"2.6 bar\"; the tire's own unless given");
+  verb.add_option("--deflection",
+                  options->deflection,
+                  "Presses the tire on the ground by this much, such as \"25 mm\"");
+  verb.add_option("--modes", options->modes, "Number of lowest modes to write; 0 unless given")
+      .between(0, 200);
   verb.add_option(
           "--fmu", options->fmu, "FMI version of the unit to write: a tire that rolls, or a car")
       .one_of({"2.0", "3.0"});

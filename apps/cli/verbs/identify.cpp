@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
@@ -119,7 +120,7 @@ int identify(const std::string& file,
   if (workers_of_study.served(study)) return kDone;
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
   const correlation::StagesRun searched = correlation::recorded_stages(study, journal);
-  study = searched.study;
+  const Study as_read = std::exchange(study, searched.study);
   correlation::require_best(study, journal);
   correlation::mark_target(study, journal);
   say_kind_of_journal(study);
@@ -184,7 +185,7 @@ int identify(const std::string& file,
   const auto missed = correlation::missed_values(study, **result);
   answer()["missed"] = answer_of(study, missed);
   print_missed(study, missed);
-  return write_report(study, journal, language, experiment::Thoroughness::seconds, output);
+  return write_report_of_run(study, as_read, journal, language, output);
 }
 
 }  // namespace

@@ -211,27 +211,29 @@ void add_mesh(CommandLine& app, Program& program) {
   verb.footer(
       "Examples:\n"
       "  latsch mesh studies/tires/passenger_225_50R16.toml --vtu mesh.vtu\n"
+      "  # The same tire on finer meshes, extrapolated: the error that a fit would hide in the "
+      "moduli.\n"
       "  latsch mesh studies/tires/passenger_225_50R16.toml --convergence --deflection \"25 mm\"\n"
-      "      the same tire on finer meshes, extrapolated: the error a fit would hide in the "
-      "moduli\n"
-      "  latsch mesh tire.toml --place-columns placed.toml\n"
-      "      the same tire and as many unknowns, its columns of elements short where shorter ones "
-      "move the results\n"
-      "  latsch mesh tire.toml --place-columns placed.toml --deflection \"25 mm\" "
-      "--choose-sectors\n"
-      "      also by what is seen on the ground, which takes minutes");
+      "  # The same tire and as many unknowns; columns of elements are short where that changes "
+      "results.\n"
+      "  latsch mesh studies/tires/passenger_225_50R16.toml --place-columns placed.toml\n"
+      "  # The same by the loads on the ground, too, which takes minutes.\n"
+      "  latsch mesh studies/tires/passenger_225_50R16.toml --place-columns placed.toml "
+      "--deflection \"25 mm\" --choose-sectors");
   auto options = std::make_shared<MeshOptions>();
   verb.add_option("file", options->file, "Tire file (TOML, .inp) or study file").required();
-  verb.add_option("--refinement",
-                  options->refinement,
-                  "Splits every element into this number of "
-                  "parts in each direction")
+  verb.add_option(
+          "--refinement",
+          options->refinement,
+          "Splits every element into this number of parts in each direction; 1 unless given")
       .between(1, 8);
   verb.add_option("--vtu", options->vtu, "ParaView file to write");
   verb.add_flag("--convergence", options->convergence, "Compares with refined meshes");
-  verb.add_option("--deflection",
-                  options->deflection,
-                  "Also pressed on the ground, for --convergence and --place-columns");
+  verb.add_option(
+      "--deflection",
+      options->deflection,
+      "Also pressed on the ground by this much, such as \"25 mm\", for --convergence and "
+      "--place-columns");
   verb.add_flag("--choose-sectors",
                 options->choose_sectors,
                 "Also chooses the number of sectors, within the same unknowns, for "
@@ -240,9 +242,11 @@ void add_mesh(CommandLine& app, Program& program) {
       "--thorough",
       options->thorough,
       "Judges the pressed tire on five meshes in place of three, in about four times the time");
-  verb.add_option("--finest",
-                  options->finest,
-                  "Compares with meshes refined 2 to this number of times, for --convergence")
+  verb.add_option(
+          "--finest",
+          options->finest,
+          "Compares with meshes refined 2 to this number of times, for --convergence; 4 unless "
+          "given")
       .between(3, 8);
   verb.add_option("--place-columns",
                   options->place_columns,
@@ -253,7 +257,9 @@ void add_mesh(CommandLine& app, Program& program) {
                   "given")
       .between(1, 10'000'000);
   verb.add_option(
-          "--modes", options->modes, "Modes to compare, for --convergence and --place-columns")
+          "--modes",
+          options->modes,
+          "Number of modes to compare, for --convergence and --place-columns; 20 unless given")
       .between(1, 100);
   const bool alone = false;
   verb.forms({{"prints the counts of a mesh", {}},

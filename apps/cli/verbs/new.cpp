@@ -264,33 +264,31 @@ void start_study(const NewOptions& options, const experiment::Language& language
       study.string());
 }
 
-}  // namespace
+constexpr const char* kNewFooter =
+    "Examples:\n  latsch new my_tire\n  latsch new wide_tire --size 275/35R19\n"
+    "  latsch new race --tire race_16x7.5-10\n"
+    "  latsch new mf --magic-formula studies/race_tire_mf/cornering.csv --radius \"203.2 mm\"\n"
+    "  latsch new mf_held --magic-formula studies/race_tire_mf/cornering.csv --radius \"203.2 "
+    "mm\" "
+    "--hold-out \"p = 97 kPa +- 7 kPa\"\n"
+    "  latsch new ring --ring-data my_tire/tire.toml\n"
+    "  latsch new drum --drum raw.csv --cleat \"10 mm x 20 mm\"   # raw.csv: your recording\n"
+    "  latsch new corner --suspension\n"
+    "  latsch new car --car\n\n"
+    "The measurements are an example, computed from the tire with other moduli than the study\n"
+    "starts at: the first run ends at a target below 1 %. Put your own in their place.\n"
+    "From recordings of a tire test comes a study of a Magic Formula: the coefficients that "
+    "they\n"
+    "tell, freed in stages. From a model of a tire comes a study of the flexible ring that "
+    "shows\n"
+    "the same loads and modes. From recordings of a drum with a cleat come averaged passages "
+    "and\n"
+    "a flexible ring fitted to them. --suspension: bushings from numbers of a K&C rig; --car: "
+    "springs "
+    "and\n"
+    "dampers from a four-post recording, and a kerb to drive over.";
 
-void add_new(CommandLine& app, Program& program) {
-  Verb verb =
-      app.add_subcommand("new", "Writes a study to start from: a tire, measurements, a study file");
-  verb.footer(
-      "Examples:\n  latsch new my_tire\n  latsch new my_tire --size 275/35R19\n"
-      "  latsch new race --tire race_16x7.5-10\n"
-      "  latsch new mf --magic-formula cornering.dat drive_brake.dat\n"
-      "  latsch new mf --magic-formula cornering.dat --hold-out \"p = 97 kPa +- 7 kPa\"\n"
-      "  latsch new ring --ring-data my_tire/tire.toml\n"
-      "  latsch new drum --drum raw.csv --cleat \"10 mm x 20 mm\"\n"
-      "  latsch new corner --suspension\n"
-      "  latsch new car --car\n\n"
-      "The measurements are an example, computed from the tire with other moduli than the study\n"
-      "starts at: the first run ends at a target below 1 %. Put your own in their place.\n"
-      "From recordings of a tire test comes a study of a Magic Formula: the coefficients that "
-      "they\n"
-      "tell, freed in stages. From a model of a tire comes a study of the flexible ring that "
-      "shows\n"
-      "the same loads and modes. From recordings of a drum with a cleat come averaged passages "
-      "and\n"
-      "a flexible ring fitted to them. --suspension: bushings from numbers of a K&C rig; --car: "
-      "springs "
-      "and\n"
-      "dampers from a four-post recording, and a kerb to drive over.");
-  auto options = std::make_shared<NewOptions>();
+void add_tire_options(Verb& verb, NewOptions* options) {
   std::vector<std::string> names;
   for (const TireTemplate& known : tire_templates()) names.emplace_back(known.name);
   verb.add_option("folder", options->folder, "Folder to write, created if missing").required();
@@ -305,6 +303,9 @@ void add_new(CommandLine& app, Program& program) {
                 options->coarse,
                 "Some hundred elements: a trial takes a fraction of a second, with errors of "
                 "some percent");
+}
+
+void add_recording_options(Verb& verb, NewOptions* options) {
   verb.add_option("--magic-formula",
                   options->recordings,
                   "Recordings of a tire test: CSV, consortium .dat or .mat, TYDEX");
@@ -322,6 +323,9 @@ void add_new(CommandLine& app, Program& program) {
                   options->radius,
                   "Radius of the unloaded tire, if no loaded radius "
                   "was recorded");
+}
+
+void add_ring_options(Verb& verb, NewOptions* options) {
   verb.add_option("--ring-data",
                   options->ring_data,
                   "A flexible ring from measured loads, modes and stiffnesses; or, with a model "
@@ -341,6 +345,35 @@ void add_new(CommandLine& app, Program& program) {
                   "Number of teeth of a wheel that was recorded in "
                   "place of the speed")
       .between(1, 100000);
+}
+
+/// Writes the study that the options ask for.
+void write_new(const NewOptions& options, Program& program) {
+  if (!options.drum.empty()) {
+    start_drum(options, program.language);
+  } else if (options.suspension) {
+    start_suspension(options, program.language);
+  } else if (options.car) {
+    start_car(options, program.language);
+  } else if (!options.ring_data.empty()) {
+    program.exit_code = start_ring(options, program.language);
+  } else if (options.recordings.empty()) {
+    start_study(options, program.language);
+  } else {
+    start_magic_formula(options, program.language);
+  }
+}
+
+}  // namespace
+
+void add_new(CommandLine& app, Program& program) {
+  Verb verb =
+      app.add_subcommand("new", "Writes a study to start from: a tire, measurements, a study file");
+  verb.footer(kNewFooter);
+  auto options = std::make_shared<NewOptions>();
+  add_tire_options(verb, options.get());
+  add_recording_options(verb, options.get());
+  add_ring_options(verb, options.get());
   verb.add_flag("--suspension",
                 options->suspension,
                 "A corner of a suspension: its bushings from numbers of a K&C rig");
@@ -357,21 +390,7 @@ void add_new(CommandLine& app, Program& program) {
                {"--cleat", "--drum-diameter", "--teeth", "--column", "--known"}},
               {"writes a study of a suspension", {"--suspension"}},
               {"writes a study of a car", {"--car"}}});
-  verb.callback([=, &program] {
-    if (!options->drum.empty()) {
-      start_drum(*options, program.language);
-    } else if (options->suspension) {
-      start_suspension(*options, program.language);
-    } else if (options->car) {
-      start_car(*options, program.language);
-    } else if (!options->ring_data.empty()) {
-      program.exit_code = start_ring(*options, program.language);
-    } else if (options->recordings.empty()) {
-      start_study(*options, program.language);
-    } else {
-      start_magic_formula(*options, program.language);
-    }
-  });
+  verb.callback([=, &program] { write_new(*options, program); });
 }
 
 }  // namespace latsch::cli

@@ -145,9 +145,9 @@ void add_process(CommandLine& app, Program&) {
       "response");
   verb.footer(
       "Examples:\n"
-      "  latsch process my_rig/rig.toml\n"
+      "  # Writes the recordings of a rig whose dynamics are known, and processes them.\n"
       "  latsch process studies/drum_processing/rig.toml --synthetic\n"
-      "      writes the recordings of a rig of which everything is known, and processes them");
+      "  latsch process studies/drum_processing/rig.toml --output tables");
   auto file = std::make_shared<std::string>();
   auto output = std::make_shared<std::string>();
   auto synthetic = std::make_shared<bool>(false);

@@ -29,7 +29,8 @@ void add_report(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("report", "Writes one self-contained HTML file beside the study");
   verb.footer(
       "Examples:\n  latsch report studies/tire_b_twin/study.toml\n"
-      "  latsch report /archive/study.toml -o report.html     of a folder that may not be written");
+      "  latsch report my_tire/study.toml -o report.html   # if the study's folder may not be "
+      "written");
   auto file = std::make_shared<std::string>();
   verb.add_option("study", *file, "Study file (TOML)").required();
   auto output = std::make_shared<std::string>();

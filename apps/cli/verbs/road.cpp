@@ -168,7 +168,11 @@ void add_road(CommandLine& app, Program& program) {
       "POINTS.csv has columns x, y and, for a road that moves, time; their units may stand in "
       "brackets, \"x [mm]\",\n"
       "and are SI if none is given.\n\n"
-      "Examples:\n  latsch road track.crg points.csv > ground.csv\n"
+      "Examples:\n"
+      "  printf 'kind = \"kerb\"\\nshape = \"saw_tooth\"\\npitch = \"1 m\"\\nwidth = \"0.8 m\"\\n"
+      "height = \"25 mm\"\\ncount = 3\\n' > kerb.toml\n"
+      "  printf 'x [m],y [m]\\n0.2,0\\n0.5,0\\n' > points.csv\n"
+      "  latsch road kerb.toml points.csv > ground.csv\n"
       "  latsch road kerb.toml --triangles kerb.rdf");
   auto options = std::make_shared<RoadOptions>();
   verb.add_option("road", options->road, "Road file").required();

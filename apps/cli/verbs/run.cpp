@@ -26,7 +26,9 @@
 #include "correlation/analysis/prediction_bands.h"
 #include "correlation/analysis/refit_trials.h"
 #include "correlation/analysis/test_limits.h"
+#include "correlation/search/finished_run.h"
 #include "correlation/search/stage_runs.h"
+#include "correlation/search/study_change.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
@@ -288,25 +290,53 @@ class StagesOnWorkers {
   Executor* executor_ = nullptr;
 };
 
+void say_finished(const Study& study) {
+  say("\nThis study is finished: nothing has changed since its last run, whose result follows from "
+      "the journal without a new trial.\nAnother search: latsch run {} --anew begins from the "
+      "start; start = \"journal\" in [optimizer] begins at the best trial; more max_steps "
+      "continue a search that did not end\n",
+      study.file.string());
+}
+
 /// Prints the result of the last stage, evaluates the trials that its intervals need, and writes
 /// the report; returns the exit code.
 int finish(const Study& study,
+           const Study& as_read,
            const Run& run,
            StagesOnWorkers& stages,
            Workers& workers,
            const experiment::Language& language) {
   Journal& journal = stages.journal();
   const DesignPoint best = run.best()->point;
+  const auto finished = correlation::finished_run(as_read, journal);
+  if (finished) say_finished(as_read);
+  answer()["repeated"] = finished.has_value();
   print_result(study, run, journal);
   print_remarks(study, best, journal);
-  const DesignPoint shown = best_of_journal(study, best, journal);
+  const DesignPoint shown = finished ? *finished : best_of_journal(study, best, journal);
   const auto depth = run.end == RunEnd::converged ? correlation::Depth::intervals
                                                   : correlation::Depth::at_the_point;
   if (!print_values(study, shown, depth, workers, stages.executor(), journal)) return kStopped;
   workers.end();
-  if (const auto found = correlation::best_trial(study, journal))
+  if (const auto found = correlation::best_trial(study, journal)) {
     warn_beyond_data(study, found->point);
-  return write_report(study, journal, language);
+    for (const std::string& limit : correlation::limits_met_at(study, found->point)) warn(limit);
+  }
+  const int exit_code = write_report_of_run(study, as_read, journal, language);
+  if (exit_code == kDone) correlation::mark_finished(as_read, shown, journal);
+  return exit_code;
+}
+
+int fit_on_workers(const Study& study,
+                   const Asked& asked,
+                   Workers& workers,
+                   const experiment::Language& language) {
+  StagesOnWorkers stages(study, asked, workers);
+  const correlation::StagesRun found = stages.run();
+  if (found.end == RunEnd::stopped) return kStopped;
+  const Run& last = found.fits.back().run;
+  if (!found.has_ended || found.end == RunEnd::aborted || !last.best()) return kFailed;
+  return finish(found.study, study, last, stages, workers, language);
 }
 
 int fit(const Asked& asked, const experiment::Language& language) {
@@ -323,12 +353,19 @@ int fit(const Asked& asked, const experiment::Language& language) {
   say_ledgers(study, true, "Files");
   for (const std::string& limit : correlation::limits_of_tests(study)) warn(limit);
   catch_interrupts();
-  StagesOnWorkers stages(study, asked, workers);
-  const correlation::StagesRun found = stages.run();
-  if (found.end == RunEnd::stopped) return kStopped;
-  const Run& last = found.fits.back().run;
-  if (!found.has_ended || found.end == RunEnd::aborted || !last.best()) return kFailed;
-  return finish(found.study, last, stages, workers, language);
+  try {
+    return fit_on_workers(study, asked, workers, language);
+  } catch (const InputError& error) {
+    const auto change = correlation::change_since_read(study, language);
+    if (!change) throw;
+    throw InputError({study.file.string(), 0},
+                     fmt::format("the files of the study have changed since the run began: {}. "
+                                 "Trials of them would not belong to its journal, so the run ends "
+                                 "({}). Restore the files and continue with latsch resume, or "
+                                 "begin anew with latsch run --anew",
+                                 *change,
+                                 error.what()));
+  }
 }
 
 /// Fits beside its page, which stays until it is ended.
@@ -360,9 +397,14 @@ void add_run(CommandLine& app, Program& program) {
         "stragglers = false (what runs long is left alone), straggler_factor = 3 (times the "
         "median),\n"
         "look_ahead = 4 (points ahead for every worker); none of it changes what is found.\n\n"
+        "A study that has finished and has not changed is not searched again: run and resume "
+        "repeat "
+        "its result.\n--anew begins from the start, start = \"journal\" in [optimizer] at the best "
+        "trial; more max_steps continue.\n\n"
         "Examples:\n  latsch {0} studies/tire_b_twin/study.toml --workers 2\n"
-        "  mpirun -n 8 latsch {0} study.toml           on a cluster: one searches, seven evaluate\n"
-        "  srun -n 8 --mpi=pmix latsch {0} study.toml  the same below Slurm",
+        "  mpirun -n 8 latsch {0} my_tire/study.toml           # on a cluster: one searches, seven "
+        "evaluate\n"
+        "  srun -n 8 --mpi=pmix latsch {0} my_tire/study.toml  # the same below Slurm",
         resuming ? "resume" : "run"));
     auto asked = std::make_shared<Asked>();
     asked->resuming = resuming;
@@ -381,8 +423,10 @@ void add_run(CommandLine& app, Program& program) {
                     asked->adopts,
                     "Keeps the trials of another version of the model or the outside program");
     } else {
-      verb.add_flag(
-          "--anew", asked->anew, "Begins with an empty journal; the old one is kept beside");
+      verb.add_flag("--anew",
+                    asked->anew,
+                    "Begins with an empty journal, also if the study has finished; the old one is "
+                    "kept beside");
     }
     verb.callback([=, &program] { program.exit_code = fit_watched(*asked, program.language); });
   }

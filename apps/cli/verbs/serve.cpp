@@ -57,9 +57,9 @@ void add_serve(CommandLine& app, Program& program) {
       "The address it prints holds a token: it alone opens the page, and a new one is made every "
       "time.\nThe page reads journals while runs write them; it needs no network. From another "
       "machine:\n  ssh -L 8421:localhost:8421 lab7 latsch serve studies --port 8421\n\n"
-      "Examples:\n  latsch serve                       the studies below this folder\n"
-      "  latsch serve my_tire/study.toml    one of them\n  latsch run study.toml --watch      the "
-      "same beside a run");
+      "Examples:\n  latsch serve                              # the studies below this folder\n"
+      "  latsch serve my_tire/study.toml           # one of them\n"
+      "  latsch run my_tire/study.toml --watch     # the same beside a run");
   auto asked = std::make_shared<AskedToServe>();
   verb.add_option(
       "folder", asked->folder, "Folder of studies, or a study; this folder unless given");

@@ -16,6 +16,7 @@
 #include "correlation/study/ledgers/file_ledgers.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study.h"
+#include "formats/tables/lab_table.h"
 
 namespace latsch::cli {
 namespace {
@@ -62,8 +63,7 @@ bool is_recording(const std::string& file) {
   std::string ending = std::filesystem::path(file).extension().string();
   for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  const std::vector<std::string> endings = {
-      ".csv", ".txt", ".dat", ".mat", ".tdx", ".tydex", ".tda", ".tdb"};
+  const std::vector<std::string> endings = formats::lab_endings();
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
@@ -160,8 +160,10 @@ void add_show(CommandLine& app, Program& program) {
       "Reads TYDEX (.tdx), tables (.csv, .dat), MATLAB (.mat), tires (.tir), roads (.crg, .rdf, "
       ".toml),\n"
       "decks (.inp); of a study its measurements, of any other .toml its numbers in SI.\n\n"
-      "Examples:\n  latsch show cornering.tdx --axes sae --html cornering.html\n"
-      "  latsch show study.toml --measurement cornering --html cornering.html");
+      "Examples:\n  latsch show studies/race_tire_mf/cornering.csv --html cornering.html\n"
+      "  latsch show studies/race_tire_mf/tire.tir\n"
+      "  latsch show studies/race_tire_mf/study.toml --measurement cornering --html "
+      "cornering.html");
   auto file = std::make_shared<std::string>();
   auto html = std::make_shared<std::string>();
   verb.add_option("file", *file, "File to look at").required();

@@ -15,6 +15,7 @@
 #include "experiment/kinds/inp_numbers.h"
 #include "formats/deck/inp_deck.h"
 #include "formats/tables/csv_table.h"
+#include "formats/tables/lab_table.h"
 #include "formats/tables/mat_file.h"
 #include "formats/tables/tydex_file.h"
 #include "models/road/road_reader.h"
@@ -120,10 +121,11 @@ ShownFile show_mat(const std::filesystem::path& path, AxisConvention axes) {
 }
 
 /// Shows a file of a test consortium: only the recording.
-ShownFile show_dat(const std::filesystem::path& path, AxisConvention axes) {
+/// Shows a recording of a kind that has no view of its own.
+ShownFile show_recording(const std::filesystem::path& path, AxisConvention axes) {
   const auto measurement = correlation::read_measurement(path, axes);
   ShownFile shown;
-  shown.kind = "Recording (.dat)";
+  shown.kind = "Recording (" + path.extension().string() + ")";
   shown.facts = measurement.words();
   show_channels(measurement.channels(), false, shown);
   return shown;
@@ -242,7 +244,7 @@ std::vector<std::string> statistics(const Channel& channel) {
 
 ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes) {
   using Path = std::filesystem::path;
-  const std::map<std::string, std::function<ShownFile(const Path&)>> readers = {
+  std::map<std::string, std::function<ShownFile(const Path&)>> readers = {
       {".tdx", [&](const Path& path) { return show_tydex(path, axes); }},
       {".tydex", [&](const Path& path) { return show_tydex(path, axes); }},
       {".tda", [&](const Path& path) { return show_tydex(path, axes); }},
@@ -250,13 +252,14 @@ ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes) {
       {".csv", [&](const Path& path) { return show_csv(path, axes); }},
       {".txt", [&](const Path& path) { return show_csv(path, axes); }},
       {".mat", [&](const Path& path) { return show_mat(path, axes); }},
-      {".dat", [&](const Path& path) { return show_dat(path, axes); }},
       {".tir", shown_tire},
       {".bus", shown_bushing},
       {".crg", shown_road},
       {".rdf", shown_road},
       {".toml", show_document},
       {".inp", show_inp}};
+  for (const std::string& lab : formats::lab_endings())
+    readers.try_emplace(lab, [&](const Path& path) { return show_recording(path, axes); });
   std::string ending = file.extension().string();
   for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

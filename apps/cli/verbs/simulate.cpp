@@ -13,6 +13,7 @@
 #include "cli/console/parsed.h"
 #include "cli/console/tables.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/analysis/test_limits.h"
 #include "correlation/target/study_trials.h"
 
 namespace latsch::cli {
@@ -38,6 +39,7 @@ int simulate(const std::string& file,
   answer()["variables"] = answer_of(study.space, point);
 
   warn_of_implausible(study);
+  for (const std::string& limit : correlation::limits_of_tests(study)) warn(limit);
   const auto channels = correlation::simulate_all(study, point);
   if (!channels) {
     complain(channels.failure().reason);
@@ -57,6 +59,7 @@ int simulate(const std::string& file,
   say("\ntarget {:.4f} %, {}\n",
       target * 100.0,
       correlation::target_in_words(correlation::fitted_exponents(study.experiments), target));
+  for (const std::string& limit : correlation::limits_met_at(study, point)) warn(limit);
   return kDone;
 }
 

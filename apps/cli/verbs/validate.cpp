@@ -139,8 +139,7 @@ void add_validate(CommandLine& app, Program& program) {
       "Exit codes: 0 all accepted; 1 some not, or a test failed; 2 wrong input.\n\n"
       "Examples:\n"
       "  latsch validate studies/ring_tires/passenger_205_55R16.toml "
-      "studies/ring_tires/suite.toml\n"
-      "  latsch validate my_tire/study.toml acceptance.toml -o acceptance.html");
+      "studies/ring_tires/suite.toml -o acceptance.html");
   auto model = std::make_shared<std::string>(), suite = std::make_shared<std::string>(),
        kind = std::make_shared<std::string>(), page = std::make_shared<std::string>();
   verb.add_option("model", *model, "Model or study").required();

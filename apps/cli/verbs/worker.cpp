@@ -2,6 +2,8 @@
 // latsch worker: evaluates the trials of a study for the process that started it.
 #include "evaluation/executors/worker.h"
 
+#include "base/error.h"
+#include "cli/run/trials.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/study/refinement.h"
 #include "correlation/study/study_stages.h"
@@ -23,6 +25,8 @@ void add_worker(CommandLine& app, Program& program) {
   verb.add_flag("--refined", *finer, "The model as [refined] has it");
   auto slopes = std::make_shared<bool>(false);
   verb.add_flag("--slopes", *slopes, "With the slopes that the search needs");
+  auto identity = std::make_shared<std::string>();
+  verb.add_option("--identity", *identity, "Refuses a study that is another one by now");
   verb.footer(
       "Started by the program itself, one process a worker: it reads points from its standard "
       "input\nand writes their outcomes to its standard output. To try it by hand there is latsch "
@@ -31,6 +35,10 @@ void add_worker(CommandLine& app, Program& program) {
     correlation::Study study = correlation::read_study(*file, program.language);
     if (!stage->empty()) study = correlation::stage_called(study, *stage);
     study.asks_slopes = *slopes;
+    if (!identity->empty() && identity_key(study) != *identity)
+      throw InputError(  // short, because the process that started this one quotes its beginning
+          "the files of the study have changed since the run began; latsch resume once they are "
+          "restored");
     if (*finer) study = correlation::refined(study);
     program.exit_code =
         serve(correlation::evaluator(*all ? correlation::with_predictions(study) : study));

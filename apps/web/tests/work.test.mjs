@@ -122,6 +122,18 @@ export const claims = {
     await page.context().close();
   },
 
+  async 'the form offers the choices that the program states, with their meaning'({ browser, address }) {
+    forget();
+    const page = await open(browser, address, `#/setup?study=${kStudy}`);
+    const method = page.locator('label', { has: page.getByText('method', { exact: true }) }).locator('select');
+    await page.waitForFunction(() => [...document.querySelectorAll('.keys select')].length === 4);
+    assert.deepEqual(await method.locator('option').allTextContents(), ['default', 'auto', 'gss', 'nelder_mead']);
+    await method.selectOption('gss');
+    await page.waitForFunction(() => document.querySelector('textarea').value.includes('method = "gss"'));
+    assert.equal(await page.locator('label', { hasText: 'after a failure' }).getAttribute('title'), 'What a failed trial does.');
+    await page.context().close();
+  },
+
   async 'what another program has written meanwhile is overwritten only when asked to'({ browser, address }) {
     forget();
     const page = await open(browser, address, `#/setup?study=${kStudy}`);

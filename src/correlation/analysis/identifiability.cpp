@@ -98,13 +98,10 @@ bool is_set_by_bounds(const Identifiability& what, int variable) {
   return own.upper > own.lower && own.upper - own.lower <= kNeighbors;
 }
 
-}  // namespace
+using Sentences = std::vector<std::string>;
 
-std::vector<std::string> remarks(const Study& study, const Identifiability& what) {
-  constexpr double kEarly = 1.0;  // multiple of the threshold at which an interval ends
-  const Identification& identification = what.identification;
-  const Confidence& c = identification.confidence();
-  std::vector<std::string> all;
+/// Adds remarks about the noise that the intervals assume.
+void remark_on_noise(const Confidence& c, Sentences& all) {
   if (c.excess > 1.0) {
     all.push_back(fmt::format(
         "The residuals are {:.2g} times their stated noise: the model cannot follow the "
@@ -121,6 +118,11 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
         "Neighboring values share noise: the intervals count them as correspondingly fewer "
         "values.");
   }
+}
+
+/// Adds remarks about variables whose interval or derivative is doubtful.
+void remark_on_variables(const Study& study, const Identifiability& what, Sentences& all) {
+  const Identification& identification = what.identification;
   const std::string set_by_bounds =
       names_where(study, [&](int i) { return is_set_by_bounds(what, i); });
   if (!set_by_bounds.empty()) {
@@ -148,6 +150,11 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
                   " differences contain only their own errors: as far as they show, the data do "
                   "not determine it.");
   }
+}
+
+/// Adds remarks about mesh and step.
+void remark_on_refinement(const Study& study, const Identifiability& what, Sentences& all) {
+  const Confidence& c = what.identification.confidence();
   if (study.refinement && !what.refined_shift) {
     all.emplace_back(
         "The refined model was not evaluated there, or failed: the intervals do not include the "
@@ -163,12 +170,10 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
                     ": fit the refined model instead.");
     }
   }
-  if (c.left_to_gain > kEarly * c.threshold()) {
-    all.emplace_back(
-        "The search ended early: recomputed derivatives predict a gain larger than an interval, "
-        "so "
-        "the point is no minimum yet. latsch identify continues from there.");
-  }
+}
+
+/// Adds a remark if refits of the profiles did not converge.
+void remark_on_profiles(const Identification& identification, Sentences& all) {
   int refits = 0, failed = 0;
   for (const TargetProfile& profile : identification.profiles()) {
     refits += static_cast<int>(profile.points.size());
@@ -180,6 +185,32 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
         failed,
         refits));
   }
+}
+
+}  // namespace
+
+std::string interval_source(const Study& study, const Identifiability& what, int variable) {
+  if (std::isnan(what.identification.confidence().sigma)) return "not known";
+  const Interval interval = reported_interval(study, what, variable);
+  const bool low = interval.lower > 0.0, high = interval.upper < 1.0;
+  if (low != high) return "data and a bound";
+  return low && !is_set_by_bounds(what, variable) ? "data" : "bounds";
+}
+
+std::vector<std::string> remarks(const Study& study, const Identifiability& what) {
+  constexpr double kEarly = 1.0;  // multiple of the threshold at which an interval ends
+  const Confidence& c = what.identification.confidence();
+  Sentences all;
+  remark_on_noise(c, all);
+  remark_on_variables(study, what, all);
+  remark_on_refinement(study, what, all);
+  if (c.left_to_gain > kEarly * c.threshold()) {
+    all.emplace_back(
+        "The search ended early: recomputed derivatives predict a gain larger than an interval, "
+        "so "
+        "the point is no minimum yet. latsch identify continues from there.");
+  }
+  remark_on_profiles(what.identification, all);
   return all;
 }
 

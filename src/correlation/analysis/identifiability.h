@@ -44,6 +44,11 @@ std::optional<Interval> interval_of(const Study& study,
                                     const DesignPoint& point,
                                     int variable);
 
+/// Returns what sets the ends of the reported interval: "data"; "data and a bound" if nothing but a
+/// bound limits one end; "bounds" if the data limit neither end, or if the interval is as narrow as
+/// numbers between so wide bounds can be; "not known" without an estimate of the noise.
+std::string interval_source(const Study& study, const Identifiability& what, int variable);
+
 /// Returns warnings, one sentence each: residuals larger than their stated noise, noise that
 /// neighboring values share, rough derivatives, a search that ended early, refits that did not
 /// converge.

@@ -400,6 +400,7 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   const report::IdentifiabilityPage page = identifiability_page(s, *recorded, {});
   EXPECT_EQ(page.gains[0].measurement, "alone");
   EXPECT_EQ(page.intervals[0], "anywhere between the bounds");
+  EXPECT_EQ(page.interval_sources[0], "bounds");
 }
 
 // With a ripple of 1 % and 150 waves over the range, differences over a hundredth of the range show

@@ -17,24 +17,10 @@ std::string mark_of(Depth depth) {
   return depth == Depth::profiles ? "identification" : "intervals";
 }
 
-/// Hexadecimal numbers keep every bit.
-std::string text_of_point(const DesignPoint& point) {
-  std::string text;
-  for (const double value : point.values) text += fmt::format("{:a} ", value);
-  return text;
-}
-
 std::optional<DesignPoint> marked_point(const Study& study, const Journal& journal, Depth depth) {
   std::optional<DesignPoint> point;
-  for (const JournalMark& mark : journal.marks()) {
-    if (mark.kind != mark_of(depth)) continue;
-    std::istringstream words(mark.text);
-    point.emplace();
-    for (std::string word; words >> word;)
-      point->values.push_back(std::strtod(word.c_str(), nullptr));
-  }
-  if (point && (std::ssize(point->values) != study.space.size() || !study.space.contains(*point)))
-    return std::nullopt;
+  for (const JournalMark& mark : journal.marks())
+    if (mark.kind == mark_of(depth)) point = point_of_text(study, mark.text);
   return point;
 }
 
@@ -76,6 +62,21 @@ bool comes_by(const Study& study,
 }
 
 }  // namespace
+
+std::string text_of_point(const DesignPoint& point) {
+  std::string text;
+  for (const double value : point.values) text += fmt::format("{:a} ", value);
+  return text;
+}
+
+std::optional<DesignPoint> point_of_text(const Study& study, const std::string& text) {
+  std::istringstream words(text);
+  DesignPoint point;
+  for (std::string word; words >> word;) point.values.push_back(std::strtod(word.c_str(), nullptr));
+  if (std::ssize(point.values) != study.space.size() || !study.space.contains(point))
+    return std::nullopt;
+  return point;
+}
 
 bool has_begun(const Journal& journal, Depth depth) {
   for (const JournalMark& mark : journal.marks())

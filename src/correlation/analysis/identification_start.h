@@ -9,9 +9,17 @@
 // search with more steps for example, an identification begins anew.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "correlation/analysis/identifiability.h"
 
 namespace latsch::correlation {
+
+/// Returns a point as the text of a mark; its hexadecimal numbers keep every bit.
+std::string text_of_point(const DesignPoint& point);
+/// Returns the point of such a text; nullopt if the space of the study does not contain it.
+std::optional<DesignPoint> point_of_text(const Study& study, const std::string& text);
 
 /// True if the journal contains the mark of an identification of that depth.
 bool has_begun(const Journal& journal, Depth depth);

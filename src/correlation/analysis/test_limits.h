@@ -15,4 +15,9 @@ namespace latsch::correlation {
 /// has no limits; its trials say why they fail.
 std::vector<std::string> limits_of_tests(const Study& study);
 
+/// Runs the fitted and predicted tests once more at a point whose trial succeeded, and returns a
+/// sentence for each limit that the model met in one of them: ranges of its file that it left, a
+/// pressure without effect. Returns nothing, and runs nothing, for models that record no limits.
+std::vector<std::string> limits_met_at(const Study& study, const DesignPoint& point);
+
 }  // namespace latsch::correlation

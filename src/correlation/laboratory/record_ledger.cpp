@@ -91,6 +91,81 @@ void note_minus(const formats::TableColumn& column,
        {ledger.file, row.line}});
 }
 
+/// Sets factor and offset of a written unit that is known.
+void take_unit(LedgerRow& row) {
+  if (const auto unit = Unit::find(row.unit_written); unit && !row.unit_written.empty()) {
+    row.offset = unit->to_si(0.0L);
+    row.factor = unit->to_si(1.0L) - row.offset;
+  }
+}
+
+/// Returns the row of the table's k-th channel. `ours` is the channel of Latsch that it is taken
+/// as; null if there is none.
+LedgerRow row_of_channel(const formats::LabTable& table,
+                         std::size_t k,
+                         const LabRecord& record,
+                         const std::string* ours) {
+  const Channel& channel = table.channels.all()[k];
+  LedgerRow row;
+  row.written = channel.name;
+  row.line = table.header.line;
+  row.column = static_cast<int>(k) + 1;
+  if (k < table.columns.size()) {
+    if (table.columns[k].line > 0) row.line = table.columns[k].line;
+    if (table.columns[k].place > 0) row.column = table.columns[k].place;
+    row.remark = table.columns[k].assumed;
+  }
+  row.unit_written = table.units[k];
+  row.unit = channel.unit;
+  take_unit(row);
+  if (ours) {
+    const double sign = record.written.at(*ours).sign;
+    row.taken_as = *ours;
+    row.factor *= sign;
+    row.offset *= sign;
+  }
+  if (row.taken_as == row.written && !recognized(row.written) &&
+      !channel_senses(row.written).is_known())
+    row.taken_as.clear();
+  name_meaning(row);
+  note_dimension(row);
+  return row;
+}
+
+/// Returns the row of a column that the reader left out.
+LedgerRow row_left_out(const formats::LabTable& table,
+                       const std::string& name,
+                       const std::string& why) {
+  LedgerRow row;
+  row.written = name;
+  row.line = table.header.line;
+  const auto column = std::find_if(table.left_columns.begin(),
+                                   table.left_columns.end(),
+                                   [&](const auto& one) { return one.name == name; });
+  if (column != table.left_columns.end()) {
+    if (column->line > 0) row.line = column->line;
+    row.column = column->place;
+    row.unit_written = column->unit;
+  }
+  if (const auto known = recognized(name)) row.meaning = known->meaning->words;
+  row.state = LedgerState::doubtful;
+  row.remark = "left out: it " + why;
+  return row;
+}
+
+/// Adds the encoding that the reader assumed.
+void note_encoding(const formats::LabTable& table, Ledger& ledger) {
+  if (table.assumed_encoding.empty()) return;
+  LedgerRow row;
+  row.taken_as = "encoding";
+  row.state = LedgerState::assumed;
+  row.remark = table.assumed_encoding;
+  ledger.rows.push_back(std::move(row));
+  if (table.assumed_encoding.find("Shift-JIS") != std::string::npos)
+    ledger.doubts.push_back(
+        {"", "the text is taken as " + table.assumed_encoding, {ledger.file, 0}});
+}
+
 }  // namespace
 
 Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
@@ -98,64 +173,16 @@ Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
   std::map<std::string, std::string> ours_of;  // the file's name -> Latsch's name
   for (const auto& [ours, theirs] : record.written) ours_of[theirs.column] = ours;
   for (std::size_t k = 0; k < table.channels.all().size(); ++k) {
-    const Channel& channel = table.channels.all()[k];
-    LedgerRow row;
-    row.written = channel.name;
-    row.line = table.header.line;
-    row.column = static_cast<int>(k) + 1;
-    if (k < table.columns.size()) {
-      if (table.columns[k].line > 0) row.line = table.columns[k].line;
-      if (table.columns[k].place > 0) row.column = table.columns[k].place;
-      row.remark = table.columns[k].assumed;
-    }
-    row.unit_written = table.units[k];
-    row.unit = channel.unit;
-    if (const auto unit = Unit::find(row.unit_written); unit && !row.unit_written.empty()) {
-      row.offset = unit->to_si(0.0L);
-      row.factor = unit->to_si(1.0L) - row.offset;
-    }
-    if (const auto ours = ours_of.find(channel.name); ours != ours_of.end()) {
-      const double sign = record.written.at(ours->second).sign;
-      row.taken_as = ours->second;
-      row.factor *= sign;
-      row.offset *= sign;
-    }
-    if (row.taken_as == row.written && !recognized(row.written) &&
-        !channel_senses(row.written).is_known())
-      row.taken_as.clear();
-    name_meaning(row);
-    note_dimension(row);
+    const auto ours = ours_of.find(table.channels.all()[k].name);
+    LedgerRow row =
+        row_of_channel(table, k, record, ours == ours_of.end() ? nullptr : &ours->second);
     if (k < table.columns.size() && table.columns[k].is_negative)
       note_minus(table.columns[k], record, row, ledger);
     ledger.rows.push_back(std::move(row));
   }
-  for (const auto& [name, why] : table.left_out) {
-    LedgerRow row;
-    row.written = name;
-    row.line = table.header.line;
-    const auto column = std::find_if(table.left_columns.begin(),
-                                     table.left_columns.end(),
-                                     [&](const auto& one) { return one.name == name; });
-    if (column != table.left_columns.end()) {
-      if (column->line > 0) row.line = column->line;
-      row.column = column->place;
-      row.unit_written = column->unit;
-    }
-    if (const auto known = recognized(name)) row.meaning = known->meaning->words;
-    row.state = LedgerState::doubtful;
-    row.remark = "left out: it " + why;
-    ledger.rows.push_back(std::move(row));
-  }
-  if (!table.assumed_encoding.empty()) {
-    LedgerRow row;
-    row.taken_as = "encoding";
-    row.state = LedgerState::assumed;
-    row.remark = table.assumed_encoding;
-    ledger.rows.push_back(std::move(row));
-    if (table.assumed_encoding.find("Shift-JIS") != std::string::npos)
-      ledger.doubts.push_back(
-          {"", "the text is taken as " + table.assumed_encoding, {ledger.file, 0}});
-  }
+  for (const auto& [name, why] : table.left_out)
+    ledger.rows.push_back(row_left_out(table, name, why));
+  note_encoding(table, ledger);
   for (const LedgerRow& row : ledger.rows)
     if (row.state == LedgerState::doubtful)
       ledger.doubts.push_back({row.written,

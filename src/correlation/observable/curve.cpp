@@ -14,6 +14,7 @@
 #include "base/units.h"
 #include "correlation/laboratory/measurement_twin.h"
 #include "correlation/observable/compared_frame.h"
+#include "correlation/observable/compared_kinds.h"
 #include "formats/tables/csv_table.h"
 #include "report/report.h"
 
@@ -547,5 +548,15 @@ std::pair<std::string, nlohmann::ordered_json> Curve::answer(const Channels& tri
        {"delay_s",
         comparison.delay ? json_of(comparison.delay->value) : nlohmann::ordered_json(nullptr)}}};
 }
+
+extern const ComparedKind kCurveKind;
+const experiment::KeySection& curve_keys();
+
+const ComparedKind kCurveKind = {
+    "curve",
+    true,
+    [](const Node& table, const std::vector<KnownChannel>& channels, const Measurement* measurement)
+        -> std::shared_ptr<const Observable> { return read_curve(table, *measurement, channels); },
+    curve_keys};
 
 }  // namespace latsch::correlation

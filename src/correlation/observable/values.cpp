@@ -13,6 +13,7 @@
 #include "correlation/laboratory/measurement_twin.h"
 #include "correlation/observable/channel_value.h"
 #include "correlation/observable/compared_frame.h"
+#include "correlation/observable/compared_kinds.h"
 #include "experiment/rigs/mode_record.h"
 #include "report/report.h"
 
@@ -269,5 +270,15 @@ std::shared_ptr<const Values> read_values(const Node& table,
   }
   return std::make_shared<Values>(std::move(m));
 }
+
+extern const ComparedKind kValuesKind;
+const experiment::KeySection& values_keys();
+
+const ComparedKind kValuesKind = {
+    "values",
+    false,
+    [](const Node& table, const std::vector<KnownChannel>& channels, const Measurement* measurement)
+        -> std::shared_ptr<const Observable> { return read_values(table, channels, measurement); },
+    values_keys};
 
 }  // namespace latsch::correlation

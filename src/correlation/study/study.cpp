@@ -233,7 +233,21 @@ void check_reach(const Node& root,
   const auto reach = test->test->reach(channel.substr(name.size() + 1));
   if (!reach) return;
   const auto [least, most] = std::minmax_element(curve.x_measured.begin(), curve.x_measured.end());
-  if (reach->from <= *least && *most <= reach->to) return;
+  const bool is_within = reach->from <= *least && *most <= reach->to;
+  const double room = (*least - reach->from) + (reach->to - *most);
+  constexpr double kNoRoom = 1e-9;  // share of the record; less is rounding of time
+  if (is_within && curve.fits_delay && room <= kNoRoom * (*most - *least))
+    table.reject(
+        "nuisance",
+        fmt::format("asks for a delay, but the measurement and the test \"{}\"{} both reach "
+                    "from {:g} to {:g} {}, which leaves no room for one; select a shorter "
+                    "part of the recording or make the test longer",
+                    name,
+                    of,
+                    *least,
+                    *most,
+                    curve.x_unit));
+  if (is_within) return;
   table.reject("measurement",
                fmt::format("reaches from {:g} to {:g} {}, but the test \"{}\"{} from {:g} to {:g}; "
                            "make the test longer or the measurement shorter",

@@ -9,10 +9,9 @@
 #include "base/text.h"
 #include "base/toml/toml_text.h"
 #include "base/units.h"
-#include "correlation/observable/curve.h"
+#include "correlation/observable/compared_kinds.h"
 #include "correlation/observable/force_curve.h"
 #include "correlation/observable/mode_set.h"
-#include "correlation/observable/values.h"
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/measurement_file.h"
 
@@ -255,25 +254,24 @@ StudyExperiment read_experiment(const Node& table,
   experiment.name = table.name();
   experiment.objective = read_objective(table);
   experiment.fitted = table.choice("use", {"fit", "predict"}, "fit") == "fit";
-  const std::string kind =
-      context.kind ? table.choice("kind", {"load_deflection", "modes", "curve", "values"})
-                   : table.choice("kind", {"curve", "values"});
-  if ((kind == "curve" || kind == "values") && tests.empty())
-    reject_channel_of_no_test(table, kind, context);
-  std::shared_ptr<const Measurement> measured;  // set for a curve or values
-  if (kind == "curve" || (kind == "values" && table.has("measurement")))
+  std::vector<std::string> kinds = compared_kind_names();
+  if (context.kind) kinds.insert(kinds.begin(), {"load_deflection", "modes"});
+  const std::string kind = table.choice("kind", kinds);
+  const ComparedKind* compared = find_compared_kind(kind);
+  if (compared && tests.empty()) reject_channel_of_no_test(table, kind, context);
+  std::shared_ptr<const Measurement> measured;  // set if channels are compared with one
+  if (compared && (compared->needs_measurement || table.has("measurement")))
     measured = read_named_measurement(table, context);
   if (kind == "load_deflection") measured = find(context.laboratory, table.text("measurement"));
-  if (measured && (measured->is_stated() || kind == "values")) experiment.measurement = measured;
+  const bool is_kept = compared && !compared->needs_measurement;
+  if (measured && (measured->is_stated() || is_kept)) experiment.measurement = measured;
   if (measured) {
     experiment.measurement_file = measured->files()[0];
-  } else if (kind != "values") {
+  } else if (!compared) {
     experiment.measurement_file = context.folder / table.text("measurement");
   }
-  if (kind == "values") {
-    experiment.observable = read_values(table, known_channels(tests), measured.get());
-  } else if (kind == "curve") {
-    experiment.observable = read_curve(table, *measured, known_channels(tests));
+  if (compared) {
+    experiment.observable = compared->read(table, known_channels(tests), measured.get());
   } else if (kind == "modes") {
     experiment.observable = read_modes(table, context, experiment, tests);
   } else {

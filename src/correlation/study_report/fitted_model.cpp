@@ -121,6 +121,13 @@ std::string origin_of_variable(const Study& weighted,
     return fmt::format(
         "fitted {}, no interval: no more values were measured than are fitted{}", value, bound);
   const bool low = interval->lower > 0.0, high = interval->upper < 1.0;
+  if (low && high && interval_source(weighted, *what, variable) == "bounds")
+    return fmt::format(
+        "fitted {}, its interval is not known: it comes from the bounds alone, {} and {}{}",
+        value,
+        format_quantity(v.lower, v.unit, 5),
+        format_quantity(v.upper, v.unit, 5),
+        bound);
   if (low && high) return "fitted " + with_interval(weighted, point, variable, *interval) + bound;
   if (!low && !high)
     return fmt::format(

@@ -91,6 +91,7 @@ report::IdentifiabilityPage identifiability_page(const Study& study,
     const Interval interval = reported_interval(study, what, i);
     page.values.push_back(value_text(study.space, i, what.best.values[i], interval));
     page.intervals.push_back(interval_text(study, what, i));
+    page.interval_sources.push_back(interval_source(study, what, i));
     if (what.refined_shift) page.shifts.push_back(shift_text(study, what, i));
     page.deviations.push_back(c.deviation(i));
     page.directions.push_back(direction_text(study.space, c.directions.col(i)));

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/language/key_section.h"
 
-namespace latsch::experiment {
-const KeySection& static_stiffness_keys();
-}  // namespace latsch::experiment
-
 namespace latsch::correlation {
 
 const experiment::KeySection& experiment_keys();
+const experiment::KeySection& named_test_keys();
 const experiment::KeySection& measurement_keys();
 
 const experiment::KeySection& suite_keys() {
@@ -42,9 +39,8 @@ fitted.
           {
               R"toml(title = "Passenger tire 205/55 R16 at 2.4 bar"
 [test.standing]
-kind = "static_stiffness"
-load = "4 kN"
-directions = ["vertical"]
+kind = "load_deflection"
+deflections = ["20 mm"]
 [measurement.pressed]
 file = "force.csv"
 [check.stiffness]
@@ -54,15 +50,20 @@ mean_error = "5 %"
 largest_error = "10 %"
 source = "test report 4711, March 2025"
 [check.vertical]
-channel = "standing/vertical"
+channel = "standing/force"
 of = "largest"
-lower = "200 N/mm"
-upper = "240 N/mm"
+lower = "4 kN"
+upper = "4.5 kN"
+source = "drawing 12-345, sheet 2"
+[check.radius]
+channel = "standing/loaded_radius"
+lower = "280 mm"
+upper = "300 mm"
 source = "drawing 12-345, sheet 2"
 )toml",
           },
       .shared = {{"check.*", experiment_keys},
-                 {"test.*", experiment::static_stiffness_keys},
+                 {"test.*", named_test_keys},
                  {"measurement.*", measurement_keys}},
       .refused = {"check.*.equal",
                   "check.*.weight",

@@ -147,6 +147,12 @@ Validation validate(const Suite& suite,
   const auto specimen = kind.build(numbers);
   const Recorded recorded = record(suite, *specimen, tell);
   validation.notes = experiment::limits_met(*specimen);
+  for (const StudyTest& test : suite.tests) {
+    const auto* tells = dynamic_cast<const experiment::TellsLimits*>(test.test.get());
+    if (!tells || !is_asked_for(suite, test) || recorded.failures.contains(test.name)) continue;
+    for (const std::string& limit : tells->limits(*specimen))
+      validation.notes.push_back(test.in_words() + ": " + limit);
+  }
   for (const Check& check : suite.checks) {
     const auto values = values_of(check, suite.tests, recorded, page);
     auto results = limits_of(check);

@@ -15,7 +15,7 @@ namespace latsch {
 /// stay forever.
 void kill_descendants(pid_t root);
 
-/// What a process and its descendants have used and are doing.
+/// The use of the machine by a process and its descendants.
 struct ProcessUse {
   double processor_time = 0.0;  // s, of user and system, with that of children that have ended
   bool is_held_up = false;      // true if one of them computes or waits for a processor or a disk

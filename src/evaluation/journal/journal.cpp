@@ -4,9 +4,11 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 
 #include <cassert>
 #include <optional>
+#include <utility>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -33,6 +35,35 @@ std::string way_out(const std::string& journal) {
 constexpr int kBusyTimeout = 2000;       // ms
 constexpr int kReaderPatience = 60'000;  // ms; a commit waits this long for readers of a rollback
                                          // journal
+
+/// A log of SQLite bears the name by which the journal was opened. Throws InputError if another
+/// hard link in the same folder has one that a killed process has left, because trials would be
+/// missed now and spoiled later.
+void refuse_log_of_other_name(const std::filesystem::path& file) {
+  std::error_code none;
+  const auto own = std::filesystem::canonical(file, none);
+  if (none || std::filesystem::hard_link_count(own, none) < 2 || none) return;
+  for (const auto& entry : std::filesystem::directory_iterator(own.parent_path(), none)) {
+    if (entry.path() == own || entry.is_symlink(none)) continue;
+    for (const char* log : {"-wal", "-journal"}) {
+      const auto left = entry.path().string() + log;
+      const auto size = std::filesystem::file_size(left, none);
+      if (none || size == 0 || !std::filesystem::equivalent(entry.path(), own, none)) continue;
+      throw InputError({file.string(), 0},
+                       "is another name (a hard link) of " + entry.path().string() +
+                           ", whose last trials are in " + left + ": open it by that name");
+    }
+  }
+}
+
+/// A file by its device and its number there.
+using FileId = std::pair<dev_t, ino_t>;
+
+std::optional<FileId> id_of(const std::string& file) {
+  struct stat about {};
+  if (::stat(file.c_str(), &about) != 0) return std::nullopt;
+  return FileId(about.st_dev, about.st_ino);
+}
 
 /// Keeps the packer's state only if the transaction is committed; otherwise the next row must not
 /// refer to the lost one.
@@ -64,6 +95,8 @@ struct Journal::Impl {
   Tally tally;
   std::vector<JournalMark> marks;
   OutcomePacker packer;
+  std::string opened_as = {};            // name of the journal with links followed
+  std::optional<FileId> log_id = {};     // write-ahead log of this writer
   std::optional<std::string> lost = {};  // message, once the file is no longer in its place
 
   [[noreturn]] void refuse(const std::string& message) const {
@@ -165,11 +198,17 @@ struct Journal::Impl {
     return copy;
   }
 
-  /// Closes the database, so that its logs are removed, and gives the copy the journal's name if
-  /// that is free. Returns the name that the copy has now.
-  std::filesystem::path take_its_place(const std::filesystem::path& copy) {
+  /// Closes the database and removes its log. SQLite leaves the log beside a file that was moved or
+  /// deleted, and would later apply it to another file of that name.
+  void close_and_remove_log() {
     insert.reset();
     database.reset();
+    if (!log_id || id_of(opened_as + "-wal") != log_id) return;
+    for (const char* part : {"-wal", "-shm"}) std::filesystem::remove(opened_as + part);
+  }
+
+  /// Gives the copy the journal's name if that is free. Returns the name that the copy has now.
+  std::filesystem::path take_its_place(const std::filesystem::path& copy) {
     for (const char* part : {"", "-wal", "-journal"})
       if (std::filesystem::exists(file.string() + part)) return copy;
     move_file(copy, file);
@@ -186,6 +225,7 @@ struct Journal::Impl {
     const auto moved = lock->moved_to();
     if (moved) {
       guarded([&] { database->exec("PRAGMA wal_checkpoint(TRUNCATE)"); });
+      close_and_remove_log();
       where = fmt::format(
           "was moved to {} while it was written; its {} trials are there. Move it "
           "back and continue with latsch resume",
@@ -193,7 +233,9 @@ struct Journal::Impl {
           tally.trials);
     } else {
       const bool is_replaced = std::filesystem::exists(file);
-      const auto saved = take_its_place(save_copy());
+      const auto copy = save_copy();
+      close_and_remove_log();
+      const auto saved = take_its_place(copy);
       where = fmt::format("{} while it was written; its {} trials are saved {}",
                           is_replaced ? "was replaced by another file" : "was deleted",
                           tally.trials,
@@ -385,6 +427,7 @@ Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& id
   auto impl = std::make_unique<Impl>();
   impl->file = file;
   impl->lock.emplace(file);
+  refuse_log_of_other_name(file);
   impl->guarded([&] {
     impl->database = std::make_unique<SQLite::Database>(
         file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeout);
@@ -397,6 +440,8 @@ Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& id
     if (is_new) impl->create(identity);
     impl->read_identity();
     impl->read_tally();
+    impl->opened_as = std::filesystem::canonical(file).string();
+    impl->log_id = id_of(impl->opened_as + "-wal");
     impl->expect(identity);  // checked first, so that a refused journal stays unchanged
     if (impl->format != kFormat) {
       const StudyIdentity same = impl->identity;

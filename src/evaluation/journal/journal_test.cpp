@@ -273,6 +273,23 @@ TEST(Journal, OneThatIsOpenIsInUseUnderItsHardLinks) {
   expect_contains(complaint([&] { Journal::open(folder / "a", kStudy); }), "hard link");
 }
 
+// A killed writer leaves its log under the name by which it opened the journal.
+TEST(Journal, AHardLinkWithoutTheLogOfAKilledWriterIsRefused) {
+  const ScratchFolder folder;
+  const pid_t writer = ::fork();
+  if (writer == 0) {
+    Journal journal = Journal::open(folder / "a", kStudy, Journal::Log::write_ahead);
+    journal.append(trial(1));
+    std::_Exit(0);  // without closing it
+  }
+  ::waitpid(writer, nullptr, 0);
+  ASSERT_TRUE(std::filesystem::exists(folder / "a-wal"));
+  std::filesystem::create_hard_link(folder / "a", folder / "b");
+  expect_contains(complaint([&] { Journal::open(folder / "b", kStudy); }), "open it by that name");
+  EXPECT_EQ(Journal::open(folder / "a", kStudy).size(), 1);
+  EXPECT_EQ(Journal::open(folder / "b", kStudy).size(), 1);  // the log is merged by now
+}
+
 /// Returns the message of a JournalError.
 template <class Action>
 std::string loss(Action&& action) {
@@ -325,7 +342,7 @@ TEST(Journal, OneThatIsReplacedWhileItIsWrittenKeepsItsTrialsBesideIt) {
   }
   EXPECT_EQ(Journal::open(folder / "a.saved.journal", kStudy).trials().size(), 2u);
   const std::vector<Trial> others = Journal::open(folder / "a.journal", kStudy).trials();
-  ASSERT_EQ(others.size(), 1u);
+  ASSERT_EQ(others.size(), 1u);  // the log of the writer was not applied to it
   expect_same(others[0], trial(7));
 }
 

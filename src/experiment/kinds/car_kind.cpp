@@ -133,6 +133,12 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
     refuse_unknown(numbers.root());
   }
 
+  bool records_limits() const override {
+    return std::ranges::any_of(built_from_, [](const auto& one) {
+      const auto* knows = one.second->template find<KnowsLimits>();
+      return knows && knows->records_limits();
+    });
+  }
   /// Throws InputError if a tire does not fit under its wheel center.
   void check_tires() const {
     const auto wrong = car::Car::misfit(car::build(file_.parameters).parts, tires_);

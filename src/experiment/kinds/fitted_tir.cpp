@@ -2,7 +2,6 @@
 #include "experiment/kinds/fitted_tir.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -138,16 +137,6 @@ std::string origin_of(const std::string& key,
   return "kept from " + file + (found->second.empty() ? "" : ": " + found->second);
 }
 
-/// Returns a remark about keys of the model file that are no parameters; the new file lacks them.
-std::vector<std::string> lines_left_out(const formats::TirFile& tir, const std::string& file) {
-  std::vector<std::string> names;
-  for (const formats::TirKey& key : tir.keys)
-    if (key.remark == formats::kUnknownKey) names.push_back(key.key);
-  if (names.empty()) return {};
-  return {
-      fmt::format("Not carried over from {}, unknown to Latsch: {}", file, fmt::join(names, ", "))};
-}
-
 }  // namespace
 
 std::set<std::string> known_coefficients(const std::filesystem::path& model_file,
@@ -173,7 +162,6 @@ std::string fitted_tir_text(const Document& numbers, const Provenance& provenanc
   try {
     const formats::TirFile tir = formats::read_tir(provenance.model_file);
     stated = formats::remarks_of(tir);
-    for (std::string& line : lines_left_out(tir, name)) header.push_back(std::move(line));
   } catch (const InputError& error) {  // the file was moved or deleted since the study was read
     header.push_back(std::string("The model file cannot be read any more: ") + error.what());
   }
@@ -195,7 +183,7 @@ std::string fitted_tir_text(const Document& numbers, const Provenance& provenanc
       limit_input(input, provenance.measured_at, p, remarks);
     remark_speed(provenance.measured_at, remarks);
   }
-  return formats::tir_text(p, remarks);
+  return with_parts_of(provenance.model_file, formats::tir_text(p, remarks));
 }
 
 }  // namespace latsch::experiment

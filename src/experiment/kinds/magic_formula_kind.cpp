@@ -13,6 +13,7 @@
 #include "experiment/language/known_limits.h"
 #include "experiment/rigs/slip/slip_lag.h"
 #include "experiment/rigs/slip/slip_states.h"
+#include "experiment/rigs/slip/states_beyond.h"
 #include "formats/tire/tir_file.h"
 #include "models/magic_formula/magic_formula_tire.h"
 #include "report/report.h"
@@ -22,6 +23,15 @@ namespace {
 
 using magic_formula::Conventions;
 using magic_formula::MagicFormula;
+
+constexpr int kBlock = 8192;  // states
+
+/// Says that a tire has no turn slip though a test asks for it; empty if it has.
+std::string no_turn_slip_in(const MagicFormula& tire, const Conventions& asked) {
+  if (!asked.turn_slip || tire.conventions().turn_slip) return "";
+  return "the tire has no turn slip coefficients (QDRP1, PHYP1 or QCRP1 is 0): turn_slip = \"on\" "
+         "has no effect";
+}
 
 class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, public KnowsLimits {
  public:
@@ -37,6 +47,14 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
   std::vector<std::string> limits_met() const override {
     return limits_met_by(parameters_, *log_, asked_pressure_);
   }
+  bool records_limits() const override { return true; }
+  void stood_under(double load) override { log_->add_standing(load); }
+  std::string no_stiffness(const std::string& direction) const override {
+    return no_stiffness_of(parameters_, direction);
+  }
+  std::string assumed_stiffness(const std::string& direction) const override {
+    return assumed_stiffness_of(parameters_, direction);
+  }
   std::optional<double> section_height() const override { return section_height_of(parameters_); }
   Channels steady(const formats::CsvTable& table, const Conventions& conventions) const override {
     return answers(MagicFormula(parameters_, conventions), slip_states(table, parameters_).states);
@@ -45,35 +63,48 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
       const formats::CsvTable& table,
       const Conventions& conventions,
       const std::function<void(const Channels&)>& tell) const override {
-    constexpr int kBlock = 8192;  // states
     const MagicFormula tire(parameters_, conventions);
     std::vector<magic_formula::SteadyState> results;
-    long count = 0, outside = 0;
+    StatesBeyond beyond;
     const auto unused = for_slip_states(table, parameters_, kBlock, [&](auto& states) {
       results.resize(states.size());
       tire.evaluate(states, results);
-      outside += outside_of_ranges(states, parameters_);
-      count += static_cast<long>(states.size());
+      beyond.add(states, parameters_);
       tell(answers(results));
     });
     std::vector<std::string> notes;
     for (const std::string& column : unused)
       notes.push_back(fmt::format("{}: column {} is not used", table.file(), in_quotes(column)));
-    if (tire.conventions().limits && outside > 0)
-      notes.push_back(fmt::format(
-          "{} of {} states lie outside of the ranges of the tire's file and are limited "
-          "to them (limits = \"off\" uses them unchanged)",
-          outside,
-          count));
+    for (std::string& one : beyond.sentences(parameters_, tire.conventions().limits))
+      notes.push_back(std::move(one));
     if (const std::string assumed = assumed_states(table, parameters_); !assumed.empty())
       notes.push_back(table.file() + ": " + assumed);
     if (!values_of(table, "p").empty() && !magic_formula::pressure_acts(parameters_))
       notes.push_back("column p has no effect: " + no_pressure_in_words());
-    if (conventions.turn_slip && !tire.conventions().turn_slip)
-      notes.emplace_back(
-          "the tire has no turn slip coefficients: it is computed without turn "
-          "slip");
+    if (std::string none = no_turn_slip_in(tire, conventions); !none.empty())
+      notes.push_back(std::move(none));
     return notes;
+  }
+  std::vector<std::string> limits_in(const formats::CsvTable& table,
+                                     const Conventions& conventions) const override {
+    StatesBeyond beyond;
+    for_slip_states(
+        table, parameters_, kBlock, [&](auto& states) { beyond.add(states, parameters_); });
+    std::vector<std::string> sentences = beyond.sentences(parameters_, conventions.limits);
+    if (std::string none = no_turn_slip_in(MagicFormula(parameters_, conventions), conventions);
+        !none.empty())
+      sentences.push_back(std::move(none));
+    return sentences;
+  }
+  std::vector<std::string> limits_in_history(const formats::CsvTable& table) const override {
+    const auto states = slip_states(table, parameters_).states;
+    StatesBeyond beyond;
+    beyond.add(states, parameters_);
+    std::vector<std::string> sentences = beyond.sentences(parameters_, true, false);
+    for (std::string& one :
+         lag_limits(MagicFormula(parameters_, {}), states, table.numbers("time", "s")))
+      sentences.push_back(std::move(one));
+    return sentences;
   }
   Channels steady_with_slopes(const formats::CsvTable& table,
                               const Conventions& conventions,
@@ -102,7 +133,7 @@ class MagicFormulaKind : public SpecimenKind {
   std::string name() const override { return "magic_formula"; }
   std::string in_words() const override { return "Magic Formula"; }
   std::string file() const override { return "a .tir file"; }
-  int version() const override { return 2; }
+  int version() const override { return 3; }
   std::vector<std::string> abilities() const override {
     return abilities_of<MagicFormulaSpecimen>();
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rigid ring as a kind of specimen.
+#include <algorithm>
 #include <cmath>
 
 #include "experiment/kinds/fitted_tir.h"
@@ -8,7 +9,9 @@
 #include "experiment/kinds/tir_numbers.h"
 #include "experiment/kinds/tire_sanity.h"
 #include "experiment/language/known_limits.h"
+#include "formats/tire/tir_file.h"
 #include "models/rigid_ring/rigid_ring_tire.h"
+#include "models/rigid_ring/ring_doubts.h"
 
 namespace latsch::experiment {
 namespace {
@@ -29,6 +32,14 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
   }
   std::vector<std::string> limits_met() const override {
     return limits_met_by(parameters_, *log_, asked_pressure_);
+  }
+  bool records_limits() const override { return true; }
+  void stood_under(double load) override { log_->add_standing(load); }
+  std::string no_stiffness(const std::string& direction) const override {
+    return no_stiffness_of(parameters_, direction);
+  }
+  std::string assumed_stiffness(const std::string& direction) const override {
+    return assumed_stiffness_of(parameters_, direction);
   }
   std::optional<double> section_height() const override { return section_height_of(parameters_); }
   /// One pair of cams scans a single line of the road.
@@ -59,7 +70,7 @@ class RigidRingKind : public SpecimenKind {
   std::string file() const override {
     return "a .tir file with belt and stiffnesses (MF 6.1, 6.2)";
   }
-  int version() const override { return 3; }
+  int version() const override { return 4; }
   std::vector<std::string> abilities() const override { return abilities_of<RigidRingSpecimen>(); }
 
   bool recognizes(const std::filesystem::path&) const override { return false; }
@@ -68,7 +79,14 @@ class RigidRingKind : public SpecimenKind {
     return SpecimenKind::describe(numbers) + ", " + side_in_words(numbers);
   }
   std::vector<std::string> notes(const std::filesystem::path& file) const override {
-    return tir_notes(file);
+    std::vector<std::string> all = tir_notes(file);
+    const formats::TirFile tir = formats::read_tir(file);
+    const auto is_given = [&](std::string_view name) {
+      return std::ranges::any_of(tir.keys, [&](const auto& key) { return key.parameter == name; });
+    };
+    for (const std::string& doubt : rigid_ring::ring_doubts(tir.parameters, is_given))
+      all.push_back(file.string() + ": " + doubt);
+    return all;
   }
   std::unique_ptr<Specimen> build(const Document& numbers,
                                   std::unique_ptr<Specimen>) const override {

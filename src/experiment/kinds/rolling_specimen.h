@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/language/specimen.h"
 
 namespace latsch::experiment {
@@ -17,7 +18,11 @@ class RollingSpecimen : public Specimen, public Rolls, public HasFootprint {
     if (test.friction)
       throw InputError(
           "a tire that rolls has friction in its own file: expected a footprint without it");
-    return experiment::footprints(*tire(test.pressure), test);
+    const auto prints = experiment::footprints(*tire(test.pressure), test);
+    if (prints)
+      for (const StandingFootprint& print : *prints)
+        experiment::stood_under(*this, {print.footprint.load});
+    return prints;
   }
 };
 

@@ -6,7 +6,9 @@
 
 #include <cmath>
 
+#include "formats/tire/kept_parts.h"
 #include "formats/tire/tir_file.h"
+#include "models/magic_formula/standstill.h"
 
 namespace latsch::experiment {
 namespace {
@@ -160,8 +162,39 @@ std::vector<std::string> limits_met_by(const Parameters& parameters,
   return sentences;
 }
 
+std::string no_stiffness_of(const Parameters& p, const std::string& direction) {
+  const auto at_nominal_load =
+      magic_formula::MagicFormula(p).evaluate({p.FNOMIN, 0.0, 0.0, 0.0, 0.0, p.LONGVL, p.INFLPRES});
+  const bool mf52 = p.version == Version::mf52;
+  if (direction == "longitudinal" && !(at_nominal_load.sigma_x > 0.0))
+    return mf52 ? "its relaxation length is 0, because its file has no PTX1"
+                : "its file has no LONGITUDINAL_STIFFNESS";
+  if (direction == "lateral" && !(at_nominal_load.sigma_y > 0.0))
+    return mf52 ? "its relaxation length is 0, because its file has no PTY1 or PTY2"
+                : "its file has no LATERAL_STIFFNESS";
+  if (direction == "torsional" && !(p.YAW_STIFFNESS > 0.0) &&
+      !(magic_formula::pivot_of(p, at_nominal_load).limit > 0.0))
+    return "its file has no YAW_STIFFNESS, and no contact patch from which one could be estimated";
+  return "";
+}
+
+std::string assumed_stiffness_of(const Parameters& p, const std::string& direction) {
+  if (direction != "torsional" || p.YAW_STIFFNESS > 0.0) return "";
+  return fmt::format("the torsional stiffness is {}",
+                     fmt::join(magic_formula::assumed_of_turning(p), "; "));
+}
+
 std::string tir_text_of(const Document& numbers) {
-  return formats::tir_text(parameters_of(numbers));
+  return with_parts_of(numbers.file(), formats::tir_text(parameters_of(numbers)));
+}
+
+std::string with_parts_of(const std::filesystem::path& file, const std::string& text) {
+  if (file.extension() != ".tir" || !std::filesystem::exists(file)) return text;
+  try {
+    return formats::with_kept_parts(text, formats::read_tir(file));
+  } catch (const InputError&) {
+    return text;  // the file has changed since its numbers were read
+  }
 }
 
 }  // namespace latsch::experiment

@@ -40,6 +40,18 @@ std::vector<std::string> limits_met_by(const magic_formula::Parameters& paramete
                                        const magic_formula::RangeLog& log,
                                        const Inflation& asked_pressure);
 
+/// Says why a standing tire has no stiffness in a direction (KnowsLimits::no_stiffness), and what
+/// is assumed for it.
+std::string no_stiffness_of(const magic_formula::Parameters& parameters,
+                            const std::string& direction);
+std::string assumed_stiffness_of(const magic_formula::Parameters& parameters,
+                                 const std::string& direction);
+
+/// Returns the text of a new file of these numbers, with the parts of their file that have no
+/// effect here (formats/tire/kept_parts.h).
 std::string tir_text_of(const Document& numbers);
+
+/// Returns the text with those parts of the file, if the file can be read.
+std::string with_parts_of(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace latsch::experiment

@@ -110,6 +110,16 @@ struct HasSteadyStates {
                                       const Asked&) const {
     return steady(states, conventions);
   }
+  /// Says in which states the model leaves its limits, and which condition of the test has no
+  /// effect on it, one sentence each, without computing the states.
+  virtual std::vector<std::string> limits_in(const formats::CsvTable& /*states*/,
+                                             const magic_formula::Conventions&) const {
+    return {};
+  }
+  /// Says the same of a table with times that slip_history() follows.
+  virtual std::vector<std::string> limits_in_history(const formats::CsvTable& /*states*/) const {
+    return {};
+  }
   /// Follows a table of states with their times, with lagging slips (rigs/slip/slip_lag.h) and the
   /// requested slopes.
   virtual Channels slip_history(const formats::CsvTable& states, const Asked&) const = 0;

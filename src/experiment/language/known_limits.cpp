@@ -12,6 +12,11 @@ std::vector<std::string> limits_met(Specimen& specimen) {
   return knows ? knows->limits_met() : std::vector<std::string>();
 }
 
+void stood_under(Specimen& specimen, const std::vector<double>& loads) {
+  if (auto* knows = specimen.find<KnowsLimits>())
+    for (const double load : loads) knows->stood_under(load);
+}
+
 void refuse_high_cleat(Specimen& specimen, const std::optional<Cleat>& cleat) {
   const auto* knows = specimen.find<KnowsLimits>();
   const auto section = knows ? knows->section_height() : std::nullopt;

@@ -22,6 +22,15 @@ struct KnowsLimits {
   /// Returns a sentence for every limit that the specimen has met since it was built: ranges of its
   /// file that it left, conditions that have no effect on it.
   virtual std::vector<std::string> limits_met() const { return {}; }
+  /// True if limits_met() may return a sentence after a test.
+  virtual bool records_limits() const { return false; }
+  /// Records a load, N, under which the specimen stood in a test.
+  virtual void stood_under(double /*load*/) {}
+  /// Says why the specimen has no stiffness in a direction of the test static_stiffness
+  /// ("vertical", "longitudinal", "lateral", "torsional"); empty if it has.
+  virtual std::string no_stiffness(const std::string& /*direction*/) const { return ""; }
+  /// Says what is assumed for such a stiffness; empty if nothing is.
+  virtual std::string assumed_stiffness(const std::string& /*direction*/) const { return ""; }
   /// Returns the height of the section, m; nullopt if the specimen's file does not say.
   virtual std::optional<double> section_height() const { return std::nullopt; }
 };
@@ -46,6 +55,9 @@ inline std::vector<std::string> limits_of(Specimen& specimen, const std::optiona
 
 /// Returns the limits that a specimen has met; empty if it knows none.
 std::vector<std::string> limits_met(Specimen& specimen);
+
+/// Tells a specimen that knows limits under which loads, N, it stood.
+void stood_under(Specimen& specimen, const std::vector<double>& loads);
 
 /// Throws InputError if a cleat is at least as high as the section of the specimen, so that the rim
 /// would hit it.

@@ -18,6 +18,10 @@ Document tir_with(const SpecimenKind& kind, const std::vector<std::string>& line
   std::string text =
       read_text_file(LATSCH_SOURCE_DIR "/studies/tire_model_comparison/rigid_ring.tir");
   for (const std::string& line : lines) {
+    if (line.front() == '[') {
+      text += line;
+      continue;
+    }
     const std::string key = line.substr(0, line.find(' '));
     const auto begin = text.find("\n" + key + " ");
     if (begin != text.npos) text.erase(begin + 1, text.find('\n', begin + 1) - begin);
@@ -91,6 +95,95 @@ TEST(KnownLimits, AStandingTireIsNotToldToRollSlowly) {
                             {"VXLOW = 3"});
   EXPECT_EQ(told.failure + told.refusal, "");
   EXPECT_TRUE(told.notes.empty());
+}
+
+const std::vector<std::string> kCurve = {"[DEFLECTION_LOAD_CURVE]\n0 0\n0.01 2000\n0.02 5000\n"};
+
+TEST(KnownLimits, ALoadBeyondTheCurveOfTheFileIsTold) {
+  const std::string beyond = "beyond the last point of [DEFLECTION_LOAD_CURVE], 5000 N at 20 mm";
+  for (const char* kind : {"magic_formula", "rigid_ring"})
+    for (const std::string& keys : {std::string("kind = \"footprint\", loads = [\"6 kN\"]"),
+                                    std::string("kind = \"load_deflection\", deflections = [\"25 "
+                                                "mm\"]"),
+                                    std::string("kind = \"static_stiffness\", load = \"6 kN\""),
+                                    std::string("kind = \"rolling_stiffness\", load = \"6 kN\"")}) {
+      EXPECT_TRUE(told_by(kind, keys, kCurve).says(beyond)) << kind << keys;
+      std::string within = keys;
+      for (const char* most : {"6 kN", "25 mm"})
+        if (const auto at = within.find(most); at != within.npos)
+          within.replace(at, std::string(most).size(), most[0] == '6' ? "4 kN" : "15 mm");
+      EXPECT_FALSE(told_by(kind, within, kCurve).says(beyond)) << kind << within;
+    }
+}
+
+TEST(KnownLimits, AStiffnessThatTheFileDoesNotDetermineIsRefused) {
+  const auto standing = [](const char* direction) {
+    return std::string("kind = \"static_stiffness\", load = \"4 kN\", directions = [\"") +
+           direction + "\"]";
+  };
+  expect_part(
+      told_by("magic_formula", standing("longitudinal"), {"LONGITUDINAL_STIFFNESS = 0"}).refusal,
+      "no longitudinal stiffness: its file has no LONGITUDINAL_STIFFNESS");
+  expect_part(told_by("magic_formula", standing("lateral"), {"LATERAL_STIFFNESS = 0"}).refusal,
+              "no lateral stiffness: its file has no LATERAL_STIFFNESS");
+  expect_part(told_by("magic_formula", standing("longitudinal"), {"FITTYP = 6"}).refusal,
+              "has no PTX1");
+  expect_part(
+      told_by(
+          "magic_formula", standing("torsional"), {"YAW_STIFFNESS = 0", "Q_RA1 = 0", "Q_RA2 = 0"})
+          .refusal,
+      "no torsional stiffness");
+  EXPECT_EQ(told_by("magic_formula", standing("vertical"), {"LATERAL_STIFFNESS = 0"}).refusal, "");
+  EXPECT_TRUE(told_by("magic_formula", standing("torsional"), {"YAW_STIFFNESS = 0"})
+                  .says("assumed, because there is no YAW_STIFFNESS"));
+  EXPECT_TRUE(told_by("rigid_ring", standing("torsional"), {"YAW_STIFFNESS = 0"})
+                  .says("assumed, because there is no YAW_STIFFNESS"));
+}
+
+/// Steady states or a history of slips from a file with these rows.
+Told told_of_states(const std::string& test,
+                    const std::string& header,
+                    const std::string& rows,
+                    const std::vector<std::string>& lines = {}) {
+  const ScratchFolder folder;
+  write_text_file(folder / "s.csv", header + "\n" + rows);
+  return told_by(
+      "magic_formula", test + ", states = \"" + (folder.path() / "s.csv").string() + "\"", lines);
+}
+
+TEST(KnownLimits, AHistoryOfSlipsTellsWhatItsTimesCannotShow) {
+  const std::string test = "kind = \"slip_history\"", head = "time [s],Fz [N],alpha [deg]";
+  expect_part(told_of_states(test, head, "0,4000,1\n").refusal, "a single sample");
+  expect_part(told_of_states(test, head, "0.3,4000,1\n0.2,4000,2\n0.1,4000,3\n").refusal,
+              "does not rise in 2 of 2 steps");
+  const std::string rows = "0,4000,1\n0.01,4000,2\n0.02,4000,3\n1.5,4000,4\n1.51,4000,5\n";
+  EXPECT_TRUE(told_of_states(test, head, rows).says("1.48 s behind sample 3"));
+  EXPECT_TRUE(told_of_states(test, head, rows, {"FZMAX = 3000"}).says("5 of 5 states lie outside"));
+}
+
+TEST(KnownLimits, TurnSlipWithoutItsCoefficientsIsToldBeforeTheTestRuns) {
+  const ScratchFolder folder;
+  write_text_file(folder / "s.csv", "Fz [N],phit [1/m]\n4000,0.1\n6000,0\n");
+  const SpecimenKind& kind = *language().find_kind("magic_formula");
+  const auto limits = [&](const std::string& turn_slip, const std::vector<std::string>& lines) {
+    const auto test = language().read_test(
+        Document::parse("test = {kind = \"steady_states\", turn_slip = \"" + turn_slip +
+                            "\", states = \"" + (folder.path() / "s.csv").string() + "\"}",
+                        "t.toml")
+            .root()
+            .table("test"),
+        {});
+    std::string all;
+    const auto specimen = kind.build(tir_with(kind, lines));
+    for (const std::string& one : dynamic_cast<const TellsLimits&>(*test).limits(*specimen))
+      all += one + "\n";
+    return all;
+  };
+  expect_part(limits("on", {}), "turn_slip = \"on\" has no effect");
+  EXPECT_EQ(limits("off", {}), "");
+  EXPECT_EQ(limits("on", {"QDRP1 = 1", "PHYP1 = 1", "QCRP1 = 0.2"}), "");
+  expect_part(limits("off", {"FZMAX = 5000"}), "1 of 2 states lie outside of the ranges");
+  expect_part(limits("off", kCurve), "1 of 2 states have a load beyond the last point");
 }
 
 TEST(KnownLimits, ATireWithinItsRangesSaysNothing) {

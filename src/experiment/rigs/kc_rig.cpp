@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace latsch::experiment {
 namespace {
@@ -44,90 +45,138 @@ Status check_bushings(const multibody::Mechanism& mechanism, const multibody::Po
       1e3 * most)};
 }
 
+bool is_asked(const KcSlopes& asked, const std::string& channel) {
+  return !asked.varied.empty() &&
+         std::ranges::find(asked.channels, channel) != asked.channels.end();
+}
+
+/// Returns the indices of the motion's channels whose slopes are requested.
+std::vector<int> followed_channels(const KcTest& test, const KcSlopes& asked) {
+  std::vector<int> followed;
+  for (int m = 0; m < 6; ++m) {
+    const std::string name = KcTest::kMoved[static_cast<std::size_t>(m)];
+    if (is_asked(asked, name) || (test.slopes && is_asked(asked, test.slopes->name(name))))
+      followed.push_back(m);
+  }
+  return followed;
+}
+
+/// A corner on the rig, which is loaded state by state, and what has been recorded of it.
+class KcRun {
+ public:
+  KcRun(const suspension::CompliantCorner& corner, const KcTest& test, const KcSlopes& asked)
+      : corner_(corner),
+        test_(test),
+        asked_(asked),
+        mechanism_(corner.bodies, corner.joints),
+        assembly_(mechanism_),
+        wheel_{"", corner.upright, corner.wheel_center, corner.contact},
+        statics_(mechanism_),
+        points_(corner.wheel),
+        on_{corner.upright, corner.contact},
+        stands_(statics_.unloaded()),
+        followed_(followed_channels(test, asked)),
+        moved_(test.loads.cols(), 6),
+        slopes_(6, Eigen::MatrixXd::Zero(test.loads.cols(), std::ssize(asked.varied))) {
+    if (test.at_wheel_center) {
+      points_.contact = points_.center;
+      on_.point = corner.wheel_center;
+    }
+    rest_ = as_vector(wheel_position(points_, upright()));
+  }
+
+  /// Brings the corner to rest under the loads of a state, and records its motion.
+  Status load(Eigen::Index state, const RigWatcher& watch) {
+    on_.force = test_.loads.col(state).head<3>();
+    on_.moment = test_.loads.col(state).tail<3>();
+    const multibody::RestSettings standing{.loads = {&on_, 1}};
+    auto found = statics_.solve(standing, stands_);
+    if (!found) return found.failure();
+    stands_ = std::move(*found);
+    if (const Status held = check_bushings(mechanism_, stands_.poses); !held) return held;
+    if (watch) watch({mechanism_, assembly_, stands_, {&on_, 1}, {&wheel_, 1}, state});
+    moved_.row(state) = as_vector(wheel_position(points_, upright())) - rest_;
+    if (followed_.empty()) return {};
+    if (const Status done = statics_.linearize(stands_, standing); !done) return done;
+    record_slopes(state);
+    return {};
+  }
+
+  Channels recorded() const {
+    Channels channels;
+    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(moved_.rows(), slopes_[0].cols());
+    for (int i = 0; i < 6; ++i) {
+      const auto load = static_cast<std::size_t>(i);
+      if (test_.stated[load])
+        add(channels, KcTest::kLoads[load], unit_of_load(i), test_.loads.row(i).transpose(), none);
+    }
+    for (int m = 0; m < 6; ++m) {
+      const auto moved = static_cast<std::size_t>(m);
+      add(channels, KcTest::kMoved[moved], unit_of_moved(m), moved_.col(m), slopes_[moved]);
+    }
+    return channels;
+  }
+
+ private:
+  const multibody::Pose& upright() const {
+    return stands_.poses[static_cast<std::size_t>(corner_.upright)];
+  }
+
+  /// Records the slopes of the followed channels in the varied numbers, which are stiffnesses.
+  void record_slopes(Eigen::Index state) {
+    Eigen::MatrixXd by_pose =
+        Eigen::MatrixXd::Zero(6 * std::ssize(corner_.bodies), std::ssize(followed_));
+    by_pose.middleRows<6>(6 * corner_.upright) =
+        wheel_slopes(points_, upright()).transpose()(Eigen::all, followed_);
+    const Eigen::MatrixXd by_stiffness = statics_.by_stiffness(stands_.poses, by_pose);
+    for (Eigen::Index f = 0; f < std::ssize(followed_); ++f)
+      for (Eigen::Index v = 0; v < std::ssize(asked_.varied); ++v) {
+        double slope = 0.0;
+        for (const auto& [joint, axis] : asked_.varied[static_cast<std::size_t>(v)])
+          slope += by_stiffness(f, 6 * joint + axis);
+        const int m = followed_[static_cast<std::size_t>(f)];
+        slopes_[static_cast<std::size_t>(m)](state, v) = slope;
+      }
+  }
+
+  static void add(Channels& channels,
+                  std::string name,
+                  std::string unit,
+                  const Eigen::VectorXd& values,
+                  const Eigen::MatrixXd& by) {
+    channels.add({std::move(name),
+                  std::move(unit),
+                  {values.begin(), values.end()},
+                  {by.data(), by.data() + by.size()}});
+  }
+
+  const suspension::CompliantCorner& corner_;
+  const KcTest& test_;
+  const KcSlopes& asked_;
+  multibody::Mechanism mechanism_;
+  multibody::Assembly assembly_;
+  RigState::Wheel wheel_;
+  multibody::Equilibrium statics_;
+  suspension::WheelPoints points_;
+  multibody::Load on_;
+  multibody::Rest stands_;  // friction remembers earlier loads
+  Vector6d rest_;           // the unloaded corner
+  std::vector<int> followed_;
+  Eigen::MatrixXd moved_;                // [state][channel]
+  std::vector<Eigen::MatrixXd> slopes_;  // one for each channel, [state][number]
+};
+
 }  // namespace
 
 Result<Channels> run(const suspension::CompliantCorner& corner,
                      const KcTest& test,
                      const KcSlopes& asked,
                      const RigWatcher& watch) {
-  const multibody::Mechanism mechanism(corner.bodies, corner.joints);
-  const multibody::Assembly assembly(mechanism);
-  const RigState::Wheel wheel{"", corner.upright, corner.wheel_center, corner.contact};
-  multibody::Equilibrium statics(mechanism);
-  const auto upright_body = static_cast<std::size_t>(corner.upright);
-  suspension::WheelPoints points = corner.wheel;
-  multibody::Load on{corner.upright, corner.contact};
-  if (test.at_wheel_center) {
-    points.contact = points.center;
-    on.point = corner.wheel_center;
-  }
-  multibody::Rest stands = statics.unloaded();  // friction remembers earlier loads
-  const multibody::Poses& poses = stands.poses;
-  const Vector6d rest = as_vector(wheel_position(points, poses[upright_body]));
-  const Eigen::Index states = test.loads.cols();
-  const auto numbers = static_cast<Eigen::Index>(asked.varied.size());
-  const auto is_asked = [&](const std::string& channel) {
-    return numbers > 0 &&
-           std::find(asked.channels.begin(), asked.channels.end(), channel) != asked.channels.end();
-  };
-  std::vector<int> followed;  // indices of the channels whose slopes are requested
-  for (int m = 0; m < 6; ++m) {
-    const std::string name = KcTest::kMoved[static_cast<std::size_t>(m)];
-    if (is_asked(name) || (test.slopes && is_asked(test.slopes->name(name)))) followed.push_back(m);
-  }
-  Eigen::MatrixXd moved(states, 6);
-  std::vector<Eigen::MatrixXd> slopes(6, Eigen::MatrixXd::Zero(states, numbers));
-  for (Eigen::Index i = 0; i < states; ++i) {
-    on.force = test.loads.col(i).head<3>();
-    on.moment = test.loads.col(i).tail<3>();
-    const multibody::RestSettings standing{.loads = {&on, 1}};
-    auto found = statics.solve(standing, stands);
-    if (!found)
-      return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, found.failure().reason)};
-    stands = std::move(*found);
-    if (const Status held = check_bushings(mechanism, poses); !held)
-      return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, held.failure().reason)};
-    if (watch) watch({mechanism, assembly, stands, {&on, 1}, {&wheel, 1}, i});
-    const multibody::Pose& upright = poses[upright_body];
-    moved.row(i) = as_vector(wheel_position(points, upright)) - rest;
-    if (followed.empty()) continue;
-    if (const Status done = statics.linearize(stands, standing); !done)
+  KcRun run(corner, test, asked);
+  for (Eigen::Index i = 0; i < test.loads.cols(); ++i)
+    if (const Status done = run.load(i, watch); !done)
       return Failure{fmt::format("state {} of the K&C rig: {}", i + 1, done.failure().reason)};
-    Eigen::MatrixXd by_pose =
-        Eigen::MatrixXd::Zero(6 * std::ssize(corner.bodies), std::ssize(followed));
-    by_pose.middleRows<6>(6 * corner.upright) =
-        wheel_slopes(points, upright).transpose()(Eigen::all, followed);
-    const Eigen::MatrixXd by_stiffness = statics.by_stiffness(poses, by_pose);
-    for (Eigen::Index f = 0; f < std::ssize(followed); ++f)
-      for (Eigen::Index v = 0; v < numbers; ++v) {
-        double slope = 0.0;
-        for (const auto& [joint, axis] : asked.varied[static_cast<std::size_t>(v)])
-          slope += by_stiffness(f, 6 * joint + axis);
-        const int m = followed[static_cast<std::size_t>(f)];
-        slopes[static_cast<std::size_t>(m)](i, v) = slope;
-      }
-  }
-  Channels channels;
-  const auto add = [&](std::string name,
-                       std::string unit,
-                       const Eigen::VectorXd& values,
-                       const Eigen::MatrixXd& by) {
-    channels.add({std::move(name),
-                  std::move(unit),
-                  {values.begin(), values.end()},
-                  {by.data(), by.data() + by.size()}});
-  };
-  for (std::size_t i = 0; i < 6; ++i)
-    if (test.stated[i])
-      add(KcTest::kLoads[i],
-          unit_of_load(static_cast<int>(i)),
-          test.loads.row(static_cast<Eigen::Index>(i)).transpose(),
-          Eigen::MatrixXd::Zero(states, numbers));
-  for (int m = 0; m < 6; ++m)
-    add(KcTest::kMoved[static_cast<std::size_t>(m)],
-        unit_of_moved(m),
-        moved.col(m),
-        slopes[static_cast<std::size_t>(m)]);
+  Channels channels = run.recorded();
   if (test.slopes)
     add_slopes(*test.slopes, {KcTest::kMoved.begin(), KcTest::kMoved.end()}, channels);
   return with_slopes_of(asked.channels, channels);

@@ -2,22 +2,6 @@
 // kind = "axle_kc": both wheels of a car's axle on the rig for kinematics and compliance, the
 // chassis held.
 //
-//   kind = "axle_kc"
-//   axle = "front"                       # or "rear"
-//   mode = "parallel"                    # default; or "opposed", "single": the right wheel's load
-//   springs = "free"                     # default; or "locked": bars replace them
-//   at = "contact_patch"                 # default; or "wheel_center": of loads and of dx, dy, dz
-//   Fx = ["0 N", "1 kN"]                 # of the left wheel: Fx, Fy, Fz, Mx, My, Mz, of every
-//   Mz = "100 N m"                       # state or one for all of them; none: zero
-//   travel = ["-30 mm", "30 mm"]         # of the left wheel center, by a pad; none: free
-//   rack = "5 mm"                        # to the left; default 0
-//   Fz_L = ["1 kN", "2 kN"]              # instead of mode, Fx ... travel: of each wheel by
-//   Fz_R = ["1 kN", "0 kN"]              # itself, Fx_L ... Mz_R, travel_L, travel_R
-//   loads = {from = "measurement.rig"}   # or all that a rig recorded, Fx ... Mz or Fx_L ... Mz_R
-//   travel_L = {from = "measurement.rig"}    # or any of these as it was recorded
-//   slopes_by = "Fz"                     # adds dz_L_by_Fz, toe_R_by_Fz ...: slopes of a regression
-//   window = ["1 kN", "4 kN"]            # over the states whose Fz is in this range
-//
 // Loads and travels of the right wheel are equal to those of the left in mode "parallel" (Fy, Mx
 // and Mz mirrored) and opposite in mode "opposed"; in mode "single" there is no load, and the pad
 // holds the wheel at its initial height.
@@ -26,6 +10,8 @@
 // (dx_L .. caster_R; signs as in test kc), the springs' extension and the pads' force.
 // `latsch test --details FILE` writes the 12 x 12 compliance matrix of every state and the
 // classical compliances, in phase and out of phase; `--html FILE` draws the loops.
+//
+// The keys are in experiment/tests/keys/axle_kc_keys.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -68,7 +54,7 @@ class AxleKc : public Test {
         channels.push_back(slope_of(name, unit, *test_.slopes));
     return channels;
   }
-  std::vector<std::string> needs() const override { return kAxleKc.needs; }
+  std::vector<std::string> needs() const override { return kAxleKcTest.needs; }
   std::optional<Reach> reach(const std::string& channel) const override {
     for (const Channel& one : test_.prescribed)
       if (one.name == channel) {

@@ -41,7 +41,7 @@ std::vector<ChannelInfo> DrumCleatTest::channels() const {
   return channels;
 }
 
-std::vector<std::string> DrumCleatTest::needs() const { return kDrumCleat.needs; }
+std::vector<std::string> DrumCleatTest::needs() const { return kDrumCleatTest.needs; }
 
 std::optional<Reach> DrumCleatTest::reach(const std::string& channel) const {
   if (channel != "time") return std::nullopt;

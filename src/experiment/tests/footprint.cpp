@@ -36,7 +36,7 @@ class StandingFootprintTest : public Test {
   std::vector<std::string> needs() const override {
     if (test_.elements) return {HasTreadElements::kName};
     if (test_.friction) return {TakesConditions::kName};
-    return kFootprint.needs;
+    return kFootprintTest.needs;
   }
 
   std::optional<long> samples() const override {

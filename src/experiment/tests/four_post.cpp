@@ -1,32 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // kind = "four_post": a car on four posts that move its wheels up and down.
 //
-//   kind = "four_post"
-//   mode = "heave"                       # a sweep: default; or "pitch", "roll", "warp"
-//   from = "0.5 Hz"                      # default, as the next four
-//   to = "30 Hz"
-//   duration = "20 s"                    # at least a period of the lowest frequency, for
-//                                        # spectra two
-//   amplitude = "3 mm"                   # up to the frequency at which the plates move at
-//   velocity = "0.03 m/s"                # this peak velocity, which holds above it
-//   posts = {from = "measurement.rig"}   # instead of the sweep: the heights post_FL, post_FR,
-//                                        # post_RL, post_RR that were recorded, evenly in time; or
-//                                        # posts = "heights.csv", a table of them and time
-//   step = "0.2 ms"                      # of the simulation; default
-//   sample_step = "1 ms"                 # of the record, a multiple of it; default; at least 12
-//                                        # samples of a period of the sweep's highest frequency
-//   spectra = true                       # adds channels over frequency; in recorded posts to the
-//                                        # signal of the mode that is stated; default false. The
-//                                        # car runs a second time, with the posts upside down
-//   segment = "4 s"                      # of Welch's method for densities, and 1/segment the
-//                                        # distance of lines; default, or all of a shorter record
-//   band = ["0.5 Hz", "30 Hz"]           # the lines that are kept; those of the sweep unless
-//                                        # given, within the posts' record
-//
 // Its channels: time, forces of the push-rods (pushrod_FL ..., compression positive), of the road
 // on the tires (Fz_FL ...), accelerations of hubs and body upward, spring travel, heave, roll and
 // pitch, heights of the posts (post_FL ...). Over frequency: densities psd_pushrod_FL ..., transfer
 // functions tf_pushrod_FL ..., their phases and coherences. Signs and units: docs/car.md.
+//
+// The keys are in experiment/tests/keys/four_post_keys.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -78,7 +58,7 @@ class FourPost : public Test {
       for (const auto& [name, unit] : spectra_channels()) channels.push_back({name, unit});
     return channels;
   }
-  std::vector<std::string> needs() const override { return kFourPost.needs; }
+  std::vector<std::string> needs() const override { return kFourPostTest.needs; }
   std::vector<Ledger> ledgers(const std::string& by) const override {
     std::vector<Ledger> ledgers = ledgers_;
     for (Ledger& ledger : ledgers)
@@ -224,7 +204,7 @@ FourPostTest recorded_posts(const Node& root,
   return test;
 }
 
-constexpr std::array<const char*, 4> kModes = {"heave", "pitch", "roll", "warp"};
+constexpr std::array<const char*, 4> kPostModes = {"heave", "pitch", "roll", "warp"};
 
 constexpr double kFewestPeriods = 2.0;  // periods of the lowest frequency in a record; fewer make
                                         // the response unreliable
@@ -261,7 +241,7 @@ void take_what_is_held(const Node& root, const FourPostTest& test, Frequencies& 
   PostSpectra& band = read.settings;
   const double line = 1.0 / band.segment;
   const auto held = held_band(test, read.mode, 0.5 * line);
-  const std::string mode = kModes[static_cast<std::size_t>(read.mode)];
+  const std::string mode = kPostModes[static_cast<std::size_t>(read.mode)];
   if (!held)
     root.reject(root.has("mode") ? "mode" : "posts",
                 "the recorded posts do not move in " + mode + ": expected another mode");
@@ -305,7 +285,7 @@ void take_what_is_sampled(const Node& root,
           "{}{}: the channels over frequency end there", read.note.empty() ? "" : "; ", words);
   }
   if (!read.are_recorded || is_sweep) return;
-  for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+  for (std::size_t mode = 0; mode < kPostModes.size(); ++mode) {
     const auto held = held_band(test, static_cast<PostMode>(mode), 0.5 / settings.segment);
     if (!held || held->to <= highest * (1.0 + kRounding)) continue;
     root.reject(
@@ -315,7 +295,7 @@ void take_what_is_sampled(const Node& root,
                     "frequencies: expected at most {:.3g} ms, or posts that were low-passed",
                     1e3 * test.sample_step,
                     highest,
-                    kModes[mode],
+                    kPostModes[mode],
                     held->to,
                     0.5e3 / held->to));
   }
@@ -377,7 +357,7 @@ void refuse_short(const Node& root, const PostSweep& sweep) {
 std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source) {
   FourPostTest test;
   read_steps(root, test);
-  const std::vector<std::string> modes(kModes.begin(), kModes.end());
+  const std::vector<std::string> modes(kPostModes.begin(), kPostModes.end());
   const std::string mode = root.choice("mode", modes, "heave");
   const auto which =
       static_cast<PostMode>(std::find(modes.begin(), modes.end(), mode) - modes.begin());

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dimensions of a tire that is inflated on its rim, off the ground.
 //
-//   kind = "inflation"
-//   pressures = ["0.5 bar", "2.6 bar"]   # or {from = "measurement.inflated"}: those of its channel
-//                                        # pressure; the tire's own unless given
-//
 // Channels, one value for each pressure in the order of the file: "pressure" (Pa), "outer_radius"
 // (m, half of the outside diameter), "section_width" (m, from sidewall to sidewall), and "growth"
 // (m), the outward displacement of the middle of the tread relative to zero pressure. Growth is
 // mostly the stretch of belt and carcass: it identifies their moduli, on which frequencies hardly
 // depend.
+//
+// The keys are in experiment/tests/keys/inflation_keys.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -79,7 +77,7 @@ class InflationTest : public Test {
   std::vector<ChannelInfo> channels() const override {
     return {{"pressure", "Pa"}, {"outer_radius", "m"}, {"section_width", "m"}, {"growth", "m"}};
   }
-  std::vector<std::string> needs() const override { return kInflation.needs; }
+  std::vector<std::string> needs() const override { return kInflationTest.needs; }
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "pressure" || test_.pressures.empty()) return std::nullopt;
     const auto [least, most] = std::minmax_element(test_.pressures.begin(), test_.pressures.end());

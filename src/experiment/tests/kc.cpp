@@ -2,19 +2,12 @@
 // kind = "kc": a corner on the rig for kinematics and compliance, its chassis and the inboard end
 // of its push-rod held.
 //
-//   kind = "kc"
-//   Fz = ["0 N", "2.5 kN", "5 kN"]       # of the ground on the tire: Fx, Fy, Fz, Mx, My, Mz,
-//   Mz = "100 N m"                       # of every state, or one for all of them
-//   loads = {from = "measurement.rig"}   # or all it recorded; Fz = {from = ...}: this one
-//   at = "contact_patch"                 # or "wheel_center": the point of the loads and of
-//                                        # dx, dy, dz
-//   slopes_by = "Fz"                     # adds dz_by_Fz, toe_by_Fz ...: slopes of a regression
-//   window = ["1 kN", "4 kN"]            # over the states whose Fz is in this range
-//
 // Its channels are the loads and dx, dy, dz, camber, toe, caster relative to the unloaded corner: x
 // forward, y left, z up; camber with the top outboard, toe with the front inboard, caster with the
 // top of the kingpin rearward. `latsch test --details FILE` writes the compliance matrix of every
 // state: dx_by_Fx ... about_z_by_Mz; `--html FILE` draws the loops.
+//
+// The keys are in experiment/tests/keys/kc_keys.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -58,7 +51,7 @@ class KcTestOfCorner : public Test {
     return channels;
   }
 
-  std::vector<std::string> needs() const override { return kKc.needs; }
+  std::vector<std::string> needs() const override { return kKcTest.needs; }
   std::optional<long> samples() const override { return test_.loads.cols(); }
 
   std::optional<Reach> reach(const std::string& channel) const override {

@@ -1,51 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // kind = "kerb": a car drives straight over a kerb.
 //
-//   kind = "kerb"
-//   speed = "60 m/s"                     # or {from = "measurement.track"}: its channel speed over
-//                                        # time, counted from where the front axle meets the kerb
-//   line = "0 mm"                        # of the car's middle, to the left of y = 0; likewise;
-//                                        # default
-//   run_in = "0.2 s"                     # of driving before the front axle is at x = 0; default
-//   duration = "0.5 s"                   # recorded from there; default, as the next two
-//   step = "0.2 ms"                      # of the simulation: moves the car by 20 mm and an eighth
-//                                        # of the kerb's pitch at most; shorter above 100 m/s
-//   sample_step = "1 ms"                 # of the record, a multiple of step: at least four in a
-//                                        # pitch
-//   area = true                          # records the contact areas: default false
-//   [wander]                             # of the driver: none unless given, not with a measured
-//                                        # speed or line
-//   speed = "0.5 m/s"                    # standard deviations from speed and line
-//   line = "20 mm"
-//   period = "1 s"                       # the longest in them
-//   seed = 1
-//   [kerb]                               # none: a level road; as that of latsch road, x counted
-//   kind = "kerb"                        # from the front axle's position at time 0
-//   shape = "sine"
-//   pitch = "800 mm"
-//   width = "800 mm"
-//   height = "25 mm"
-//   count = 6
-//   start = ["0 m", "0.4 m"]             # its right edge 0.4 m to the left of the car's middle
-//   [road]                               # instead of the kerb: a road from a file
-//   file = "track.crg"                   # OpenCRG, .rdf or .toml, beside this file
-//   start = ["120 m", "-2 m"]            # middle of the front axle at time 0, in the file's axes
-//   heading = "30 deg"                   # direction of driving, counterclockwise from the file's
-//                                        # x axis; default 0
-//   beyond_edge = "error"                # if a tire leaves the road of the file: default; or
-//                                        # "continue": .rdf level, OpenCRG as the file says
-//   [loaders]                            # vertical forces on the chassis, none unless given
-//   points = [["2 m", "0.4 m"], ["2 m", "-0.4 m"], ["-0.2 m", "0 m"]]    # x and y at rest
-//   downforce = ["1 kN", "1 kN", "2 kN"]
-//   pushrods = {from = "measurement.track"}    # or forces for which the four pushrod_FL ... are
-//                                        # as measured, low-passed before by the measurement
-//   stretch = ["-0.2 s", "0 s"]          # with pushrods: constant forces for the means over this
-//                                        # time; without stretch they follow
-//
 // Its channels are those of a four-post rig, speed, line, loader_1 .. loader_3, and for areas mean
 // and standard deviation from time 0 on, area_mean_FL ..., area_spread_FL ..., area_mean,
 // area_spread. The part of the push-rod forces that the loaders cannot reproduce is in
 // `unreachable`.
+//
+// The keys are in experiment/tests/keys/kerb_keys.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -128,7 +89,7 @@ class KerbRunTest : public Test, public TellsLimits {
     if (test_.follows_pushrods()) channels.push_back({"unreachable", "N"});
     return channels;
   }
-  std::vector<std::string> needs() const override { return kKerb.needs; }
+  std::vector<std::string> needs() const override { return kKerbTest.needs; }
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "time") return std::nullopt;
     return Reach{-test_.run_in, test_.duration};

@@ -2,30 +2,11 @@
 // kind = "kinematics": a corner as rigid links with its chassis held, and the axle of the corner
 // and its mirror image.
 //
-//   kind = "kinematics"
-//   travel = ["-30 mm", "0 mm", "30 mm"] # of the wheel, upward; one for all states, or one each
-//   from = "-30 mm"                      # or travel evenly from here
-//   to = "30 mm"
-//   points = 61
-//   rack = "0 mm"                        # to the left; one for all states, or one each
-//   mode = "parallel"                    # the other wheel moves the same; "opposed": against it;
-//                                        # "single": not at all
-//   at = "contact_patch"                 # or "wheel_center": the point that travels
-//   rates = true                         # adds wheel_rate, ride_rate, ride_frequency
-//   anti_roll_bar = true                 # adds arb_angle, arb_ratio
-//   outer_share = 0.5                    # of the lateral force, on the wheel that is higher in the
-//                                        # chassis: for force_roll_center_height
-//   axle = "front"                       # or "rear"; with wheelbase and cg_height adds anti_dive
-//   wheelbase = "1.55 m"                 # and anti_lift, for a rear axle anti_lift and anti_squat
-//   cg_height = "300 mm"
-//   brake_share = 0.6                    # of this axle
-//   drive_share = 0                      # of this axle; the chassis carries the torque
-//   brakes = "outboard"                  # or "inboard"
-//   rack_per_turn = "85 mm"              # per turn of the steering wheel; adds steer_ratio
-//
 // A wheelbase adds steer_inner, steer_outer and ackermann if the rack is stated. Channels are those
 // of the wheel in the file and of the axle; names that begin with other_ belong to the other wheel.
 // Their signs: docs/suspension.md.
+//
+// The keys are in experiment/tests/keys/kinematics_keys.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -70,7 +51,7 @@ class KinematicsTestOfAxle : public Test {
     return channels;
   }
 
-  std::vector<std::string> needs() const override { return kKinematics.needs; }
+  std::vector<std::string> needs() const override { return kKinematicsTest.needs; }
   std::optional<long> samples() const override { return std::ssize(test_.travel); }
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "travel" && channel != "rack") return std::nullopt;

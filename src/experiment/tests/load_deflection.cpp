@@ -9,6 +9,7 @@
 #include "base/document_record.h"
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/rigs/static_stiffness.h"
 #include "experiment/tests/test_kinds.h"
 #include "models/road/plane_road.h"
@@ -76,7 +77,7 @@ std::vector<ChannelInfo> LoadDeflectionTest::channels() const {
 
 std::vector<std::string> LoadDeflectionTest::needs() const {
   if (test_.ground.mu > 0.0) return {TakesConditions::kName};
-  return kLoadDeflection.needs;
+  return kLoadDeflectionTest.needs;
 }
 
 std::optional<Reach> LoadDeflectionTest::reach(const std::string& channel) const {
@@ -102,7 +103,9 @@ Result<Channels> LoadDeflectionTest::run(Specimen& specimen) const {
 
 Result<Channels> LoadDeflectionTest::run_with_slopes(Specimen& specimen, const Asked& asked) const {
   if (auto* pressed = specimen.find<IsPressed>()) return pressed->press(test_, asked);
-  return press_rolling(*specimen.find<Rolls>()->tire(test_.pressure), test_);
+  const auto pressed = press_rolling(*specimen.find<Rolls>()->tire(test_.pressure), test_);
+  if (pressed) stood_under(specimen, (*pressed)["force"]);
+  return pressed;
 }
 
 namespace {

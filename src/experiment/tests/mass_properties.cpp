@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mass and moments of inertia of a tire: rubber and cords, neither rim nor air.
 //
-//   kind = "mass_properties"
-//   pressure = "2.6 bar"             # inflation widens the tire by some 0.1 to 1 %; the tire's own
-//                                    # unless given (inflation.h)
-//
 // Channels of one value: "mass" (kg), "spin_inertia" and "diametral_inertia" (kg m^2), about the
 // spin axis and about a diameter of the wheel's center plane. The rim has to be subtracted from
 // measurements with a rim. Each channel is an objective by kind = "values", with slopes in
 // densities, thicknesses, cord areas and all other numbers in which a tire knows slopes.
+//
+// The keys are in experiment/tests/keys/mass_properties_keys.cpp.
 #include <fmt/format.h>
 
 #include "experiment/language/capabilities.h"
@@ -48,7 +46,7 @@ class MassPropertiesTest : public Test {
   std::vector<ChannelInfo> channels() const override {
     return {{"mass", "kg"}, {"spin_inertia", "kg m^2"}, {"diametral_inertia", "kg m^2"}};
   }
-  std::vector<std::string> needs() const override { return kMassProperties.needs; }
+  std::vector<std::string> needs() const override { return kMassPropertiesTest.needs; }
   std::optional<long> samples() const override { return 1; }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }

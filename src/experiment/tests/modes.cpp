@@ -46,7 +46,7 @@ std::vector<ChannelInfo> ModesTest::channels() const {
 
 std::vector<std::string> ModesTest::needs() const {
   if (test_.ground.mu > 0.0 || test_.points.cols() > 0) return {TakesConditions::kName};
-  return kModes.needs;
+  return kModesTest.needs;
 }
 
 std::shared_ptr<const Test> ModesTest::with_points(const Eigen::Matrix3Xd& points) const {

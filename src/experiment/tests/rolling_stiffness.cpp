@@ -43,7 +43,7 @@ class RollingStiffness : public Test {
     return channels;
   }
 
-  std::vector<std::string> needs() const override { return kRollingStiffness.needs; }
+  std::vector<std::string> needs() const override { return kRollingStiffnessTest.needs; }
   std::optional<long> samples() const override { return 1; }
 
   Result<Channels> run(Specimen& specimen) const override {

@@ -2,20 +2,18 @@
 // kind = "slip_history": slips as recorded, sample by sample, with the lag of the tire's relaxation
 // lengths (rigs/slip/slip_lag.h).
 //
-//   kind = "slip_history"
-//   states = "sweep.csv"             # beside the file: time and the columns of steady_states; or
-//                                    # as they were measured:
-//   states = {from = "measurement.cornering"}    # of a [measurement.NAME] of the study
-//
 // Channels are those of steady_states, and the lagged slips "kappa" and "alpha". Relaxation lengths
 // are those of the tire: of formula 6 from LATERAL_STIFFNESS and LONGITUDINAL_STIFFNESS, none if
 // these are 0; of 5.2 from PTX1 to PTX3, PTY1 and PTY2.
+//
+// The keys are in experiment/tests/keys/slip_history_keys.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "base/file.h"
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/rigs/hub_frame.h"
 #include "experiment/rigs/slip/slip_lag.h"
 #include "experiment/rigs/slip/slip_states.h"
@@ -27,11 +25,13 @@ namespace {
 constexpr const char* kNoTurnSlip =
     "a slip_history has no turn slip; steady_states with turn_slip = \"on\" computes with it";
 
-class SlipHistoryTest : public Test {
+class SlipHistoryTest : public Test, public TellsLimits {
  public:
   SlipHistoryTest(const std::string& text, const std::string& name, bool is_measured)
       : history_(formats::CsvTable::parse(text, name)), is_measured_(is_measured) {
-    history_.numbers("time", "s");  // a missing file fails at once
+    std::size_t sample = 0;
+    if (const std::string why = no_record(history_.numbers("time", "s"), sample); !why.empty())
+      throw InputError(history_.place(static_cast<int>(sample)), why);
   }
 
   std::string in_words() const override {
@@ -50,7 +50,7 @@ class SlipHistoryTest : public Test {
     channels.push_back({"alpha", "rad"});
     return channels;
   }
-  std::vector<std::string> needs() const override { return kSlipHistory.needs; }
+  std::vector<std::string> needs() const override { return kSlipHistoryTest.needs; }
   std::vector<Ledger> ledgers(const std::string& by) const override {
     if (is_measured_) return {};  // the measurement has a ledger of its own
     Ledger ledger = ledger_of_states(history_, by, kNoTurnSlip);
@@ -61,6 +61,15 @@ class SlipHistoryTest : public Test {
     return values_of(history_, condition);
   }
   std::optional<long> samples() const override { return history_.rows(); }
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    return specimen.find<HasSteadyStates>()->limits_in_history(history_);
+  }
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    const auto notes = Test::run_in_blocks(specimen, tell);
+    if (!notes) return notes;
+    return limits(specimen);
+  }
   Result<Channels> run(Specimen& specimen) const override {
     return specimen.find<HasSteadyStates>()->slip_history(history_, {});
   }

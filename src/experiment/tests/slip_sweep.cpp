@@ -2,21 +2,7 @@
 // kind = "slip_sweep": the belt of a flat track (rigs/slip/flat_track.h) below a wheel that is
 // steered or braked.
 //
-//   kind = "slip_sweep"              # alpha, kappa: one of the two
-//   speed = "60 km/h"
-//   load = "4 kN"                    # speed and load may be {from = "measurement.rolling"}: the
-//                                    # means of its Vx and Fz
-//   pressure = "2.6 bar"             # the tire's own unless given (rigs/inflation.h)
-//   camber = "2 deg"                 # default 0
-//   axle = "load"                    # what the rig holds constant; or "height": the axle's
-//   frame = "W"                      # of the forces recorded (hub_frame.h); "W", "H", "C" or
-//                                    # several: ["C", "W"] records "FyC" and "FyW"
-//   alpha = ["-10 deg", "10 deg"]    # from, to
-//   kappa = [-0.1, 0.1]              # from, to
-//   run_in = "0.3 s"                 # default, as the next three
-//   duration = "1 s"
-//   step = "0.5 ms"                  # moves the tire by 20 mm at most
-//   sample_step = "5 ms"             # of the record; a multiple of step, default step
+// The keys are in experiment/tests/keys/slip_sweep_keys.cpp.
 #include <fmt/format.h>
 
 #include <array>
@@ -78,7 +64,7 @@ class SlipSweepTest : public Test {
     return channels;
   }
 
-  std::vector<std::string> needs() const override { return kSlipSweep.needs; }
+  std::vector<std::string> needs() const override { return kSlipSweepTest.needs; }
 
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "time") return std::nullopt;

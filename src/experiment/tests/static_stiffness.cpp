@@ -50,7 +50,7 @@ class StaticStiffnessTest : public Test, public TellsLimits {
     return channels;
   }
 
-  std::vector<std::string> needs() const override { return kStaticStiffness.needs; }
+  std::vector<std::string> needs() const override { return kStaticStiffnessTest.needs; }
 
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "deflection" || test_.deflections.empty()) return std::nullopt;
@@ -66,7 +66,12 @@ class StaticStiffnessTest : public Test, public TellsLimits {
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
   std::vector<std::string> limits(Specimen& specimen) const override {
-    return limits_of(specimen, test_.cleat);
+    std::vector<std::string> all = limits_of(specimen, test_.cleat);
+    if (const auto* knows = specimen.find<KnowsLimits>())
+      for (const Direction direction : test_.directions)
+        if (std::string assumed = knows->assumed_stiffness(name_of(direction)); !assumed.empty())
+          all.push_back(std::move(assumed));
+    return all;
   }
   /// Tells what the tire's model does not describe on the cleat.
   Result<std::vector<std::string>> run_in_blocks(
@@ -93,10 +98,28 @@ class StaticStiffnessTest : public Test, public TellsLimits {
       };
       return held->drive(press, test_.pressure.has_value(), has_slopes() ? asked : Asked{});
     }
-    return stand(*specimen.find<Rolls>()->tire(test_.pressure), test_);
+    refuse_without_stiffness(specimen);
+    const auto stood = stand(*specimen.find<Rolls>()->tire(test_.pressure), test_);
+    if (stood && !test_.deflections.empty()) stood_under(specimen, (*stood)["force"]);
+    if (stood && !test_.directions.empty()) stood_under(specimen, {test_.load});
+    return stood;
   }
 
  private:
+  /// Throws InputError if the file of the tire determines no stiffness in a direction of the test.
+  void refuse_without_stiffness(Specimen& specimen) const {
+    const auto* knows = specimen.find<KnowsLimits>();
+    if (!knows) return;
+    for (const Direction direction : test_.directions)
+      if (const std::string why = knows->no_stiffness(name_of(direction)); !why.empty())
+        throw InputError(
+            fmt::format("this tire has no {} stiffness: {}; expected directions "
+                        "without \"{}\", or the key in its file",
+                        name_of(direction),
+                        why,
+                        name_of(direction)));
+  }
+
   StandingTest test_;
 };
 

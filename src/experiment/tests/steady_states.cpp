@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // kind = "steady_states": forces of a tire in a table of states (rigs/slip/slip_states.h).
 //
-//   kind = "steady_states"
-//   states = "cornering.csv"         # beside the file; or as they were measured:
-//   states = {from = "measurement.cornering"}    # of a [measurement.NAME] of the study
-//   limits = "on"                    # inputs limited to the ranges of the tire's file, faded below
-//                                    # its VXLOW; or "off"
-//   angles = "direct"                # or "tangent": tan(alpha), sin(gamma) instead
-//   turn_slip = "off"                # or "on": forces and moments of turning by phit
-//   side = "measured"                # of the vehicle; "other": the tire mirrored
-//
 // A measurement is resolved into numbers when the study is read: Fz is required, quantities that
 // were not recorded are left out. A journal depends on these numbers, not on the measured forces.
 //
 // latsch test computes a table of any length block by block. A file above 16 MB is not copied into
 // memory, and must not be written to while it is read.
+//
+// The keys are in experiment/tests/keys/steady_states_keys.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,6 +15,7 @@
 #include "base/file.h"
 #include "base/mapped_file.h"
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/rigs/hub_frame.h"
 #include "experiment/rigs/slip/slip_states.h"
 #include "experiment/tests/test_kinds.h"
@@ -38,7 +32,7 @@ std::string no_turn_slip(const Conventions& conventions) {
   return "turn_slip of the test is \"off\"; turn_slip = \"on\" computes with it";
 }
 
-class SteadyStatesTest : public Test {
+class SteadyStatesTest : public Test, public TellsLimits {
  public:
   SteadyStatesTest(std::shared_ptr<const MappedFile> table,
                    const std::string& name,
@@ -60,7 +54,7 @@ class SteadyStatesTest : public Test {
     }
     return channels;
   }
-  std::vector<std::string> needs() const override { return kSteadyStates.needs; }
+  std::vector<std::string> needs() const override { return kSteadyStatesTest.needs; }
   std::vector<Ledger> ledgers(const std::string& by) const override {
     if (is_measured_) return {};  // the measurement has a ledger of its own
     return {ledger_of_states(states_, by, no_turn_slip(conventions_))};
@@ -69,6 +63,9 @@ class SteadyStatesTest : public Test {
     return values_of(states_, condition);
   }
   std::optional<long> samples() const override { return states_.rows(); }
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    return specimen.find<HasSteadyStates>()->limits_in(states_, conventions_);
+  }
   Result<Channels> run(Specimen& specimen) const override {
     return specimen.find<HasSteadyStates>()->steady(states_, conventions_);
   }

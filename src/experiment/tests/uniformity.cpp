@@ -29,7 +29,7 @@ class Uniformity : public Test {
     return channels;
   }
 
-  std::vector<std::string> needs() const override { return kUniformity.needs; }
+  std::vector<std::string> needs() const override { return kUniformityTest.needs; }
   std::optional<long> samples() const override { return 1; }
 
   Result<Channels> run(Specimen& specimen) const override {

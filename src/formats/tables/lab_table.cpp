@@ -449,6 +449,21 @@ std::string encoding_of(const std::filesystem::path& file) {
   return "Windows-1252, because the bytes are no UTF-8";
 }
 
+using LabReader = LabTable (*)(const std::filesystem::path&, const Units&, const ExpectedUnit&);
+
+/// The readers by the extensions of their files.
+const std::vector<std::pair<std::string, LabReader>>& lab_readers() {
+  static const std::vector<std::pair<std::string, LabReader>> readers = {{".csv", read_csv},
+                                                                         {".txt", read_csv},
+                                                                         {".dat", read_dat},
+                                                                         {".mat", read_mat},
+                                                                         {".tdx", read_tydex},
+                                                                         {".tydex", read_tydex},
+                                                                         {".tda", read_tydex},
+                                                                         {".tdb", read_tydex}};
+  return readers;
+}
+
 }  // namespace
 
 Place LabTable::place(std::size_t sample) const {
@@ -458,27 +473,21 @@ Place LabTable::place(std::size_t sample) const {
 LabTable read_lab_table(const std::filesystem::path& file,
                         const Units& units,
                         const ExpectedUnit& expected) {
-  using Reader = LabTable (*)(const std::filesystem::path&, const Units&, const ExpectedUnit&);
-  static const std::vector<std::pair<std::string, Reader>> kReaders = {{".csv", read_csv},
-                                                                       {".txt", read_csv},
-                                                                       {".dat", read_dat},
-                                                                       {".mat", read_mat},
-                                                                       {".tdx", read_tydex},
-                                                                       {".tydex", read_tydex},
-                                                                       {".tda", read_tydex},
-                                                                       {".tdb", read_tydex}};
   const std::string ending = lower(file.extension().string());
-  std::vector<std::string> endings;
-  for (const auto& [known, reader] : kReaders) {
-    if (known == ending) {
-      LabTable table = reader(file, units, expected);
-      if (known != ".mat") table.assumed_encoding = encoding_of(file);
-      return table;
-    }
-    endings.push_back(known);
+  for (const auto& [known, reader] : lab_readers()) {
+    if (known != ending) continue;
+    LabTable table = reader(file, units, expected);
+    if (known != ".mat") table.assumed_encoding = encoding_of(file);
+    return table;
   }
   throw InputError({file.string(), 0},
-                   "ends in " + in_quotes(ending) + ", expected " + list_of(endings));
+                   "ends in " + in_quotes(ending) + ", expected " + list_of(lab_endings()));
+}
+
+std::vector<std::string> lab_endings() {
+  std::vector<std::string> endings;
+  for (const auto& [ending, reader] : lab_readers()) endings.push_back(ending);
+  return endings;
 }
 
 }  // namespace latsch::formats

@@ -62,4 +62,9 @@ LabTable read_lab_table(const std::filesystem::path& file,
                         const std::map<std::string, std::string>& units = {},
                         const ExpectedUnit& expected = {});
 
+/// Returns the extensions of the files that read_lab_table() reads, in lower case: ".csv", ... A
+/// new kind of file is one reader and its line in lab_table.cpp; every door of the program that
+/// takes recordings asks this list.
+std::vector<std::string> lab_endings();
+
 }  // namespace latsch::formats

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "formats/tables/csv_header.h"
+#include "formats/tables/lab_table.h"
 #include "formats/tables/mat_file.h"
 #include "formats/tables/tydex_file.h"
 #include "formats/text/csv_fields.h"
@@ -130,6 +131,16 @@ Channels whole(Recording recording, const std::string& file) {
   return std::move(recording.channels);
 }
 
+/// Returns a table of a laboratory as a recording, which has no gaps.
+Recording recording_of(LabTable table) {
+  for (const Channel& channel : table.channels.all())
+    for (std::size_t i = 0; i < channel.values.size(); ++i)
+      if (!std::isfinite(channel.values[i]))
+        throw InputError(table.place(i), channel.name + " is no finite number here");
+  const int units = table.columns.empty() ? 0 : table.columns.front().unit_line;
+  return {std::move(table.channels), std::move(table.columns), std::move(table.left_out), units};
+}
+
 }  // namespace
 
 Channels parse_recording(std::string text, const std::string& file) {
@@ -162,8 +173,7 @@ Recording read_whole_recording(const std::filesystem::path& file,
   }
   if (ending == ".csv" || ending == ".txt")
     return parse(std::make_shared<const MappedFile>(file, kLargestRecording), file.string(), units);
-  throw InputError({file.string(), 0},
-                   "ends in " + in_quotes(ending) + ", expected .csv, .txt, .tdx or .mat");
+  return recording_of(read_lab_table(file, units));
 }
 
 }  // namespace latsch::formats

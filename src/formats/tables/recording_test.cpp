@@ -10,6 +10,7 @@
 #include "base/scratch_folder_testing.h"
 #include "base/spoiled_text_testing.h"
 #include "formats/tables/csv_table.h"
+#include "formats/tables/lab_table.h"
 
 namespace latsch::formats {
 namespace {
@@ -57,6 +58,32 @@ TEST(Recording, IsRefusedInWords) {
   refused("t [s],t [s]\n0,1\n", "comes twice");
   refused("0,1\n1,2\n", "expected a line of column names");
   EXPECT_THROW(read_recording("run.xls"), InputError);
+}
+
+// Every kind of file that a laboratory's reader knows is a recording, without a line of its own.
+TEST(Recording, IsEveryKindOfLaboratoryFile) {
+  const ScratchFolder folder;
+  const std::string head = "Tire: 16.0x7.5-10 Run: 4\nET\tFZ\nsec\tkN\n";
+  write_text_file(folder / "run4.dat", head + "0\t1.5\n0.01\t1.6\n");
+  const Recording recording = read_whole_recording(folder / "run4.dat");
+  ASSERT_EQ(recording.channels.all().size(), 2u);
+  EXPECT_EQ(recording.channels["FZ"][1], 1600.0);
+  EXPECT_EQ(recording.header_line, 3);
+  write_text_file(folder / "gap.dat", head + "0\t1.5\n0.01\tNaN\n");
+  try {
+    read_whole_recording(folder / "gap.dat");
+    FAIL() << "a gap";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place().line, 5);
+    EXPECT_NE(std::string(error.what()).find("FZ is no finite number"), std::string::npos);
+  }
+  try {
+    read_recording(folder / "run.xls");
+    FAIL() << "an unknown kind";
+  } catch (const InputError& error) {
+    for (const std::string& ending : lab_endings())
+      EXPECT_NE(std::string(error.what()).find(ending), std::string::npos) << ending;
+  }
 }
 
 TEST(Recording, SpoiledOnesEndInFiniteNumbersOrAnInputError) {

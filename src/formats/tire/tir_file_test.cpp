@@ -167,10 +167,9 @@ TEST(TirFile, WhatIsOddIsNamed) {
             "t.tir:10: TYRESIDE is \"Upper\", expected LEFT, RIGHT or SYMMETRIC; taken as LEFT\n");
   const TirFile tir = parse_tir(kSmall, "t.tir");
   ASSERT_FALSE(tir.notes.empty());
-  EXPECT_EQ(
-      tir.notes[0],
-      "t.tir:25: [LATERAL_COEFFICIENTS] PXX9 is not known here; it stays in the file, without "
-      "effect");
+  EXPECT_EQ(tir.notes[0],
+            "t.tir:25: [LATERAL_COEFFICIENTS] PXX9 is not known here; it has no effect, and an "
+            "exported file keeps it");
   EXPECT_NE(std::find(tir.notes.begin(), tir.notes.end(), "t.tir: there is no PCX1; taken as 0"),
             tir.notes.end());
 }
@@ -326,7 +325,7 @@ TEST(TirFile, EveryKeyHasARowThatSaysWhatItWasTakenFor) {
   EXPECT_TRUE(told("[BOTTOMING_CURVE] holds a table that is not read"));
   EXPECT_TRUE(told("PDY1 is in [ALIGNING_COEFFICIENTS], it belongs in [LATERAL_COEFFICIENTS]"));
   EXPECT_TRUE(
-      told("QDZI is not known here; it stays in the file, without effect, did you mean "
+      told("QDZI is not known here; it has no effect, and an exported file keeps it, did you mean "
            "\"QDZ1\"?"));
   EXPECT_TRUE(told("FILE_NOTE is not known"));
   EXPECT_TRUE(told("ANGLE is no radian"));

@@ -7,6 +7,38 @@
 
 namespace latsch::formats {
 
+namespace {
+
+/// Adds a row for each number of a slow, standing or turning wheel that the file lacks
+/// (models/magic_formula/standstill.h).
+void add_assumed_at_rest(const TirFile& tir, Ledger& ledger) {
+  struct Assumed {
+    const char *name, *value;
+  };
+  constexpr Assumed kAssumed[] = {
+      {"VXLOW", "is taken as 1 m/s: a slower wheel fades to one at rest"},
+      {"DAMP_VLOW", "is taken as 1 ms: damping of a standing wheel"},
+      {"QCRP1", "is taken as that of a round patch: torque of a wheel turned on the spot"},
+      {"YAW_STIFFNESS", "is taken as that torque over 0.05 rad"}};
+  const auto is_stated = [&](const char* name) {
+    for (const TirKey& key : tir.keys)
+      if (key.parameter == name)
+        return key.parameter == "VXLOW" ||
+               tir.parameters.*magic_formula::find_parameter(name)->member > 0.0;
+    return false;
+  };
+  for (const Assumed& one : kAssumed) {
+    if (is_stated(one.name)) continue;
+    LedgerRow row;
+    row.taken_as = one.name;
+    row.state = LedgerState::assumed;
+    row.remark = one.value;
+    ledger.rows.push_back(std::move(row));
+  }
+}
+
+}  // namespace
+
 Ledger ledger_of(const TirFile& tir) {
   Ledger ledger{tir.source.file()};
   const TeimOrbitUnits units = tir.source.units(TeimOrbitUnits::Missing::is_si);
@@ -40,6 +72,7 @@ Ledger ledger_of(const TirFile& tir) {
         "is taken as " + TeimOrbitUnits::si_in_words(key) + ", because the file has no such line";
     ledger.rows.push_back(std::move(row));
   }
+  add_assumed_at_rest(tir, ledger);
   ledger.doubts = tir.doubts;
   return ledger;
 }

@@ -13,7 +13,9 @@
 
 #include "base/text.h"
 #include "formats/text/letter_case.h"
+#include "formats/tire/tir_curve.h"
 #include "formats/tire/tir_dialect.h"
+#include "formats/tire/tir_forces.h"
 #include "formats/tire/tir_keys.h"
 #include "formats/tire/tir_modes.h"
 #include "formats/tire/tir_sizes.h"
@@ -117,7 +119,10 @@ class TirReader {
     check_ranges();
     check_sizes();
     check_angles();
-    read_curve();
+    read_load_curve(tir_, units_, [&](int line, const std::string& sentence) {
+      doubt("[DEFLECTION_LOAD_CURVE]", line, sentence);
+    });
+    check_forces();
     report_units();
     report_combined_slip();
     report_missing();
@@ -145,6 +150,14 @@ class TirReader {
           doubt(std::string(name), place_of(std::string(name)).line, sentence);
         });
   }
+
+  /// Reports forces and radii that no tire has.
+  void check_forces() {
+    examine_forces(tir_.parameters, [&](std::string_view name, const std::string& sentence) {
+      doubt(std::string(name), place_of(std::string(name)).line, sentence);
+    });
+  }
+
   void read_section(const TeimOrbitSection& section) {
     std::map<std::string_view, const TeimOrbitEntry*> seen;
     for (const TeimOrbitEntry& entry : section.entries()) {
@@ -239,10 +252,11 @@ class TirReader {
     }
     if (field == nullptr && !unused)
       note(entry.line,
-           fmt::format("[{}] {} is not known here; it stays in the file, without effect{}",
-                       section.name(),
-                       entry.key,
-                       suggestion(entry.key)));
+           fmt::format(
+               "[{}] {} is not known here; it has no effect, and an exported file keeps it{}",
+               section.name(),
+               entry.key,
+               suggestion(entry.key)));
     if (unused && unused->told)
       note(entry.line,
            fmt::format("{} = {} has no effect: {}", entry.key, entry.value, unused->text));
@@ -422,24 +436,6 @@ class TirReader {
                         value * std::numbers::pi / 180.0));
         break;
       }
-  }
-
-  void read_curve() {
-    const TeimOrbitSection* curve = tir_.source.find("DEFLECTION_LOAD_CURVE");
-    if (curve == nullptr) return;
-    std::vector<double>& x = tir_.parameters.curve_deflection;
-    for (const TeimOrbitTable& table : curve->tables()) {
-      for (const TeimOrbitRow& row : table.rows) {
-        const std::vector<double> pen_fz = curve->numbers(row, 2);
-        const double deflection = pen_fz[0] * units_.length();
-        if (!x.empty() && deflection <= x.back())
-          throw InputError(curve->place(row.line), "the deflections of the curve do not ascend");
-        x.push_back(deflection);
-        tir_.parameters.curve_force.push_back(pen_fz[1] * units_.force());
-      }
-    }
-    if (x.size() < 2)
-      throw InputError(curve->place(), "[DEFLECTION_LOAD_CURVE] has fewer than two rows");
   }
 
   void report_units() {

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
+#include <utility>
 
 namespace latsch::car {
 
@@ -14,6 +15,16 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 
 namespace {
+
+constexpr int kMostSteps = 8;
+// Most halvings of a step toward a state in which the car finds no rest.
+constexpr int kHalvings = 6;
+constexpr double kProbe = 200.0;  // N, large against the residual of settling
+// Share of the forces, for a step. A smaller one is not reached: rolling tires settle to some
+// newtons.
+constexpr double kEnough = 1e-4;
+// Least volume of the three slopes relative to their length at which they are independent.
+constexpr double kIndependent = 1e-6;
 
 Vector4d as_vector(const std::array<double, kCorners>& forces) {
   return {forces[0], forces[1], forces[2], forces[3]};
@@ -34,6 +45,81 @@ Vector4d normal_of(const Matrix<double, 4, 3>& S) {
 /// Returns the least-squares solution of S x = b; the component along the normal remains.
 Vector3d solve_three(const Matrix<double, 4, 3>& S, const Vector4d& b) {
   return (S.transpose() * S).inverse() * (S.transpose() * b);
+}
+
+/// The car with loaders, standing or rolling.
+class LoadedCar {
+ public:
+  LoadedCar(Car& car,
+            const AeroLoaders& loaders,
+            const road::Road& road,
+            double speed,
+            const CarInputs& inputs)
+      : car_(car), loaders_(loaders), road_(road), speed_(speed), inputs_(inputs) {}
+
+  bool rolls() const { return rolls_; }
+  bool has_speed() const { return speed_ != 0.0; }
+  /// Lets the car roll from now on, if it has a speed.
+  void roll() { rolls_ = speed_ > 0.0; }
+
+  Vector4d pushrods(const CarState& state) const {
+    return as_vector(car_.pushrod_forces(state, inputs_));
+  }
+
+  /// Settles the car under a downforce.
+  Status settle(const Vector3d& downforce, CarState& state) {
+    CarInputs with = inputs_;
+    if (!rolls_ && with.guide) with.guide->speed = 0.0;
+    for (multibody::Load& load : loaders_.loads(car_, downforce)) with.loads.push_back(load);
+    auto settled = car_.settle(road_, rolls_ ? speed_ : 0.0, with);
+    if (!settled) return settled.failure();
+    state = std::move(*settled);
+    return {};
+  }
+
+  /// Settles the car at the end of a step, which is halved while it leads to no rest.
+  Status settle_after(Vector3d step, LoaderSolution& found) {
+    Status settled = settle(found.downforce, found.state);
+    for (int k = 0; k < kHalvings && !settled; ++k) {
+      step *= 0.5;
+      found.downforce -= step;
+      settled = settle(found.downforce, found.state);
+    }
+    return settled;
+  }
+
+  /// Finds the slopes of the push-rods' forces by differences.
+  Status find_slopes(LoaderSolution& found) {
+    for (int k = 0; k < 3; ++k) {
+      Status settled;
+      // At a kink of a bump stop there may be no rest just there; other probes are then tried.
+      for (const double probe : {kProbe, -kProbe, 0.5 * kProbe, -0.5 * kProbe}) {
+        Vector3d more = found.downforce;
+        more[k] += probe;
+        CarState there;
+        settled = settle(more, there);
+        if (!settled) continue;
+        found.slopes.col(k) = (pushrods(there) - found.pushrods) / probe;
+        break;
+      }
+      if (!settled) return settled;
+    }
+    return {};
+  }
+
+ private:
+  Car& car_;
+  const AeroLoaders& loaders_;
+  const road::Road& road_;
+  double speed_;  // m/s
+  const CarInputs& inputs_;
+  bool rolls_ = false;
+};
+
+/// The condition requires three independent columns: their volume relative to their length.
+bool are_independent(const Matrix<double, 4, 3>& slopes) {
+  const Eigen::Matrix3d squares = slopes.transpose() * slopes;
+  return squares.determinant() > kIndependent * std::pow(squares.trace() / 3.0, 3);
 }
 
 }  // namespace
@@ -66,61 +152,28 @@ Result<LoaderSolution> solve_loaders(Car& car,
                                      const road::Road& road,
                                      double speed,
                                      const CarInputs& inputs) {
-  constexpr int kMost = 8;
-  constexpr int kHalvings = 6;      // halvings of a step toward a state in which the car finds no
-                                    // rest
-  constexpr double kProbe = 200.0;  // N: large against the residual of settling
-  constexpr double kEnough =
-      1e-4;  // share of the forces, for a step: rolling tires settle to some newtons
-  bool rolls = false;
-  const auto pushrods = [&](const Vector3d& downforce, CarState& state) -> Status {
-    CarInputs with = inputs;
-    if (!rolls && with.guide) with.guide->speed = 0.0;
-    for (multibody::Load& load : loaders.loads(car, downforce)) with.loads.push_back(load);
-    auto settled = car.settle(road, rolls ? speed : 0.0, with);
-    if (!settled) return settled.failure();
-    state = std::move(*settled);
-    return {};
-  };
+  LoadedCar loaded(car, loaders, road, speed, inputs);
   LoaderSolution found;
   found.downforce.setZero();
   Vector3d step = Vector3d::Zero();
-  for (int i = 0; i < kMost; ++i) {
-    Status settled = pushrods(found.downforce, found.state);
-    for (int k = 0; k < kHalvings && i > 0 && !settled; ++k) {
-      step *= 0.5;
-      found.downforce -= step;
-      settled = pushrods(found.downforce, found.state);
-    }
+  for (int i = 0; i < kMostSteps; ++i) {
+    const Status settled =
+        i > 0 ? loaded.settle_after(step, found) : loaded.settle(found.downforce, found.state);
     if (!settled) return settled.failure();
-    found.pushrods = as_vector(car.pushrod_forces(found.state, inputs));
-    if (i < 2)
-      for (int k = 0; k < 3; ++k) {
-        // At a kink of a bump stop there may be no rest just there; other probes are then tried.
-        for (const double probe : {kProbe, -kProbe, 0.5 * kProbe, -0.5 * kProbe}) {
-          Vector3d more = found.downforce;
-          more[k] += probe;
-          CarState there;
-          settled = pushrods(more, there);
-          if (!settled) continue;
-          found.slopes.col(k) =
-              (as_vector(car.pushrod_forces(there, inputs)) - found.pushrods) / probe;
-          break;
-        }
-        if (!settled) return settled.failure();
-      }
+    found.pushrods = loaded.pushrods(found.state);
+    if (i < 2) {
+      if (const Status done = loaded.find_slopes(found); !done) return done.failure();
+    }
     found.unreachable = normal_of(found.slopes);
-    // The condition requires three independent columns: their volume relative to their length.
-    const Eigen::Matrix3d squares = found.slopes.transpose() * found.slopes;
-    if (!(squares.determinant() > 1e-6 * std::pow(squares.trace() / 3.0, 3)))
+    if (!are_independent(found.slopes))
       return Failure{"the loaders are in one line: three points of a triangle are needed"};
     step = solve_three(found.slopes, wanted - found.pushrods);
     found.left = wanted - found.pushrods;
     const bool is_near = step.norm() < kEnough * (1.0 + found.downforce.norm());
-    if (is_near && (rolls || speed == 0.0)) return found;
+    if (is_near && (loaded.rolls() || !loaded.has_speed())) return found;
     // Slopes are those of the standing car with nearly these forces, because rolling tires are
     // expensive.
-    if (i > 0) rolls = speed > 0.0;
+    if (i > 0) loaded.roll();
     found.downforce += step;
   }
   return Failure{fmt::format("no loaders' forces were found for these push-rods: {:.3g} N are left",

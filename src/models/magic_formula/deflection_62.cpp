@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "models/magic_formula/magic_formula.h"
+#include "models/magic_formula/vertical/load_curve.h"
 
 namespace latsch::magic_formula {
 namespace {
@@ -135,6 +136,7 @@ double MagicFormula::vertical_force(
     double rho, double omega, double gamma, double p, double Fx, double Fy) const {
   WheelUnderLoad o{};
   const Parameters& q = parameters_;
+  if (has_load_curve(q)) return force_on_curve(q, rho);
   o.omega = omega;
   o.gamma = conventions_.mirrored ? -gamma : gamma;
   o.dpi = (p - q.NOMPRES) / q.NOMPRES;

@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "models/magic_formula/deflection_62.h"
+#include "models/magic_formula/vertical/load_curve.h"
 
 #define LATSCH_KERNELS_IN "models/magic_formula/magic_formula_kernels.h"
 #include "numerics/kernels/for_each_kernel_set.h"
@@ -17,10 +18,22 @@ Conventions usable(Conventions conventions, const Parameters& parameters) {
   return conventions;
 }
 
-void add_deflection(const TireConstants& tire,
+/// True if the kernels do not compute the deflection.
+bool deflects_otherwise(const Parameters& p) {
+  return p.version == Version::mf62 || has_load_curve(p);
+}
+
+void add_deflection(const Parameters& parameters,
+                    const TireConstants& tire,
                     const Conventions& conventions,
                     const WheelUnderLoad& wheel,
                     SteadyState& s) {
+  if (has_load_curve(parameters)) {
+    s.rho = deflection_on_curve(parameters, std::max(wheel.Fz, parameters.FZMIN));
+    s.R_l = std::max(wheel.R_omega - s.rho, 0.0);
+    s.Cz = s.rho > 0.0 ? wheel.Fz / s.rho : initial_stiffness(parameters);
+    return;
+  }
   const Deflection62 d = deflection_62(tire, wheel, s.Fx, conventions.mirrored ? -s.Fy : s.Fy);
   s.rho = d.rho;
   s.R_l = d.R_l;
@@ -38,20 +51,21 @@ SteadyState MagicFormula::evaluate(const State& state) const {
   SteadyState result;
   WheelUnderLoad wheel;
   LATSCH_KERNEL(evaluate_one)(tire_, conventions_, state, result, wheel);
-  if (parameters_.version == Version::mf62) add_deflection(tire_, conventions_, wheel, result);
+  if (deflects_otherwise(parameters_))
+    add_deflection(parameters_, tire_, conventions_, wheel, result);
   return result;
 }
 
 void MagicFormula::evaluate(std::span<const State> states, std::span<SteadyState> results) const {
   assert(states.size() == results.size());
-  const bool alone = parameters_.version == Version::mf62;
+  const bool alone = deflects_otherwise(parameters_);
   const auto eight = LATSCH_KERNEL(evaluate_eight);
   const std::size_t whole = states.size() / 8 * 8;
   for (std::size_t i = 0; i < whole; i += 8) {
     WheelUnderLoad wheels[8];
     eight(tire_, conventions_, &states[i], &results[i], alone ? wheels : nullptr);
     for (std::size_t k = 0; alone && k < 8; ++k)
-      add_deflection(tire_, conventions_, wheels[k], results[i + k]);
+      add_deflection(parameters_, tire_, conventions_, wheels[k], results[i + k]);
   }
   for (std::size_t i = whole; i < states.size(); ++i) results[i] = evaluate(states[i]);
 }

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "models/magic_formula/deflection_62.h"
+#include "models/magic_formula/vertical/load_curve.h"
 
 namespace latsch::magic_formula {
 namespace {
@@ -109,7 +110,10 @@ class Pass {
         state_.values[i][k] = reinterpret_cast<const double*>(states + k)[i];
     LATSCH_KERNEL(evaluate_with_slopes)
     (dual_, tire_.conventions(), asked_, state_, result_, wheel_);
-    if (tire_.parameters().version == Version::mf62 && asked_.deflection) add_deflection();
+    const bool has_curve = has_load_curve(tire_.parameters());
+    if (asked_.deflection && has_curve) add_deflection_on_curve();
+    if (asked_.deflection && !has_curve && tire_.parameters().version == Version::mf62)
+      add_deflection();
     return result_;
   }
 
@@ -161,7 +165,6 @@ class Pass {
   void add_deflection() {
     DualNumber rho[8], R_l[8], Cz[8];
     using W = WheelUnderLoad;
-    using W = WheelUnderLoad;
     for (int k = 0; k < 8; ++k) {
       const auto of_wheel = [&](double W::*member) { return alone(wheel_, field_of(member), k); };
       const WheelUnderLoadOf<DualNumber> o{of_wheel(&W::Fz),
@@ -178,6 +181,21 @@ class Pass {
       rho[k] = d.rho;
       R_l[k] = d.R_l;
       Cz[k] = d.rho.v > 0.0 ? o.Fz / d.rho : dual_.p.VERTICAL_STIFFNESS;
+    }
+    join(rho, &SteadyState::rho);
+    join(R_l, &SteadyState::R_l);
+    join(Cz, &SteadyState::Cz);
+  }
+
+  void add_deflection_on_curve() {
+    DualNumber rho[8], R_l[8], Cz[8];
+    using W = WheelUnderLoad;
+    for (int k = 0; k < 8; ++k) {
+      const DualNumber Fz = alone(wheel_, field_of(&W::Fz), k);
+      const DualNumber R_omega = alone(wheel_, field_of(&W::R_omega), k);
+      rho[k] = deflection_on_curve(tire_.parameters(), Fz < dual_.p.FZMIN ? dual_.p.FZMIN : Fz);
+      R_l[k] = R_omega > rho[k] ? R_omega - rho[k] : DualNumber(0.0);
+      Cz[k] = rho[k].v > 0.0 ? Fz / rho[k] : DualNumber(initial_stiffness(tire_.parameters()));
     }
     join(rho, &SteadyState::rho);
     join(R_l, &SteadyState::R_l);

@@ -22,13 +22,6 @@ Conventions for_mode(Conventions conventions, int use_mode) {
 
 bool transient(int use_mode) { return use_mode / 10 % 10 > 0; }
 
-double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
-  if (at <= 0.0) return 0.0;
-  auto i = std::upper_bound(x.begin(), x.end(), at) - x.begin();
-  i = std::clamp<std::ptrdiff_t>(i, 1, std::ssize(x) - 1);  // the last piece is extended
-  return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
-}
-
 }  // namespace
 
 Parameters on_road(Parameters parameters, double friction) {
@@ -94,10 +87,8 @@ double MagicFormulaTire::vertical_force(const WheelContact& contact, double spin
   const double R_omega = p.UNLOADED_RADIUS * (p.Q_RE0 + p.Q_V1 * speed * speed);  // (1)
   const double rho = R_omega - contact.height;
   if (rho <= 0.0) return 0.0;
-  double Fz = p.curve_deflection.empty()
-                  ? formula_.vertical_force(
-                        rho, spin_rate, contact.gamma, settings_.pressure, forces_.Fx, forces_.Fy)
-                  : interpolated(p.curve_deflection, p.curve_force, rho);
+  double Fz = formula_.vertical_force(
+      rho, spin_rate, contact.gamma, settings_.pressure, forces_.Fx, forces_.Fy);
   const double bottomed = p.RIM_RADIUS + p.BOTTOM_OFFST - contact.height;
   if (bottomed > 0.0) Fz += p.BOTTOM_STIFF * bottomed;
   return std::max(Fz + p.VERTICAL_DAMPING * contact.approach, 0.0);

@@ -105,6 +105,18 @@ Pivot pivot_of(const Parameters& p, const SteadyState& at) {
   return pivot;
 }
 
+std::vector<std::string> assumed_of_turning(const Parameters& p) {
+  std::vector<std::string> assumed;
+  if (!(p.YAW_STIFFNESS > 0.0))
+    assumed.emplace_back(
+        "assumed, because there is no YAW_STIFFNESS: the torque that turns the wheel on the spot "
+        "over 0.05 rad");
+  if (!(p.QCRP1 > 0.0))
+    assumed.emplace_back(
+        "there is no QCRP1: that torque is taken as the friction of a round patch");
+  return assumed;
+}
+
 std::vector<std::string> assumed_at_standstill(const Parameters& p) {
   std::vector<std::string> assumed;
   if (!(p.VXLOW > 0.0)) assumed.emplace_back("no VXLOW: a wheel stands below 0.1 m/s");

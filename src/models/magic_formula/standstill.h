@@ -79,6 +79,9 @@ struct Pivot {
 /// Returns the pivot for the load and friction of `at`.
 Pivot pivot_of(const Parameters& parameters, const SteadyState& at);
 
+/// Returns what is assumed for the torsional stiffness of a wheel that turns on the spot.
+std::vector<std::string> assumed_of_turning(const Parameters& parameters);
+
 /// Returns the assumptions made if the file lacks data for a standing wheel, one sentence each.
 std::vector<std::string> assumed_at_standstill(const Parameters& parameters);
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/magic_formula/vertical/load_curve.h"
+#include "models/rigid_ring/ring_doubts.h"
 #include "models/tire/free_trials.h"
 
 namespace latsch::rigid_ring {
@@ -38,6 +40,7 @@ double bounded_rate(double u, double rate, double bound) {
 
 Result<std::unique_ptr<RigidRingTire>> RigidRingTire::make(
     const Parameters& parameters, const MagicFormulaTireSettings& settings) {
+  if (const Status cams = check_cams(parameters); !cams) return cams.failure();
   const Result<RingConstants> ring = ring_constants(parameters, nominal_radius(parameters));
   if (!ring) return ring.failure();
   return std::unique_ptr<RigidRingTire>(new RigidRingTire(parameters, settings, *ring));
@@ -91,7 +94,11 @@ double RigidRingTire::load(double rho, double approach, double spin_rate, double
            formula_.vertical_force(
                rho + Fz / ring_.k_bx, spin_rate, gamma, settings_.pressure, forces_.Fx, forces_.Fy);
   };
+  const double damped = parameters_.DAMP_RESIDUAL * ring_.c_rz * approach;
   if (rho <= 0.0) return 0.0;
+  if (magic_formula::has_load_curve(parameters_))
+    return std::max(
+        magic_formula::force_on_curve_with_spring(parameters_, rho, ring_.k_bx) + damped, 0.0);
   double before = 0.0, f_before = surplus(0.0);
   double Fz = -f_before * ring_.c_rz / parameters_.VERTICAL_STIFFNESS;
   for (int i = 0; i < 20; ++i) {
@@ -102,7 +109,7 @@ double RigidRingTire::load(double rho, double approach, double spin_rate, double
     f_before = f;
     Fz = next;
   }
-  return std::max(Fz + parameters_.DAMP_RESIDUAL * ring_.c_rz * approach, 0.0);
+  return std::max(Fz + damped, 0.0);
 }
 
 /// Computes slips and their rates. `turning`: w_c - w_y, rad/s.

@@ -36,6 +36,8 @@ class TandemCams {
                                  double b,
                                  const road::Road& road,
                                  double time) const;
+  /// Returns the number of pairs side by side.
+  int tracks() const { return tracks_; }
 
  private:
   CamOutline cam_;

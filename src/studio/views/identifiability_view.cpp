@@ -41,6 +41,7 @@ Json of_page(const report::IdentifiabilityPage& page, const std::string& why_not
     view["variables"].push_back({{"name", page.variables[i]},
                                  {"value", page.values[i]},
                                  {"interval", page.intervals[i]},
+                                 {"interval_from", page.interval_sources[i]},
                                  {"shift", page.shifts.empty() ? std::string() : page.shifts[i]}});
   view["deviations"] = finite(page.deviations);
   view["directions"] = page.directions;

@@ -125,10 +125,11 @@ Json variable_rows(const ShelvedStudy& shelved, const RecordedTrial& recorded) {
   Json rows = Json::array();
   for (int i = 0; i < study.space.size(); ++i) {
     const DesignVariable& v = study.space[i];
-    std::string interval, flag = bound_flag(study.space, recorded.point, i);
+    std::string interval, source, flag = bound_flag(study.space, recorded.point, i);
     if (kept.what && kept.what->best == recorded.point) {
       interval = correlation::interval_text(study, *kept.what, i);
-      if (interval.starts_with("anywhere")) flag = "no measurement excites it: it may be anywhere";
+      source = correlation::interval_source(study, *kept.what, i);
+      if (source == "bounds") flag = "its interval comes from the bounds alone, not from the data";
     }
     rows.push_back(
         {{"name", v.name},
@@ -138,6 +139,7 @@ Json variable_rows(const ShelvedStudy& shelved, const RecordedTrial& recorded) {
          {"lower", in_unit(v.lower, v.unit)},
          {"upper", in_unit(v.upper, v.unit)},
          {"interval", interval},
+         {"interval_from", source},
          {"flag", flag}});
   }
   return rows;

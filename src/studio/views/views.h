@@ -14,10 +14,18 @@
 #include "studio/shelf/shelf.h"
 #include "studio/shelf/study_runs.h"
 
+namespace latsch::experiment {
+struct Language;
+}
+
 namespace latsch::studio {
 
 /// Returns the studies of the folder, their states and best targets.
 Json home_view(const Shelf& shelf, const std::string& version, bool has_page);
+
+/// Returns sentence and choices of the keys of every table that occurs once in a study, as their
+/// readers declare them: {"run": {"on_failure": {"sentence": "...", "choices": [...]}}}.
+Json keys_view(const experiment::Language& language);
 
 /// Returns variables, experiments, state, best point, failures by reason.
 Json study_view(const ShelvedStudy& study, StudyRuns& runs);

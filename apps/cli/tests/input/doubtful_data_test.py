@@ -185,12 +185,32 @@ class Shares(Data):
         self.latsch("export", "base.tir", "--model", "x.TIR")
         self.assertIn("[MDI_HEADER]", self.latsch("export", "base.tir", "--model", "/dev/stdout"))
 
-    def test_keys_that_an_export_loses_are_named(self):
+    def test_an_export_keeps_what_only_other_programs_read(self):
         text = (self.folder / "base.tir").read_text()
+        text = text.replace("[LATERAL_COEFFICIENTS]", "[LATERAL_COEFFICIENTS]\nPDYY1 = 2 $ mine")
+        text += "\n[SHAPE]\n{radial width}\n1.0 0.0\n1.0 0.4\n0.9 1.0\n[OTHERS]\nNAME = 'slick'\n"
+        self.write("more.tir", text)
+        self.assertNotIn("comment in the exported file", self.latsch("export", "more.tir", "--model", "out.tir"))
+        out = (self.folder / "out.tir").read_text()
+        self.assertRegex(out, r"PDYY1 +=? 2 +\$ mine\n")
+        self.assertIn("[SHAPE]\n{RADIAL WIDTH}\n1.0 0.0\n1.0 0.4\n0.9 1.0\n", out)
+        self.assertRegex(out, r"\[OTHERS\]\nNAME += 'slick'")
+        lateral = out[out.index("[LATERAL_COEFFICIENTS]"):]
+        self.assertIn("PDYY1", lateral[:lateral.index("\n[")])
+        self.latsch("export", "out.tir", "--model", "again.tir")
+        self.assertEqual((self.folder / "again.tir").read_text(), out)
+
+    def test_what_an_export_cannot_convert_is_a_comment_and_named(self):
+        text = (self.folder / "base.tir").read_text().replace("FORCE = 'newton'", "FORCE = 'kN'")
         text = text.replace("[LATERAL_COEFFICIENTS]", "[LATERAL_COEFFICIENTS]\nPDYY1 = 2")
-        self.write("more.tir", text + "\n[SHAPE]\n{radial width}\n1.0 0.0\n1.0 0.4\n0.9 1.0\n")
-        self.assert_says(self.latsch("export", "more.tir", "--model", "out.tir"), "PDYY1", "[SHAPE]")
-        self.assertNotIn("not in the exported file", self.latsch("export", "base.tir", "--model", "out.tir"))
+        for key in ("FNOMIN", "VERTICAL_STIFFNESS", "VERTICAL_DAMPING", "LONGITUDINAL_STIFFNESS", "LATERAL_STIFFNESS",
+                    "YAW_STIFFNESS"):
+            text = re.sub(rf"(?m)^({key} *= *)(\S+)", lambda m: f"{m[1]}{float(m[2]) / 1000!r}", text)
+        self.write("kilo.tir", text + "[SHAPE]\n{radial width}\n1.0 0.0\n0.9 1.0\n")
+        self.assert_says(self.latsch("export", "kilo.tir", "--model", "out.tir"), "PDYY1 is a comment in the exported file")
+        out = (self.folder / "out.tir").read_text()
+        self.assertRegex(out, r"\$ kept from kilo.tir, in its units: .*FORCE = kN.*\n\$ PDYY1 += 2")
+        self.assertIn("[SHAPE]\n{RADIAL WIDTH}\n1.0 0.0", out)
 
     def test_a_pipe_is_refused_where_a_file_is_read_more_than_once(self):
         self.write("study.toml", STUDY)
@@ -202,6 +222,19 @@ class Shares(Data):
                 self.assert_says(self.latsch(*arguments, code=WRONG_INPUT), "is a pipe", "expected a file")
         for verb in ("check", "run"):
             self.assert_says(self.latsch(verb, "/dev/stdin", code=WRONG_INPUT, input=STUDY), "is a pipe")
+
+    def test_a_delay_without_room_is_known_before_the_first_trial(self):
+        study = STUDY.replace('model = "base.tir"', '[model]\nkind = "rigid_ring"\nfile = "base.tir"')
+        study = re.sub(r"(?s)\[test.pressed\].*?\[variable", "[test.rig]\n" + DRUM_TEST + "[variable", study)
+        study = study.replace("pressed/deflection", "rig/time").replace("pressed/force", "rig/Fz").replace("m.csv", "fz.csv")
+        self.write("study.toml", study + 'nuisance = {delay = "free"}\n')
+        for cut, code in ((0, WRONG_INPUT), (5, DONE)):  # the test records from -59 to 140 ms
+            rows = [f"{0.001 * k:.3f},{3500 + k % 7}" for k in range(-59 + cut, 141 - cut)]
+            self.write("fz.csv", "time [s],Fz [N]\n" + "\n".join(rows) + "\n")
+            said = self.latsch("check", "study.toml", code=code)
+            self.assertEqual("leaves no room" in said, code == WRONG_INPUT, said)
+        self.write("fz.csv", "time [s],Fz [N]\n" + "\n".join(f"{0.001 * k:.3f},3500" for k in range(-59, 141)) + "\n")
+        self.assert_says(self.latsch("run", "study.toml", code=WRONG_INPUT), "study.toml:", "nuisance", "make the test longer")
 
     def test_no_command_waits_for_a_pipe_in_place_of_a_file(self):
         for name in ("p.csv", "p.toml", "p.latsch", "p.log", "p.tdx"):

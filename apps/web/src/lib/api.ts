@@ -80,6 +80,7 @@ export interface Stretch {
 
 export const api = {
   home: (signal?: AbortSignal) => ask<Contract.Home>('the list of studies', 'home', {}, signal),
+  keys: (signal?: AbortSignal) => ask<Contract.KeysOfTables>('the keys of a study', 'keys', {}, signal),
   study: (study: string, signal?: AbortSignal) => ask<Contract.Study>('the study', 'study', { study }, signal),
   convergence: (study: string, stretch: Stretch, weights: string, signal?: AbortSignal) =>
     ask<Contract.Convergence>('the convergence', 'convergence', { study, ...stretch, weights }, signal),

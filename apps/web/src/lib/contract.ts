@@ -302,6 +302,7 @@ export interface Kpis {
     lower: Value;
     upper: Value;
     interval: Told;
+    interval_from?: string; // "data", "data and a bound", "bounds" or "not known" sets its ends
     flag: string;
   }[];
   target: { initial: Value; optimized: Value };
@@ -321,7 +322,7 @@ export interface Profile {
 export interface Identifiability {
   known: boolean;
   why_not: string | null;
-  variables: { name: string; value: Told; interval: Told; shift: Told }[];
+  variables: { name: string; value: Told; interval: Told; interval_from?: string; shift: Told }[];
   deviations: Value[];
   directions: string[];
   correlation: Value[][];
@@ -363,6 +364,9 @@ export interface Section {
   polygons: Outline[];
   cords: Outline[];
 }
+
+/** Keys of the tables of a study, as their readers declare them: by table, then by key. */
+export type KeysOfTables = Record<string, Record<string, { sentence: string; choices: string[] }>>;
 
 export interface StudyFile {
   text: string;

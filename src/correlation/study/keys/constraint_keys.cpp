@@ -37,6 +37,14 @@ scale = "1 kN"
 [constraint.exact]
 channel = "pressed/force"
 equal = "5 kN"
+[constraint.radius]
+channel = "pressed/loaded_radius"
+lower = "290 mm"
+upper = "310 mm"
+scale = "1 mm"
+[constraint.exact_radius]
+channel = "pressed/loaded_radius"
+equal = "300 mm"
 [test.pressed]
 kind = "load_deflection"
 deflections = ["5 mm", "10 mm"]

@@ -48,6 +48,19 @@ lower = "0.3 MN/m^2"
 variables = ["radial"]
 equal = "0.55 MN/m^2"
 )toml",
+              R"toml([linear_constraint.size]
+variables = ["size"]
+lower = "295 mm"
+upper = "315 mm"
+[linear_constraint.exact_size]
+variables = ["size"]
+equal = "305 mm"
+[variable.size]
+path = "belt.radius"
+lower = "290 mm"
+upper = "320 mm"
+initial = "305 mm"
+)toml",
           },
   };
   return section;

@@ -1,13 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/language/key_section.h"
+#include "optimization/strategy/method_kinds.h"
 
 namespace latsch::correlation {
 
 const experiment::KeySection& start_keys();
 const experiment::KeySection& optimizer_keys();
 
+namespace {
+
+/// Adds the sentences of keys that one method alone has, and for every method a sample of all its
+/// keys.
+experiment::KeySection with_methods(experiment::KeySection section) {
+  for (const MethodKind& kind : method_kinds()) {
+    std::string sample = "[optimizer]\nmethod = \"" + std::string(kind.name) + "\"\n";
+    for (const MethodKey& key : kind.keys) {
+      sample += key.name + " = " + key.example + "\n";
+      if (!key.sentence.empty())
+        section.sentences.push_back({key.name, key.sentence, key.otherwise, key.range});
+    }
+    if (kind.read) section.samples.push_back(std::move(sample));
+  }
+  return section;
+}
+
+}  // namespace
+
 const experiment::KeySection& optimizer_keys() {
-  static const experiment::KeySection section = {
+  static const experiment::KeySection section = with_methods({
       .heading = "[optimizer]",
       .below = "optimizer",
       .about = R"md(
@@ -47,25 +67,12 @@ priority = 2
               {"step_tolerance",
                "Step at which a search ends, as a share of the range of a variable.",
                "0.001; of levenberg_marquardt 0.000001"},
-              {"progress_tolerance",
-               "levenberg_marquardt: least gain of three steps together, as a share of the target, "
-               "if the slopes predict little more.",
-               "that of one measured value"},
               {"outstanding", "Points chosen ahead: gss, gss_nlc, residual_trust_region."},
               {"max_steps",
                "Outcomes that the optimizer may observe; of `[optimizer]` itself and of stages, "
                "not of members."},
               {"contraction", "Contraction of the step: gss, gss_nlc.", "0.25; of gss_nlc 0.5"},
               {"sufficient_decrease", "Sufficient decrease: gss, gss_nlc."},
-              {"penalty", "Penalty of violated constraints: gss_nlc."},
-              {"penalty_parameter", "gss_nlc: rho at first.", "", "above 0"},
-              {"restarts",
-               "residual_trust_region: most restarts, if the error exceeds the stated noise or, if "
-               "none is stated, a thousandth of the first target: to leave local minima, or if "
-               "variables may be lost."},
-              {"difference", "sqp: step of differences, as a share of the range."},
-              {"population", "genetic: number of individuals."},
-              {"generations", "genetic: number of generations."},
               {"seed", "Number that selects random points: residual_trust_region, genetic."},
               {"ends_with", "ensemble: with \"first\" it ends with the first member that ends."},
               {"member", "ensemble: tables `[optimizer.member.NAME]`, each an optimizer."},
@@ -81,33 +88,6 @@ initial_step = 0.1
 outstanding = 1
 restarts = 4
 seed = 1
-)toml",
-              R"toml([optimizer]
-method = "gss_nlc"
-contraction = 0.5
-sufficient_decrease = 0.01
-penalty = "l2_squared"
-penalty_parameter = 1
-outstanding = 2
-)toml",
-              R"toml([optimizer]
-method = "gss"
-contraction = 0.25
-sufficient_decrease = 0.01
-)toml",
-              R"toml([optimizer]
-method = "levenberg_marquardt"
-step_tolerance = 0.000001
-initial_step = 0.5
-progress_tolerance = 0.001
-)toml",
-              R"toml([optimizer]
-method = "sqp"
-difference = 0.0001
-)toml",
-              R"toml([optimizer]
-method = "nelder_mead"
-step_tolerance = 0.001
 )toml",
               R"toml([optimizer]
 method = "ensemble"
@@ -126,7 +106,7 @@ priority = 2
       .shared = {{"", start_keys}, {"member.*", optimizer_keys}},
       .refused =
           {"workers", "timeout", "memory", "on_failure", "journal", "stragglers", "look_ahead"},
-  };
+  });
   return section;
 }
 

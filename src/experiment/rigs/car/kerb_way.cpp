@@ -67,6 +67,15 @@ std::vector<double> envelope(const Trace& trace, double radius) {
   return path;
 }
 
+/// Returns the distance between the places looked at, m.
+double spacing_of(const KerbTest& test, double way) {
+  double along = kAlong;
+  if (test.kerb) along = std::min(along, test.kerb->pitch / kTeeth);
+  if (test.kerb && test.kerb->shape == road::Kerb::Shape::block)
+    along = std::min(along, 0.5 * test.kerb->length);
+  return std::max(along, way / static_cast<double>(kMostPlaces));
+}
+
 }  // namespace
 
 KerbWay way_of(const KerbTest& test, const car::Car& car) {
@@ -82,8 +91,7 @@ KerbWay way_of(const KerbTest& test, const car::Car& car) {
     const Eigen::Vector3d& center =
         car.parts().corners[static_cast<std::size_t>(corner)].wheel_center;
     const double radius = center.z();  // a tire that stands there has this radius within a quarter
-    double along = test.kerb ? std::min(kAlong, test.kerb->pitch / kTeeth) : kAlong;
-    along = std::max(along, (driven + 2.0 * radius) / static_cast<double>(kMostPlaces));
+    const double along = spacing_of(test, driven + 2.0 * radius);
     const Trace trace = trace_of(test, *road, center, radius, along);
     way.first = std::min(way.first, center.x() - origin);
     way.last = std::max(way.last, center.x() - origin + driven);

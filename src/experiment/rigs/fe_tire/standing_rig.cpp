@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/rigs/fe_tire/standing_rig.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "experiment/rigs/fe_tire/channel_slopes.h"
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
@@ -107,6 +109,97 @@ fe_tire::Ground ground_of(const StandingTest& test) {
   return ground;
 }
 
+bool moves_sideways(const StandingTest& test) {
+  return std::ranges::any_of(test.directions,
+                             [](Direction direction) { return direction != Direction::vertical; });
+}
+
+/// Throws InputError for a direction that needs friction.
+void require_friction(const StandingTest& test, const fe_tire::Ground& ground) {
+  if (moves_sideways(test) && ground.mu == 0.0)
+    throw InputError(
+        "a finite-element tire has the friction of its test, and without it slides away: expected "
+        "friction = 0.8 or so beside longitudinal, lateral or torsional");
+}
+
+/// The standing tire and what has been recorded of it.
+struct StandingRun {
+  FeTire& tire;
+  const StandingTest& test;
+  const fe_tire::Inflated& inflated;
+  fe_tire::Ground ground;
+  fe_tire::TireSlopes* slopes;  // null: none are requested
+  std::vector<double> forces = {}, stiffnesses = {};
+  ChannelSlopes of_channels = {};
+};
+
+/// Presses the tire to a deflection, in steps.
+Result<TireState> pressed(StandingRun& run, double deflection) {
+  const double cleat = run.test.cleat ? run.test.cleat->height : 0.0;
+  std::vector<GroundPose> poses;
+  for (int k = 1; k <= kSteps; ++k) {
+    poses.push_back(FeTire::below(run.inflated, deflection * k / kSteps));
+    if (run.test.cleat) poses.back().height += cleat;
+  }
+  TireState start = run.tire.over(run.inflated, run.ground);
+  if (run.test.cleat) start.pose.height += cleat;
+  auto states = run.tire.advance(start, poses);
+  if (!states) return states.failure();
+  return std::move(states->back());
+}
+
+/// Slopes of the force at a constant deflection from first touch.
+Result<Eigen::VectorXd> slopes_of_force(const StandingRun& run, const TireState& state) {
+  const auto of_inflated = run.slopes->of_inflated(run.inflated);
+  const auto of_state = run.slopes->of_state(state);
+  if (!of_inflated) return of_inflated.failure();
+  if (!of_state) return of_state.failure();
+  return Eigen::VectorXd(of_state->force + of_state->by_height * of_inflated->radius);
+}
+
+/// Records the forces of all deflections.
+Status press_all(StandingRun& run) {
+  const int variables = run.slopes ? run.slopes->variables() : 0;
+  Eigen::MatrixXd of_force(std::ssize(run.test.deflections), variables);
+  for (const double deflection : run.test.deflections) {
+    const auto state = pressed(run, deflection);
+    if (!state) return state.failure();
+    if (run.slopes) {
+      const auto slopes = slopes_of_force(run, *state);
+      if (!slopes) return slopes.failure();
+      of_force.row(std::ssize(run.forces)) = *slopes;
+    }
+    run.forces.push_back(run.tire.stand(*state).force.z());
+  }
+  if (run.slopes && !run.test.deflections.empty()) {
+    run.of_channels.emplace_back("force", of_force);
+    run.of_channels.emplace_back("deflection", Eigen::MatrixXd::Zero(of_force.rows(), variables));
+  }
+  return {};
+}
+
+/// Records the stiffnesses in all directions under the load.
+Status move_all(StandingRun& run) {
+  const StandingTest& test = run.test;
+  if (test.directions.empty()) return {};
+  StandingPose pose{.camber = test.camber};
+  if (moves_sideways(test) || test.camber != 0.0) pose.poses = FeTire::Poses::any;
+  const auto loaded = load_to_force(
+      run.tire, run.inflated, test.load, test.load / kTypicalStiffness, run.ground, pose);
+  if (!loaded) return loaded.failure();
+  for (const Direction direction : test.directions) {
+    const double travel = direction == Direction::torsional ? test.twist : test.travel;
+    const auto ends = moved_to_ends(run.tire, *loaded, direction, travel);
+    if (!ends) return ends.failure();
+    run.stiffnesses.push_back(stiffness(run.tire, *ends, direction));
+    if (!run.slopes) continue;
+    const auto of = slopes_of_stiffness(*run.slopes, *loaded, *ends);
+    if (!of) return of.failure();
+    run.of_channels.emplace_back(name_of(direction), *of);
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Channels> stand(FeTire& tire,
@@ -114,63 +207,13 @@ Result<Channels> stand(FeTire& tire,
                        const StandingTest& test,
                        fe_tire::TireSlopes* slopes) {
   const fe_tire::Ground ground = ground_of(test);
-  bool sideways = false;
-  for (const Direction direction : test.directions)
-    sideways = sideways || direction != Direction::vertical;
-  if (sideways && ground.mu == 0.0)
-    throw InputError(
-        "a finite-element tire has the friction of its test, and without it slides away: expected "
-        "friction = 0.8 or so beside longitudinal, lateral or torsional");
+  require_friction(test, ground);
   const auto inflated = tire.inflate(test.pressure.value_or(own_pressure));
   if (!inflated) return inflated.failure();
-
-  std::vector<double> forces, stiffnesses;
-  const int variables = slopes ? slopes->variables() : 0;
-  Eigen::MatrixXd of_force(std::ssize(test.deflections), variables);
-  ChannelSlopes all;
-  for (const double deflection : test.deflections) {
-    std::vector<GroundPose> poses;
-    for (int k = 1; k <= kSteps; ++k) {
-      poses.push_back(FeTire::below(*inflated, deflection * k / kSteps));
-      if (test.cleat) poses.back().height += test.cleat->height;
-    }
-    TireState start = tire.over(*inflated, ground);
-    if (test.cleat) start.pose.height += test.cleat->height;
-    const auto states = tire.advance(start, poses);
-    if (!states) return states.failure();
-    if (slopes) {
-      const auto of_inflated = slopes->of_inflated(*inflated);
-      const auto of_state = slopes->of_state(states->back());
-      if (!of_inflated) return of_inflated.failure();
-      if (!of_state) return of_state.failure();
-      of_force.row(std::ssize(forces)) =
-          of_state->force + of_state->by_height * of_inflated->radius;
-    }
-    forces.push_back(tire.stand(states->back()).force.z());
-  }
-  if (slopes && !test.deflections.empty()) {
-    all.emplace_back("force", of_force);
-    all.emplace_back("deflection", Eigen::MatrixXd::Zero(of_force.rows(), variables));
-  }
-  if (test.directions.empty())
-    return with_slopes(standing_channels(test, forces, stiffnesses), all);
-
-  StandingPose pose{.camber = test.camber};
-  if (sideways || test.camber != 0.0) pose.poses = FeTire::Poses::any;
-  const auto loaded =
-      load_to_force(tire, *inflated, test.load, test.load / kTypicalStiffness, ground, pose);
-  if (!loaded) return loaded.failure();
-  for (const Direction direction : test.directions) {
-    const double travel = direction == Direction::torsional ? test.twist : test.travel;
-    const auto ends = moved_to_ends(tire, *loaded, direction, travel);
-    if (!ends) return ends.failure();
-    stiffnesses.push_back(stiffness(tire, *ends, direction));
-    if (!slopes) continue;
-    const auto of = slopes_of_stiffness(*slopes, *loaded, *ends);
-    if (!of) return of.failure();
-    all.emplace_back(name_of(direction), *of);
-  }
-  return with_slopes(standing_channels(test, forces, stiffnesses), all);
+  StandingRun run{tire, test, *inflated, ground, slopes};
+  if (const Status done = press_all(run); !done) return done.failure();
+  if (const Status done = move_all(run); !done) return done.failure();
+  return with_slopes(standing_channels(test, run.forces, run.stiffnesses), run.of_channels);
 }
 
 }  // namespace latsch::experiment

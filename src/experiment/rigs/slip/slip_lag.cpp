@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/rigs/slip/slip_lag.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -75,6 +77,101 @@ Lagged lag(const std::vector<double>& u,
 }
 
 }  // namespace
+
+namespace {
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Describes the first gaps: "behind sample 12 (0.2 s), ...".
+std::string gaps_in_words(const std::vector<double>& times) {
+  constexpr int kNamed = 3;
+  const auto gaps = gaps_of(times);
+  std::string words;
+  int count = 0;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (!gaps[i] || ++count > kNamed) continue;
+    words += fmt::format(
+        "{}{:.4g} s behind sample {}", count == 1 ? "" : ", ", times[i] - times[i - 1], i);
+  }
+  if (count == 0) return "";
+  return fmt::format(
+      "{} step{} of time {} backward, repeated or more than three times the usual "
+      "one ({}{}): slips start settled behind {}",
+      count,
+      count == 1 ? "" : "s",
+      count == 1 ? "is" : "are",
+      words,
+      count > kNamed ? ", ..." : "",
+      count == 1 ? "it" : "each");
+}
+
+}  // namespace
+
+std::string no_record(const std::vector<double>& times, std::size_t& sample) {
+  sample = 0;
+  if (times.size() < 2)
+    return "there is a single sample: a record of slips has at least two (steady_states computes "
+           "states one by one)";
+  std::size_t back = 0;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] > times[i - 1]) continue;
+    if (back++ == 0) sample = i;
+  }
+  if (2 * back < times.size() - 1) return "";
+  return fmt::format(
+      "time does not rise in {} of {} steps (from {:.6g} s to {:.6g} s here): is the "
+      "record in the order of its samples?",
+      back,
+      times.size() - 1,
+      times[sample - 1],
+      times[sample]);
+}
+
+std::vector<std::string> lag_limits(const MagicFormula& tire,
+                                    const std::vector<State>& states,
+                                    const std::vector<double>& times) {
+  std::vector<std::string> sentences;
+  if (std::string gaps = gaps_in_words(times); !gaps.empty()) sentences.push_back(std::move(gaps));
+  if (states.size() < 2) return sentences;
+  std::vector<SteadyState> results(states.size());
+  tire.evaluate(states, results);
+  std::vector<double> ways, sigmas_x, sigmas_y;
+  const auto gaps = gaps_of(times);
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    if (gaps[i]) continue;
+    ways.push_back(std::abs(states[i].Vx) * (times[i] - times[i - 1]));
+    sigmas_x.push_back(results[i].sigma_x);
+    sigmas_y.push_back(results[i].sigma_y);
+  }
+  if (ways.empty()) return sentences;
+  const double way = median(std::move(ways));
+  const auto changes = [&](double State::*slip) {
+    return std::ranges::any_of(
+        states, [&](const State& state) { return state.*slip != states.front().*slip; });
+  };
+  const auto tell = [&](const char* slip, double sigma, const char* keys) {
+    if (!(sigma > 0.0))
+      sentences.push_back(fmt::format(
+          "{} does not lag: the tire has no relaxation length for it ({})", slip, keys));
+    else if (way > sigma)
+      sentences.push_back(
+          fmt::format("samples are {:.3g} m of road apart, but {} lags by a relaxation length of "
+                      "{:.3g} m: the record is too coarse to show it",
+                      way,
+                      slip,
+                      sigma));
+  };
+  const bool mf52 = tire.parameters().version == magic_formula::Version::mf52;
+  if (changes(&State::kappa))
+    tell("kappa", median(std::move(sigmas_x)), mf52 ? "PTX1" : "LONGITUDINAL_STIFFNESS");
+  if (changes(&State::alpha))
+    tell("alpha", median(std::move(sigmas_y)), mf52 ? "PTY1, PTY2" : "LATERAL_STIFFNESS");
+  return sentences;
+}
 
 Channels lagging_answers(const MagicFormula& tire,
                          const std::vector<State>& states,

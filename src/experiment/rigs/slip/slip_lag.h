@@ -8,7 +8,8 @@
 // USE_MODE 10 (magic_formula_tire.h). Between two samples slip is linear, and speed and sigma are
 // the means of both: exact if speed and sigma are constant, otherwise of order 2. A step of time
 // other than the usual one (more than three times as long, or backward) is a gap, after which slips
-// start settled. A sigma of 0 means no lag. Loads are those of the table, whatever their cause.
+// start settled; lag_limits() reports it. A sigma of 0 means no lag. Loads are those of the table,
+// whatever their cause.
 #pragma once
 
 #include <string>
@@ -18,6 +19,16 @@
 #include "models/magic_formula/magic_formula.h"
 
 namespace latsch {
+
+/// Says what of the lag a record cannot show: gaps after which slips start settled, samples farther
+/// apart than a relaxation length, a tire without relaxation lengths. One sentence each.
+std::vector<std::string> lag_limits(const magic_formula::MagicFormula& tire,
+                                    const std::vector<magic_formula::State>& states,
+                                    const std::vector<double>& times);
+
+/// Says why times are those of no record: a single one, most of them backward or repeated; empty if
+/// they are. `sample` receives the number of the first odd sample, from 0.
+std::string no_record(const std::vector<double>& times, std::size_t& sample);
 
 /// Returns the channels of slip_states.h, sample by sample, with the lagged slips as "kappa" and
 /// "alpha" (rad); slopes of `channels` in `parameters`, if any are requested.

@@ -70,6 +70,54 @@ TEST(SlipLag, ARampIsFollowedBehindByARelaxationLength) {
   }
 }
 
+// A record says itself what it cannot show.
+TEST(SlipLag, GapsAndCoarseSamplesAreTold) {
+  const MagicFormula formula(lagging_tire());
+  const auto ramp = [](double t) { return 0.02 * t; };
+  const auto told = [&](const History& record) {
+    std::string all;
+    for (const std::string& one : lag_limits(formula, record.states, record.times)) all += one;
+    return all;
+  };
+  History fine = history(50, ramp, ramp);
+  EXPECT_EQ(told(fine), "");
+  History jump = fine;
+  for (std::size_t i = 20; i < 50; ++i) jump.times[i] += 1000.0;
+  EXPECT_NE(told(jump).find("1 step of time is backward, repeated or more than three times the "
+                            "usual one (1000 s behind sample 20)"),
+            std::string::npos)
+      << told(jump);
+  History twice = fine;
+  twice.times[30] = twice.times[29];
+  EXPECT_NE(told(twice).find("0 s behind sample 30"), std::string::npos) << told(twice);
+  History coarse = fine;
+  for (double& time : coarse.times) time *= 50.0;
+  EXPECT_NE(told(coarse).find("samples are 5 m of road apart, but kappa lags"), std::string::npos)
+      << told(coarse);
+  EXPECT_NE(told(coarse).find("alpha lags by a relaxation length"), std::string::npos);
+}
+
+TEST(SlipLag, WithoutRelaxationLengthsNothingLags) {
+  Parameters p = lagging_tire();
+  p.LATERAL_STIFFNESS = 0.0;
+  const History record = history(
+      10, [](double) { return 0.0; }, [](double t) { return t; });
+  const auto told = lag_limits(MagicFormula(p), record.states, record.times);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told.front(),
+            "alpha does not lag: the tire has no relaxation length for it (LATERAL_STIFFNESS)");
+}
+
+TEST(SlipLag, ARecordFromItsEndToItsBeginIsNone) {
+  std::size_t sample = 0;
+  EXPECT_EQ(no_record({0.0, 0.1, 0.2, 0.05, 0.3}, sample), "");
+  EXPECT_NE(no_record({0.3, 0.2, 0.1}, sample).find("does not rise in 2 of 2 steps"),
+            std::string::npos);
+  EXPECT_EQ(sample, 1u);
+  EXPECT_NE(no_record({0.0, 0.0, 0.0, 0.1}, sample), "");
+  EXPECT_NE(no_record({0.0}, sample).find("single sample"), std::string::npos);
+}
+
 // During a gap in time a tire has rolled far, so it behaves like a tire that starts there.
 TEST(SlipLag, AGapBeginsAnew) {
   const MagicFormula formula(lagging_tire());

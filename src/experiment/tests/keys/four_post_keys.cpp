@@ -21,7 +21,9 @@ functions tf_pushrod_FL ..., their phases and coherences. Signs and units: docs/
                "refer to."},
               {"from", "Frequency at which the sweep begins."},
               {"to", "Frequency at which it ends."},
-              {"duration", "Duration of the sweep."},
+              {"duration",
+               "Duration of the sweep: at least a period of the lowest frequency, for spectra "
+               "two."},
               {"amplitude",
                "Amplitude of the plates, up to the frequency at which they move at the peak "
                "`velocity`."},
@@ -31,7 +33,9 @@ functions tf_pushrod_FL ..., their phases and coherences. Signs and units: docs/
                "post_FL, post_FR, post_RL, post_RR that were recorded, evenly in time; a file is a "
                "table of them and of time."},
               {"step", "Step of the simulation."},
-              {"sample_step", "Step of the record, a multiple of `step`."},
+              {"sample_step",
+               "Step of the record, a multiple of `step`: at least 12 samples of a period of the "
+               "sweep's highest frequency."},
               {"spectra",
                "`true` adds channels over frequency; in recorded posts to the signal of the mode "
                "that is stated. The car runs a second time, with the posts upside down."},

@@ -17,7 +17,7 @@ Their signs: docs/suspension.md.
       .sentences =
           {
               {"travel", "Travel of the wheel upward; one for all states, or one each."},
-              {"from", "First travel, instead of `travel`: evenly from here"},
+              {"from", "First travel of evenly spaced states, instead of `travel`."},
               {"to", "Last travel."},
               {"points", "Number of states from the first travel to the last."},
               {"rack",

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <optional>
 
-#include "models/fe_tire/contact/hat_means.h"
 #include "models/fe_tire/element/hex8_shape.h"
 
 namespace latsch::fe_tire {
@@ -21,83 +19,42 @@ constexpr int kFacetPoints = 12;
 /// Share of the sag (T.2) that offsets a point.
 constexpr double kOfSag = 0.53;
 
-/// Share of a place by (T.3). The mean around a node alone makes up for the area that the node
-/// lacks.
-template <class ShareAt>
-double share_of(int place, ShareAt share_at) {
-  return place % kPlaces == 0 ? 1.0 + kPlaces * (share_at(place / kPlaces) - 1.0) : 1.0;
+/// True if an angle from the lowest place, 0 to 2 pi, is within the half angle to either side.
+bool is_near(double angle, double half_angle) {
+  return std::min(angle, 2.0 * std::numbers::pi - angle) < half_angle;
 }
 
 }  // namespace
-
-/// A row of adjacent tread faces of a section, given by the nodes between them.
-struct TreadSurface::Strip {
-  std::vector<int> nodes;    // section nodes
-  std::vector<double> span;  // m, from one node to the next
-
-  std::optional<double> span_at(int face) const {
-    if (face < 0 || face >= static_cast<int>(span.size())) return std::nullopt;
-    return span[face];
-  }
-};
-
-/// A mean around the circumference. All planes are alike, so weights of (T.1) are products of those
-/// around and across.
-struct TreadSurface::MeanAround {
-  int place;  // counted in kPlaces a face
-  HatMean mean;
-  double theta;   // rad, angle of the point
-  double moment;  // second moment of the hat function, rad^3
-  double share;   // (T.3)
-};
-
-/// A mean across, in the section.
-struct TreadSurface::MeanAcross {
-  HatMean mean;
-  double share;
-  Eigen::Vector3d X, slope;  // m, position and tangent along the section
-};
-
-/// Returns runs of tread faces; none if faces are not adjacent from plane to plane.
-std::vector<TreadSurface::Strip> TreadSurface::strips_of(const Mesh& mesh) {
-  const int n = mesh.nodes_per_sector();
-  if (mesh.sectors == 1) return {};
-  std::map<int, int> next;  // node -> node
-  std::map<int, int> before;
-  for (const Element& element : mesh.elements) {
-    if (!element.tread) continue;
-    const auto& node = element.node;
-    if (node[5] != node[4] + n || node[6] != node[7] + n || node[4] >= n || node[7] >= n) return {};
-    if (!next.emplace(node[4], node[7]).second || !before.emplace(node[7], node[4]).second)
-      return {};
-  }
-  std::vector<Strip> strips;
-  for (const auto& [first, second] : next) {
-    if (before.contains(first)) continue;
-    Strip& strip = strips.emplace_back();
-    strip.nodes.push_back(first);
-    for (auto at = next.find(first); at != next.end(); at = next.find(at->second)) {
-      strip.nodes.push_back(at->second);
-      strip.span.push_back((mesh.X.col(at->second) - mesh.X.col(at->first)).norm());
-    }
-  }
-  return strips;
-}
 
 TreadSurface::TreadSurface(const RingUnknowns& unknowns, TreadShape shape, double half_angle)
     : unknowns_(unknowns), shape_(shape) {
   const Mesh& mesh = unknowns.ring().mesh();
   const int n = mesh.nodes_per_sector();
-  const std::vector<Strip> strips = strips_of(mesh);
+  const std::vector<TreadStrip> strips = tread_strips(mesh);
   if (strips.empty()) shape_ = TreadShape::facets;
   place_index_.assign(mesh.sectors, std::vector<int>(n, -1));
-  std::vector<std::vector<bool>> is_here(mesh.sectors, std::vector<bool>(n, false));
-  const auto is_near = [&](double angle) {
-    return std::min(angle, 2.0 * std::numbers::pi - angle) < half_angle;
-  };
-  for (int s = 0; s < unknowns.sectors() && !strips.empty(); ++s) {
-    if (!is_near(mesh.angle(s)) && !is_near(mesh.angle(s + 1))) continue;
-    for (const Strip& strip : strips) {
+  Covered covered(mesh.sectors, std::vector<bool>(n, false));
+  add_faces(strips, half_angle, covered);
+  if (strips.empty()) add_single_faces(half_angle, covered);
+  if (shape_ == TreadShape::smooth) add_means(strips, half_angle, covered);
+  find_cell_nodes();
+  find_beyond(covered);
+  place_index_.clear();
+}
+
+/// Number of planes of the represented part.
+int TreadSurface::planes() const {
+  return is_halved() ? unknowns_.sectors() + 1 : unknowns_.ring().mesh().sectors;
+}
+
+/// Adds the faces of strips near the lowest place: samples of a smooth surface, or facets.
+void TreadSurface::add_faces(const std::vector<TreadStrip>& strips,
+                             double half_angle,
+                             Covered& covered) {
+  const Mesh& mesh = unknowns_.ring().mesh();
+  for (int s = 0; s < unknowns_.sectors() && !strips.empty(); ++s) {
+    if (!is_near(mesh.angle(s), half_angle) && !is_near(mesh.angle(s + 1), half_angle)) continue;
+    for (const TreadStrip& strip : strips) {
       for (int f = 0; f < static_cast<int>(strip.span.size()); ++f) {
         if (shape_ == TreadShape::smooth) {
           const auto [grid, weights_at] = smooth_face(s, f, strip);
@@ -110,12 +67,18 @@ TreadSurface::TreadSurface(const RingUnknowns& unknowns, TreadShape shape, doubl
                     {next, strip.nodes[f + 1]},
                     {s, strip.nodes[f + 1]}}});
         for (const int plane : {s, next})
-          is_here[plane][strip.nodes[f]] = is_here[plane][strip.nodes[f + 1]] = true;
+          covered[plane][strip.nodes[f]] = covered[plane][strip.nodes[f + 1]] = true;
       }
     }
   }
+}
+
+/// Adds the facets of a mesh whose tread faces form no strips.
+void TreadSurface::add_single_faces(double half_angle, Covered& covered) {
+  const Mesh& mesh = unknowns_.ring().mesh();
+  const int n = mesh.nodes_per_sector();
   for (const Element& element : mesh.elements) {
-    if (!element.tread || !strips.empty()) continue;
+    if (!element.tread) continue;
     std::array<std::pair<int, int>, 4> corner;
     bool near = false;
     for (int a = 0; a < 4; ++a) {
@@ -125,43 +88,52 @@ TreadSurface::TreadSurface(const RingUnknowns& unknowns, TreadShape shape, doubl
     }
     if (!near) continue;
     add_facet(corner);
-    for (const auto& [plane, node] : corner) is_here[plane][node] = true;
+    for (const auto& [plane, node] : corner) covered[plane][node] = true;
   }
-  const bool is_halved = unknowns.multiplicity() > 1.0;
-  const int planes = is_halved ? unknowns.sectors() + 1 : mesh.sectors;
-  const auto is_plane_near = [&](int plane) { return is_near(mesh.angle(plane % mesh.sectors)); };
-  const int last_plane = is_halved ? planes - 1 : planes;  // last plane of a place between two
-                                                           // planes
+}
+
+/// Adds the points of a smooth surface, row by row around and strip by strip across. Each face is a
+/// cell.
+void TreadSurface::add_means(const std::vector<TreadStrip>& strips,
+                             double half_angle,
+                             Covered& covered) {
+  const Mesh& mesh = unknowns_.ring().mesh();
+  const auto is_plane_near = [&](int plane) {
+    return is_near(mesh.angle(plane % mesh.sectors), half_angle);
+  };
   std::vector<std::vector<MeanAcross>> means;
-  for (const Strip& strip : strips) means.push_back(means_across(strip));
+  for (const TreadStrip& strip : strips) means.push_back(means_across(mesh, strip));
   std::vector<std::vector<int>> lines(strips.size(), std::vector<int>(mesh.sectors, -1));
+  // Half a ring ends with a plane, a whole ring with the places before its first plane.
+  const int places = is_halved() ? kPlaces * (planes() - 1) + 1 : kPlaces * planes();
   int cells = 0, first_cell = 0, row = -1;  // cells and rows of faces around
-  for (int along = 0; along <= kPlaces * last_plane; ++along) {
-    if (shape_ != TreadShape::smooth || (!is_halved && along == kPlaces * last_plane) ||
-        !is_plane_near(face_of(along)) || !is_plane_near(face_of(along + kPlaces - 1)))
-      continue;
-    const MeanAround around = mean_around(along);
+  for (int along = 0; along < places; ++along) {
+    if (!is_plane_near(face_of(along)) || !is_plane_near(face_of(along + kPlaces - 1))) continue;
+    const MeanAround around = mean_around(mesh, along);
     if (face_of(along) != row) first_cell = cells;
     row = face_of(along);
     cells = first_cell;
     for (std::size_t k = 0; k < strips.size(); ++k) {
       add_mean_points(around, means[k], strips[k], cells, lines[k]);
       cells += static_cast<int>(strips[k].span.size());
-      for (const int node : strips[k].nodes) is_here[face_of(along)][node] = true;
+      for (const int node : strips[k].nodes) covered[face_of(along)][node] = true;
     }
   }
-  find_cell_nodes();
+}
+
+/// Finds the tread nodes that no face covers.
+void TreadSurface::find_beyond(Covered& covered) {
+  const Mesh& mesh = unknowns_.ring().mesh();
   for (const Element& element : mesh.elements) {
     for (int a = 4; element.tread && a < 8; ++a) {
-      const int node = element.node[a] % n;
-      for (int plane = 0; plane < planes; ++plane) {
-        if (is_here[plane][node]) continue;
-        is_here[plane][node] = true;
+      const int node = element.node[a] % mesh.nodes_per_sector();
+      for (int plane = 0; plane < planes(); ++plane) {
+        if (covered[plane][node]) continue;
+        covered[plane][node] = true;
         beyond_.emplace_back(plane, node);
       }
     }
   }
-  place_index_.clear();
 }
 
 int TreadSurface::place_of(int plane, int node) {
@@ -247,16 +219,15 @@ void TreadSurface::add_facet(const std::array<std::pair<int, int>, 4>& corner) {
 }
 
 /// Returns places and weights of the surface on a face.
-std::pair<TreadSurface::Grid, TreadSurface::Weights> TreadSurface::smooth_face(int sector,
-                                                                               int face,
-                                                                               const Strip& strip) {
+std::pair<TreadSurface::Grid, TreadSurface::Weights> TreadSurface::smooth_face(
+    int sector, int face, const TreadStrip& strip) {
   const Mesh& mesh = unknowns_.ring().mesh();
   const int S = mesh.sectors;
   std::array<double, 4> theta;
   Grid grid;
   for (int i = 0; i < 4; ++i) {
     const int plane = sector - 1 + i, wrapped = (plane + S) % S;
-    theta[i] = angle(plane);
+    theta[i] = angle_of_plane(mesh, plane);
     for (int j = 0; j < 4; ++j) {
       const int at = face - 1 + j;
       const bool is_there = at >= 0 && at < static_cast<int>(strip.nodes.size());
@@ -281,68 +252,10 @@ std::pair<TreadSurface::Grid, TreadSurface::Weights> TreadSurface::smooth_face(i
           }};
 }
 
-/// Returns the angle of any plane, rad, counted on around the ring.
-double TreadSurface::angle(int plane) const {
-  const Mesh& mesh = unknowns_.ring().mesh();
-  const int turns = static_cast<int>(std::floor(static_cast<double>(plane) / mesh.sectors));
-  return mesh.angle(plane - turns * mesh.sectors) + 2.0 * std::numbers::pi * turns;
-}
-
-TreadSurface::MeanAround TreadSurface::mean_around(int place) const {
-  const auto width = [this](int sector) { return angle(sector + 1) - angle(sector); };
-  const auto cubic = [&](int s, double u) {
-    return hermite(width(s - 1), width(s), width(s + 1), u);
-  };
-  const int sector = face_of(place);
-  MeanAround around;
-  around.place = place;
-  around.theta = angle(sector) + 0.5 * (1.0 + within_face(place)) * width(sector);
-  around.mean = hat_mean(
-      place, std::nullopt, cubic, [&](int s, double, const Cubic&) { return 0.5 * width(s); });
-  around.moment = hat_mean(place, std::nullopt, cubic, [&](int s, double t, const Cubic&) {
-                    const double from = angle(s) + t * width(s) - around.theta;
-                    return 0.5 * width(s) * from * from;
-                  }).size;
-  around.share = share_of(place, [&](int s) {
-    return share_of_uniform({width(s - 2), width(s - 1), width(s), width(s + 1)});
-  });
-  return around;
-}
-
-std::vector<TreadSurface::MeanAcross> TreadSurface::means_across(const Strip& strip) const {
-  const Mesh& mesh = unknowns_.ring().mesh();
-  const int faces = static_cast<int>(strip.span.size());
-  const auto cubic = [&](int face, double v) {
-    return hermite(strip.span_at(face - 1), strip.span[face], strip.span_at(face + 1), v);
-  };
-  const auto sum = [&](int face, const Eigen::Vector4d& weights) {
-    Eigen::Vector3d x = Eigen::Vector3d::Zero();
-    for (int k = 0; k < 4; ++k) {
-      const int node = face - 1 + k;
-      if (node >= 0 && node <= faces) x += weights[k] * mesh.X.col(strip.nodes[node]);
-    }
-    return x;
-  };
-  std::vector<MeanAcross> means;
-  for (int place = 0; place <= kPlaces * faces; ++place) {
-    const int face = std::min(face_of(place), faces - 1);
-    const Cubic there = cubic(face, 2.0 * (place - kPlaces * face) / kPlaces - 1.0);
-    MeanAcross& across = means.emplace_back();
-    across.mean = hat_mean(place, faces, cubic, [&](int f, double, const Cubic& at) {
-      return -sum(f, at.value).z() * sum(f, at.slope).norm();
-    });
-    across.share = share_of(place, [&](int n) {
-      return share_of_uniform(
-          {strip.span_at(n - 2), strip.span_at(n - 1), strip.span_at(n), strip.span_at(n + 1)});
-    });
-    across.X = sum(face, there.value);
-    across.slope = sum(face, there.slope);
-  }
-  return means;
-}
-
 /// Adds the means across at a plane, in a row. Returns the index of the first.
-int TreadSurface::add_line(int plane, const std::vector<MeanAcross>& means, const Strip& strip) {
+int TreadSurface::add_line(int plane,
+                           const std::vector<MeanAcross>& means,
+                           const TreadStrip& strip) {
   const int line = static_cast<int>(first_across_.size()) - 1;
   for (const MeanAcross& across : means) {
     const HatMean& mean = across.mean;
@@ -361,7 +274,7 @@ int TreadSurface::add_line(int plane, const std::vector<MeanAcross>& means, cons
 /// belongs to the image.
 void TreadSurface::add_mean_points(const MeanAround& around,
                                    const std::vector<MeanAcross>& means,
-                                   const Strip& strip,
+                                   const TreadStrip& strip,
                                    int first_cell,
                                    std::vector<int>& lines) {
   const int S = unknowns_.ring().mesh().sectors, faces = static_cast<int>(strip.span.size());

@@ -43,6 +43,7 @@
 #include <utility>
 #include <vector>
 
+#include "models/fe_tire/contact/tread_means.h"
 #include "models/fe_tire/ring/ring_unknowns.h"
 
 namespace latsch::fe_tire {
@@ -132,33 +133,34 @@ class TreadSurface {
   Eigen::Matrix3Xd beyond(const Eigen::VectorXd& x) const;
 
  private:
-  struct Strip;
-  struct MeanAround;
-  struct MeanAcross;
   struct Face {
     std::array<int, 4> corner;  // places, counterclockwise from u = v = -1
     int first_sample;           // first of kSamples rows along u
   };
-  static std::vector<Strip> strips_of(const Mesh& mesh);
   /// Weights of up to sixteen places and their derivatives along the face.
   struct Tangents {
     std::array<double, 16> value, by_u, by_v;
   };
   using Grid = std::vector<int>;  // places, -1: none
   using Weights = std::function<Tangents(double u, double v)>;
+  /// True for the section nodes that a face covers, by plane.
+  using Covered = std::vector<std::vector<bool>>;
+  bool is_halved() const { return unknowns_.multiplicity() > 1.0; }
+  int planes() const;
+  void add_faces(const std::vector<TreadStrip>& strips, double half_angle, Covered& covered);
+  void add_single_faces(double half_angle, Covered& covered);
+  void add_means(const std::vector<TreadStrip>& strips, double half_angle, Covered& covered);
+  void find_beyond(Covered& covered);
   int place_of(int plane, int node);
   void add_facet(const std::array<std::pair<int, int>, 4>& corners);
-  std::pair<Grid, Weights> smooth_face(int sector, int face, const Strip& strip);
-  MeanAround mean_around(int place) const;
-  std::vector<MeanAcross> means_across(const Strip& strip) const;
-  int add_line(int plane, const std::vector<MeanAcross>& means, const Strip& strip);
+  std::pair<Grid, Weights> smooth_face(int sector, int face, const TreadStrip& strip);
+  int add_line(int plane, const std::vector<MeanAcross>& means, const TreadStrip& strip);
   void add_mean_points(const MeanAround& around,
                        const std::vector<MeanAcross>& means,
-                       const Strip& strip,
+                       const TreadStrip& strip,
                        int first_cell,
                        std::vector<int>& lines);
   void find_cell_nodes();
-  double angle(int plane) const;
   void add_samples(const std::array<int, 4>& corner, const Grid& grid, const Weights& weights_at);
   std::vector<std::vector<int>> rows_of_faces(std::array<int, 2> back,
                                               std::array<int, 2> front) const;

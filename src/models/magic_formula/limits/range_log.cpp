@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/magic_formula/vertical/load_curve.h"
+
 namespace latsch::magic_formula {
 
 void InputExtremes::add(const State& s) {
@@ -26,10 +28,30 @@ void InputExtremes::add(const InputExtremes& other) {
   gamma.add(other.gamma);
   p.add(other.p);
   speed.add(other.speed);
+  standing.add(other.standing);
 }
+
+namespace {
+
+/// Says that a load lies beyond the curve of the file; empty if it does not.
+std::string beyond_curve(const InputExtremes& inputs, const Parameters& p) {
+  constexpr double kRounding = 1e-9;
+  const double most = std::max(inputs.Fz.to, inputs.standing.to);
+  if (!has_load_curve(p) || !(most > (1.0 + kRounding) * p.curve_force.back())) return "";
+  return fmt::format(
+      "Fz is {:.4g} N in this test, beyond the last point of [DEFLECTION_LOAD_CURVE], {:.4g} N at "
+      "{:.4g} mm: the last line of the curve is continued",
+      most,
+      p.curve_force.back(),
+      1e3 * p.curve_deflection.back());
+}
+
+}  // namespace
 
 std::vector<std::string> ranges_left(const InputExtremes& inputs, const Parameters& p) {
   std::vector<std::string> sentences;
+  if (std::string beyond = beyond_curve(inputs, p); !beyond.empty())
+    sentences.push_back(std::move(beyond));
   if (inputs.Fz.from > inputs.Fz.to) return sentences;
   constexpr double kRounding = 1e-9;
   constexpr double kDegrees = 180.0 / std::numbers::pi;
@@ -87,6 +109,16 @@ std::vector<std::string> ranges_left(const InputExtremes& inputs, const Paramete
                     inputs.speed.to,
                     p.VXLOW));
   return sentences;
+}
+
+void RangeLog::add(const State& state) {
+  const std::lock_guard lock(mutex_);
+  inputs_.add(state);
+}
+
+void RangeLog::add_standing(double load) {
+  const std::lock_guard lock(mutex_);
+  inputs_.standing.add(load);
 }
 
 void RangeLog::add(const InputExtremes& inputs) {

@@ -27,12 +27,14 @@ struct Extremes {
 
 struct InputExtremes {
   Extremes Fz, kappa, alpha, gamma, p, speed;  // SI; speed is |Vx|
+  Extremes standing;                           // N, loads of a tire that stands
 
   void add(const State& state);
   void add(const InputExtremes& other);
 };
 
-/// Returns a sentence for every range of the file that was left; empty if none was. A load below
+/// Returns a sentence for every range of the file that was left, and for a load beyond its
+/// [DEFLECTION_LOAD_CURVE]; empty if none was. A load below
 /// FZMIN and a speed below VXLOW count if they never rise above it, because a tire may lift off and
 /// start from rest.
 std::vector<std::string> ranges_left(const InputExtremes& inputs, const Parameters& parameters);
@@ -40,6 +42,8 @@ std::vector<std::string> ranges_left(const InputExtremes& inputs, const Paramete
 /// Collects the extremes of several tires, which may be in several threads.
 class RangeLog {
  public:
+  void add(const State& state);
+  void add_standing(double load);
   void add(const InputExtremes& inputs);
   InputExtremes inputs() const;
 

@@ -59,6 +59,7 @@ kind = "values"
 channel = "print/deflection"
 of = "largest"
 value = "20 mm"
+scale = "1 mm"
 [experiment.length]
 kind = "values"
 channel = "print/length"

@@ -68,6 +68,17 @@ x_scale = "10 ms"
 [test.slow]
 file = "slow.toml"
 )toml",
+              R"toml([experiment.path]
+kind = "curve"
+x = "pressed/deflection"
+y = "pressed/force"
+measurement = "force.csv"
+compare = "path"
+x_scale = "1 mm"
+[test.pressed]
+kind = "load_deflection"
+deflections = ["5 mm", "10 mm"]
+)toml",
               R"toml([simulator]
 command = ["true"]
 inputs = ["spring.txt"]

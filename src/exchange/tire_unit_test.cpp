@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exchange/tire_unit.h"
+
+#include <gtest/gtest.h>
+
+#include "base/file.h"
+#include "base/scratch_folder_testing.h"
+#include "experiment/language.h"
+#include "models/road/plane_road.h"
+
+namespace latsch::exchange {
+namespace {
+
+std::unique_ptr<ExchangedModel> unit_with(const char* kind_name, const std::string& line) {
+  std::string text =
+      read_text_file(LATSCH_SOURCE_DIR "/studies/tire_model_comparison/rigid_ring.tir");
+  text.insert(text.find("[DIMENSION]"), line + "\n");
+  const ScratchFolder folder;
+  write_text_file(folder.path() / "t.tir", text);
+  const experiment::SpecimenKind& kind = *experiment::language().find_kind(kind_name);
+  return std::make_unique<TireUnit>(kind.build(kind.read(folder.path() / "t.tir")),
+                                    std::make_shared<road::PlaneRoad>());
+}
+
+void set_by_name(ExchangedModel& unit, const std::string& name, double value) {
+  for (std::size_t i = 0; i < unit.variables().size(); ++i)
+    if (unit.variables()[i].name == name) return unit.set(i, value);
+  FAIL() << name;
+}
+
+/// Rolls 20 ms under some 4 kN.
+void roll_on(ExchangedModel& unit) {
+  constexpr double kSpeed = 10.0, kStep = 1e-3;
+  set_by_name(unit, "wheel.z", 0.293);
+  ASSERT_TRUE(unit.start(0.0).ok());
+  set_by_name(unit, "wheel.vx", kSpeed);
+  set_by_name(unit, "wheel.spin_rate", kSpeed / 0.31);
+  for (int i = 0; i < 20; ++i) {
+    set_by_name(unit, "wheel.x", i * kStep * kSpeed);
+    ASSERT_TRUE(unit.step(i * kStep, kStep).ok());
+  }
+}
+
+// The logger of a functional mock-up unit gets these sentences when it is terminated.
+TEST(TireUnit, TellsTheRangesThatItsTireHasLeft) {
+  for (const char* kind : {"magic_formula", "rigid_ring"}) {
+    const auto unit = unit_with(kind, "FZMAX = 1000");
+    EXPECT_TRUE(unit->limits_met().empty());
+    roll_on(*unit);
+    const auto limits = unit->limits_met();
+    ASSERT_EQ(limits.size(), 1u) << kind;
+    EXPECT_NE(limits.front().find("above FZMAX = 1000 N"), std::string::npos) << limits.front();
+  }
+}
+
+TEST(TireUnit, WithinItsRangesItTellsNothing) {
+  const auto unit = unit_with("magic_formula", "FZMAX = 9000");
+  roll_on(*unit);
+  EXPECT_TRUE(unit->limits_met().empty());
+}
+
+}  // namespace
+}  // namespace latsch::exchange

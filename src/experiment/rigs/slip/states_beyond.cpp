@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/slip/states_beyond.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "experiment/rigs/slip/slip_states.h"
+#include "models/magic_formula/vertical/load_curve.h"
+
+namespace latsch {
+
+using magic_formula::Parameters;
+using magic_formula::State;
+
+void StatesBeyond::add(const std::vector<State>& states, const Parameters& tire) {
+  count += std::ssize(states);
+  outside += outside_of_ranges(states, tire);
+  if (magic_formula::has_load_curve(tire))
+    beyond_curve += std::count_if(states.begin(), states.end(), [&](const State& state) {
+      return state.Fz > tire.curve_force.back();
+    });
+}
+
+std::vector<std::string> StatesBeyond::sentences(const Parameters& tire,
+                                                 bool limits,
+                                                 bool may_be_off) const {
+  std::vector<std::string> all;
+  if (limits && outside > 0)
+    all.push_back(
+        fmt::format("{} of {} states lie outside of the ranges of the tire's file and are limited "
+                    "to them{}",
+                    outside,
+                    count,
+                    may_be_off ? " (limits = \"off\" uses them unchanged)" : ""));
+  if (beyond_curve > 0)
+    all.push_back(
+        fmt::format("{} of {} states have a load beyond the last point of [DEFLECTION_LOAD_CURVE], "
+                    "{:.4g} N at {:.4g} mm: the last line of the curve is continued",
+                    beyond_curve,
+                    count,
+                    tire.curve_force.back(),
+                    1e3 * tire.curve_deflection.back()));
+  return all;
+}
+
+}  // namespace latsch

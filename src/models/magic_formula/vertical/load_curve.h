@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The vertical force of a tire whose file has a [DEFLECTION_LOAD_CURVE]: the points {rho, Fz} are
+// joined by straight lines, and the last line is continued beyond the last point.
+//
+// The curve replaces the whole formula (3) of the vertical force: VERTICAL_STIFFNESS, Q_FZ2, Q_V2,
+// Q_FCX, Q_FCY, Q_CAM1 to Q_CAM3 and PFZ1 have no effect on it [Altair MotionView, tire property
+// file: VERTICAL_STIFFNESS is required if there is no curve; Project Chrono: the curve takes
+// priority over the linear stiffness]. The effective rolling radius (7) and the patch (5), (9),
+// (10) keep VERTICAL_STIFFNESS, with which their coefficients were identified.
+//
+// The curve rises from {0, 0}; its points ascend in both columns. Each function requires a curve.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "models/magic_formula/parameters.h"
+#include "numerics/kernels/dual_number.h"
+
+namespace latsch::magic_formula {
+
+inline bool has_load_curve(const Parameters& p) { return !p.curve_deflection.empty(); }
+
+/// Returns the number of the point at the upper end of the line that holds x; the last line holds
+/// everything beyond.
+inline std::size_t line_of(const std::vector<double>& points, double x) {
+  const auto above = std::upper_bound(points.begin(), points.end(), x) - points.begin();
+  return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above, 1, std::ssize(points) - 1));
+}
+
+/// Returns the force, N, at a deflection, m; 0 without deflection.
+double force_on_curve(const Parameters& p, double rho);
+
+/// Returns the deflection, m, that carries a force, N; the slope at a point is that of the line
+/// above it. K is double or DualNumber.
+template <class K>
+K deflection_on_curve(const Parameters& p, const K& Fz) {
+  const auto &x = p.curve_deflection, &F = p.curve_force;
+  const std::size_t i = line_of(F, value(Fz));
+  return x[i - 1] + (Fz - F[i - 1]) * ((x[i] - x[i - 1]) / (F[i] - F[i - 1]));
+}
+
+/// Returns the force, N, if a spring of stiffness k, N/m, is in series with the curve and both
+/// together are pressed by rho, m. The spring is stiffer than every line of the curve.
+double force_on_curve_with_spring(const Parameters& p, double rho, double k);
+
+/// Returns the stiffness at the nominal load, N/m: the slope of the curve there; for a file without
+/// a curve VERTICAL_STIFFNESS.
+double nominal_stiffness(const Parameters& p);
+
+/// Returns the slope of the first line of the curve, N/m: the secant stiffness without a load.
+double initial_stiffness(const Parameters& p);
+
+/// Returns the stiffness of the steepest line of the curve, N/m; for a file without a curve
+/// VERTICAL_STIFFNESS.
+double greatest_stiffness(const Parameters& p);
+
+}  // namespace latsch::magic_formula

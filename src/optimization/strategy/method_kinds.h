@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The optimization methods: how each is called, read from a table, and made. A new method is its
+// own files, its name and options in optimizer_choice.h, and one entry in method_kinds.cpp.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/document.h"
+#include "optimization/strategy/optimizer_choice.h"
+
+namespace latsch {
+
+/// A key that a method reads. Its words are empty if several methods have the key with one meaning:
+/// then the reference of a study describes it (correlation/study/keys/optimizer_keys.cpp).
+struct MethodKey {
+  std::string name;
+  std::string example;         // TOML value
+  std::string sentence = "";   // Markdown: what the key means
+  std::string otherwise = "";  // default in words, if it is not simply a value
+  std::string range = "";      // range in words, if it depends on something
+};
+
+struct MethodKind {
+  Method method;
+  std::string_view name, words;  // in a study, in a report
+  bool knows_nonlinear;          // supports nonlinear constraints; all methods support linear ones
+  std::vector<MethodKey> keys;
+  /// Reads these keys into the settings. Throws InputError naming the place. nullptr: a method of
+  /// methods, whose tables its caller reads.
+  void (*read)(const Node& table, OptimizerSettings& settings);
+  std::unique_ptr<Optimizer> (*make)(const DesignSpace& space,
+                                     const OptimizerSettings& settings,
+                                     const ProblemTraits& traits);
+};
+
+/// Returns all methods in the order in which they are offered.
+const std::vector<MethodKind>& method_kinds();
+const MethodKind& kind_of(Method method);
+
+}  // namespace latsch
