@@ -235,20 +235,24 @@ def is_named_by(stem, header_stem, header):
             or re.search(rf"\b(?:\w+_)?{stem}\(|\bk{camel_case(stem)}Test\b|\b{stem}\.cpp\b", header) is not None)
 
 
+def has_header(file):
+    text = file.read_text()
+    if file.with_suffix(".h").is_file() or BEGINS_A_PROGRAM.search(text):
+        return True
+    if file.stem.endswith(KEYS) and re.search(rf"\bKeySection& {file.stem}\(\)", text):
+        return True
+    return any(is_named_by(file.stem, header.stem, header.read_text()) for header in sorted(file.parent.glob("*.h")))
+
+
 def lonely_files():
     root = SOURCE.parent
     for top in (SOURCE, root / "apps", root / "verification", root / "benchmarks", root / "examples"):
         for file in sorted(top.rglob("*.cpp")):
-            if (file.with_suffix(".h").is_file() or file.stem.endswith(("_test", "_testing"))
-                    or "node_modules" in file.parts):
+            name = str(file.relative_to(root))
+            if file.stem.endswith(("_test", "_testing")) or "node_modules" in file.parts or has_header(file):
                 continue
-            text = file.read_text()
-            headers = ((header.stem, header.read_text()) for header in sorted(file.parent.glob("*.h")))
-            if (BEGINS_A_PROGRAM.search(text) or any(is_named_by(file.stem, stem, header) for stem, header in headers)
-                    or file.stem.endswith(KEYS) and re.search(rf"\bKeySection& {file.stem}\(\)", text)):
-                continue
-            yield (f"{file.relative_to(root)}: no {file.stem}.h is beside it, and no header of its folder names it: "
-                   f"give it one, name it after its header, or write its name where its header declares what it contains")
+            yield (f"{name}: no {file.stem}.h is beside it, and no header of its folder names it: give it one, name it "
+                   f"after its header, or write its name where its header declares what it contains")
 
 
 def test():

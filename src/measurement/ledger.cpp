@@ -39,6 +39,13 @@ std::string word_for_rows(const std::string& file) {
   return "column";
 }
 
+/// True if the ledger's only row is the file itself, as of a script or an input of a program.
+bool is_taken_whole(const Ledger& ledger) {
+  const std::string name = ledger.file.substr(ledger.file.find_last_of('/') + 1);
+  return ledger.rows.size() == 1 && !name.empty() && ledger.rows.front().written == name &&
+         ledger.rows.front().state == LedgerState::used;
+}
+
 std::string factor_in_words(const LedgerRow& row) {
   std::string text = row.unit;
   if (row.factor != 1.0 || row.offset != 0.0)
@@ -94,6 +101,7 @@ void Ledger::use(LedgerRow& row, const std::string& by) {
 }
 
 std::string in_one_line(const Ledger& ledger, const std::string& what) {
+  if (is_taken_whole(ledger)) return "taken whole, as " + ledger.rows.front().taken_as;
   const auto count = [&](LedgerState state) {
     return std::count_if(ledger.rows.begin(), ledger.rows.end(), [&](const LedgerRow& row) {
       return row.state == state;

@@ -33,6 +33,18 @@ TEST(LedgerOfAFile, KeepsADoubtWhenARowIsUsed) {
   EXPECT_NE(in_one_line(ledger).find("1 in doubt (`SA`)"), std::string::npos);
 }
 
+TEST(LedgerOfAFile, OfAScriptSaysThatItIsTakenWhole) {
+  Ledger script{"/studies/quarter_car.py"};
+  script.rows.push_back({.written = "quarter_car.py", .taken_as = "outside program"});
+  EXPECT_EQ(in_one_line(script), "1 column: 0 used, 1 not used (`quarter_car.py`)");
+  Ledger::use(script.rows.front(), "test response");
+  EXPECT_EQ(in_one_line(script), "taken whole, as outside program");
+  Ledger table{"/studies/x.csv"};  // one column is no file
+  table.rows.push_back({.written = "x", .taken_as = "x"});
+  Ledger::use(table.rows.front(), "test response");
+  EXPECT_EQ(in_one_line(table), "1 column: 1 used");
+}
+
 TEST(LedgerOfAFile, FindsNoAssumedRowByAnEmptyName) {
   EXPECT_EQ(some_ledger().find_written(""), nullptr);
   EXPECT_EQ(some_ledger().find_taken(""), nullptr);

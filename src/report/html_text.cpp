@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "base/units.h"
@@ -78,10 +79,10 @@ std::string percent(double ratio, int decimals) {
   return fixed(100.0 * ratio, decimals) + " %";
 }
 
-std::string target_percent(double target) {
+std::string small_percent(double ratio) {
   constexpr double kShown = 1e-3;
-  if (!(target > 0.0 && target < kShown)) return percent(target);
-  return significant(100.0 * target, 2) + " %";
+  if (!(ratio > 0.0 && ratio < kShown)) return percent(ratio);
+  return significant(100.0 * ratio, 2) + " %";
 }
 
 std::string signed_percent(double ratio, int decimals) {
@@ -104,6 +105,18 @@ std::string typeset_unit(std::string_view unit) {
   replace_all(text, "^3", "³");
   replace_all(text, "deg", "°");
   replace_all(text, "*", "·");
+  return text;
+}
+
+std::string typeset_words(std::string_view words) {
+  std::string text = typeset_unit(words);
+  replace_all(text, "+- ", "± ");
+  replace_all(text, " .. ", " … ");
+  for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at + 1)) {
+    const bool begins = at == 0 || text[at - 1] == ' ' || text[at - 1] == '(';
+    if (begins && at + 1 < text.size() && std::isdigit(static_cast<unsigned char>(text[at + 1])))
+      text.replace(at, 1, "−");
+  }
   return text;
 }
 

@@ -40,18 +40,18 @@ std::string interval_table(const IdentifiabilityPage& what) {
       judged ? "<th>95 % interval, profile</th><th>Verdict</th>" : "");
   for (size_t i = 0; i < what.variables.size(); ++i) {
     std::string more;
-    if (!what.shifts.empty()) more = "<td>" + escape(typeset_unit(what.shifts[i])) + "</td>";
+    if (!what.shifts.empty()) more = "<td>" + escape(typeset_words(what.shifts[i])) + "</td>";
     if (const ProfileCurve* curve = profile_of(what, what.variables[i])) {
       more += fmt::format("<td>{}</td><td>{}</td>",
-                          escape(typeset_unit(curve->interval)),
+                          escape(typeset_words(curve->interval)),
                           curve->verdict == "identifiable"
                               ? "identifiable"
                               : fmt::format("<b>{}</b>", escape(curve->verdict)));
     }
     html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td>{}</tr>\n",
                         escape(what.variables[i]),
-                        escape(typeset_unit(what.values[i])),
-                        escape(typeset_unit(what.intervals[i])),
+                        escape(typeset_words(what.values[i])),
+                        escape(typeset_words(what.intervals[i])),
                         more);
   }
   return html + "</tbody></table></div>";
@@ -86,7 +86,7 @@ std::string band_table(const IdentifiabilityPage& what) {
     html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                         escape(row.experiment),
                         row.fitted ? "fitted" : "predicted",
-                        row.widest.empty() ? "not known" : escape(typeset_unit(row.widest)),
+                        row.widest.empty() ? "not known" : escape(typeset_words(row.widest)),
                         escape(row.inside));
     for (const std::string& remark : row.remarks)
       remarks +=

@@ -13,7 +13,7 @@ namespace latsch::report {
 namespace {
 
 constexpr std::size_t kLineCorners = 1500;  // corners of a line; more are not visible
-constexpr double kLeft = 78.0, kTop = 34.0, kRight = 14.0, kBottom = 46.0;  // pixels
+constexpr double kLeft = 86.0, kTop = 34.0, kRight = 14.0, kBottom = 46.0;  // pixels
 constexpr double kLegendRow = 18.0, kDot = 1.4;
 
 /// Returns the left ends of the lines' names in the legend, in as many rows as they need.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
 #include <set>
@@ -58,6 +59,32 @@ TEST(LinePlot, NamesNoAttributeTwice) {
     std::set<std::string> names;
     for (std::sregex_iterator own(text.begin(), text.end(), name); own != end; ++own)
       EXPECT_TRUE(names.insert((*own)[1]).second) << text;
+  }
+}
+
+// Digits of the widest fonts take 7.6 pixels, and letters of a title reach 3 pixels below its base
+// line.
+TEST(LinePlot, TheTitleOfTheOrdinateStandsBesideItsNumbers) {
+  for (const double scale : {1.0, 1e-3, 2e5}) {
+    for (const double sign : {1.0, -1.0}) {
+      const LinePlot plot{.y_title = "pressure [Pa]",
+                          .lines = {{"", {0.0, 1.0}, {0.75 * sign * scale, 0.95 * sign * scale}}}};
+      const std::string svg = line_plot(plot);
+      const std::regex title("translate\\(([-0-9.]+),[-0-9.]+\\) rotate\\(-90\\)");
+      std::smatch found;
+      ASSERT_TRUE(std::regex_search(svg, found, title));
+      const double base = std::stod(found[1]);
+      EXPECT_GE(base, 11.0) << svg;  // not cut off
+      const std::regex label("<text x=\"([0-9.]+)\"[^>]*text-anchor=\"end\"[^>]*>([^<]*)<");
+      int labels = 0;
+      for (std::sregex_iterator at(svg.begin(), svg.end(), label), end; at != end; ++at, ++labels) {
+        const std::string text = (*at)[2];
+        const auto letters =
+            std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; });
+        EXPECT_LT(base + 3.0, std::stod((*at)[1]) - 7.6 * static_cast<double>(letters)) << text;
+      }
+      EXPECT_GE(labels, 3);
+    }
   }
 }
 

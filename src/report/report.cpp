@@ -50,7 +50,7 @@ std::string forces(const StudyReport& report) {
     html += figure(curve.experiment,
                    with_kind(curve.conditions, curve.fitted),
                    force_plot(curve),
-                   "Mean |ΔF| = " + percent(mean_error(curve.measured, curve.simulated)) +
+                   "Mean |ΔF| = " + small_percent(mean_error(curve.measured, curve.simulated)) +
                        "; below, ΔF = (measured − simulated) / measured at every point." +
                        band_in_words("Shaded", curve.band));
   }
@@ -62,14 +62,14 @@ std::string curves(const StudyReport& report) {
   for (const MeasuredCurve& curve : report.curves) {
     double sum = 0.0;
     for (const double error : curve.errors) sum += std::abs(error);
-    html +=
-        figure(curve.experiment,
-               with_kind(curve.conditions, curve.fitted),
-               curve_plot(curve),
-               "Mean error " +
-                   percent(sum / static_cast<double>(std::max<size_t>(1, curve.errors.size()))) +
-                   "; below, (measured − simulated) / scale at every measured value." +
-                   band_in_words("Shaded", curve.band));
+    html += figure(
+        curve.experiment,
+        with_kind(curve.conditions, curve.fitted),
+        curve_plot(curve),
+        "Mean error " +
+            small_percent(sum / static_cast<double>(std::max<size_t>(1, curve.errors.size()))) +
+            "; below, (measured − simulated) / scale at every measured value." +
+            band_in_words("Shaded", curve.band));
   }
   return html + "</div>";
 }
@@ -93,7 +93,7 @@ std::string frequencies(const StudyReport& report) {
     }
     std::string caption = fmt::format("{} modes paired, mean |Δf| = {}.",
                                       comparison.pairs.size(),
-                                      percent(mean_error(measured, simulated)));
+                                      small_percent(mean_error(measured, simulated)));
     const bool initial = std::any_of(
         comparison.pairs.begin(), comparison.pairs.end(), [](const ComparedModes& pair) {
           return pair.initial.has_value();
@@ -158,7 +158,7 @@ std::string basins(const Basins& basins) {
     html += "<th class=\"n\">" + escape(name) + "</th>";
   html += "<th class=\"n\">Points that lead there</th></tr></thead><tbody>\n";
   for (const BasinRow& row : basins.rows) {
-    html += fmt::format("<tr><td class=\"n\">{}</td>", target_percent(row.target));
+    html += fmt::format("<tr><td class=\"n\">{}</td>", small_percent(row.target));
     for (const std::string& value : row.values) {
       html += fmt::format("<td class=\"n\">{}</td>", escape(typeset_unit(value)));
     }

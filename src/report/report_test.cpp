@@ -453,9 +453,11 @@ TEST(HtmlText, NumbersAreReadable) {
   EXPECT_EQ(signed_percent(-0.0123), "−1.23 %");
   EXPECT_EQ(signed_percent(0.0123), "+1.23 %");
   EXPECT_EQ(percent(std::numeric_limits<double>::quiet_NaN()), "–");
-  EXPECT_EQ(target_percent(0.0123), "1.23 %");
-  EXPECT_EQ(target_percent(1.46e-5), "0.0015 %");  // a mean of squares
-  EXPECT_EQ(target_percent(0.0), "0.00 %");
+  EXPECT_EQ(small_percent(0.0123), "1.23 %");
+  EXPECT_EQ(small_percent(1.46e-5), "0.0015 %");  // a mean of squares
+  EXPECT_EQ(small_percent(0.0), "0.00 %");
+  EXPECT_EQ(typeset_words("-1.42 .. -0.78 N/mm^2"), "−1.42 … −0.78 N/mm²");
+  EXPECT_EQ(typeset_words("+- 2 mm (0.1 %), x-ray at -3 s"), "± 2 mm (0.1 %), x-ray at −3 s");
   EXPECT_EQ(duration(125.0), "2 min 05 s");
   EXPECT_EQ(typeset_unit("N/mm^2"), "N/mm²");
   EXPECT_DOUBLE_EQ(in_unit(22.3e6, "N/mm^2"), 22.3);

@@ -252,7 +252,7 @@ void SurfacePlot::mark_points() {
                 describe(m.i, m.j));
     const bool right = at.x() > 0.75 * kSurfaceRight, low = at.y() + 18 > kSurfaceBottom;
     svg_.text({right ? at.x() - 12 : at.x() + 12, low ? at.y() - 10 : at.y() + 16},
-              (lowest ? "lowest " : "local ") + target_percent(m.target),
+              (lowest ? "lowest " : "local ") + small_percent(m.target),
               right ? TextAnchor::end : TextAnchor::start,
               "on-field");
     lowest = false;

@@ -15,6 +15,14 @@ namespace {
 
 constexpr int kMostDecimals = 6;         // decimals of a label; smaller numbers are written 2e-07
 constexpr double kSmallestShown = 1e-9;  // share of the largest value on a logarithmic axis
+constexpr double kDigit = 7.7;           // pixels, the widest digit of the fonts of a page
+constexpr double kAscent = 12.0;         // pixels, height of letters over their base line
+
+/// Returns the number of letters of a UTF-8 text.
+double letters_of(const std::string& text) {
+  return static_cast<double>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
 
 std::string pixel(double value) {
   std::string text = fmt::format("{:.1f}", value);
@@ -238,12 +246,13 @@ void draw_frame(Svg& svg,
     const double py = y.at(tick.value);
     svg.line({left, py}, {right, py}, "class=\"grid\"");
     svg.text({left - 7, py + 4}, tick.label, TextAnchor::end);
-    widest = std::max(widest, 6.5 * static_cast<double>(tick.label.size()));
+    widest = std::max(widest, kDigit * letters_of(tick.label));
   }
   svg.line({left, bottom}, {right, bottom}, "class=\"axis\"");
   if (!x_title.empty())
     svg.text({0.5 * (left + right), bottom + 36}, x_title, TextAnchor::middle, "title");
-  if (!y_title.empty()) svg.vertical_text({left - 16 - widest, 0.5 * (top + bottom)}, y_title);
+  const double beside = std::max(kAscent, left - 16 - widest);  // a title is never cut off
+  if (!y_title.empty()) svg.vertical_text({beside, 0.5 * (top + bottom)}, y_title);
 }
 
 double draw_legend(

@@ -98,14 +98,14 @@ std::string key_numbers(const StudyReport& report) {
   std::string html = "<div class=\"key\">";
   std::string about = report.target_in_words;
   if (report.initial_target)
-    about += (about.empty() ? "" : "; ") + target_percent(*report.initial_target) + " at the start";
-  html += key(target_percent(report.target), "Target", about);
+    about += (about.empty() ? "" : "; ") + small_percent(*report.initial_target) + " at the start";
+  html += key(small_percent(report.target), "Target", about);
   if (const auto dF = mean_error(report, is_force))
-    html += key(percent(*dF), "Mean |ΔF|", kind + "forces");
+    html += key(small_percent(*dF), "Mean |ΔF|", kind + "forces");
   if (const auto df = mean_error(report, is_frequency))
-    html += key(percent(*df), "Mean |Δf|", kind + "frequencies");
+    html += key(small_percent(*df), "Mean |Δf|", kind + "frequencies");
   if (const auto dy = mean_error(report, is_curve))
-    html += key(percent(*dy), "Mean error", kind + "curves, of their scale");
+    html += key(small_percent(*dy), "Mean error", kind + "curves, of their scale");
   if (report.run) {
     const RunFacts& run = *report.run;
     html += key(std::to_string(run.trials),
@@ -183,21 +183,22 @@ std::string experiment_table(const StudyReport& report) {
                               : "fitted",
         number_cell(row.fitted ? significant(row.weight, 3) : ""),
         number_cell(std::to_string(row.values)),
-        initial ? number_cell(row.initial_mean_error ? percent(*row.initial_mean_error) : "") : "",
-        number_cell(percent(row.mean_error), true),
-        number_cell(percent(row.largest_error)),
-        number_cell(escape(row.measure) + " " + percent(row.error) +
+        initial ? number_cell(row.initial_mean_error ? small_percent(*row.initial_mean_error) : "")
+                : "",
+        number_cell(small_percent(row.mean_error), true),
+        number_cell(small_percent(row.largest_error)),
+        number_cell(escape(row.measure) + " " + small_percent(row.error) +
                         (row.is_spoiled ? " (worse than before)" : ""),
                     row.is_spoiled),
-        staged ? number_cell(row.own_stage.empty()
-                                 ? ""
-                                 : percent(row.own_stage_error) + ", " + escape(row.own_stage))
+        staged ? number_cell(row.own_stage.empty() ? ""
+                                                   : small_percent(row.own_stage_error) + ", " +
+                                                         escape(row.own_stage))
                : "",
-        number_cell(target_percent(row.value)));
+        number_cell(small_percent(row.value)));
   }
   html += "</tbody></table></div>";
   if (!report.target_definition.empty()) {
-    html += fmt::format("<p class=\"quiet\">Target: {}</p>", escape(report.target_definition));
+    html += fmt::format("<p class=\"quiet\">{}</p>", escape(report.target_definition));
   }
   return html;
 }

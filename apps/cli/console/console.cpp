@@ -173,6 +173,7 @@ void say_text(std::string_view text) {
 void note_text(std::string_view text) {
   log(text);
   if (console().options.quiet || console().options.json) return;
+  std::fflush(stdout);  // a log of both streams keeps its order
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

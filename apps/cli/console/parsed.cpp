@@ -35,7 +35,7 @@ void set_variable(const DesignSpace& space, const std::string& assignment, Desig
     return;
   }
   throw InputError("--set: no variable " + in_quotes(name) + did_you_mean(name, names) +
-                   "; the study has " + list_of(names));
+                   "; expected " + list_of(names));
 }
 
 }  // namespace latsch::cli

@@ -99,7 +99,7 @@ std::string form_words(const KeyForm& form, bool has_one_unit, const std::string
     case Kind::text:
       return "a text in quotes";
     case Kind::choice:
-      return choice_words(form.choices);
+      return range.empty() ? choice_words(form.choices) : range.substr(2);
     case Kind::texts:
       return "a list of texts in quotes";
   }
@@ -121,6 +121,8 @@ std::string expected_words(const TabledKey& key) {
   };
   const std::string range = key.words.range.empty() ? "" : ", " + key.words.range;
   for (const KeyForm& form : key.forms) {
+    // The table {from = ...} of a condition is in the sentence.
+    if (form.kind == Kind::table && key.is_measurable && key.forms.size() > 1) continue;
     for (const std::string& words : form.expected) add(words);
     const bool is_share = is_number(form.kind) && form.units == std::vector<std::string>{"1"};
     if (form.expected.empty() || !(is_share || form.kind == Kind::text || form.kind == Kind::texts))
@@ -211,7 +213,10 @@ Json key_json(const TabledKey& key) {
                {"required", key.is_required},
                {"measurable", key.is_measurable},
                {"forms", Json::array()}};
-  for (const KeyForm& form : key.forms) json["forms"].push_back(form_json(form));
+  for (const KeyForm& form : key.forms) {
+    json["forms"].push_back(form_json(form));
+    if (!key.words.range.empty()) json["forms"].back().erase("choices");  // those of the sample
+  }
   if (!key.words.range.empty()) json["range"] = key.words.range;
   if (!key.words.otherwise.empty()) {
     json["default_in_words"] = key.words.otherwise;

@@ -70,7 +70,6 @@ std::string what(const Study& study, const StudyExperiment& experiment) {
 }
 
 void print_experiments(const Study& study) {
-  const experiment::SpecimenKind* kind = study.specimens->kind();
   for (const StudyExperiment& experiment : study.experiments) {
     const std::string exponent =
         experiment.objective.exponent == 1.0
@@ -85,11 +84,6 @@ void print_experiments(const Study& study) {
         experiment.fitted ? "fitted" : "predicted",
         experiment.objective.weight,
         exponent);
-    for (const correlation::StudyTest& test : study.tests) {
-      if (!kind || test.name != experiment.name) continue;
-      const std::string remark = kind->remark(study.model, *test.test);
-      if (!remark.empty()) say("  {:<{}} {}\n", "", name_width(study.experiments), remark);
-    }
   }
 }
 

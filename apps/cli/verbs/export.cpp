@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "base/file.h"
 #include "cli/console/console.h"
 #include "cli/console/parsed.h"
@@ -18,6 +20,7 @@
 #include "correlation/study_report/fitted_model.h"
 #include "correlation/target/twin.h"
 #include "experiment/language/kind_files.h"
+#include "formats/mesh/ccx_cords.h"
 #include "formats/mesh/ccx_deck.h"
 #include "formats/mesh/vtu_file.h"
 #include "formats/tire/lost_keys.h"
@@ -96,27 +99,42 @@ void write_vtu(const ExportOptions& options, const MeshedTire& tire) {
   say_written(options.vtu);
 }
 
-void write_ccx(const ExportOptions& options, MeshedTire tire) {
+/// Says what makes the deck another tire, and by how much.
+void say_differences(const fe_tire::Mesh& mesh, const formats::CcxRun& run) {
+  const bool has_cords = std::any_of(
+      mesh.elements.begin(), mesh.elements.end(), [](const auto& e) { return !e.rebars.empty(); });
+  if (run.element == fe_tire::ElementKind::full_integration)
+    say("its elements are C3D8, as the tire's are those of full integration: they lock in "
+        "bending\n");
+  else
+    say("its elements are C3D8I in place of the solid shell, its cords are {}\n"
+        "  CalculiX 2.20 computes a 205/55R16 of 40 sectors with 0.7 % less growth than Latsch, "
+        "and "
+        "its first ten modes within 0.8 %\n",
+        has_cords ? "springs, one for every layer in an element" : "smeared");
+  if (has_cords && run.modes > 0)
+    say("  modes above some {:.0f} Hz may be those of neighboring sectors moving against each "
+        "other, "
+        "which the tire does not have\n",
+        formats::first_loose_mode(mesh));
+}
+
+void write_ccx(const ExportOptions& options, const MeshedTire& tire) {
   const State state = state_of(options, tire);
-  if (tire.description && tire.description->cord_model == fe_tire::CordModel::rebar) {
-    say("CalculiX has no rebars: the deck carries the cords smeared over their elements\n");
-    TireDescription smeared = *tire.description;
-    smeared.cord_model = fe_tire::CordModel::smeared;
-    tire.mesh = fe_tire::build_mesh(smeared);
-    tire.materials = fe_tire::build_materials(smeared);
-  }
   const fe_tire::Mesh& mesh = tire.mesh;
   const fe_tire::Materials& materials = tire.materials;
   formats::CcxRun run;
   run.title = tire.name;
   run.pressure = state.pressure;
+  run.element = tire.settings.element;
   if (options.modes > 0) run.modes = options.modes;
   if (state.deflection > 0.0) {
-    fe_tire::FeTire model(mesh, materials, {.element = fe_tire::ElementKind::full_integration});
+    fe_tire::FeTire model(mesh, materials, tire.settings);
     const auto inflated = required(model.inflate(state.pressure));
     run.ground = formats::CcxGround{inflated.radius, state.deflection};
   }
   formats::write_ccx_deck(fs::path(options.ccx), mesh, materials, run);
+  say_differences(mesh, run);
   say("wrote {}; run it with: ccx {}\n",
       options.ccx,
       fs::path(options.ccx).replace_extension().string());

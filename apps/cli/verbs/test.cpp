@@ -221,6 +221,8 @@ int test(const TestOptions& options, const experiment::Language& language) {
               gives_data ? LinesTo::standard_error : LinesTo::output,
               "Files");
   refuse_signs(options.signs, *test);
+  if (const std::string fault = model.kind->remark(model.numbers, *test); !fault.empty())
+    throw InputError(fault);
   if (options.convergence) return say_convergence(*model.kind, model.numbers, *test);
   if (options.html.empty() && options.details.empty())
     return run_and_give(options, language, model, *test);

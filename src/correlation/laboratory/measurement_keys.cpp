@@ -12,7 +12,7 @@ Recordings of a laboratory, and the choice and processing of their samples. An e
 recording as its measurement, a test takes its conditions from it. Nothing is done that is not
 stated.
 
-The steps are done in the order above. Channels have Latsch's names and SI units, in iso axes,
+The steps are done in the order of the keys. Channels have Latsch's names and SI units, in iso axes,
 whatever the file calls them: the vocabulary knows SA, SLIPANGL, slip angle and others as alpha.
 Signs and ranges of the remaining samples are checked. Every file has a ledger of the meaning of
 its columns.

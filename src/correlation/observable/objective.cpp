@@ -92,7 +92,8 @@ Comparison compare_modes(const std::vector<ModeRecord>& measured,
   comparison.pairing = pair_modes(measured, simulated, settings.pairing);
   comparison.errors.assign(measured.size(), settings.missing_mode);
   for (const ModePair& pair : comparison.pairing.pairs) {
-    ComparedFrequency one{pair.measured, simulated[static_cast<size_t>(pair.simulated)].frequency};
+    ComparedFrequency one{
+        pair.measured, simulated[static_cast<size_t>(pair.simulated)].frequency, {}};
     for (size_t i = 0; i < variables; ++i)
       one.slopes.push_back(slopes[i * modes + static_cast<size_t>(pair.simulated)]);
     comparison.compared.push_back(std::move(one));

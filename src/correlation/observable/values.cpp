@@ -91,7 +91,8 @@ SimulatedValues Values::of_modes(const Channels& trial) const {
     const int mode = static_cast<int>(i);
     if (partner[i] < 0) found.missing.push_back(mode);
     found.values.push_back(partner[i] < 0 ? 0.0 : values[static_cast<std::size_t>(partner[i])]);
-    if (are_frequencies && partner[i] >= 0) found.compared.push_back({mode, found.values.back()});
+    if (are_frequencies && partner[i] >= 0)
+      found.compared.push_back({mode, found.values.back(), {}});
   }
   order_close(named, {}, /*needs_waves=*/true, found.compared);
   for (const ComparedFrequency& one : found.compared)

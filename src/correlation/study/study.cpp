@@ -313,6 +313,19 @@ WhatVaries read_what_varies(const Node& root,
   return {std::move(model), std::move(space), std::move(tests)};
 }
 
+/// Rejects a test that the model cannot undergo with its numbers as they are in its file.
+void check_tests(const Node& root, const Study& study) {
+  const experiment::SpecimenKind* kind = study.specimens->kind();
+  if (!kind) return;
+  for (const StudyTest& test : study.tests) {
+    const std::string fault = kind->remark(study.model, *test.test);
+    if (fault.empty()) continue;
+    const Node table = root.table(test.is_own ? "experiment" : "test").table(test.name);
+    const char* key = table.has("shapes") ? "shapes" : table.has("points") ? "points" : "kind";
+    table.reject(key, "makes every trial fail: " + fault);
+  }
+}
+
 /// `root`: the document's root, by which its keys are read.
 Study read(const Document& document,
            const Node& root,
@@ -337,6 +350,7 @@ Study read(const Document& document,
   study.specimens = std::move(what.model.specimens);
   study.tests = std::move(what.tests);
   study.laboratory = laboratory;
+  check_tests(root, study);
   check_priors(root, study.space, study.experiments);
   for (const Node& constraint : root.named_tables("constraint")) {
     study.constraints.push_back(read_channel_constraint(constraint, known_channels(study.tests)));

@@ -54,7 +54,8 @@ void reject_keys_of_others(const Node& table, Method method) {
   std::map<std::string, std::vector<std::string>> owners;
   for (const MethodKind& owner : method_kinds())
     for (const MethodKey& key : owner.keys) owners[key.name].emplace_back(owner.name);
-  for (const auto& [key, methods] : owners) {
+  for (auto& [key, methods] : owners) {
+    std::sort(methods.begin(), methods.end());
     const bool is_own = std::find(methods.begin(), methods.end(), name(method)) != methods.end();
     if (is_own || !table.has(key)) continue;
     table.reject(key,

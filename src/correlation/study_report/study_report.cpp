@@ -237,8 +237,9 @@ Result<StudyReport> study_report(const Study& study,
   page.target = best->target;
   page.target_in_words = target_in_words(fitted_exponents(study.experiments), best->target);
   page.target_definition =
-      "mean of the experiments' own targets by their weights; of one, mean |relative "
-      "error|^exponent";
+      "The target is the mean of the experiments' own targets, by their weights. An experiment's "
+      "own "
+      "target is the mean of |relative error| to the power of its exponent.";
   const auto what = recorded_identifiability(study, journal);
   add_variables(study, best->point, what, page);
   page.fitted_by = fitted_by(study);

@@ -233,7 +233,7 @@ class Reading {
   const OutputReader& reader_;
   std::string text_;
   std::vector<std::vector<double>> values_;  // SI, for each quantity
-  Status read_;                              // of the lines read so far
+  Status read_;                              // a Failure ends the reading
 };
 
 }  // namespace

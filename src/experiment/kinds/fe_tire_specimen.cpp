@@ -111,14 +111,10 @@ Result<Channels> FeTireSpecimen::print(const FootprintTest& test, const Asked& a
 }
 
 std::string far_points(const fe_tire::Mesh& mesh, const Test& test) {
-  constexpr double kFar = 0.02;  // m; greatest distance between a measured point and the nearest
-                                 // point of the model that passes without a remark
   const auto* modes = test.settings_as<ModalTest>();
-  if (!modes || modes->points.cols() == 0) return "";
-  const double distance = nearest_sensors(mesh, modes->points).largest_distance;
-  if (distance <= kFar) return "";
-  return fmt::format("a measured point lies {:.0f} mm from the outer surface of the model",
-                     distance * 1e3);
+  if (!modes) return "";
+  const Status near = points_on_tire(mesh, modes->points);
+  return near.ok() ? "" : near.failure().reason;
 }
 
 }  // namespace latsch::experiment

@@ -285,19 +285,19 @@ void take_what_is_sampled(const Node& root,
           "{}{}: the channels over frequency end there", read.note.empty() ? "" : "; ", words);
   }
   if (!read.are_recorded || is_sweep) return;
+  constexpr double kMost = 0.01;  // share of the power of the posts' velocity
   for (std::size_t mode = 0; mode < kPostModes.size(); ++mode) {
-    const auto held = held_band(test, static_cast<PostMode>(mode), 0.5 / settings.segment);
-    if (!held || held->to <= highest * (1.0 + kRounding)) continue;
-    root.reject(
-        "sample_step",
-        fmt::format("is {:.4g} ms, which holds frequencies to {:.4g} Hz, but the recorded "
-                    "posts move in {} at up to {:.4g} Hz, which spectra would show at other "
-                    "frequencies: expected at most {:.3g} ms, or posts that were low-passed",
-                    1e3 * test.sample_step,
-                    highest,
-                    kPostModes[mode],
-                    held->to,
-                    0.5e3 / held->to));
+    const double share = share_above(test, static_cast<PostMode>(mode), highest);
+    if (share <= kMost) continue;
+    root.reject("sample_step",
+                fmt::format("is {:.4g} ms, which holds frequencies to {:.4g} Hz, but {:.2g} % of "
+                            "the power of the recorded posts' velocity in {} lies above, which "
+                            "spectra would show at other frequencies: expected a shorter one, or "
+                            "posts that were low-passed",
+                            1e3 * test.sample_step,
+                            highest,
+                            100.0 * share,
+                            kPostModes[mode]));
   }
 }
 

@@ -281,7 +281,7 @@ void refuse_coarse_steps(const Node& root, const KerbTest& test) {
         root.reject(
             key,
             fmt::format("moves the car {:.3g} mm at {:.3g} m/s, but {} of the kerb is {:.4g} mm "
-                        "long: expected at most {:.3g} ms, {:g} in it",
+                        "long: expected at most {:.3g} ms, so that {:g} are in it",
                         1e3 * fastest * step,
                         fastest,
                         shape,

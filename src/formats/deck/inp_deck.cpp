@@ -11,6 +11,7 @@
 #include "formats/deck/inp_equations.h"
 #include "formats/deck/inp_options.h"
 #include "formats/deck/inp_references.h"
+#include "formats/deck/inp_springs.h"
 
 namespace latsch::formats {
 namespace {
@@ -30,6 +31,8 @@ class DeckReader {
     for (const InpCard& card : cards) read_card(card);
     if (step_) throw InputError(step_->place, "*STEP is never closed, expected *END STEP");
     deck_.ties = equations_.ties(deck_.nodes);
+    deck_.means = equations_.means(deck_.nodes);
+    springs_.put(deck_);
     note_pressure();
     check_references(deck_);
     return std::move(deck_);
@@ -51,6 +54,8 @@ class DeckReader {
         {"ORIENTATION", &DeckReader::orientation},
         {"SOLID SECTION", &DeckReader::solid_section},
         {"EQUATION", &DeckReader::equation},
+        {"SPRING", &DeckReader::spring},
+        {"MASS", &DeckReader::mass},
         {"SURFACE", &DeckReader::surface},
         {"SURFACE INTERACTION", &DeckReader::interaction},
         {"SURFACE BEHAVIOR", &DeckReader::behavior},
@@ -94,17 +99,8 @@ class DeckReader {
   }
 
   void equation(const InpCard& card) { equations_.add(card); }
-
-  /// Returns advice about an unsupported keyword of other decks.
-  static std::string way_out(const std::string& keyword) {
-    if (keyword == "PART" || keyword == "ASSEMBLY" || keyword == "INSTANCE")
-      return ": expected a deck without parts and assemblies";
-    if (keyword == "INCLUDE") return ": expected one file";
-    if (keyword == "REBAR" || keyword == "MEMBRANE SECTION")
-      return ": expected cords as *REBAR LAYER below a *SURFACE SECTION of elements SFM3D4 that "
-             "are an *EMBEDDED ELEMENT, or smeared as *ELASTIC";
-    return "";
-  }
+  void spring(const InpCard& card) { springs_.add_law(card); }
+  void mass(const InpCard& card) { springs_.add_mass(card); }
 
   // The following functions read nodes, elements and sets.
 
@@ -128,6 +124,7 @@ class DeckReader {
         "C3D8", "C3D8I", "C3D8R", "C3D8H", "C3D8IH", "C3D8RH"};
     const std::string& type = card.option("TYPE");
     if (type == "SFM3D4" || type == "SFM3D4R") return surface_element(card);
+    if (InpSprings::is_one(type)) return springs_.add_elements(card);
     if (!kSolids.count(type))
       throw InputError(card.place,
                        fmt::format("element type {} is not supported, expected C3D8, C3D8I, C3D8R "
@@ -577,6 +574,7 @@ class DeckReader {
 
   InpDeck deck_;
   InpEquations equations_;
+  InpSprings springs_;
   InpMaterial* material_ = nullptr;
   InpInteraction* interaction_ = nullptr;
   std::optional<InpStep> step_;

@@ -4,10 +4,11 @@
 //
 // The supported part of the language is that of tires: nodes, eight-node elements, sets,
 // hyperelastic and linear materials, cylindrical orientations, sections, layers of rebars in
-// embedded surface elements, equations that hold a node on the line between two others, surfaces,
-// one kind of contact, supports, face pressures, static and frequency steps. Everything else is
-// refused by name, because a card skipped silently gives a wrong model: unknown cards, unknown
-// options (inp_options.h), values of options that mean another model.
+// embedded surface elements, equations that hold a node on the line between two others or at a mean
+// of the corners of an element, springs and masses at such means, surfaces, one kind of contact,
+// supports, face pressures, static and frequency steps. Everything else is refused by name, because
+// a card skipped silently gives a wrong model: unknown cards, unknown options (inp_options.h),
+// values of options that mean another model.
 #pragma once
 
 #include <Eigen/Core>
@@ -42,6 +43,23 @@ struct InpElement {
 struct InpTie {
   int lower = 0, upper = 0;  // node numbers
   double at = 0.0;           // 0 at the lower, 1 at the upper node
+  Place place;
+};
+
+/// A node that equations hold at a mean of others, with weights that add up to one.
+struct InpMean {
+  std::map<int, double> weights;  // by node number
+  Place place;
+};
+
+/// A spring between two nodes with a force over its elongation, linear between points.
+struct InpSpring {
+  struct Point {
+    double force = 0.0, elongation = 0.0;
+  };
+  int number = 0;
+  std::array<int, 2> node;  // node numbers
+  std::vector<Point> law;
   Place place;
 };
 
@@ -161,7 +179,10 @@ struct InpDeck {
   std::vector<InpStep> steps;
   std::vector<InpRebars> rebars;
   std::vector<InpEmbedding> embeddings;
-  std::map<int, InpTie> ties;  // keys are numbers of tied nodes
+  std::map<int, InpTie> ties;    // keys are numbers of tied nodes
+  std::map<int, InpMean> means;  // keys are numbers of the nodes that are means
+  std::vector<InpSpring> springs;
+  std::map<int, double> masses;  // keys are node numbers
   std::vector<InpNumber> numbers;
   int pressure = -1;  // index of the number of the last static step; -1: none
   InpUnits units;     // stated units, else those that suit the size of the mesh, else mm, N, tonne

@@ -57,6 +57,8 @@ const std::map<std::string, CardOptions>& known_options() {
          {"DEFINITION", {{"COORDINATES"}, "means other axes"}}}}},
       {"SOLID SECTION", {{"ELSET", "MATERIAL", "ORIENTATION"}, {}, {}}},
       {"EQUATION", {{}, {}, {}}},
+      {"SPRING", {{"ELSET", "NONLINEAR"}, {}, {}}},
+      {"MASS", {{"ELSET"}, {}, {}}},
       {"SURFACE", {{"NAME", "TYPE"}, {"INTERNAL"}, {}}},
       {"SURFACE INTERACTION", {{"NAME"}, {}, {}}},
       {"SURFACE BEHAVIOR", {{"PRESSURE-OVERCLOSURE"}, {}, {}}},
@@ -139,6 +141,16 @@ void check_options(const InpCard& card) {
                                    limited->second.otherwise,
                                    fmt::join(limited->second.values, ", ")));
   }
+}
+
+std::string way_out(const std::string& keyword) {
+  if (keyword == "PART" || keyword == "ASSEMBLY" || keyword == "INSTANCE")
+    return ": expected a deck without parts and assemblies";
+  if (keyword == "INCLUDE") return ": expected one file";
+  if (keyword == "REBAR" || keyword == "MEMBRANE SECTION")
+    return ": expected cords as *REBAR LAYER below a *SURFACE SECTION of elements SFM3D4 that are "
+           "an *EMBEDDED ELEMENT, as springs, or smeared as *ELASTIC";
+  return "";
 }
 
 }  // namespace latsch::formats

@@ -3,6 +3,8 @@
 // another model.
 #pragma once
 
+#include <string>
+
 #include "formats/deck/inp_cards.h"
 
 namespace latsch::formats {
@@ -11,5 +13,8 @@ namespace latsch::formats {
 /// another model: *NODE, SYSTEM=C; *STEP without NLGEOM; *BOUNDARY, OP=NEW. Options of the solution
 /// method, and options with their default value, are accepted.
 void check_options(const InpCard& card);
+
+/// Returns advice about an unsupported keyword of other decks; "" if there is none.
+std::string way_out(const std::string& keyword);
 
 }  // namespace latsch::formats

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "formats/mesh/ccx_cords.h"
 #include "formats/mesh/hexahedron.h"
 
 namespace latsch::formats {
@@ -16,15 +17,14 @@ namespace {
 
 using fe_tire::Element;
 
-constexpr double kMillimeters = 1e3;                                              // millimeters per
-                                                                                  // meter
-constexpr double kMegapascals = 1e-6;                                             // megapascals per
-                                                                                  // pascal
-constexpr double kTonnesPerCubicMm = 1e-12;                                       // tonnes per mm^3
-                                                                                  // for 1 kg/m^3
-constexpr double kMegapascalsPerMm = 1e-9;                                        // MPa/mm for 1
-                                                                                  // Pa/m
+constexpr double kMillimeters = 1e3;         // millimeters per meter
+constexpr double kMegapascals = 1e-6;        // megapascals per pascal
+constexpr double kTonnes = 1e-3;             // tonnes per kilogram
+constexpr double kTonnesPerCubicMm = 1e-12;  // tonnes per mm^3 for 1 kg/m^3
+constexpr double kMegapascalsPerMm = 1e-9;   // MPa/mm for 1 Pa/m
 constexpr double kGroundLength = 0.16, kGroundWidth = 0.17, kGroundDepth = 0.02;  // m, half sizes
+constexpr int kGroundNodes = 8;
+constexpr double kSameWidth = 1e-12;  // rad
 
 class DeckWriter {
  public:
@@ -35,10 +35,11 @@ class DeckWriter {
       : out_(out), mesh_(mesh), corners_(corners_of(mesh)), materials_(materials), run_(run) {}
 
   void write() {
-    print("*HEADING\n{}\n", run_.title);
+    print("*HEADING\n{}\n** units: mm, N, tonne\n", run_.title);
     nodes();
     elements();
     ties();
+    cords();
     sets();
     material_cards();
     if (run_.ground) contact();
@@ -102,7 +103,7 @@ class DeckWriter {
   }
 
   void elements() {
-    print("*ELEMENT,TYPE=C3D8,ELSET=TIRE\n");
+    print("*ELEMENT,TYPE={},ELSET=TIRE\n", element_type());
     for (int s = 0; s < mesh_.sectors; ++s)
       for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
         print("{}", element_number(s, e));
@@ -110,9 +111,68 @@ class DeckWriter {
         print("\n");
       }
     if (!run_.ground) return;
-    print("*ELEMENT,TYPE=C3D8,ELSET=GROUNDBLOCK\n{}", ground_element());
+    print("*ELEMENT,TYPE={},ELSET=GROUNDBLOCK\n{}", element_type(), ground_element());
     for (int i = 1; i <= 8; ++i) print(",{}", tire_nodes() + i);
     print("\n");
+  }
+
+  const char* element_type() const {
+    return run_.element == fe_tire::ElementKind::full_integration ? "C3D8" : "C3D8I";
+  }
+
+  /// Writes the cords: two nodes a spring and their ties to the element, a mass at each. Sectors of
+  /// one width have the same springs.
+  void cords() {
+    std::vector<bool> written(mesh_.sectors, false);
+    int node = tire_nodes() + kGroundNodes + 1, element = ground_element() + 1, group = 0;
+    for (int first = 0; first < mesh_.sectors; ++first) {
+      if (written[first]) continue;
+      std::vector<int> alike;
+      for (int s = first; s < mesh_.sectors; ++s)
+        if (!written[s] && std::abs(width(s) - width(first)) < kSameWidth) alike.push_back(s);
+      for (const int s : alike) written[s] = true;
+      for (const CordSpring& spring : cord_springs(mesh_, materials_, first)) {
+        const int nodes = node;
+        for (const int s : alike)
+          for (const CordSpring::End& end : spring.ends) end_of_spring(node++, s, end);
+        print("*ELEMENT,TYPE=SPRINGA,ELSET=CORDS{}\n", group);
+        for (std::size_t i = 0; i < alike.size(); ++i)
+          print("{},{},{}\n", element++, nodes + 2 * i, nodes + 2 * i + 1);
+        print("*SPRING,ELSET=CORDS{},NONLINEAR\n\n", group);
+        for (const auto& [force, elongation] : force_law(materials_.layers[spring.layer], spring))
+          print("{:.12g},{:.12g}\n", force, elongation * kMillimeters);
+        if (spring.mass > 0.0) {
+          print("*ELEMENT,TYPE=MASS,ELSET=MASS{}\n", group);
+          for (int i = nodes; i < node; ++i) print("{},{}\n", element++, i);
+          print("*MASS,ELSET=MASS{}\n{:.12g}\n", group, 0.5 * spring.mass * kTonnes);
+        }
+        ++group;
+      }
+    }
+  }
+
+  double width(int sector) const { return mesh_.angle(sector + 1) - mesh_.angle(sector); }
+
+  void end_of_spring(int number, int sector, const CordSpring::End& end) {
+    print("*NODE\n");
+    node(number, mesh_.frame(sector) * end.x);
+    tie(number, sector, end);
+  }
+
+  void tie(int number, int sector, const CordSpring::End& end) {
+    for (int k = 1; k <= 3; ++k) {
+      print("*EQUATION\n{}\n{},{},1.", end.weights.size() + 1, number, k);
+      int written = 1;
+      for (const auto& [node, weight] : end.weights) {
+        print("{}{},{},{:.12g}",
+              written % 4 == 0 ? "\n" : ",",
+              node_number(sector, node),
+              k,
+              -weight);
+        ++written;
+      }
+      print("\n");
+    }
   }
 
   /// Corners between two nodes stay on the straight line between these.
@@ -269,10 +329,6 @@ void write_ccx_deck(std::ostream& out,
                     const fe_tire::Mesh& mesh,
                     const fe_tire::Materials& materials,
                     const CcxRun& run) {
-  for (const Element& element : mesh.elements)
-    if (!element.rebars.empty())
-      throw InputError(
-          "CalculiX has no rebar layers, set mesh.cords = \"smeared\" for this export");
   DeckWriter(out, mesh, materials, run).write();
 }
 

@@ -2,9 +2,10 @@
 // Writes a tire as a CalculiX deck (mm, N, tonne, s): inflation, load against flat ground,
 // frequencies.
 //
-// The deck has the same mesh, laws and loads for an independent program. CalculiX 2.20 differs in
-// two points: it has no rebars, so the cords must be smeared; and it counts the load stiffness of
-// the pressure twice in a prestressed frequency step, so that step has half the pressure.
+// The deck has the same mesh, laws and loads for an independent program. CalculiX has no rebars;
+// every layer of cords in an element becomes a cord slice (ccx_cords.h). CalculiX 2.20 counts the
+// load stiffness of the pressure twice in a prestressed frequency step, so that step has half the
+// pressure.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include <optional>
 #include <string>
 
+#include "models/fe_tire/element/hex8.h"
 #include "models/fe_tire/element/materials.h"
 #include "models/fe_tire/element/mesh.h"
 
@@ -31,9 +33,11 @@ struct CcxRun {
   int load_increments = 5;          // number of increments of the travel
   int modes = 20;                   // 0: no frequency step
   bool loaded_modes = true;         // false: modes of the inflated tire, before the load step
+  /// Element of the deck: C3D8, or C3D8I with incompatible modes in place of the solid shell.
+  fe_tire::ElementKind element = fe_tire::ElementKind::full_integration;
 };
 
-/// Throws InputError if the mesh has rebars.
+/// Throws InputError if a layer of cords has a pretension.
 void write_ccx_deck(std::ostream& out,
                     const fe_tire::Mesh& mesh,
                     const fe_tire::Materials& materials,

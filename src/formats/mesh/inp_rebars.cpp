@@ -19,7 +19,8 @@ constexpr double kOffSide = 0.02;
 constexpr double kXi[8] = {-1, 1, 1, -1, -1, 1, 1, -1}, kEta[8] = {-1, -1, 1, 1, -1, -1, 1, 1},
                  kZeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
 
-/// Local coordinates of a point, by Newton's method on the trilinear map; none far outside.
+}  // namespace
+
 std::optional<Eigen::Vector3d> local_coordinates(const Hex& X, const Eigen::Vector3d& x) {
   constexpr int kMostSteps = 25;
   constexpr double kFar = 4.0, kConverged = 1e-12;
@@ -42,6 +43,8 @@ std::optional<Eigen::Vector3d> local_coordinates(const Hex& X, const Eigen::Vect
   }
   return std::nullopt;
 }
+
+namespace {
 
 class Placer {
  public:
@@ -209,7 +212,7 @@ InpPlacedRebars place_rebars(const InpDeck& deck,
                              const InpHosts& hosts,
                              const std::function<Eigen::Vector3d(int node)>& place) {
   if (deck.rebars.empty())
-    return {{}, std::vector<std::vector<fe_tire::RebarPlacement>>(hosts.elements.size())};
+    return {{}, {}, std::vector<std::vector<fe_tire::RebarPlacement>>(hosts.elements.size())};
   return Placer(deck, hosts, place).place();
 }
 

@@ -10,23 +10,29 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "formats/deck/inp_deck.h"
 #include "formats/mesh/hexahedron.h"
+#include "models/fe_tire/element/materials.h"
 #include "models/fe_tire/element/mesh.h"
 
 namespace latsch::formats {
 
-/// A layer of the tire: rebars of the deck (an index), with the sign of their surface's normal.
+/// A layer of the tire: rebars of the deck (an index), with the sign of their surface's normal, or
+/// cords that the deck has as springs (inp_cords.h).
 struct InpLayer {
-  int rebars = 0;
+  int rebars = 0;  // -1: none
   int sign = 1;
+  int cords = -1;  // index in InpPlacedRebars::cords; -1: none
   bool operator==(const InpLayer&) const = default;
 };
 
 struct InpPlacedRebars {
   std::vector<InpLayer> layers;
+  std::vector<fe_tire::CordLayer> cords;
   std::vector<std::vector<fe_tire::RebarPlacement>> of_element;  // layers of each host
 };
 
@@ -37,6 +43,10 @@ struct InpHosts {
   std::map<int, int> of_number;    // index in `elements` by element number of the deck
   std::map<int, int> of_node;      // column of X by node number of the deck
 };
+
+/// Returns the local coordinates of a point, by Newton's method on the trilinear map; none far
+/// outside.
+std::optional<Eigen::Vector3d> local_coordinates(const Hex& X, const Eigen::Vector3d& x);
 
 /// `place` returns a node of the deck in the frame of X. Throws InputError naming the surface
 /// element and its fault.

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "formats/mesh/element_axes.h"
+#include "formats/mesh/inp_cords.h"
 #include "formats/mesh/inp_materials.h"
 #include "formats/mesh/mesh_surface.h"
 #include "formats/mesh/rotational_symmetry.h"
@@ -304,8 +305,16 @@ class TireReader {
 
   void take_rebars() {
     const InpHosts hosts{ring_.X, elements_, element_index_, node_index_};
-    placed_ = place_rebars(deck_, hosts, [&](int node) { return to_wheel(deck_.nodes.at(node)); });
+    const auto place = [&](int node) { return to_wheel(deck_.nodes.at(node)); };
+    placed_ = place_rebars(deck_, hosts, place);
+    const auto line = [&](int corner) -> std::array<int, 2> {
+      const auto tie = ties_.find(corner);
+      if (tie == ties_.end()) return {corner, corner};
+      return {tie->second.lower, tie->second.upper};
+    };
+    place_cords(deck_, hosts, place, line, placed_);
     tire_.layers = placed_.layers;
+    tire_.cords = placed_.cords;
   }
 
   /// Encodes solid, pressure and rebars as one number, equal for equal elements.
@@ -522,7 +531,9 @@ fe_tire::Materials materials_of(const InpTire& tire, const InpDeck& deck) {
                    solid.orientation.empty() ? nullptr : &deck.orientations.at(solid.orientation)));
   for (const InpLayer& layer : tire.layers)
     materials.layers.push_back(
-        layer_from(deck, deck.rebars[static_cast<std::size_t>(layer.rebars)], layer.sign));
+        layer.cords >= 0
+            ? tire.cords[static_cast<std::size_t>(layer.cords)]
+            : layer_from(deck, deck.rebars[static_cast<std::size_t>(layer.rebars)], layer.sign));
   return materials;
 }
 

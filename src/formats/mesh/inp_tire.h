@@ -43,6 +43,7 @@ struct InpTire {
   fe_tire::ElementKind element = fe_tire::ElementKind::solid_shell;
   std::vector<InpSolid> solids;  // solids of `materials`
   std::vector<InpLayer> layers;
+  std::vector<fe_tire::CordLayer> cords;  // of layers that the deck has as springs
   fe_tire::Materials materials;
   double pressure = 0.0;  // Pa
   std::optional<InpGround> ground;

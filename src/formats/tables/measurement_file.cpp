@@ -15,7 +15,8 @@ namespace latsch::formats {
 namespace {
 
 const std::vector<std::string> kModeTypes = {"torsional", "lateral", "radial"};
-constexpr long kMostWaves = 1000;
+/// Waves around the tire. Rigs find some fifteen; forty are shorter than a contact patch.
+constexpr long kMostWaves = 40;
 
 template <class Measurement>
 void check(const Measurement& measurement, const CsvTable& table) {
@@ -39,7 +40,8 @@ MeasuredMode read_label(const CsvTable& table, int row) {
   if (const std::string n = cell("n"); !n.empty()) {
     const auto waves = parse_number(n);
     if (!waves || !(*waves >= 0.0 && *waves <= kMostWaves) || *waves != static_cast<int>(*waves))
-      reject("n", "a number of waves, 0 or more, or nothing");
+      reject("n",
+             fmt::format("a number of waves around the tire, 0 to {}, or nothing", kMostWaves));
     mode.n = static_cast<int>(*waves);
   }
   mode.type = cell("type");

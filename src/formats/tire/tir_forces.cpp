@@ -42,6 +42,8 @@ void examine_friction(const char* peak,
   const auto value = [&](const char* name) {
     return p.*magic_formula::find_parameter(name)->member;
   };
+  // Some programs write a negative peak beside a slope of the usual sign, which is the same force.
+  mu = std::abs(mu);
   if (value(peak) == 0.0 || (mu >= kLeast && mu <= kMost)) return;
   const bool by_scale = value(scale) < kLeast || value(scale) > kMost;
   note(by_scale ? scale : peak,
@@ -58,11 +60,13 @@ void examine_friction(const char* peak,
 
 void examine_rolling_radius(const MagicFormula& tire, const AboutParameter& note) {
   constexpr double kRounding = 1e-9;
+  constexpr double kSmallest = 0.95;  // times the loaded radius; fitted tires have 0.99 and more
   const Parameters& p = tire.parameters();
   for (const double share : {1.0, 0.5, 1.5}) {
     const SteadyState s = rolling_straight(tire, share * p.FNOMIN);
     const double R_omega = s.R_l + s.rho;
-    if (!(s.R_l > 0.0) || (s.R_e <= R_omega * (1.0 + kRounding) && s.R_e >= s.R_l)) continue;
+    if (!(s.R_l > 0.0) || (s.R_e <= R_omega * (1.0 + kRounding) && s.R_e >= kSmallest * s.R_l))
+      continue;
     return note("BREFF",
                 fmt::format("BREFF, DREFF and FREFF give an effective rolling radius of {:.4g} mm "
                             "at {:.4g} N, expected one between the loaded radius, {:.4g} mm, and "

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/tire/tir_ledger.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "formats/tire/tir_keys.h"
 #include "formats/tire/tir_modes.h"
 #include "formats/tire/tir_reader.h"
@@ -35,6 +39,21 @@ void add_assumed_at_rest(const TirFile& tir, Ledger& ledger) {
     row.remark = one.value;
     ledger.rows.push_back(std::move(row));
   }
+}
+
+/// Adds a row for a unit of pressure that the file does not state but uses.
+void add_unit_of_pressure(const TirFile& tir, const TeimOrbitUnits& units, Ledger& ledger) {
+  const TeimOrbitSection* stated = tir.source.find("UNITS");
+  const bool is_used = std::ranges::any_of(tir.keys, [](const TirKey& key) {
+    return key.parameter == "INFLPRES" || key.parameter == "NOMPRES";
+  });
+  if (stated == nullptr || stated->has("PRESSURE") || !is_used) return;
+  LedgerRow row;
+  row.taken_as = "PRESSURE";
+  row.state = LedgerState::assumed;
+  row.remark = fmt::format("is taken as FORCE/LENGTH^2, {} Pa, because the file has no such line",
+                           units.pressure());
+  ledger.rows.push_back(std::move(row));
 }
 
 }  // namespace
@@ -72,6 +91,7 @@ Ledger ledger_of(const TirFile& tir) {
         "is taken as " + TeimOrbitUnits::si_in_words(key) + ", because the file has no such line";
     ledger.rows.push_back(std::move(row));
   }
+  add_unit_of_pressure(tir, units, ledger);
   add_assumed_at_rest(tir, ledger);
   ledger.doubts = tir.doubts;
   return ledger;

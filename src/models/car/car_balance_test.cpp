@@ -36,7 +36,8 @@ CarParameters pressed_car(bool rigid, double speed, double times, double drag = 
   if (rigid) make_rigid(car);
   add_bump_stops(car);
   double mass = 0.0;
-  for (const auto& body : build(car).mechanism.bodies()) mass += body.mass;
+  const auto built = build(car);
+  for (const auto& body : built.mechanism.bodies()) mass += body.mass;
   const double q = 0.5 * kDensity * speed * speed * kArea, all = times * mass * car.gravity / q;
   AeroMap air;
   air.area = kArea;

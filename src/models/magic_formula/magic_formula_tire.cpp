@@ -283,6 +283,7 @@ Result<HubForces> MagicFormulaTire::advance(const WheelMotion& motion,
               .kappa = patch_.kappa,
               .alpha = patch_.alpha,
               .gamma = contact->gamma,
+              .phit = 0.0,
               .Vx = contact->Vx,
               .p = settings_.pressure});
   if (forces_.Fz <= 0.0) return HubForces{};

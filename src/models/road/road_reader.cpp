@@ -112,7 +112,7 @@ std::unique_ptr<Road> read_drum(const Node& table) {
     cleat.friction = obstacle_friction(table);
     settings.cleats = equally_spaced(cleats, cleat);
     if (const std::string fault = DrumRoad::fault(settings); !fault.empty())
-      table.reject(cleats > 1 ? "cleats" : "length", fault);
+      table.reject(cleats > 1 ? "cleats" : "length", "does not fit the drum: " + fault);
   }
   return std::make_unique<DrumRoad>(settings);
 }

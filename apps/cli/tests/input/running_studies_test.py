@@ -186,8 +186,8 @@ class RunningStudies(Small):
             self.process.kill()
             self.process.communicate()
 
-    def start(self, *options):
-        self.process = subprocess.Popen([LATSCH, "run", "study.toml", *options], cwd=self.folder, text=True,
+    def start(self):
+        self.process = subprocess.Popen([LATSCH, "run", "study.toml"], cwd=self.folder, text=True,
                                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         end = time.monotonic() + 120
         while trials_of(self.journal) < 2 and self.process.poll() is None and time.monotonic() < end:
@@ -221,7 +221,8 @@ class RunningStudies(Small):
         self.start()
         edit(self.study, ('upper = "250 N/mm"', 'upper = "240 N/mm"'))
         self.assert_says(self.end(FAILED), "have changed while this run went on")
-        self.start("--anew")
+        self.journal.unlink()
+        self.start()
         self.study.write_text("# A comment.\n" + self.study.read_text())
         self.assertNotIn("have changed", self.end(DONE))
 

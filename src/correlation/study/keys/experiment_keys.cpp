@@ -28,7 +28,8 @@ measure: deflections = ["5 mm", "10 mm"], or measured_modes = 12.
               {"test",
                "Test of the study whose channels are compared, `[test.NAME]`, for "
                "\"load_deflection\" and \"modes\".",
-               "the test that the experiment states"},
+               "the test that the experiment states",
+               "the name of a `[test.NAME]`"},
               {"measurement",
                "File beside the study, or the name of a `[measurement.NAME]`. For "
                "\"load_deflection\" it has columns deflection (or loaded_radius) and force, for "

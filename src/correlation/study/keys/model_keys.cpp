@@ -22,7 +22,7 @@ read as several kinds. In place of a model there may be a `[simulator]`, an outs
       .samples =
           {
               R"toml([model]
-kind = "any_model"
+kind = "rigid_ring"
 file = "model.toml"
 )toml",
           },

@@ -19,4 +19,7 @@ struct HeldBand {
 /// not move in this mode.
 std::optional<HeldBand> held_band(const FourPostTest& test, PostMode mode, double width);
 
+/// Returns the share of the power of the posts' velocity in this mode above a frequency, Hz.
+double share_above(const FourPostTest& test, PostMode mode, double frequency);
+
 }  // namespace latsch::experiment

@@ -9,6 +9,7 @@ namespace latsch::experiment {
 namespace {
 
 constexpr double kHalfWidth = 0.1;  // m, of a tire; a wider one meets what lies farther outside
+constexpr int kLines = 4;           // to either side of the middle, 25 mm apart
 constexpr double kAlong = 5e-3;     // m, between the places looked at; steeper shapes are verticals
 constexpr double kTeeth = 16.0;     // places looked at in a pitch of the kerb, at least
 constexpr double kDiffers = 1e-3;   // m, of height; less is below the roughness of a road
@@ -18,7 +19,7 @@ constexpr long kMostPlaces = 400'000;  // places of a wheel; a longer way is loo
 /// Heights below one wheel, at places of equal distance.
 struct Trace {
   double x0 = 0.0, along = 0.0;  // m
-  std::vector<double> highest;   // m, of the three lines
+  std::vector<double> highest;   // m, of all lines
   bool differs = false;          // across the width
   bool touches = false;          // true if a place is higher or lower than the level road
 };
@@ -28,7 +29,7 @@ Trace trace_of(const KerbTest& test,
                const Eigen::Vector3d& center,
                double reach,
                double along) {
-  Trace trace{.x0 = center.x() - reach, .along = along};
+  Trace trace{.x0 = center.x() - reach, .along = along, .highest = {}};
   double time = -test.run_in, x = -reach;
   const double way = test.speed.area(test.duration) - test.speed.area(-test.run_in);
   for (; x <= way + reach; x += along) {
@@ -36,9 +37,13 @@ Trace trace_of(const KerbTest& test,
     const double speed = test.speed.at(time);
     if (x > 0.0 && speed > 0.0 && time < test.duration) time += along / speed;
     const double y = center.y() + test.line.at(time), at = center.x() + x;
-    const double left = road.height(at, y + kHalfWidth, 0.0), middle = road.height(at, y, 0.0),
-                 right = road.height(at, y - kHalfWidth, 0.0);
-    const auto [low, high] = std::minmax({left, middle, right});
+    double low = road.height(at, y, 0.0), high = low;
+    for (int line = 1; line <= kLines; ++line)
+      for (const double side : {-kHalfWidth, kHalfWidth}) {
+        const double z = road.height(at, y + side * line / kLines, 0.0);
+        low = std::min(low, z);
+        high = std::max(high, z);
+      }
     trace.highest.push_back(high);
     trace.differs = trace.differs || high - low > kDiffers;
     trace.touches = trace.touches || std::max(std::abs(low), std::abs(high)) > kTouches;

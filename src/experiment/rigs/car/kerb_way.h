@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The road that the wheels of a car meet in a kerb test, found without driving.
 //
-// Each wheel is taken as a rigid disk of radius R that rolls over the highest of three lines, in
-// its middle and 0.1 m to either side. Its axle then follows the envelope
+// Each wheel is taken as a rigid disk of radius R that rolls over the highest of nine lines, up to
+// 0.1 m to either side of its middle. Its axle then follows the envelope
 //   a(x) = max over |d| < R of z(x + d) + sqrt(R² - d²) - R
 // The rise of a over a length R is that of an obstacle which the tire has to swallow: an edge of
 // height h counts whole, a hill of the same height over some meters counts little, and a slot that

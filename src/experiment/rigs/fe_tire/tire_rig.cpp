@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/rigs/fe_tire/tire_rig.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
+#include <utility>
 
 #include "experiment/rigs/fe_tire/channel_slopes.h"
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
@@ -102,6 +106,7 @@ Result<Channels> TireRig::run(const ModalTest& test) {
 }
 
 Result<TireRig::Vibrating> TireRig::vibrate(const ModalTest& test) {
+  if (const Status near = points_on_tire(tire_.mesh(), test.points); !near) return near.failure();
   const auto& inflated = this->inflated(test.pressure.value_or(own_pressure_));
   if (!inflated) return inflated.failure();
   Vibrating found;
@@ -267,14 +272,53 @@ Eigen::Matrix3Xd default_points(const fe_tire::Mesh& mesh) {
   return points;
 }
 
+namespace {
+
+/// Nodes of one sector on outer faces that no other element covers.
+std::vector<int> outer_nodes(const fe_tire::Mesh& mesh) {
+  const auto face = [&](const fe_tire::Element& element, int first) {
+    std::array<int, 4> nodes;
+    for (int a = 0; a < 4; ++a) nodes[a] = element.node[first + a];
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
+  };
+  std::set<std::array<int, 4>> inner;
+  for (const fe_tire::Element& element : mesh.elements) inner.insert(face(element, 0));
+  std::set<int> nodes;
+  for (const fe_tire::Element& element : mesh.elements)
+    if (!inner.count(face(element, 4)))
+      for (int a = 4; a < 8; ++a) nodes.insert(element.node[a] % mesh.nodes_per_sector());
+  return {nodes.begin(), nodes.end()};
+}
+
+/// Distance in the plane of the spin axis, (y, r), from a point to the faces of the elements.
+double distance_from_wall(const fe_tire::Mesh& mesh, const Eigen::Vector2d& point) {
+  const auto section = [](const Eigen::Vector3d& x) {
+    return Eigen::Vector2d(x.y(), std::hypot(x.x(), x.z()));
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (const fe_tire::Element& element : mesh.elements) {
+    const auto X = mesh.coordinates(element);
+    for (const auto& [from, to] : {std::pair{0, 3}, {4, 7}}) {
+      const Eigen::Vector2d a = section(X.col(from)), b = section(X.col(to)), way = b - a;
+      const double at = std::clamp(way.dot(point - a) / way.squaredNorm(), 0.0, 1.0);
+      least = std::min(least, (point - a - at * way).norm());
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
 NearestSensors nearest_sensors(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd& points) {
+  const std::vector<int> sensors = outer_nodes(mesh);
   NearestSensors nearest;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     double least = std::numeric_limits<double>::infinity();
     int node = 0;
     for (int sector = 0; sector < mesh.sectors; ++sector) {
       const Eigen::Vector3d point = mesh.frame(sector).transpose() * points.col(i);
-      for (int sensor : mesh.sensors) {
+      for (int sensor : sensors) {
         const double distance = (mesh.X.col(sensor) - point).norm();
         if (distance < least) {
           least = distance;
@@ -286,6 +330,28 @@ NearestSensors nearest_sensors(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd
     nearest.largest_distance = std::max(nearest.largest_distance, least);
   }
   return nearest;
+}
+
+Status points_on_tire(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd& points) {
+  constexpr double kFar = 0.025;  // m
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Eigen::Vector3d point = points.col(i);
+    const double distance = distance_from_wall(mesh, {point.y(), std::hypot(point.x(), point.z())});
+    if (distance <= kFar) continue;
+    const Eigen::Vector3d mm = 1e3 * point;
+    return Failure{fmt::format(
+        "point {} of the mode shapes, ({:.4g}, {:.4g}, {:.4g}) mm, lies {:.4g} mm from "
+        "the wall of the tire, expected at most {:.0f} mm; x, y and z count from the "
+        "wheel's center, x forward, y along the spin axis, z up: is their unit, or "
+        "the order of the columns, another one?",
+        i + 1,
+        mm.x(),
+        mm.y(),
+        mm.z(),
+        1e3 * distance,
+        1e3 * kFar)};
+  }
+  return {};
 }
 
 }  // namespace latsch::experiment

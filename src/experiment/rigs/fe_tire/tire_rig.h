@@ -74,11 +74,18 @@ class TireRig {
 /// [3 x points], m, wheel frame.
 Eigen::Matrix3Xd default_points(const fe_tire::Mesh& mesh);
 
-/// The node (of the whole ring) of the sensor nearest to every point, and its distance, m.
+/// The node (of the whole ring) of the outer surface nearest to every point, and the greatest
+/// distance, m.
 struct NearestSensors {
   std::vector<int> nodes;
   double largest_distance = 0.0;
 };
 NearestSensors nearest_sensors(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd& points);
+
+/// Fails if a point is none of the tire. A point may lie up to 25 mm from the wall: half of that is
+/// a mount and its cable, the rest the difference between the drawing and the tire. A point farther
+/// away has another unit or other axes. Inside the wall, as for sensors on the inner liner, the
+/// distance is that to the nearest face of the elements.
+Status points_on_tire(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd& points);
 
 }  // namespace latsch::experiment

@@ -163,6 +163,38 @@ TEST(TireRig, WhatIsDeeperThanTheRimFails) {
   EXPECT_FALSE(run(tire, curve({0.5})));
 }
 
+TEST(PointsOnTire, AreWithinSomeMillimetersOfTheWallAndNotInAnotherUnitOrOrder) {
+  FeTire tire = coarse_tire();
+  const Eigen::Matrix3Xd points = default_points(tire.mesh());
+  EXPECT_TRUE(points_on_tire(tire.mesh(), points).ok());
+  const auto moved = [&](double outward) {
+    Eigen::Matrix3Xd all = points;
+    const double r = std::hypot(all(0, 0), all(2, 0));
+    all(0, 0) *= 1.0 + outward / r;
+    all(2, 0) *= 1.0 + outward / r;
+    return all;
+  };
+  EXPECT_TRUE(points_on_tire(tire.mesh(), moved(0.010)).ok());
+  EXPECT_FALSE(points_on_tire(tire.mesh(), moved(0.090)).ok());
+  // Meters in place of millimeters, exchanged columns, the center of the axle.
+  EXPECT_FALSE(points_on_tire(tire.mesh(), 1e3 * points).ok());
+  EXPECT_FALSE(points_on_tire(tire.mesh(), points({1, 0, 2}, Eigen::all)).ok());
+  EXPECT_FALSE(points_on_tire(tire.mesh(), Eigen::Vector3d::Zero()).ok());
+  ModalTest test = modal(2);
+  test.points = Eigen::Vector3d(0.0, 0.0, 31.0);
+  EXPECT_FALSE(run(tire, test));
+}
+
+// A point on the sidewall takes the node there, not one of the tread.
+TEST(NearestSensors, TakesAnyNodeOfTheOuterSurface) {
+  const FeTire tire = coarse_tire();
+  for (const fe_tire::Element& element : tire.mesh().elements) {
+    if (!element.tread) continue;
+    const Eigen::Vector3d corner = tire.mesh().coordinates(element).col(7);
+    EXPECT_NEAR(nearest_sensors(tire.mesh(), corner).largest_distance, 0.0, 1e-12);
+  }
+}
+
 TEST(NearestSensors, FindsThePointItself) {
   const FeTire tire = coarse_tire();
   const auto nearest = nearest_sensors(tire.mesh(), default_points(tire.mesh()));

@@ -68,6 +68,12 @@ spectra = true
 segment = "1 s"
 band = ["2 Hz", "20 Hz"]
 )toml",
+              R"toml(kind = "four_post"
+from = "1 Hz"
+to = "25 Hz"
+duration = "4 s"
+spectra = true
+)toml",
           },
   };
   return section;
