@@ -220,23 +220,7 @@ def outcomes():
 
 # x.cpp implements x.h. Otherwise a reader has to find its header: one in the same folder names the file or declares the
 # thing it is called after, or the file's name continues the header's. Programs and modules have no header, sections of
-# keys are called by the reader of their test or by the list of a study's sections. Kinds of specimens and tests are
-# declared in the list of them all. The parts below are declared in a header that does not name them yet.
-LIST_OF_KINDS = {"src/experiment/kinds": "src/experiment/language.cpp", "src/experiment/tests": "src/experiment/language.cpp"}
-PARTS = {
-    "src/correlation/rig_data/rig_compensation.cpp": "rig_processing.h",
-    "src/experiment/rigs/fe_tire/standing_rig.cpp": "../static_stiffness.h",
-    "src/formats/deck/inp_numbers.cpp": "inp_deck.h",
-    "src/formats/road/rdf_file.cpp": "road_file.h",
-    "src/formats/tables/tydex_names.cpp": "tydex_file.h",
-    "src/models/fe_tire/description/material_builder.cpp": "tire_description.h",
-    "src/models/fe_tire/description/mesh_builder.cpp": "tire_description.h",
-    "src/models/fe_tire/description/tire_reader.cpp": "tire_description.h",
-    "src/models/fe_tire/slopes/patch_slopes.cpp": "tire_slopes_impl.h",
-    "src/models/ring_tire/ring/standing_stiffness.cpp": "ring_tire.h",
-    "apps/cli/verbs/shown_ledger.cpp": "shown_file.h",
-    "apps/cli/verbs/shown_measurement.cpp": "shown_file.h",
-}
+# keys are called by the reader of their test or by the list of a study's sections.
 BEGINS_A_PROGRAM = re.compile(r"^(?:int main|PYBIND11_MODULE)\(", re.M)
 KEYS = "_keys"
 
@@ -248,40 +232,32 @@ def camel_case(name):
 def is_named_by(stem, header_stem, header):
     """True if the header of that stem and text says that STEM.cpp implements a part of it."""
     return (stem.startswith(header_stem + "_")
-            or re.search(rf"\b(?:\w+_)?{stem}\(|\bk{camel_case(stem)}\b|\b{stem}\.cpp\b", header) is not None)
+            or re.search(rf"\b(?:\w+_)?{stem}\(|\bk{camel_case(stem)}Test\b|\b{stem}\.cpp\b", header) is not None)
 
 
-def has_header(file, name):
+def has_header(file):
     text = file.read_text()
     if file.with_suffix(".h").is_file() or BEGINS_A_PROGRAM.search(text):
         return True
     if file.stem.endswith(KEYS) and re.search(rf"\bKeySection& {file.stem}\(\)", text):
         return True
-    headers = [*sorted(file.parent.glob("*.h"))]
-    if listed := LIST_OF_KINDS.get(str(pathlib.Path(name).parent)):
-        headers.append(SOURCE.parent / listed)
-    return any(is_named_by(file.stem, header.stem, header.read_text()) for header in headers)
+    return any(is_named_by(file.stem, header.stem, header.read_text()) for header in sorted(file.parent.glob("*.h")))
 
 
 def lonely_files():
     root = SOURCE.parent
-    parts = dict(PARTS)
     for top in (SOURCE, root / "apps", root / "verification", root / "benchmarks", root / "examples"):
         for file in sorted(top.rglob("*.cpp")):
             name = str(file.relative_to(root))
-            if file.stem.endswith(("_test", "_testing")) or "node_modules" in file.parts or has_header(file, name):
+            if file.stem.endswith(("_test", "_testing")) or "node_modules" in file.parts or has_header(file):
                 continue
-            header = parts.pop(name, None)
-            if not header or not (file.parent / header).is_file():
-                yield (f"{name}: no {file.stem}.h is beside it, and no header of its folder names it: give it one, name it "
-                       f"after its header, or write its name where its header declares what it contains")
-    for name in parts:
-        yield f"tools/layers.py: PARTS need not list {name}: it has a header or is gone"
+            yield (f"{name}: no {file.stem}.h is beside it, and no header of its folder names it: give it one, name it "
+                   f"after its header, or write its name where its header declares what it contains")
 
 
 def test():
     """Every spelling that is refused is found, and the two that are meant are not."""
-    header = "Result<Rest> settle();  // statics.cpp\nvoid add_check(App&);\nextern const TestKind kAxleKc;\nJson home_view(int);"
+    header = "Result<Rest> settle();  // statics.cpp\nvoid add_check(App&);\nextern const TestKind kAxleKcTest;\nJson home_view(int);"
     for named in ("statics", "check", "axle_kc", "home_view", "car_settling"):
         assert is_named_by(named, "car", header), named
     for lonely in ("static", "dynamics", "kc", "home", "carpet", "settling"):

@@ -8,21 +8,12 @@
 
 #include "base/document_record.h"
 #include "base/text.h"
+#include "experiment/kinds/specimen_kinds.h"
 #include "experiment/language/known_limits.h"
 #include "experiment/language/model_file.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-const SpecimenKind& fe_tire_kind();
-const SpecimenKind& inp_tire_kind();
-const SpecimenKind& ring_tire_kind();
-const SpecimenKind& rigid_ring_kind();
-const SpecimenKind& magic_formula_kind();
-const SpecimenKind& suspension_kind();
-const SpecimenKind& car_kind();
-extern const TestKind kDrumCleat, kSlipSweep, kRollingStiffness, kUniformity, kStaticStiffness,
-    kFootprint, kModes, kSteadyStates, kSlipHistory, kLoadDeflection, kKc, kKinematics, kFourPost,
-    kKerb, kAxleKc, kMassProperties, kInflation;
 
 const Language& language() {
   static const Language all = {{&fe_tire_kind(),
@@ -32,23 +23,23 @@ const Language& language() {
                                 &magic_formula_kind(),
                                 &suspension_kind(),
                                 &car_kind()},
-                               {&kDrumCleat,
-                                &kSlipSweep,
-                                &kRollingStiffness,
-                                &kUniformity,
-                                &kStaticStiffness,
-                                &kFootprint,
-                                &kModes,
-                                &kSteadyStates,
-                                &kSlipHistory,
-                                &kLoadDeflection,
-                                &kKc,
-                                &kKinematics,
-                                &kFourPost,
-                                &kKerb,
-                                &kAxleKc,
-                                &kMassProperties,
-                                &kInflation}};
+                               {&kDrumCleatTest,
+                                &kSlipSweepTest,
+                                &kRollingStiffnessTest,
+                                &kUniformityTest,
+                                &kStaticStiffnessTest,
+                                &kFootprintTest,
+                                &kModesTest,
+                                &kSteadyStatesTest,
+                                &kSlipHistoryTest,
+                                &kLoadDeflectionTest,
+                                &kKcTest,
+                                &kKinematicsTest,
+                                &kFourPostTest,
+                                &kKerbTest,
+                                &kAxleKcTest,
+                                &kMassPropertiesTest,
+                                &kInflationTest}};
   return all;
 }
 

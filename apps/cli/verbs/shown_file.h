@@ -34,7 +34,7 @@ struct ShownFile {
 /// Channels are returned in iso, converted from the signs `axes` of the file. Throws InputError.
 ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes);
 
-/// Shows every [measurement.NAME] of a study, or `only` one of them.
+/// Shows every [measurement.NAME] of a study, or `only` one of them. See shown_measurement.cpp.
 ShownFile shown_measurements(const std::filesystem::path& study, const std::string& only = "");
 /// Adds the ledger of what was read: a table, with its doubts as facts. `with_users` is true for a
 /// study, where the users of a column are known. Its file has its folder in the title if another
@@ -44,7 +44,7 @@ void show_ledger(const Ledger& ledger,
                  ShownFile& shown,
                  const std::vector<Ledger>& among = {});
 /// Adds the ledger of a table or recording alone, with its stated axes; if the file is neither, a
-/// fact says so.
+/// fact says so. See shown_ledger.cpp.
 void show_ledger_of(const std::filesystem::path& file,
                     std::optional<AxisConvention> axes,
                     ShownFile& shown);

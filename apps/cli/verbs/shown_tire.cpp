@@ -3,7 +3,7 @@
 #include <map>
 
 #include "cli/verbs/shown_file.h"
-#include "experiment/kinds/slip_plots.h"
+#include "experiment/kinds/pictures/slip_plots.h"
 #include "formats/tire/tir_file.h"
 #include "models/magic_formula/magic_formula.h"
 

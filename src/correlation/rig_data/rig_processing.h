@@ -96,7 +96,7 @@ ProcessedRun process_run(const RigFile& rig, const std::string& name, DrumRecord
 /// `force`.
 numerics::Density density_of(const RigFile& rig, const std::vector<double>& force, double rate);
 
-/// Fits the filter and compares the cases: the last step of the processing.
+/// Fits the filter and compares the cases: the last step of the processing (rig_compensation.cpp).
 CompensationResult compensate(const RigFile& rig,
                               const std::vector<ProcessedRun>& runs,
                               const std::optional<HammerResult>& hammer);

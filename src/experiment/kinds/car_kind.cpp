@@ -10,8 +10,9 @@
 
 #include "base/document_parts.h"
 #include "base/text.h"
-#include "experiment/kinds/films_of_tests.h"
-#include "experiment/kinds/suspension_scene.h"
+#include "experiment/kinds/pictures/films_of_tests.h"
+#include "experiment/kinds/pictures/suspension_scene.h"
+#include "experiment/kinds/specimen_kinds.h"
 #include "experiment/kinds/tir_numbers.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
@@ -23,11 +24,6 @@
 #include "report/report.h"
 
 namespace latsch::experiment {
-
-const SpecimenKind& ring_tire_kind();
-const SpecimenKind& rigid_ring_kind();
-const SpecimenKind& magic_formula_kind();
-const SpecimenKind& suspension_kind();
 
 namespace {
 

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <list>
 
-#include "experiment/kinds/fe_tire_pictures.h"
 #include "experiment/kinds/fe_tire_specimen.h"
 #include "experiment/kinds/fe_variations.h"
+#include "experiment/kinds/pictures/fe_tire_pictures.h"
+#include "experiment/kinds/specimen_kinds.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/fine_tread.h"
 #include "models/fe_tire/description/model_version.h"

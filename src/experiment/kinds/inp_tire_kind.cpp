@@ -3,9 +3,10 @@
 // numbers have the names of the file: material.RUBBER.C10, layer.BELT.angle, pressure.
 #include <fmt/format.h>
 
-#include "experiment/kinds/fe_tire_pictures.h"
 #include "experiment/kinds/fe_tire_specimen.h"
 #include "experiment/kinds/inp_numbers.h"
+#include "experiment/kinds/pictures/fe_tire_pictures.h"
+#include "experiment/kinds/specimen_kinds.h"
 #include "models/fe_tire/description/model_version.h"
 
 namespace latsch::experiment {

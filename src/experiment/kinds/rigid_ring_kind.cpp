@@ -5,6 +5,7 @@
 
 #include "experiment/kinds/fitted_tir.h"
 #include "experiment/kinds/rolling_specimen.h"
+#include "experiment/kinds/specimen_kinds.h"
 #include "experiment/kinds/tir_numbers.h"
 #include "experiment/kinds/tire_sanity.h"
 #include "experiment/language/known_limits.h"

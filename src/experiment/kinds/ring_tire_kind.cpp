@@ -2,8 +2,9 @@
 // The flexible ring as a kind of specimen.
 #include <cmath>
 
-#include "experiment/kinds/rolling_scene.h"
+#include "experiment/kinds/pictures/rolling_scene.h"
 #include "experiment/kinds/rolling_specimen.h"
+#include "experiment/kinds/specimen_kinds.h"
 #include "experiment/kinds/tir_numbers.h"
 #include "experiment/language/known_limits.h"
 #include "experiment/rigs/vibration_rig.h"

@@ -3,8 +3,9 @@
 // names (composed_suspension.h).
 #include "base/error.h"
 #include "experiment/kinds/composed_suspension.h"
-#include "experiment/kinds/films_of_tests.h"
-#include "experiment/kinds/suspension_scene.h"
+#include "experiment/kinds/pictures/films_of_tests.h"
+#include "experiment/kinds/pictures/suspension_scene.h"
+#include "experiment/kinds/specimen_kinds.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
 #include "experiment/rigs/suspension/kc_compliance.h"

@@ -35,11 +35,6 @@
 #include "measurement/channels.h"
 #include "models/tire/tire.h"
 
-namespace latsch::fe_tire {
-class FeTire;
-class TireSlopes;
-}  // namespace latsch::fe_tire
-
 namespace latsch::experiment {
 
 /// Vertical force, N, at a deflection, m, which is the depth of the undeformed tire in the ground
@@ -82,12 +77,5 @@ Channels standing_channels(const StandingTest& test,
                            const std::vector<double>& forces,
                            const std::vector<double>& stiffnesses);
 Result<Channels> stand(Tire& tire, const StandingTest& test);
-/// Runs the finite-element tire from equilibrium to equilibrium. Throws InputError if the tire
-/// would slide away. With `slopes` returns those of all channels: upright on flat ground without
-/// friction only.
-Result<Channels> stand(fe_tire::FeTire& tire,
-                       double own_pressure,
-                       const StandingTest& test,
-                       fe_tire::TireSlopes* slopes = nullptr);
 
 }  // namespace latsch::experiment

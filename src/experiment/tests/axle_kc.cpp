@@ -18,16 +18,14 @@
 #include <algorithm>
 
 #include "experiment/language/capabilities.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/car/axle_kc_rig.h"
 #include "experiment/rigs/suspension/kc_senses.h"
 #include "experiment/tests/films/rig_film.h"
 #include "experiment/tests/kc_histories.h"
-#include "experiment/tests/kc_pictures.h"
+#include "experiment/tests/pictures/kc_pictures.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kAxleKc;
 namespace {
 
 constexpr std::array<const char*, 3> kModes = {"parallel", "opposed", "single"};
@@ -56,7 +54,7 @@ class AxleKc : public Test {
         channels.push_back(slope_of(name, unit, *test_.slopes));
     return channels;
   }
-  std::vector<std::string> needs() const override { return kAxleKc.needs; }
+  std::vector<std::string> needs() const override { return kAxleKcTest.needs; }
   std::optional<Reach> reach(const std::string& channel) const override {
     for (const Channel& one : test_.prescribed)
       if (one.name == channel) {
@@ -209,10 +207,10 @@ std::unique_ptr<Test> read_axle_kc(const Node& root, const TestSource& source) {
 
 const KeySection& axle_kc_keys();
 
-const TestKind kAxleKc = {"axle_kc",
-                          "an axle on a K&C rig: both wheels, springs and bars",
-                          {HasAxles::kName},
-                          read_axle_kc,
-                          axle_kc_keys};
+const TestKind kAxleKcTest = {"axle_kc",
+                              "an axle on a K&C rig: both wheels, springs and bars",
+                              {HasAxles::kName},
+                              read_axle_kc,
+                              axle_kc_keys};
 
 }  // namespace latsch::experiment

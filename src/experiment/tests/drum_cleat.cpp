@@ -11,10 +11,9 @@
 #include "experiment/rigs/sampling.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/drum_convergence.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kDrumCleat;
 
 std::string DrumCleatTest::in_words() const {
   const DrumTest& test = test_;
@@ -42,7 +41,7 @@ std::vector<ChannelInfo> DrumCleatTest::channels() const {
   return channels;
 }
 
-std::vector<std::string> DrumCleatTest::needs() const { return kDrumCleat.needs; }
+std::vector<std::string> DrumCleatTest::needs() const { return kDrumCleatTest.needs; }
 
 std::optional<Reach> DrumCleatTest::reach(const std::string& channel) const {
   if (channel != "time") return std::nullopt;
@@ -95,11 +94,11 @@ DrumTest read_drum_cleat(const std::filesystem::path& file) {
 
 const KeySection& drum_cleat_keys();
 
-const TestKind kDrumCleat = {"drum_cleat",
-                             "rolls over a cleat on the drum",
-                             {Rolls::kName},
-                             read_drum,
-                             drum_cleat_keys,
-                             kWheelScheme};
+const TestKind kDrumCleatTest = {"drum_cleat",
+                                 "rolls over a cleat on the drum",
+                                 {Rolls::kName},
+                                 read_drum,
+                                 drum_cleat_keys,
+                                 kWheelScheme};
 
 }  // namespace latsch::experiment

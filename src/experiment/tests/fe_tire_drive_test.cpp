@@ -31,7 +31,7 @@ class AspectTest : public Test {
   explicit AspectTest(const Inflation& pressure) : pressure_(pressure) {}
   std::string in_words() const override { return "aspect" + inflated(pressure_); }
   std::vector<ChannelInfo> channels() const override { return {{"aspect", "1"}}; }
-  std::vector<std::string> needs() const override { return kAspect.needs; }
+  std::vector<std::string> needs() const override { return kAspectTest.needs; }
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     return specimen.find<IsFeTire>()->drive(

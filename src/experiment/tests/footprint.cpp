@@ -6,13 +6,11 @@
 #include <algorithm>
 
 #include "experiment/language/capabilities.h"
-#include "experiment/language/test.h"
 #include "experiment/language/test_words.h"
-#include "experiment/tests/footprint_pictures.h"
+#include "experiment/tests/pictures/footprint_pictures.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kFootprint;
 namespace {
 
 class StandingFootprintTest : public Test {
@@ -38,7 +36,7 @@ class StandingFootprintTest : public Test {
   std::vector<std::string> needs() const override {
     if (test_.elements) return {HasTreadElements::kName};
     if (test_.friction) return {TakesConditions::kName};
-    return kFootprint.needs;
+    return kFootprintTest.needs;
   }
 
   std::optional<long> samples() const override {
@@ -77,10 +75,10 @@ std::unique_ptr<Test> read_footprint(const Node& root, const TestSource& source)
 
 const KeySection& footprint_keys();
 
-const TestKind kFootprint = {"footprint",
-                             "stands: length, width, area of its patch",
-                             {HasFootprint::kName},
-                             read_footprint,
-                             footprint_keys};
+const TestKind kFootprintTest = {"footprint",
+                                 "stands: length, width, area of its patch",
+                                 {HasFootprint::kName},
+                                 read_footprint,
+                                 footprint_keys};
 
 }  // namespace latsch::experiment

@@ -14,7 +14,6 @@
 #include <cmath>
 
 #include "experiment/language/capabilities.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/four_post_rig.h"
 #include "experiment/rigs/car/held_band.h"
@@ -22,12 +21,11 @@
 #include "experiment/rigs/car/post_spectra.h"
 #include "experiment/rigs/sampling.h"
 #include "experiment/tests/films/car_film.h"
-#include "experiment/tests/four_post_pictures.h"
+#include "experiment/tests/pictures/four_post_pictures.h"
+#include "experiment/tests/test_kinds.h"
 #include "formats/tables/csv_table.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kFourPost;
 namespace {
 
 /// The mode to whose signal responses refer, and the settings of the spectra, which are set even if
@@ -60,7 +58,7 @@ class FourPost : public Test {
       for (const auto& [name, unit] : spectra_channels()) channels.push_back({name, unit});
     return channels;
   }
-  std::vector<std::string> needs() const override { return kFourPost.needs; }
+  std::vector<std::string> needs() const override { return kFourPostTest.needs; }
   std::vector<Ledger> ledgers(const std::string& by) const override {
     std::vector<Ledger> ledgers = ledgers_;
     for (Ledger& ledger : ledgers)
@@ -206,7 +204,7 @@ FourPostTest recorded_posts(const Node& root,
   return test;
 }
 
-constexpr std::array<const char*, 4> kModes = {"heave", "pitch", "roll", "warp"};
+constexpr std::array<const char*, 4> kPostModes = {"heave", "pitch", "roll", "warp"};
 
 constexpr double kFewestPeriods = 2.0;  // periods of the lowest frequency in a record; fewer make
                                         // the response unreliable
@@ -243,7 +241,7 @@ void take_what_is_held(const Node& root, const FourPostTest& test, Frequencies& 
   PostSpectra& band = read.settings;
   const double line = 1.0 / band.segment;
   const auto held = held_band(test, read.mode, 0.5 * line);
-  const std::string mode = kModes[static_cast<std::size_t>(read.mode)];
+  const std::string mode = kPostModes[static_cast<std::size_t>(read.mode)];
   if (!held)
     root.reject(root.has("mode") ? "mode" : "posts",
                 "the recorded posts do not move in " + mode + ": expected another mode");
@@ -288,7 +286,7 @@ void take_what_is_sampled(const Node& root,
   }
   if (!read.are_recorded || is_sweep) return;
   constexpr double kMost = 0.01;  // share of the power of the posts' velocity
-  for (std::size_t mode = 0; mode < kModes.size(); ++mode) {
+  for (std::size_t mode = 0; mode < kPostModes.size(); ++mode) {
     const double share = share_above(test, static_cast<PostMode>(mode), highest);
     if (share <= kMost) continue;
     root.reject("sample_step",
@@ -299,7 +297,7 @@ void take_what_is_sampled(const Node& root,
                             1e3 * test.sample_step,
                             highest,
                             100.0 * share,
-                            kModes[mode]));
+                            kPostModes[mode]));
   }
 }
 
@@ -359,7 +357,7 @@ void refuse_short(const Node& root, const PostSweep& sweep) {
 std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source) {
   FourPostTest test;
   read_steps(root, test);
-  const std::vector<std::string> modes(kModes.begin(), kModes.end());
+  const std::vector<std::string> modes(kPostModes.begin(), kPostModes.end());
   const std::string mode = root.choice("mode", modes, "heave");
   const auto which =
       static_cast<PostMode>(std::find(modes.begin(), modes.end(), mode) - modes.begin());
@@ -407,11 +405,11 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
 
 const KeySection& four_post_keys();
 
-const TestKind kFourPost = {"four_post",
-                            "stands on four posts that move it",
-                            {Drives::kName},
-                            read_four_post,
-                            four_post_keys,
-                            "sweeps begin below their band; responses of two runs"};
+const TestKind kFourPostTest = {"four_post",
+                                "stands on four posts that move it",
+                                {Drives::kName},
+                                read_four_post,
+                                four_post_keys,
+                                "sweeps begin below their band; responses of two runs"};
 
 }  // namespace latsch::experiment

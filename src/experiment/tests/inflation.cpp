@@ -15,12 +15,10 @@
 
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/fe_tire/channel_slopes.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kInflation;
 namespace {
 
 /// Dimensions of the inflated tire off the ground.
@@ -79,7 +77,7 @@ class InflationTest : public Test {
   std::vector<ChannelInfo> channels() const override {
     return {{"pressure", "Pa"}, {"outer_radius", "m"}, {"section_width", "m"}, {"growth", "m"}};
   }
-  std::vector<std::string> needs() const override { return kInflation.needs; }
+  std::vector<std::string> needs() const override { return kInflationTest.needs; }
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "pressure" || test_.pressures.empty()) return std::nullopt;
     const auto [least, most] = std::minmax_element(test_.pressures.begin(), test_.pressures.end());
@@ -117,10 +115,10 @@ std::unique_ptr<Test> read_inflation(const Node& root, const TestSource& source)
 
 const KeySection& inflation_keys();
 
-const TestKind kInflation = {"inflation",
-                             "is inflated: outer radius, section width, growth",
-                             {IsFeTire::kName},
-                             read_inflation,
-                             inflation_keys};
+const TestKind kInflationTest = {"inflation",
+                                 "is inflated: outer radius, section width, growth",
+                                 {IsFeTire::kName},
+                                 read_inflation,
+                                 inflation_keys};
 
 }  // namespace latsch::experiment

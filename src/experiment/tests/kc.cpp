@@ -14,16 +14,14 @@
 #include <algorithm>
 
 #include "experiment/language/capabilities.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/kc_rig.h"
 #include "experiment/rigs/suspension/kc_senses.h"
 #include "experiment/tests/films/rig_film.h"
 #include "experiment/tests/kc_histories.h"
-#include "experiment/tests/kc_pictures.h"
+#include "experiment/tests/pictures/kc_pictures.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kKc;
 namespace {
 
 class KcTestOfCorner : public Test {
@@ -53,7 +51,7 @@ class KcTestOfCorner : public Test {
     return channels;
   }
 
-  std::vector<std::string> needs() const override { return kKc.needs; }
+  std::vector<std::string> needs() const override { return kKcTest.needs; }
   std::optional<long> samples() const override { return test_.loads.cols(); }
 
   std::optional<Reach> reach(const std::string& channel) const override {
@@ -133,10 +131,10 @@ std::unique_ptr<Test> read_kc(const Node& root, const TestSource& source) {
 
 const KeySection& kc_keys();
 
-const TestKind kKc = {"kc",
-                      "is loaded on a K&C rig: travel, camber, toe, caster",
-                      {IsLoaded::kName},
-                      read_kc,
-                      kc_keys};
+const TestKind kKcTest = {"kc",
+                          "is loaded on a K&C rig: travel, camber, toe, caster",
+                          {IsLoaded::kName},
+                          read_kc,
+                          kc_keys};
 
 }  // namespace latsch::experiment

@@ -17,20 +17,18 @@
 #include "base/error.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/kerb_rig.h"
 #include "experiment/rigs/car/kerb_way.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/sampling.h"
 #include "experiment/tests/films/car_film.h"
-#include "experiment/tests/kerb_pictures.h"
+#include "experiment/tests/pictures/kerb_pictures.h"
+#include "experiment/tests/test_kinds.h"
 #include "formats/road/road_file.h"
 #include "models/road/road_reader.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kKerb;
 namespace {
 
 /// Returns a sentence if a wheel would have to rise within its radius by more than the section of
@@ -91,7 +89,7 @@ class KerbRunTest : public Test, public TellsLimits {
     if (test_.follows_pushrods()) channels.push_back({"unreachable", "N"});
     return channels;
   }
-  std::vector<std::string> needs() const override { return kKerb.needs; }
+  std::vector<std::string> needs() const override { return kKerbTest.needs; }
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "time") return std::nullopt;
     return Reach{-test_.run_in, test_.duration};
@@ -330,6 +328,7 @@ std::unique_ptr<Test> read_kerb_test(const Node& root, const TestSource& source)
 
 const KeySection& kerb_keys();
 
-const TestKind kKerb = {"kerb", "drives over a kerb", {Drives::kName}, read_kerb_test, kerb_keys};
+const TestKind kKerbTest = {
+    "kerb", "drives over a kerb", {Drives::kName}, read_kerb_test, kerb_keys};
 
 }  // namespace latsch::experiment

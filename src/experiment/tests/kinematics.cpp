@@ -14,12 +14,10 @@
 
 #include "experiment/language/capabilities.h"
 #include "experiment/language/sign_view.h"
-#include "experiment/language/test.h"
-#include "experiment/tests/kinematics_pictures.h"
+#include "experiment/tests/pictures/kinematics_pictures.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kKinematics;
 namespace {
 
 constexpr std::array<const char*, 3> kAxleModes = {"parallel", "opposed", "single"};
@@ -53,7 +51,7 @@ class KinematicsTestOfAxle : public Test {
     return channels;
   }
 
-  std::vector<std::string> needs() const override { return kKinematics.needs; }
+  std::vector<std::string> needs() const override { return kKinematicsTest.needs; }
   std::optional<long> samples() const override { return std::ssize(test_.travel); }
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "travel" && channel != "rack") return std::nullopt;
@@ -156,10 +154,10 @@ std::unique_ptr<Test> read_kinematics(const Node& root, const TestSource&) {
 
 const KeySection& kinematics_keys();
 
-const TestKind kKinematics = {"kinematics",
-                              "is moved as rigid links: toe, camber, roll center, motion ratio",
-                              {MovesAsLinkage::kName},
-                              read_kinematics,
-                              kinematics_keys};
+const TestKind kKinematicsTest = {"kinematics",
+                                  "is moved as rigid links: toe, camber, roll center, motion ratio",
+                                  {MovesAsLinkage::kName},
+                                  read_kinematics,
+                                  kinematics_keys};
 
 }  // namespace latsch::experiment

@@ -11,11 +11,10 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
 #include "experiment/rigs/static_stiffness.h"
+#include "experiment/tests/test_kinds.h"
 #include "models/road/plane_road.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kLoadDeflection;
 namespace {
 
 /// Presses a rolling tire that stands: one state after the other, each settled anew.
@@ -78,7 +77,7 @@ std::vector<ChannelInfo> LoadDeflectionTest::channels() const {
 
 std::vector<std::string> LoadDeflectionTest::needs() const {
   if (test_.ground.mu > 0.0) return {TakesConditions::kName};
-  return kLoadDeflection.needs;
+  return kLoadDeflectionTest.needs;
 }
 
 std::optional<Reach> LoadDeflectionTest::reach(const std::string& channel) const {
@@ -145,12 +144,12 @@ std::unique_ptr<Test> load_deflection_as_measured(const Node&,
 
 const KeySection& load_deflection_keys();
 
-const TestKind kLoadDeflection = {"load_deflection",
-                                  "is pressed on the ground: force, patch",
-                                  {IsPressed::kName, Rolls::kName},
-                                  read_load_deflection,
-                                  load_deflection_keys,
-                                  "",
-                                  load_deflection_as_measured};
+const TestKind kLoadDeflectionTest = {"load_deflection",
+                                      "is pressed on the ground: force, patch",
+                                      {IsPressed::kName, Rolls::kName},
+                                      read_load_deflection,
+                                      load_deflection_keys,
+                                      "",
+                                      load_deflection_as_measured};
 
 }  // namespace latsch::experiment

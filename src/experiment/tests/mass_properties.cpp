@@ -10,12 +10,10 @@
 #include <fmt/format.h>
 
 #include "experiment/language/capabilities.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/fe_tire/channel_slopes.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kMassProperties;
 namespace {
 
 /// Mass and moments of inertia without the rim, but inflated as on the rim.
@@ -48,7 +46,7 @@ class MassPropertiesTest : public Test {
   std::vector<ChannelInfo> channels() const override {
     return {{"mass", "kg"}, {"spin_inertia", "kg m^2"}, {"diametral_inertia", "kg m^2"}};
   }
-  std::vector<std::string> needs() const override { return kMassProperties.needs; }
+  std::vector<std::string> needs() const override { return kMassPropertiesTest.needs; }
   std::optional<long> samples() const override { return 1; }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
@@ -75,10 +73,10 @@ std::unique_ptr<Test> read_mass_properties(const Node& root, const TestSource& s
 
 const KeySection& mass_properties_keys();
 
-const TestKind kMassProperties = {"mass_properties",
-                                  "is weighed and swung: mass, moments of inertia",
-                                  {IsFeTire::kName},
-                                  read_mass_properties,
-                                  mass_properties_keys};
+const TestKind kMassPropertiesTest = {"mass_properties",
+                                      "is weighed and swung: mass, moments of inertia",
+                                      {IsFeTire::kName},
+                                      read_mass_properties,
+                                      mass_properties_keys};
 
 }  // namespace latsch::experiment

@@ -10,10 +10,9 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
 #include "experiment/tests/load_deflection.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kModes;
 
 std::string state_in_words(const ModalTest& test) {
   std::string state = "unloaded";
@@ -47,7 +46,7 @@ std::vector<ChannelInfo> ModesTest::channels() const {
 
 std::vector<std::string> ModesTest::needs() const {
   if (test_.ground.mu > 0.0 || test_.points.cols() > 0) return {TakesConditions::kName};
-  return kModes.needs;
+  return kModesTest.needs;
 }
 
 std::shared_ptr<const Test> ModesTest::with_points(const Eigen::Matrix3Xd& points) const {
@@ -131,12 +130,12 @@ std::unique_ptr<Test> modes_as_measured(const Node& experiment,
 
 const KeySection& modes_keys();
 
-const TestKind kModes = {"modes",
-                         "vibrates with its rim held",
-                         {Vibrates::kName},
-                         read_modes_test,
-                         modes_keys,
-                         "",
-                         modes_as_measured};
+const TestKind kModesTest = {"modes",
+                             "vibrates with its rim held",
+                             {Vibrates::kName},
+                             read_modes_test,
+                             modes_keys,
+                             "",
+                             modes_as_measured};
 
 }  // namespace latsch::experiment

@@ -10,13 +10,11 @@
 
 #include "base/text.h"
 #include "experiment/language/capabilities.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/wheel_scheme.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kRollingStiffness;
 namespace {
 
 const std::vector<std::string> kMeasures = {"slip", "cornering", "camber"};
@@ -45,7 +43,7 @@ class RollingStiffness : public Test {
     return channels;
   }
 
-  std::vector<std::string> needs() const override { return kRollingStiffness.needs; }
+  std::vector<std::string> needs() const override { return kRollingStiffnessTest.needs; }
   std::optional<long> samples() const override { return 1; }
 
   Result<Channels> run(Specimen& specimen) const override {
@@ -111,11 +109,11 @@ std::unique_ptr<Test> read_rolling_stiffness(const Node& root, const TestSource&
 
 const KeySection& rolling_stiffness_keys();
 
-const TestKind kRollingStiffness = {"rolling_stiffness",
-                                    "rolls freely: slip, cornering and camber stiffness, trail",
-                                    {Rolls::kName},
-                                    read_rolling_stiffness,
-                                    rolling_stiffness_keys,
-                                    kWheelScheme};
+const TestKind kRollingStiffnessTest = {"rolling_stiffness",
+                                        "rolls freely: slip, cornering and camber stiffness, trail",
+                                        {Rolls::kName},
+                                        read_rolling_stiffness,
+                                        rolling_stiffness_keys,
+                                        kWheelScheme};
 
 }  // namespace latsch::experiment

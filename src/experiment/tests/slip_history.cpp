@@ -14,14 +14,12 @@
 #include "base/file.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/hub_frame.h"
 #include "experiment/rigs/slip/slip_lag.h"
 #include "experiment/rigs/slip/slip_states.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kSlipHistory;
 namespace {
 
 constexpr const char* kNoTurnSlip =
@@ -52,7 +50,7 @@ class SlipHistoryTest : public Test, public TellsLimits {
     channels.push_back({"alpha", "rad"});
     return channels;
   }
-  std::vector<std::string> needs() const override { return kSlipHistory.needs; }
+  std::vector<std::string> needs() const override { return kSlipHistoryTest.needs; }
   std::vector<Ledger> ledgers(const std::string& by) const override {
     if (is_measured_) return {};  // the measurement has a ledger of its own
     Ledger ledger = ledger_of_states(history_, by, kNoTurnSlip);
@@ -103,10 +101,10 @@ std::unique_ptr<Test> read_slip_history(const Node& root, const TestSource& sour
 
 const KeySection& slip_history_keys();
 
-const TestKind kSlipHistory = {"slip_history",
-                               "rolls through slips as they were recorded, lagging",
-                               {HasSteadyStates::kName},
-                               read_slip_history,
-                               slip_history_keys};
+const TestKind kSlipHistoryTest = {"slip_history",
+                                   "rolls through slips as they were recorded, lagging",
+                                   {HasSteadyStates::kName},
+                                   read_slip_history,
+                                   slip_history_keys};
 
 }  // namespace latsch::experiment

@@ -9,15 +9,13 @@
 #include <cmath>
 
 #include "experiment/language/capabilities.h"
-#include "experiment/language/test.h"
 #include "experiment/language/test_words.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/slip/flat_track.h"
 #include "experiment/rigs/wheel_scheme.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kSlipSweep;
 namespace {
 
 /// Reads [from, to]; both are 0 if the key is missing.
@@ -66,7 +64,7 @@ class SlipSweepTest : public Test {
     return channels;
   }
 
-  std::vector<std::string> needs() const override { return kSlipSweep.needs; }
+  std::vector<std::string> needs() const override { return kSlipSweepTest.needs; }
 
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "time") return std::nullopt;
@@ -140,11 +138,11 @@ std::unique_ptr<Test> read_slip_sweep(const Node& root, const TestSource& source
 
 const KeySection& slip_sweep_keys();
 
-const TestKind kSlipSweep = {"slip_sweep",
-                             "is steered or braked on a flat track",
-                             {Rolls::kName},
-                             read_slip_sweep,
-                             slip_sweep_keys,
-                             kWheelScheme};
+const TestKind kSlipSweepTest = {"slip_sweep",
+                                 "is steered or braked on a flat track",
+                                 {Rolls::kName},
+                                 read_slip_sweep,
+                                 slip_sweep_keys,
+                                 kWheelScheme};
 
 }  // namespace latsch::experiment

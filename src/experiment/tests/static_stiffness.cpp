@@ -12,11 +12,10 @@
 #include "base/text.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
-#include "experiment/language/test.h"
+#include "experiment/rigs/fe_tire/standing_rig.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kStaticStiffness;
 namespace {
 
 constexpr double kWay = 1e-3;  // m or rad
@@ -51,7 +50,7 @@ class StaticStiffnessTest : public Test, public TellsLimits {
     return channels;
   }
 
-  std::vector<std::string> needs() const override { return kStaticStiffness.needs; }
+  std::vector<std::string> needs() const override { return kStaticStiffnessTest.needs; }
 
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "deflection" || test_.deflections.empty()) return std::nullopt;
@@ -172,10 +171,10 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
 
 const KeySection& static_stiffness_keys();
 
-const TestKind kStaticStiffness = {"static_stiffness",
-                                   "stands: force over deflection, stiffnesses",
-                                   {IsFeTire::kName, Rolls::kName},
-                                   read_static_test,
-                                   static_stiffness_keys};
+const TestKind kStaticStiffnessTest = {"static_stiffness",
+                                       "stands: force over deflection, stiffnesses",
+                                       {IsFeTire::kName, Rolls::kName},
+                                       read_static_test,
+                                       static_stiffness_keys};
 
 }  // namespace latsch::experiment

@@ -16,13 +16,11 @@
 #include "base/mapped_file.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/hub_frame.h"
 #include "experiment/rigs/slip/slip_states.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kSteadyStates;
 namespace {
 
 using magic_formula::Angles;
@@ -56,7 +54,7 @@ class SteadyStatesTest : public Test, public TellsLimits {
     }
     return channels;
   }
-  std::vector<std::string> needs() const override { return kSteadyStates.needs; }
+  std::vector<std::string> needs() const override { return kSteadyStatesTest.needs; }
   std::vector<Ledger> ledgers(const std::string& by) const override {
     if (is_measured_) return {};  // the measurement has a ledger of its own
     return {ledger_of_states(states_, by, no_turn_slip(conventions_))};
@@ -128,10 +126,10 @@ std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& sou
 
 const KeySection& steady_states_keys();
 
-const TestKind kSteadyStates = {"steady_states",
-                                "rolls steadily in the states of a table",
-                                {HasSteadyStates::kName},
-                                read_steady_states,
-                                steady_states_keys};
+const TestKind kSteadyStatesTest = {"steady_states",
+                                    "rolls steadily in the states of a table",
+                                    {HasSteadyStates::kName},
+                                    read_steady_states,
+                                    steady_states_keys};
 
 }  // namespace latsch::experiment

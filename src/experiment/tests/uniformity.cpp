@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include "experiment/language/capabilities.h"
-#include "experiment/language/test.h"
 #include "experiment/rigs/uniformity_rig.h"
 #include "experiment/rigs/wheel_scheme.h"
+#include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
-
-extern const TestKind kUniformity;
 namespace {
 
 class Uniformity : public Test {
@@ -31,7 +29,7 @@ class Uniformity : public Test {
     return channels;
   }
 
-  std::vector<std::string> needs() const override { return kUniformity.needs; }
+  std::vector<std::string> needs() const override { return kUniformityTest.needs; }
   std::optional<long> samples() const override { return 1; }
 
   Result<Channels> run(Specimen& specimen) const override {
@@ -67,7 +65,7 @@ std::unique_ptr<Test> read_uniformity(const Node& root, const TestSource& source
 
 const KeySection& uniformity_keys();
 
-const TestKind kUniformity = {
+const TestKind kUniformityTest = {
     "uniformity",
     "uniformity machine: force variations over a turn, conicity, ply steer",
     {Rolls::kName},

@@ -201,7 +201,7 @@ InpUnits units_by_size(const InpDeck& deck);
 
 /// Returns the text of the deck with its numbers as they are in `deck`: a number that differs from
 /// the text is written with as many digits as reading it back exactly needs; everything else stays,
-/// byte by byte.
+/// byte by byte. See inp_numbers.cpp.
 std::string with_numbers_of(const InpDeck& deck, std::string_view text);
 
 }  // namespace latsch::formats

@@ -55,7 +55,7 @@ std::vector<RoadReference> references_of_road(const std::filesystem::path& file)
 /// and expected.
 RoadFile read_road_file(const std::filesystem::path& file);
 
-RoadFile read_rdf(const TeimOrbit& file);
+RoadFile read_rdf(const TeimOrbit& file);  // rdf_file.cpp
 
 /// Returns a mesh as .rdf in meters, as [NODES] and [ELEMENTS]; reading it gives the same bits.
 std::string rdf_text(const road::TriangleMesh& mesh, std::string_view comment);

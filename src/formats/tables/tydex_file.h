@@ -88,7 +88,7 @@ struct TydexName {
   std::string_view axes;     // "W", "H", "C"; "": none
   std::string_view meaning;
 };
-/// Returns nullptr for a name of the laboratory's own.
+/// Returns nullptr for a name of the laboratory's own. See tydex_names.cpp.
 const TydexName* find_tydex_name(std::string_view name);
 
 }  // namespace latsch::formats

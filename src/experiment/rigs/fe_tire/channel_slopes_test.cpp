@@ -7,8 +7,8 @@
 #include <cmath>
 #include <functional>
 
+#include "experiment/rigs/fe_tire/standing_rig.h"
 #include "experiment/rigs/fe_tire/tire_rig.h"
-#include "experiment/rigs/static_stiffness.h"
 #include "models/fe_tire/description/reference_tires.h"
 #include "models/fe_tire/description/tire_description.h"
 #include "models/fe_tire/slopes/tire_slopes.h"

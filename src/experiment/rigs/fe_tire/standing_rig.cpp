@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The standing finite-element tire (static_stiffness.h): a sequence of equilibria.
+#include "experiment/rigs/fe_tire/standing_rig.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "experiment/rigs/fe_tire/channel_slopes.h"
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
-#include "experiment/rigs/static_stiffness.h"
 #include "models/fe_tire/slopes/tire_slopes.h"
 
 namespace latsch::experiment {

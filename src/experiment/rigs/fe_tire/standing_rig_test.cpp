@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests of the standing finite-element tire: closed forms if the whole patch slides, equalities if
 // two paths lead to the same state.
+#include "experiment/rigs/fe_tire/standing_rig.h"
+
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
-#include "experiment/rigs/static_stiffness.h"
 #include "models/fe_tire/description/reference_tires.h"
 
 namespace latsch::experiment {

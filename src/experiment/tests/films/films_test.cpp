@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiment/kinds/films_of_tests.h"
+#include "experiment/kinds/pictures/films_of_tests.h"
 #include "experiment/language.h"
 #include "experiment/tests/films/car_film.h"
 #include "experiment/tests/films/rig_film.h"

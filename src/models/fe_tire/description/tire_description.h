@@ -152,7 +152,7 @@ struct TireDescription {
   Place place;  // place of the description in its file, for complaints
 };
 
-/// Reads and checks a tire file. Throws InputError naming file, line, found and expected.
+/// Reads a tire file (tire_reader.cpp). Throws InputError naming file, line, found and expected.
 TireDescription read_tire(const Node& root);
 
 /// Number of parts into which every element is split around the circumference, along and through
@@ -168,11 +168,11 @@ struct MeshRefinement {
 
 /// Builds the HEX8 mesh of the description. A refinement has its nodes on the true contour;
 /// materials, clamped boundary and tread boundary stay those of the unrefined elements. Throws
-/// InputError naming the element at which the section folds over.
+/// InputError naming the element at which the section folds over. See mesh_builder.cpp.
 Mesh build_mesh(const TireDescription& tire, MeshRefinement refinement = 1);
 
 /// Builds the materials in the numbering of build_mesh with the same refinement. Cheap enough for
-/// every trial.
+/// every trial. See material_builder.cpp.
 Materials build_materials(const TireDescription& tire, MeshRefinement refinement = 1);
 
 /// True if both descriptions give the same mesh, so that results prepared for one serve the other.

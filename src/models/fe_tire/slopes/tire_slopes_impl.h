@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Internals of slopes: of the inflated tire on one sector (tire_slopes.cpp), and of states on the
-// ground (loaded_slopes.cpp).
+// ground (loaded_slopes.cpp; their patch: patch_slopes.cpp).
 #pragma once
 
 #include <Eigen/Core>

@@ -123,7 +123,7 @@ class RingTire final : public Tire {
   double inner_energy() const;
   /// Linearization of the tire in its present state for small vibrations: friction of the road and
   /// in the sidewall sticks. `maxwell` is the stiffness of the Maxwell elements, which have one
-  /// time constant.
+  /// time constant. See standing_stiffness.cpp.
   struct Linearized {
     CyclicBand mass, stiffness, damping, maxwell;  // matrices over the nodes, SI
     double time_constant;                          // s, of the Maxwell elements

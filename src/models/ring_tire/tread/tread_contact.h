@@ -135,7 +135,7 @@ class RingTreadContact {
   /// that of the last add_force.
   std::vector<BlockContact> contacts(const NodeValues& q) const;
   /// Returns these blocks as the pressure on a plate; x is along the unit vector `heading` in the
-  /// horizontal plane.
+  /// horizontal plane. See footprint.cpp.
   Footprint footprint(const NodeValues& q,
                       const Eigen::Vector3d& center,
                       const Eigen::Vector3d& heading) const;

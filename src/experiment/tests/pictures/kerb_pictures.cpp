@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/tests/kerb_pictures.h"
+#include "experiment/tests/pictures/kerb_pictures.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

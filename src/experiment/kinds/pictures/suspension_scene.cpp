@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/kinds/suspension_scene.h"
+#include "experiment/kinds/pictures/suspension_scene.h"
 
 #include <cmath>
 #include <numbers>

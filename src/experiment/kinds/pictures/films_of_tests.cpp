@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/kinds/films_of_tests.h"
+#include "experiment/kinds/pictures/films_of_tests.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/tests/footprint_pictures.h"
+#include "experiment/tests/pictures/footprint_pictures.h"
 
 #include <fmt/format.h>
 

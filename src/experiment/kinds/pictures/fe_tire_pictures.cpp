@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/kinds/fe_tire_pictures.h"
+#include "experiment/kinds/pictures/fe_tire_pictures.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/kinds/slip_plots.h"
+#include "experiment/kinds/pictures/slip_plots.h"
 
 #include <fmt/format.h>
 

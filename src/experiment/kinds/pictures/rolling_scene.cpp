@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/kinds/rolling_scene.h"
+#include "experiment/kinds/pictures/rolling_scene.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/tests/four_post_pictures.h"
+#include "experiment/tests/pictures/four_post_pictures.h"
 
 #include <algorithm>
 #include <numbers>
