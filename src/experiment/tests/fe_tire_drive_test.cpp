@@ -11,7 +11,7 @@
 #include "experiment/rigs/fe_tire/channel_slopes.h"
 
 namespace latsch::experiment {
-extern const TestKind kAspect;
+extern const TestKind kAspectTest;
 namespace {
 
 Result<Channels> aspect_of(TireRig& rig, const Inflation& pressure, fe_tire::TireSlopes* slopes) {
@@ -52,7 +52,7 @@ std::unique_ptr<Test> read_aspect(const Node& root, const TestSource& source) {
 
 class ANewTestOfTheTire : public testing::Test {
  protected:
-  ANewTestOfTheTire() { language_.tests.push_back(&kAspect); }
+  ANewTestOfTheTire() { language_.tests.push_back(&kAspectTest); }
 
   Channels run(const std::string& test, const std::vector<std::string>& channels) {
     write_text_file(folder_ / "test.toml", test);
@@ -98,7 +98,7 @@ TEST_F(ANewTestOfTheTire, IsRefusedByOtherTires) {
 
 }  // namespace
 
-const TestKind kAspect = {
+const TestKind kAspectTest = {
     "aspect", "is inflated: width over radius", {IsFeTire::kName}, read_aspect};
 
 }  // namespace latsch::experiment
