@@ -7,11 +7,11 @@
 //   $ 1_fit_a_decay
 //   A = 2.025, identifiable
 //   k = 0.503, identifiable
-#include <cstdio>
-
 #include <latsch/optimization/design/sobol.h>
 #include <latsch/optimization/identifiability/identification.h>
 #include <latsch/optimization/trust_region/residual_trust_region.h>
+
+#include <cstdio>
 
 using namespace latsch;
 

@@ -9,14 +9,14 @@
 //   top = 8200 N/mm
 //
 // `latsch run` does the same with worker processes, which survive a model that crashes or hangs.
-#include <cstdio>
-#include <exception>
-
 #include <latsch/base/units.h>
 #include <latsch/correlation/search/stage_runs.h>
 #include <latsch/correlation/target/study_trials.h>
 #include <latsch/evaluation/executors/thread_executor.h>
 #include <latsch/experiment/language.h>
+
+#include <cstdio>
+#include <exception>
 
 using namespace latsch;
 

@@ -14,11 +14,11 @@
 //   0.005,220
 //
 // A program that also has the shipped models appends to the tables of experiment::language().
-#include <memory>
-#include <utility>
-
 #include <latsch/cli/run_cli.h>
 #include <latsch/experiment/language.h>
+
+#include <memory>
+#include <utility>
 
 using namespace latsch;
 using namespace latsch::experiment;

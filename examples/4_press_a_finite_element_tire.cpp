@@ -6,12 +6,12 @@
 //   $ 4_press_a_finite_element_tire studies/tires/passenger_205_55R16.toml
 //
 // It prints force and footprint at three deflections, then the frequencies.
-#include <cstdio>
-#include <exception>
-
 #include <latsch/base/document.h>
 #include <latsch/models/fe_tire/analysis/fe_tire.h>
 #include <latsch/models/fe_tire/description/tire_description.h>
+
+#include <cstdio>
+#include <exception>
 
 using namespace latsch;
 

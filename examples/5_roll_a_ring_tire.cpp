@@ -7,13 +7,13 @@
 //   $ 5_roll_a_ring_tire studies/ring_tires/passenger_205_55R16.toml
 //
 // It prints time (s), Fx and Fz (N) in the axes of the wheel carrier, every 2 ms.
-#include <cstdio>
-#include <exception>
-
 #include <latsch/base/document.h>
 #include <latsch/models/ring_tire/description/ring_reader.h>
 #include <latsch/models/ring_tire/ring/ring_tire.h>
 #include <latsch/models/road/profile_road.h>
+
+#include <cstdio>
+#include <exception>
 
 using namespace latsch;
 

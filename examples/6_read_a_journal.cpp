@@ -7,13 +7,13 @@
 //   $ 6_read_a_journal studies/compliance/study.toml /tmp/study.latsch | head -3
 //
 // Targets are computed from the kept channels, so the study may have other weights now than when it ran.
-#include <cstdio>
-#include <exception>
-
 #include <latsch/correlation/study/study.h>
 #include <latsch/correlation/target/study_trials.h>
 #include <latsch/evaluation/journal/journal.h>
 #include <latsch/experiment/language.h>
+
+#include <cstdio>
+#include <exception>
 
 using namespace latsch;
 

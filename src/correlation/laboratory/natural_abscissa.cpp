@@ -19,10 +19,10 @@ namespace latsch::correlation {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kVaries = 0.05;    // share of the usual range: smaller variation is the rig's
-                                    // scatter
-constexpr double kApart = 0.15;     // share of a condition's range: a gap of this size
-                                    // separates two levels
+constexpr double kVaries = 0.05;        // share of the usual range: smaller variation is the rig's
+                                        // scatter
+constexpr double kApart = 0.15;         // share of a condition's range: a gap of this size
+                                        // separates two levels
 constexpr double kNear = 0.05;          // a gap of this size does, too, between distinct levels:
 constexpr double kDistinct = 3.0;       // the gaps between them are so many times those inside,
 constexpr std::size_t kFilled = 4;      // and each has so many samples on average
