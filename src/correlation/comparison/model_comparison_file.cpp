@@ -51,9 +51,10 @@ void read_reference(const Node& table,
                          : channel.starts_with("line") ? "m"
                                                        : "N";
       file.noise[channel] = noise->quantity(channel, unit, Range::not_negative());
-      const auto& compared = file.channels;
-      if (!file.recordings.empty() &&
-          std::find(compared.begin(), compared.end(), channel) == compared.end())
+      // The noise of a recorded channel is that of written measurements.
+      const bool used = std::ranges::count(file.channels, channel) > 0 ||
+                        std::ranges::count(file.recorded, channel) > 0;
+      if (!file.recordings.empty() && !used)
         noise->reject(channel,
                       "is of a channel that is not compared, and recordings have their noise "
                       "already: expected one of the compared channels");

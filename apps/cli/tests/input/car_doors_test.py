@@ -380,6 +380,16 @@ file = "other.toml"
             with self.subTest(change=change):
                 self.assertRegex(self.compare(change), says)
 
+    def test_the_noise_of_recorded_channels_may_stay_beside_recordings(self):
+        reference = 'kind = "car"\nfile = "baseline.toml"'
+        noise = '\nrecorded = ["speed"]\n{}[reference.noise]\nspeed = "0.05 m/s"\npushrod_FL = "50 N"'
+        file = self.folder / "kerb" / "tiny.toml"
+        file.write_text(self.TINY.replace(reference, reference + noise.format("")))
+        self.latsch("compare", file, "--write-measurements", self.folder / "kerb" / "rec")
+        self.compare((reference, reference + noise.format('recordings = "rec"\n')), code=DONE)
+        unknown = noise.format('recordings = "rec"\n').replace('speed = "0.05 m/s"', 'line = "5 mm"')
+        self.assertRegex(self.compare((reference, reference + unknown)), r"reference\.noise\.line is of a channel")
+
     def test_recordings_with_a_gap_or_a_channel_that_is_still(self):
         file = self.folder / "kerb" / "tiny.toml"
         file.write_text(self.TINY)
