@@ -54,9 +54,15 @@ std::vector<fs::path> read_files(const Node& table, const fs::path& folder) {
   if (names.empty()) table.reject("files", "is empty, expected at least one");
   std::vector<fs::path> files;
   for (const std::string& name : names) {
-    files.push_back(folder / name);
-    if (!fs::exists(files.back()))
-      table.reject(key, "is " + in_quotes(name) + ", which does not exist");
+    const fs::path file = folder / name;
+    if (!fs::exists(file)) table.reject(key, "is " + in_quotes(name) + ", which does not exist");
+    for (const fs::path& other : files)
+      if (fs::equivalent(file, other))
+        table.reject(key,
+                     "names " + in_quotes(name) +
+                         " twice: its samples would count as two measurements of the same; "
+                         "expected each file once");
+    files.push_back(file);
   }
   return files;
 }
