@@ -7,6 +7,7 @@ other programs and damaged ones are read.
 """
 import contextlib
 import datetime
+import gzip
 import json
 import os
 import pathlib
@@ -55,7 +56,8 @@ class Serve(Coarse):
         """The program knows whether it was built with Node, and says the same in its version and at its address."""
         version = subprocess.run([LATSCH, "--version"], stdout=subprocess.PIPE, text=True, check=True).stdout
         with self.serve().open("/") as answer:
-            text = answer.read().decode()
+            body = answer.read()
+            text = (gzip.decompress(body) if answer.headers["Content-Encoding"] == "gzip" else body).decode()
         if "latsch serve shows it" in version:
             self.assertIn("<script", text)
         else:
