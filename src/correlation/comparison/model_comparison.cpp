@@ -21,6 +21,7 @@
 #include "measurement/band_level.h"
 #include "numerics/chi_square.h"
 #include "numerics/signals/butterworth.h"
+#include "numerics/signals/sample_count.h"
 
 namespace latsch::correlation {
 namespace {
@@ -158,7 +159,7 @@ numerics::WelchSettings welch_of(const ModelComparisonFile& file,
                                  double rate) {
   return numerics::welch_settings(numerics::Convention::scipy,
                                   static_cast<int>(samples),
-                                  static_cast<int>(std::lround(file.segment * rate)));
+                                  numerics::sample_count(file.segment, rate));
 }
 
 /// Throws InputError if a band or the segment asks for more than a recording contains.
