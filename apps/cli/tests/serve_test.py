@@ -51,6 +51,17 @@ class Serve(Coarse):
         self.page.post("/api/run", {"study": "study.toml", "verb": verb, "workers": 1})
         return self.page.wait(STUDY, lambda view: view["state"] == "running")
 
+    def test_the_start_page_is_the_page_or_says_how_to_build_one(self):
+        """The program knows whether it was built with Node, and says the same in its version and at its address."""
+        version = subprocess.run([LATSCH, "--version"], stdout=subprocess.PIPE, text=True, check=True).stdout
+        with self.serve().open("/") as answer:
+            text = answer.read().decode()
+        if "latsch serve shows it" in version:
+            self.assertIn("<script", text)
+        else:
+            self.assertIn("none: latsch serve answers only programs", version)
+            self.assertIn("built without Node and has no page: install nodejs and npm", text)
+
     def test_a_run_is_started_told_stopped_and_resumed(self):
         page = self.serve()
         home = page.wait("/api/home", lambda view: view["studies"])
