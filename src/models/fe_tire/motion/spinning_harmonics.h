@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The equations of small motions about the inflated, spinning tire, one circumferential number at a
 // time, with the rim held or moving:
-//   (K(n) - Omega^2 W(n) + omega Omega (iG)(n) - omega^2 M(n)) phi = 0                           (W.2)
-// in axes that stand, exp(i (n theta + omega t)), from the matrices in axes that spin along. omega >
-// 0 travels with the spin, because forward rolling carries material toward decreasing theta.
+//   (K(n) - Omega^2 W(n) + omega Omega (iG)(n) - omega^2 M(n)) phi = 0                        (W.2)
+// in axes that stand, exp(i (n theta + omega t)), from the matrices in axes that spin along. omega
+// > 0 travels with the spin, because forward rolling carries material toward decreasing theta.
 //
 // A rim that moves adds two unknowns to n = 0 and n = 1 (rim_motion.h). Its stiffness without
 // springs follows from the fact that a wheel on which nothing acts can be moved as a whole without

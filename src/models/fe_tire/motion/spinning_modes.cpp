@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modes of the spinning tire by circumferential numbers (SpinningTire::modes). A number needs no search if K + omega G -
-// omega^2 M is positive definite at the highest wanted frequency of both signs, because then it has
-// no mode below; so no number is left out by guess.
+// Modes of the spinning tire by circumferential numbers (SpinningTire::modes). A number needs no
+// search if K + omega G - omega^2 M is positive definite at the highest wanted frequency of both
+// signs, because then it has no mode below; so no number is left out by guess.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -18,8 +18,8 @@
 
 namespace latsch::fe_tire {
 
-/// Direction in which a wave travels around the tire, seen from axes that do not spin. A mode of n =
-/// 0, and one of a tire that does not spin, travels in none.
+/// Direction in which a wave travels around the tire, seen from axes that do not spin. A mode of n
+/// = 0, and one of a tire that does not spin, travels in none.
 enum class Sense { none, with, against };
 std::string name(Sense sense);  // "with", "against", "-"
 
@@ -55,9 +55,9 @@ class SpinningTire {
   /// its section height.
   Result<Inflated> inflate(const Inflated& at_rest, double speed);
 
-  /// Computes the `count` lowest modes by their frequencies seen from axes that do not spin. Motions
-  /// of a whole wheel with free rim below 0.5 Hz are left out. A Failure says if no wave is held at
-  /// this speed.
+  /// Computes the `count` lowest modes by their frequencies seen from axes that do not spin.
+  /// Motions of a whole wheel with free rim below 0.5 Hz are left out. A Failure says if no wave is
+  /// held at this speed.
   Result<std::vector<SpinningMode>> modes(const Inflated& spinning, const Rim& rim, int count);
 
   /// Finds the standing-wave speed of the tire inflated without spin. A Failure says why there is
