@@ -49,8 +49,8 @@ std::optional<Interval> interval_of(const Study& study,
 /// numbers between so wide bounds can be; "not known" without an estimate of the noise.
 std::string interval_source(const Study& study, const Identifiability& what, int variable);
 
-/// Returns warnings, one sentence each: residuals larger than their stated noise, noise that
-/// neighboring values share, rough derivatives, a search that ended early, refits that did not
+/// Returns warnings, one sentence each: values beyond the corner of their robust loss, residuals
+/// larger than their stated noise, noise that neighboring values share, rough derivatives, a search that ended early, refits that did not
 /// converge.
 std::vector<std::string> remarks(const Study& study, const Identifiability& what);
 
