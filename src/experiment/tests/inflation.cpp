@@ -7,7 +7,8 @@
 // mostly the stretch of belt and carcass: it identifies their moduli, on which frequencies hardly
 // depend.
 //
-// With `speed` the tire spins, its growth includes that by rotation, and "spin" (rad/s) is recorded.
+// With `speed` the tire spins, its growth includes that by rotation, and "spin" (rad/s) is
+// recorded.
 //
 // The keys are in experiment/tests/keys/inflation_keys.cpp.
 #include <fmt/format.h>
