@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "numerics/chi_square.h"
 #include "numerics/signals/butterworth.h"
+#include "numerics/signals/sample_count.h"
 
 namespace latsch::correlation {
 namespace {
@@ -46,7 +47,7 @@ numerics::WelchSettings welch_of(const ModelComparisonFile& file,
                                  double rate) {
   return numerics::welch_settings(numerics::Convention::scipy,
                                   static_cast<int>(samples),
-                                  static_cast<int>(std::lround(file.segment * rate)));
+                                  numerics::sample_count(file.segment, rate));
 }
 
 /// Throws InputError if a band or the segment asks for more than a recording contains.
