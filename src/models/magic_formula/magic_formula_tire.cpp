@@ -162,7 +162,7 @@ MagicFormulaTire::Carcass MagicFormulaTire::carcass(const WheelContact& contact,
   return c;
 }
 
-/// Returns the state of the contact patch after `step` if its sliding velocities stay those of `at`.
+/// Returns the state of the contact patch after `step` if its sliding velocities stay as in `at`.
 /// The relaxation equation is solved exactly for constant velocities.
 MagicFormulaTire::Patch MagicFormulaTire::relaxed_patch(const Sliding& at,
                                                         const Carcass& c,
