@@ -12,7 +12,7 @@
 
 #include <Eigen/Core>
 
-#include "numerics/sparse/bordered_hermitian.h"
+#include "numerics/sparse/banded_hermitian.h"
 
 namespace latsch::numerics {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rim as a rigid body on a tire of revolution: which of its motions a wave around the tire takes
-// along.
+// The rim as a rigid body on a tire of revolution: which of its motions a wave around the tire
+// takes along.
 //
 // In a wave u_s = Re(phi exp(i n theta_s)), in sector frames, a rim moves along and about the spin
 // axis with n = 0, and along and about the diameters with n = 1, where both motions are circular:
-// the vector a = (1, 0, i) / sqrt(2) turns with the frames, a_s = a exp(i theta_s). It does not move
-// with n > 1. A node of the rim at x moves by
+// the vector a = (1, 0, i) / sqrt(2) turns with the frames, a_s = a exp(i theta_s). It does not
+// move with n > 1. A node of the rim at x moves by
 //   u = T q,   n = 0: T = [e, e x X],   n = 1: T = [a, a x X].
 // The tilting rim of a spinning wheel resists by the moment omega Omega I_s, which makes its
 // nutation travel with the spin.

@@ -7,14 +7,14 @@
 // Omega > 0. With D = (e x X) . grad, taken at the true X of an integration point with the
 // gradients of the element's shape functions,
 //   M_ab = int rho N_a N_b,   G'_ab = int rho N_a D N_b,   W_ab = int rho D N_a D N_b,
-//   M u'' + Omega (G' - G'^T) u' + f_int(u) - Omega^2 (w_0 + W u) = f_ext,   w_0 = W X         (W.1)
+//   M u'' + Omega (G' - G'^T) u' + f_int(u) - Omega^2 (w_0 + W u) = f_ext,   w_0 = W X        (W.1)
 // the same in each of the three directions. A rotation of the whole has exactly the velocity of a
 // rigid body and a translation exactly none, whatever the width of the sectors. D acts on
 // components along axes that stand, so the frames of the sectors turn vectors and not the
 // derivative. M is the consistent mass: with the mass that vibrates in hex8.h the second-order
 // error of G would be twice that of M. In axes that spin along nothing passes the mesh; with [e x]
 // the cross product and P = 1 - e e^T, both within a node,
-//   M u'' + 2 Omega C u' + f_int(u) - Omega^2 M P x = f_ext,   C_ab = M_ab [e x]               (W.2)
+//   M u'' + 2 Omega C u' + f_int(u) - Omega^2 M P x = f_ext,   C_ab = M_ab [e x]              (W.2)
 // where M is the mass of hex8.h. docs/fe_tire_motion.md has both with their sources.
 #pragma once
 
