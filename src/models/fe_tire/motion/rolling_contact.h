@@ -3,12 +3,12 @@
 //
 // The body has unknowns q, of which the positions and pressures of its points follow, and the
 // residual R(q) = internal forces - forces of p and t. Newton's method on (F.1) by itself cycles
-// without end once epsilon_t times the distance of points exceeds the body's stiffness. An active set
-// does not: all points in contact stick at first,
+// without end once epsilon_t times the distance of points exceeds the body's stiffness. An active
+// set does not: all points in contact stick at first,
 //
 //   repeat:
-//     solve R(q) = 0 with the states as they are      (sliding points first in the directions of the
-//                                                     last state, then with a line search on |R|)
+//     solve R(q) = 0 with the states as they are: sliding points first in the directions of the
+//       last state, then with a line search on |R|
 //     points that stick beyond mu p slide             -> again
 //     nothing was released: points that slide along their traction, or whose trial traction is
 //       below mu p, stick                             -> again
