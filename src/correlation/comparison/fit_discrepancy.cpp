@@ -10,6 +10,7 @@
 #include "correlation/observable/curve.h"
 #include "correlation/target/residuals.h"
 #include "numerics/dense/cholesky.h"
+#include "numerics/signals/sample_count.h"
 #include "numerics/signals/welch.h"
 
 namespace latsch::correlation {
@@ -148,7 +149,7 @@ void add_lines(const FittedSignal& signal, double segment, std::map<int, BandSum
   constexpr double kAudible = 2.0;  // multiple of the noise density: weaker lines show only noise
   const auto samples = static_cast<int>(signal.measured.size());
   const auto settings = numerics::welch_settings(
-      numerics::Convention::scipy, samples, static_cast<int>(std::lround(segment * signal.rate)));
+      numerics::Convention::scipy, samples, numerics::sample_count(segment, signal.rate));
   const auto density = [&](const std::vector<double>& x) {
     return numerics::power_density(x, signal.rate, settings);
   };

@@ -1,18 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exactness of measured values, and its use in the fit.
 //
-//   [experiment.cleat]
-//   noise = "20 N"         # standard deviation of each value: in the unit of what is compared,
-//                          # "2 %" of what counts as 100 % (the measured force or frequency, the
-//                          # scale of a curve), or "20 N + 2 %": the root of both squares; or
-//                          # "estimated" by the fit, in every fitted experiment or none: from
-//                          # stage to stage, the last of which is run twice; or "own_stage", in
-//                          # every fitted experiment or none: the least error that an earlier
-//                          # stage left in which the experiment counts (a fit in stages)
-//   loss = "huber"         # or "cauchy": far-off values count less; "squares" unless given
-//   loss_scale = 1.345     # from where: in units of the noise, 1.345 or 2.385 unless given;
-//                          # without noise an error such as "5 %", which has to be given
-//
 // Noise has two more effects. The fit does not start again once the target is no larger than noise
 // alone makes it, so a stated noise that is too large ends the fit early. And intervals do not have
 // to estimate the noise.
@@ -24,6 +12,8 @@
 //   cauchy   rho = ln(1 + z)
 // and a least-squares method sums the squares. With Gaussian noise, the default scales keep 95 % of
 // the efficiency of least squares. Far-off values count as little in the intervals as in the fit.
+//
+// The keys are in correlation/laboratory/noise_keys.cpp.
 #pragma once
 
 #include <optional>
