@@ -54,14 +54,14 @@ struct RollingContactOptions {
   double rounding = 1e-7;
   /// Share of mu p by which a sticking point may exceed it; rounding has to be smaller.
   double excess = 1e-9;
-  int most_passes = 100;     // of the active set
-  int most_iterations = 40;  // of Newton's method in a pass
-  int most_returns = 12;     // of a point from sliding to sticking
-  int most_halvings = 12;    // of a Newton step
+  int most_passes = 100;     // largest number of active sets
+  int most_iterations = 40;  // largest number of Newton iterations a pass
+  int most_returns = 12;     // largest number of returns of a point to sticking
+  int most_halvings = 12;    // largest number of halvings of a Newton step
   double softer = 0.03;      // share of the penalty of a second start, if the first one fails
 };
 
-/// What was found, and what it cost.
+/// The equilibrium found, and the work that it took.
 struct RollingContactState {
   Eigen::VectorXd q;
   RollingInput input;

@@ -50,7 +50,7 @@ struct RollingLines {
   int points() const { return static_cast<int>(time.size()); }
 };
 
-/// Where the points are, and how hard they press.
+/// Positions and pressures of the points.
 struct RollingInput {
   Eigen::Matrix2Xd x;     // m, along the ground
   Eigen::VectorXd p;      // Pa; 0: not in contact
