@@ -52,11 +52,11 @@ struct RollingLines {
 
 /// Positions and pressures of the points.
 struct RollingInput {
-  Eigen::Matrix2Xd x;     // m, along the ground
-  Eigen::VectorXd p;      // Pa; 0: not in contact
-  Eigen::VectorXd share;  // of the step to a point that lies in contact, 0 to 1; used where a line
-                          // comes down
-  Eigen::Matrix2Xd V_g;   // m/s
+  Eigen::Matrix2Xd x;  // m, along the ground
+  Eigen::VectorXd p;   // Pa; 0: not in contact
+  /// Part of the step to a point that lies in contact, 0 to 1; used where a line comes down.
+  Eigen::VectorXd share;
+  Eigen::Matrix2Xd V_g;  // m/s
 };
 
 /// State of the points between iterations.
