@@ -60,10 +60,10 @@ std::vector<std::string> limits_met_at(const Study& study, const DesignPoint& po
     if (std::find(asked.begin(), asked.end(), test.name) == asked.end()) continue;
     try {
       const auto specimen = whole.specimens->at(whole, point, nullptr);
-      const auto* knows = specimen->find<experiment::KnowsLimits>();
-      if (!knows || !knows->records_limits()) return {};
+      if (!specimen->find<experiment::KnowsLimits>()) return {};
       if (!test.test->run(*specimen)) continue;
-      for (const std::string& limit : knows->limits_met()) limits.add(limit, test.in_words());
+      for (const std::string& limit : experiment::limits_met(*specimen))
+        limits.add(limit, test.in_words());
     } catch (const InputError&) {
       continue;  // a predicted test that does not accept the point reports this itself
     }

@@ -47,7 +47,6 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
   std::vector<std::string> limits_met() const override {
     return limits_met_by(parameters_, *log_, asked_pressure_);
   }
-  bool records_limits() const override { return true; }
   void stood_under(double load) override { log_->add_standing(load); }
   std::string no_stiffness(const std::string& direction) const override {
     return no_stiffness_of(parameters_, direction);
@@ -56,6 +55,9 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
     return assumed_stiffness_of(parameters_, direction);
   }
   std::optional<double> section_height() const override { return section_height_of(parameters_); }
+  std::optional<double> tread_half_width() const override {
+    return tread_half_width_of(parameters_);
+  }
   Channels steady(const formats::CsvTable& table, const Conventions& conventions) const override {
     return answers(MagicFormula(parameters_, conventions), slip_states(table, parameters_).states);
   }

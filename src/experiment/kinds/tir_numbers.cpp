@@ -138,6 +138,10 @@ std::optional<double> section_height_of(const Parameters& p) {
   return p.UNLOADED_RADIUS - p.RIM_RADIUS;
 }
 
+std::optional<double> tread_half_width_of(const Parameters& p) {
+  return p.WIDTH > 0.0 ? std::optional(0.5 * p.WIDTH) : std::nullopt;
+}
+
 std::optional<SpecimenKind::Size> tir_size(const Document& numbers) {
   const Parameters p = parameters_of(numbers);
   const auto height = section_height_of(p);
