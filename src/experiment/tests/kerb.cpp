@@ -20,6 +20,7 @@
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/kerb_rig.h"
 #include "experiment/rigs/car/kerb_way.h"
+#include "experiment/rigs/car/post_notes.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/sampling.h"
 #include "experiment/tests/films/car_film.h"
@@ -99,7 +100,11 @@ class KerbRunTest : public Test, public TellsLimits {
     if (!car) return car.failure();
     if (const std::string why = too_high(way_of(test_, **car), section_of(specimen)); !why.empty())
       throw InputError(why);
-    return experiment::run(**car, test_);
+    auto record = experiment::run(**car, test_);
+    if (!record) return record;
+    for (const std::string& lift : lifts_of(*record, test_.sample_step))
+      record_limit(specimen, lift);
+    return record;
   }
   std::vector<std::string> limits(Specimen& specimen) const override {
     const auto car = specimen.find<Drives>()->car({});
