@@ -29,8 +29,15 @@ constexpr int kBlock = 8192;  // states
 /// Says that a tire has no turn slip though a test asks for it; empty if it has.
 std::string no_turn_slip_in(const MagicFormula& tire, const Conventions& asked) {
   if (!asked.turn_slip || tire.conventions().turn_slip) return "";
-  return "the tire has no turn slip coefficients (QDRP1, PHYP1 or QCRP1 is 0): turn_slip = \"on\" "
-         "has no effect";
+  const std::string_view missing = tire.parameters().missing_of_turn_slip();
+  if (missing == "QDZ10" || missing == "LKZC")
+    return fmt::format(
+        "{} is 0, so that the tire has no stiffness against spin, by which the equations of turn "
+        "slip divide (4.100): turn_slip = \"on\" has no effect",
+        missing);
+  return fmt::format(
+      "the tire has no turn slip coefficients ({} is 0): turn_slip = \"on\" has no effect",
+      missing);
 }
 
 class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, public KnowsLimits {

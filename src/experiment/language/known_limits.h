@@ -24,8 +24,8 @@ struct KnowsLimits {
   virtual std::vector<std::string> limits_met() const { return {}; }
   /// Returns half of the width, m, over which the tire feels the road; 0: it feels one line.
   virtual double felt_half_width() const { return 0.0; }
-  /// Returns half of the width, m, of a real tread of this size; nullopt if the specimen's file does
-  /// not say.
+  /// Returns half of the width, m, of a real tread of this size; nullopt if the specimen's file
+  /// does not say.
   virtual std::optional<double> tread_half_width() const { return std::nullopt; }
   /// Records a sentence of a test about its run; an empty or a known one is left out.
   void record(const std::string& sentence);

@@ -82,11 +82,12 @@ std::string LiftLog::sentence() const {
       first_ + 0.0,
       last_ + 0.0,
       1e3 * total_,
-      is_massless ? std::string("0")
-                  : fmt::format("that of the belt's inertia on the hub, {:.4g} to {:.4g} N, no load "
-                                "of the road",
-                                hub_least_,
-                                hub_most_));
+      is_massless
+          ? std::string("0")
+          : fmt::format("that of the belt's inertia on the hub, {:.4g} to {:.4g} N, no load "
+                        "of the road",
+                        hub_least_,
+                        hub_most_));
 }
 
 std::unique_ptr<Tire> watched(std::unique_ptr<Tire> tire, LiftLog& log) {
