@@ -15,7 +15,7 @@
 
 #include "base/random.h"
 #include "base/text.h"
-#include "correlation/comparison/limits_by_name.h"
+#include "correlation/analysis/limits_by_name.h"
 #include "experiment/language/known_limits.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/band_level.h"
@@ -577,7 +577,7 @@ std::vector<std::string> limits_of_models(const ModelComparisonFile& file,
     for (std::size_t i = 0; i < file.cases.size(); ++i)
       for (const std::string& limit : comparison.cases[i].models[m].limits)
         limits.add(file.models[m].title + ": " + limit, file.cases[i].name);
-  return limits.sentences(" ({})", " ({})");
+  return limits.before_names();
 }
 
 double ModelRun::mean_distance(std::size_t band) const { return mean(distance[band]); }

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "base/random.h"
-#include "correlation/comparison/limits_by_name.h"
+#include "correlation/analysis/limits_by_name.h"
 #include "correlation/comparison/measured_drum.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
@@ -106,11 +106,6 @@ Channels run_of(const ComparedTire& tire,
       limits->push_back(std::move(limit));
   }
   return std::move(*channels);
-}
-
-/// Returns "sentence (tests slow, fast)" for each sentence.
-std::vector<std::string> with_tests(const LimitsByName& limits) {
-  return limits.sentences(" (test {})", " (tests {})");
 }
 
 /// Throws InputError if the record has no line in the band; adds a remark if a part of the band is
@@ -293,7 +288,7 @@ TireComparison compare_tires(const ComparisonFile& file,
     all.tests.push_back(std::move(compared));
   }
   for (std::size_t i = 0; i < file.tires.size(); ++i) all.tires.push_back(summary(file, all, i));
-  all.limits_of_specimen = with_tests(of_specimen);
+  all.limits_of_specimen = of_specimen.before_names();
   return all;
 }
 
@@ -304,7 +299,7 @@ std::vector<std::string> limits_of_tire(const ComparisonFile& file,
   for (std::size_t t = 0; t < file.tests.size(); ++t)
     for (const std::string& limit : comparison.tests[t].tires[tire].limits)
       limits.add(limit, file.tests[t].name);
-  return with_tests(limits);
+  return limits.before_names();
 }
 
 std::vector<std::string> verdicts(const ComparisonFile& file, const TireComparison& comparison) {

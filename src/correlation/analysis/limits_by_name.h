@@ -21,13 +21,18 @@ class LimitsByName {
     if (std::ranges::find(known->second, name) == known->second.end())
       known->second.push_back(name);
   }
-  /// Returns each sentence followed by its name in the form `one`, or its names in the form
-  /// `several`; "{}" stands for the names.
-  std::vector<std::string> sentences(std::string_view one, std::string_view several) const {
+  /// Returns "name, name: sentence" for each sentence.
+  std::vector<std::string> after_names() const {
     std::vector<std::string> all;
     for (const auto& [limit, names] : limits_)
-      all.push_back(limit + fmt::format(fmt::runtime(names.size() == 1 ? one : several),
-                                        fmt::format("{}", fmt::join(names, ", "))));
+      all.push_back(fmt::format("{}: {}", fmt::join(names, ", "), limit));
+    return all;
+  }
+  /// Returns "sentence (name, name)" for each sentence.
+  std::vector<std::string> before_names() const {
+    std::vector<std::string> all;
+    for (const auto& [limit, names] : limits_)
+      all.push_back(fmt::format("{} ({})", limit, fmt::join(names, ", ")));
     return all;
   }
 
