@@ -159,7 +159,8 @@ std::vector<std::string> limits_met_by(const Parameters& parameters,
                                        const Inflation& asked_pressure) {
   auto sentences = magic_formula::ranges_left(log.inputs(), parameters);
   // At rest and below VXLOW the tire is also what the file does not say.
-  if (log.inputs().speed.from < magic_formula::low_speed(parameters))
+  const auto speed = log.inputs().speed;
+  if (speed.to > 0.0 && speed.from < magic_formula::low_speed(parameters))
     for (const std::string& assumed : magic_formula::assumed_at_standstill(parameters))
       sentences.push_back("assumed for the wheel that hardly rolls in this test: " + assumed);
   constexpr double kRounding = 1e-9;
